@@ -112,11 +112,9 @@ CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
     "GeneticAlgorithm": (
         lambda **k: coevolution.GeneticAlgorithm(noise=TABLE, **k),
         {"population": np.zeros((4, 4)), "tournament": 2}
-        | {"truncation": 0.5, "elites": 1, "crossover": 0.0, "mutation": 1.0},
+        | {"truncation": 0.5, "elites": 1, "crossover": 0.0},
     ),
     "CmaEs": (coevolution.CmaEs, {"genome": START, "sigma": 0.1, "samples": 4}),
-    "Adam": (coevolution.Adam, {"size": 4, "beta1": 0.9, "beta2": 0.9, "epsilon": 1e-8}),
-    "Momentum": (coevolution.Momentum, {"size": 4, "momentum": 0.9}),
     **{
         f"opponents.{kind.__name__}": (
             kind,

@@ -18,9 +18,9 @@ from matrixworld.coevolution import (
 from own_code import Crash, Fails, Fixed, Hardest, HillClimber, ReturnsViews
 
 
-def strategy(genome, samples, rng, epochs):
+def strategy(genome, samples, rng, epochs, *, momentum=None):
     noise = NoiseTable(genome.size, rng, sigma=0.1)
-    return EvolutionStrategy(genome, noise, samples=samples, anneal_over=epochs)
+    return EvolutionStrategy(genome, noise, samples=samples, anneal_over=epochs, momentum=momentum)
 
 
 def algorithm(genomes, rng, *, elites=2, mutation=0.05):
@@ -45,6 +45,7 @@ def tell_in_place(self, fitness):
         (ReturnsViews, {}),
         (CmaEs, {"sigma": 0.1}),
         (strategy, {}),
+        (strategy, {"momentum": 0.9}),
         (algorithm, {"elites": 1}),
     ],
 )

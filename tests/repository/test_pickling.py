@@ -220,7 +220,7 @@ def _of_learning() -> Iterator[Any]:
     rng = np.random.default_rng(0)
     start = np.zeros(12, np.float32)
     table = coevolution.NoiseTable(12, rng, sigma=0.1)
-    yield from (table, coevolution.Adam(12), coevolution.Momentum(12))
+    yield table
     for learner in (
         coevolution.EvolutionStrategy(start, table, samples=4),
         coevolution.GeneticAlgorithm(np.zeros((4, 12)), table),

@@ -70,8 +70,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithmSettings,
 )
 from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
-from matrixworld.coevolution.learners.noise import NoiseTable
-from matrixworld.coevolution.learners.optimizers import Adam, Momentum
+from matrixworld.coevolution.learners.parts import NoiseTable
 from matrixworld.coevolution.learners.toolbox import (
     Candidates,
     Individual,
@@ -115,7 +114,6 @@ __all__ = [
     "SCHEDULES",
     "TEAMS",
     "ActorCriticSettings",
-    "Adam",
     "Against",
     "Alternating",
     "ArchivedOpponents",
@@ -139,7 +137,6 @@ __all__ = [
     "Learner",
     "LearnerSettings",
     "LockedError",
-    "Momentum",
     "NoiseTable",
     "OtherVersionError",
     "OwnLearnerSettings",

@@ -68,7 +68,7 @@ DRAWN: dict[str, Callable[[int], OpponentSampler]] = {
 Half of the opponents of `hall-of-fame` are the newest; the other half, or one more, are drawn from
 the older ones. With one opponent it draws from all, as `uniform` does.
 """
-ARCHIVES: dict[str, Callable[[int], Archive | Generalist]] = {
+ARCHIVES: dict[str, Callable[[int], Archive]] = {
     "maxsolve": MaxSolve,
     "ipca": lambda size: IPCA(),
     "lapca": LAPCA,

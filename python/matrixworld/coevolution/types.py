@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, Protocol
+from typing import Any, ClassVar, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,23 @@ class Stateful(Protocol):
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
+
+
+class Saved:
+    """Base of parts whose state is the attributes named in `saved`: arrays and plain numbers."""
+
+    saved: ClassVar[tuple[str, ...]] = ()
+
+    def state(self) -> State:
+        """Return copies of all that changes, as plain arrays by name."""
+        return {name: np.array(getattr(self, name)) for name in self.saved}
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        for name in self.saved:
+            value = state[name]
+            # Arrays without an axis were plain numbers before they were saved.
+            setattr(self, name, value.copy() if value.ndim else value.item())
 
 
 def other(team: Team) -> Team:

@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_floats, shown
 from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.learners.learner import LearnerSettings
-from matrixworld.coevolution.learners.optimizers import Adam
+from matrixworld.coevolution.learners.parts import Adam
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import (
     BoolArray,
@@ -48,12 +48,17 @@ if TYPE_CHECKING:
 
 CHUNK = 16_384
 """Transitions that are in the networks at one time. Gradients are sums over all chunks."""
-
-
 COST_RATE = 0.05
 """Learning rate of the multiplier, unless another one is given."""
+SMALL = 1e-8
+"""Added to a standard deviation by which is divided."""
+
 Views = NDArray[np.uint8]
 Reals = NDArray[np.float32]
+Tensor: TypeAlias = Any
+"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
+Objective = Callable[..., Any]
+"""Takes the weights, a slice of the transitions and its number; returns a sum to maximise."""
 
 
 @dataclass(frozen=True)
@@ -88,10 +93,6 @@ class Experience:
         return len(self.actions)
 
 
-SMALL = 1e-8
-"""Added to a standard deviation by which is divided."""
-
-
 def advantages(
     acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
 ) -> Reals:
@@ -115,66 +116,36 @@ def advantages(
     return found
 
 
-@dataclass(frozen=True)
-class CriticRows:
-    """What a critic sees, and where its values belong."""
-
-    inputs: NDArray[np.uint8]
-    """(n, inputs), those of the ends of episodes included."""
-    learned: NDArray[np.uint8]
-    """(k, inputs): those that it learns from."""
-    dense: Callable[[Reals], Reals]
-    """Arranges its values (n,) as (T + 1, W, A)."""
-    targets: Callable[[Reals], Reals]
-    """Takes returns (T, W, A), gives those of `learned`, (k,)."""
-
-
-def critic_rows(e: Experience, *, central: bool) -> CriticRows:
-    """Return what a critic sees of an experience: the views, or the states if it is central."""
-    steps, worlds, agents = e.acted.shape
-
-    def spread(before: NDArray[Any], after: NDArray[Any]) -> Reals:
-        # What follows an agent's last step is 0, unless only its time was over.
-        dense = np.zeros((steps + 1, worlds, agents), np.float32)
-        dense[:-1][e.acted] = before
-        dense[1:][e.last] = after
-        return dense
-
+def critic_rows(e: Experience, *, central: bool) -> tuple[Views, Views]:
+    """Return what a critic sees before steps, and after the last ones: views, or all states."""
     if not central:
-        n = len(e.actions)
-        return CriticRows(
-            np.concatenate([e.views, e.last_views]),
-            e.views,
-            lambda values: spread(values[:n], values[n:]),
-            lambda returns: returns[e.acted],
-        )
+        return e.views, e.last_views
     if e.states is None or e.last_states is None:
         raise ValueError("experience: expected states for a central critic, got none")
-    going = e.acted.any(axis=2)
-    world_of = np.nonzero(e.acted)[:2]
-    ends = np.nonzero(e.last)[1]
+    return e.states.reshape(-1, e.states.shape[-1]), e.last_states
 
-    def dense(values: Reals) -> Reals:
-        during = values[: steps * worlds].reshape(steps, worlds)
-        return spread(during[world_of], values[steps * worlds :][ends])
 
-    states = e.states.reshape(steps * worlds, -1)
+def dense_values(e: Experience, before: Reals, after: Reals, *, central: bool) -> Reals:
+    """Return a critic's values of its rows as (T + 1, W, A)."""
+    steps, worlds, agents = e.acted.shape
+    if central:
+        # The value of a state is that of all agents in it.
+        before = before.reshape(steps, worlds)[np.nonzero(e.acted)[:2]]
+        after = after[np.nonzero(e.last)[1]]
+    # What follows an agent's last step is 0, unless only its time was over.
+    dense = np.zeros((steps + 1, worlds, agents), np.float32)
+    dense[:-1][e.acted] = before
+    dense[1:][e.last] = after
+    return dense
+
+
+def lessons(e: Experience, rows: Views, returns: Reals, *, central: bool) -> tuple[Views, Reals]:
+    """Return the rows (k, inputs) that a critic learns from, and its targets (k,)."""
+    if not central:
+        return rows, returns[e.acted]
     # One value for all agents of the team: the mean of what they earn.
-    return CriticRows(
-        np.concatenate([states, e.last_states]),
-        states[going.ravel()],
-        dense,
-        lambda returns: (returns.sum(axis=2, where=e.acted) / np.maximum(e.acted.sum(axis=2), 1))[
-            going
-        ],
-    )
-
-
-def as_dense(acted: BoolArray, values: Reals) -> Reals:
-    """Return values (n,) of transitions as (T, W, A), 0 elsewhere."""
-    found = np.zeros(acted.shape, np.float32)
-    found[acted] = values
-    return found
+    going, agents = e.acted.any(axis=2), np.maximum(e.acted.sum(axis=2), 1)
+    return rows[going.ravel()], (returns.sum(axis=2, where=e.acted) / agents)[going]
 
 
 def normalised(values: Reals) -> Reals:
@@ -183,12 +154,10 @@ def normalised(values: Reals) -> Reals:
     return np.asarray(centred / (centred.std() + SMALL), np.float32)
 
 
-Tensor: TypeAlias = Any
-"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
-
-
-class Perceptron:
+class Perceptron(Adam):
     """A network that learns by Adam; its weights are one vector, in the layout of a genome."""
+
+    saved: ClassVar[tuple[str, ...]] = (*Adam.saved, "weights")
 
     def __init__(
         self,
@@ -198,9 +167,9 @@ class Perceptron:
         rate: float,
         fixed: BoolArray | None = None,
     ) -> None:
+        super().__init__(len(weights))
         self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
         self.fixed = fixed
-        self.adam = Adam(len(weights))
 
     def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
         """Return the outputs (n, out) for inputs (n, in); `weights` is a tensor of the vector."""
@@ -218,7 +187,7 @@ class Perceptron:
         if self.fixed is not None:
             gradient = np.where(self.fixed, np.float32(0.0), gradient)
         # A new array: archives keep a reference to the genome of their generation.
-        self.weights = self.weights + self.adam.step(gradient, self.rate)
+        self.weights = self.weights + self.step(gradient, self.rate)
 
 
 def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
@@ -386,17 +355,18 @@ class ActorCritic:
             self._torch.set_num_threads(before)
 
     def _learn(self, experience: Experience) -> None:
-        chosen, acted = self.chosen, experience.acted
-        rows = critic_rows(experience, central=chosen.central_critic)
-        signals = {"critic": experience.rewards, "cost_critic": experience.costs}
+        chosen, acted, central = self.chosen, experience.acted, self.chosen.central_critic
+        before, after = critic_rows(experience, central=central)
         estimates = {}
         for name, critic in self._critics.items():
-            values = rows.dense(self._values(critic, rows.inputs))
-            signal = as_dense(acted, signals[name])
-            estimate = partial(advantages, acted, signal, values, chosen.discount)
+            values = self._values(critic, np.concatenate([before, after]))
+            dense = dense_values(experience, *np.split(values, [len(before)]), central=central)
+            signal = np.zeros(acted.shape, np.float32)
+            signal[acted] = experience.rewards if name == "critic" else experience.costs
+            estimate = partial(advantages, acted, signal, dense, chosen.discount)
             estimates[name] = normalised(estimate(chosen.trace)[acted])
-            returns = rows.targets(estimate(1.0) + values[:-1])
-            self._fit(critic, rows.learned, returns)
+            returns = estimate(1.0) + dense[:-1]
+            self._fit(critic, *lessons(experience, before, returns, central=central))
         advantage: Any = estimates["critic"]
         if chosen.cost_limit is not None:
             self._weigh(1000.0 * float(experience.costs.mean()))
@@ -469,28 +439,20 @@ class ActorCritic:
         return self._torch.from_numpy(rows).to(self._device).float()
 
     def state(self) -> State:
-        """Return the weights, the averages of Adam, and the multiplier."""
-        parts = {"actor": self._actor, **self._critics}
-        return {
-            "multiplier": np.array(self.multiplier),
-            **{f"{name}_weights": part.weights for name, part in parts.items()},
-            **{
-                f"{name}_{key}": value
-                for name, part in parts.items()
-                for key, value in part.adam.state().items()
-            },
+        """Return the multiplier, and weights and averages of Adam of each network."""
+        networks = {"actor": self._actor, **self._critics}
+        arrays = {
+            f"{name}_{key}": value
+            for name, network in networks.items()
+            for key, value in network.state().items()
         }
+        return {"multiplier": np.array(self.multiplier), **arrays}
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
         self.multiplier = float(state["multiplier"])
-        for name, part in {"actor": self._actor, **self._critics}.items():
-            part.weights = state[f"{name}_weights"].astype(np.float32)
-            part.adam.restore({key: state[f"{name}_{key}"] for key in part.adam.state()})
-
-
-Objective = Callable[..., Any]
-"""Takes the weights, a slice of the transitions and its number; returns a sum to maximise."""
+        for name, network in {"actor": self._actor, **self._critics}.items():
+            network.restore({key: state[f"{name}_{key}"] for key in network.saved})
 
 
 def _import_torch() -> Any:

@@ -14,7 +14,15 @@ from threadpoolctl import ThreadpoolController
 from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+from matrixworld.coevolution.types import (
+    FloatArray,
+    Genome,
+    Genomes,
+    Indices,
+    Saved,
+    State,
+    Team,
+)
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.settings import RaceSettings
@@ -27,9 +35,6 @@ Each update decomposes the full covariance matrix, which takes time with the cub
 has.
 """
 
-ADAPTED = ("centroid", "sigma", "pc", "ps", "C", "B", "diagD", "update_count")
-"""Attributes that `deap.cma.Strategy` changes."""
-
 
 class ScoredSample(np.ndarray[Any, np.dtype[np.float64]]):
     """An individual as `deap.cma.Strategy` takes it: (genes,) float64 with a `fitness`."""
@@ -37,8 +42,12 @@ class ScoredSample(np.ndarray[Any, np.dtype[np.float64]]):
     fitness: float
 
 
-class SeededStrategy(cma.Strategy):  # type: ignore[misc]
+class SeededStrategy(cma.Strategy, Saved):  # type: ignore[misc]
     """DEAP's strategy with random numbers from a generator instead of NumPy's global one."""
+
+    saved = ("centroid", "sigma", "pc", "ps", "C", "B", "diagD", "update_count")
+
+    B: FloatArray
 
     def sample(self, rng: np.random.Generator) -> FloatArray:
         """Return the samples of `generate` as one array (samples, genes) float64."""
@@ -46,16 +55,21 @@ class SeededStrategy(cma.Strategy):  # type: ignore[misc]
         samples: FloatArray = self.centroid + self.sigma * np.dot(normal, self.BD.T)
         return samples
 
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        super().restore(state)
+        # Column by column, as LAPACK returned it: BLAS rounds differently in another order.
+        self.B = np.asfortranarray(self.B)
+        self.BD = self.B * self.diagD
+
 
 # Once for all calls: to search the loaded libraries takes milliseconds.
-@cache
-def _blas() -> ThreadpoolController:
-    return ThreadpoolController()
+blas = cache(ThreadpoolController)
 
 
-def _one_thread() -> Any:
+def one_thread() -> Any:
     """Limit BLAS and LAPACK to one thread: the order of their sums depends on the threads."""
-    return _blas().limit(limits=1, user_api="blas")
+    return blas().limit(limits=1, user_api="blas")
 
 
 class CmaEs:
@@ -78,11 +92,6 @@ class CmaEs:
     samples : int, optional
         Candidates an epoch, at least 2.
 
-    Raises
-    ------
-    ValueError
-        If an argument is out of range.
-
     Notes
     -----
     LAPACK decomposes C. It runs in one thread here, so that a restored run continues bit for bit
@@ -103,7 +112,7 @@ class CmaEs:
         check_genes(start.size)
         check_number("sigma", sigma, least=0.0, positive=True)
         check_integer("samples", samples, 2)
-        with _one_thread():
+        with one_thread():
             self._strategy = SeededStrategy(start, sigma, lambda_=samples)
         self._samples: FloatArray | None = None
 
@@ -119,14 +128,8 @@ class CmaEs:
         return np.zeros(self._strategy.lambda_, dtype=np.intp)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
-        """Return the samples.
-
-        Raises
-        ------
-        ArithmeticError
-            If the distribution exceeds the range of float32.
-        """
-        with _one_thread():
+        """Return the samples; ArithmeticError if they exceed the range of float32."""
+        with one_thread():
             samples = self._strategy.sample(rng)
         # Numbers too large for float32 become infinite, which is reported with its cause below.
         with np.errstate(over="ignore"):
@@ -151,25 +154,17 @@ class CmaEs:
         for sample, value in zip(population, values, strict=True):
             sample.fitness = float(value)
         # The next `ask` reports a matrix that overflows or is no longer positive.
-        with _one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        with one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             self._strategy.update(population)
         self._samples = None
 
     def state(self) -> State:
         """Return what `deap.cma.Strategy` adapts: C and B (genes, genes), and a few vectors."""
-        return {name: np.array(getattr(self._strategy, name)) for name in ADAPTED}
+        return self._strategy.state()
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
-        strategy = self._strategy
-        for name in ADAPTED:
-            value = state[name]
-            # Arrays without an axis were plain numbers before they were saved.
-            setattr(strategy, name, value.copy() if value.ndim else value.item())
-        # Column by column, as LAPACK returned it: BLAS rounds differently in another order.
-        strategy.B = np.asfortranarray(strategy.B)
-        strategy.BD = strategy.B * strategy.diagD
-        self._samples = None
+        self._strategy.restore(state)
 
 
 def check_genes(genes: int) -> None:

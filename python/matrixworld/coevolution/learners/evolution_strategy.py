@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
-from matrixworld.coevolution.learners.noise import NoiseTable
-from matrixworld.coevolution.learners.optimizers import Adam, Momentum, Optimizer, check_momentum
+from matrixworld.coevolution.learners.parts import Adam, Momentum, NoiseTable, check_momentum
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
@@ -26,19 +25,15 @@ ANNEALED_RATE = 0.1
 
 
 def centred_ranks(fitness: FloatArray) -> FloatArray:
-    """Return the ranks of fitness values (n,), scaled to [-0.5, 0.5]; equal values share one.
+    """Return the ranks of fitness values (n,), n > 1, scaled to [-0.5, 0.5]; equal ones share one.
 
     This is the fitness shaping of Salimans et al. 2017, section 2.1.
     """
-    n = len(fitness)
-    if n < 2:
-        # One value has no range to be scaled to.
-        return np.zeros(n)
     in_order = np.sort(fitness)
     below = np.searchsorted(in_order, fitness, side="left")
     not_above = np.searchsorted(in_order, fitness, side="right")
     # Equal values take the places below .. not_above - 1; their rank is the middle of these.
-    return (below + not_above - 1) / (2 * (n - 1)) - 0.5
+    return (below + not_above - 1) / (2 * (len(fitness) - 1)) - 0.5
 
 
 class EvolutionStrategy:
@@ -52,7 +47,7 @@ class EvolutionStrategy:
 
     Both candidates of a pair are scored on the same match seed, so that the luck of the match
     cancels out. One standard deviation s, that of the noise table, serves all genes. There is no
-    weight decay. The step is that of Adam or of momentum (`optimizers`).
+    weight decay.
 
     Parameters
     ----------
@@ -69,7 +64,7 @@ class EvolutionStrategy:
         is constant.
     momentum : float, optional
         Share of its last step that classical momentum keeps, in [0, 1). By default a gradient
-        becomes a step by Adam.
+        becomes a step by Adam (Kingma & Ba 2015).
 
     Attributes
     ----------
@@ -77,11 +72,6 @@ class EvolutionStrategy:
         The mean.
     seed_groups : ndarray of int, shape (samples,)
         Pair of each candidate.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of range or `genome` does not fit the table.
 
     References
     ----------
@@ -110,9 +100,7 @@ class EvolutionStrategy:
         self.learning_rate: float = learning_rate
         self.anneal_over: int | None = anneal_over
         self.seed_groups: Indices = np.tile(np.arange(samples // 2), 2)
-        self._optimizer: Optimizer = (
-            Adam(noise.size) if momentum is None else Momentum(noise.size, momentum=momentum)
-        )
+        self._optimizer = Adam(noise.size) if momentum is None else Momentum(noise.size, momentum)
         self._table = noise
         self._noise: list[Genome] = []
 
@@ -160,14 +148,13 @@ class EvolutionStrategy:
 
     def state(self) -> State:
         """Return the mean and the state of the optimizer."""
-        # The optimizer copies its arrays. The genome needs no copy, since no step changes it.
+        # The genome needs no copy, since no step changes it.
         return {"genome": self.genome, **self._optimizer.state()}
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
         self.genome = state["genome"].astype(np.float32)
         self._optimizer.restore(state)
-        self._noise = []
 
 
 @documented
@@ -191,11 +178,11 @@ class EvolutionStrategySettings(LearnerSettings):
     )
 
     def check(self) -> None:
-        """Raise ValueError if the population or the momentum is not legal."""
+        """Raise ValueError for an odd population or a momentum of 1."""
         if self.population is not None and self.population % 2:
             raise ValueError(f"population: expected an even number for es, got {self.population}")
         if self.momentum is not None:
-            check_momentum("momentum", self.momentum)
+            check_momentum(self.momentum)
 
     def new(
         self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator

@@ -16,9 +16,16 @@ from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
-from matrixworld.coevolution.learners.noise import NoiseTable
+from matrixworld.coevolution.learners.parts import NoiseTable
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+from matrixworld.coevolution.types import (
+    FloatArray,
+    Genome,
+    Genomes,
+    Indices,
+    Saved,
+    Team,
+)
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.settings import RaceSettings
@@ -72,31 +79,23 @@ def mate_uniform(
     return genomes
 
 
-def mutate_gaussian(
-    genomes: Genomes, rng: np.random.Generator, *, sigma: float, probability: float
-) -> Genomes:
-    """Add Gaussian noise to each gene with some probability, in place; return the genomes."""
+def mutate_gaussian(genomes: Genomes, rng: np.random.Generator, *, sigma: float) -> Genomes:
+    """Add Gaussian noise to genomes, in place, and return them."""
     noise = rng.standard_normal(genomes.shape, dtype=np.float32)
     noise *= np.float32(sigma)
-    if probability < 1.0:
-        noise *= rng.random(genomes.shape, dtype=np.float32) < probability
     genomes += noise
     return genomes
 
 
-def mutate_from_table(
-    genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable, probability: float
-) -> Genomes:
+def mutate_from_table(genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable) -> Genomes:
     """Mutate as `mutate_gaussian`, by noise from a table: many times as fast."""
     # Row by row: each window starts at another place, and no array holds all of them.
     for genome, change in zip(genomes, noise.draw(len(genomes), rng), strict=True):
-        if probability < 1.0:
-            change = change * (rng.random(noise.size, dtype=np.float32) < probability)
         np.add(genome, change, out=genome)
     return genomes
 
 
-class GeneticAlgorithm:
+class GeneticAlgorithm(Saved):
     """A generational genetic algorithm with elitism, its operators in a DEAP toolbox.
 
     ::
@@ -126,19 +125,14 @@ class GeneticAlgorithm:
         Number of the fittest individuals that are kept unchanged, below n.
     crossover : float, optional
         Probability that a child mixes two parents.
-    mutation : float, optional
-        Probability that a gene mutates.
 
     Attributes
     ----------
     toolbox : deap.base.Toolbox
         The operators `select`, `mate` and `mutate`.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of range, or `population`, `noise` and `elites` do not fit together.
     """
+
+    saved: ClassVar[tuple[str, ...]] = ("population", "fitness", "champion")
 
     def __init__(
         self,
@@ -149,25 +143,24 @@ class GeneticAlgorithm:
         truncation: float | None = None,
         elites: int = 2,
         crossover: float = 0.0,
-        mutation: float = 1.0,
     ) -> None:
         check_integer("tournament", tournament, 1)
         check_integer("elites", elites, 0)
         check_number("crossover", crossover, least=0.0, most=1.0)
-        check_number("mutation", mutation, least=0.0, most=1.0)
-        self._population = check_floats("population", population, np.float32)
-        if self._population.ndim != 2 or not 0 <= elites < len(self._population):
+        self.population: Genomes = check_floats("population", population, np.float32)
+        if self.population.ndim != 2 or not 0 <= elites < len(self.population):
             raise ValueError(
                 f"population: expected (n, genes) with n above {elites} elites, "
-                f"got shape {self._population.shape}"
+                f"got shape {self.population.shape}"
             )
-        genes = self._population.shape[1]
+        genes = self.population.shape[1]
         if noise.size != genes:
             raise ValueError(f"noise: expected a table for {genes} genes, got one for {noise.size}")
-        self._fitness: FloatArray | None = None
-        self._candidates: Genomes | None = None
-        self._champion: int | None = None
+        # Empty before the first `tell`: a state holds arrays only, so no None.
+        self.fitness: FloatArray = np.zeros(0)
+        self.champion = 0
         self.elites = elites
+        self._candidates: Genomes | None = None
         self.toolbox = base.Toolbox()
         if truncation is None:
             self.toolbox.register("select", select_tournament, size=tournament)
@@ -175,28 +168,25 @@ class GeneticAlgorithm:
             check_number("truncation", truncation, least=0.0, most=1.0, positive=True)
             self.toolbox.register("select", select_truncation, fraction=truncation)
         self.toolbox.register("mate", mate_uniform, probability=crossover)
-        self.toolbox.register("mutate", mutate_from_table, noise=noise, probability=mutation)
+        self.toolbox.register("mutate", mutate_from_table, noise=noise)
 
     @property
     def genome(self) -> Genome:
         """Champion of the last scored population, (genes,) float32."""
-        champion = 0 if self._fitness is None else int(np.argmax(self._fitness))
-        if self._champion is not None:
-            champion = self._champion
-        genome: Genome = self._population[champion].copy()
+        genome: Genome = self.population[self.champion].copy()
         return genome
 
     @property
     def elite(self) -> Indices:
         """Indices (elites,) of the fittest of the last scored population, the fittest first."""
-        if self._fitness is None:
+        if not len(self.fitness):
             raise RuntimeError("elite: expected a call of tell before it, got none")
         # Stable: individuals of equal fitness keep their order on every machine.
-        return np.argsort(-self._fitness, kind="stable")[: self.elites]
+        return np.argsort(-self.fitness, kind="stable")[: self.elites]
 
     def elite_genomes(self) -> Genomes:
         """Return the genomes (elites, genes) of the elite, the fittest first."""
-        return self._population[self.elite]
+        return self.population[self.elite]
 
     def choose_champion(self, fitness: ArrayLike) -> None:
         """Make the best of the elite the champion until the next `tell`.
@@ -207,32 +197,28 @@ class GeneticAlgorithm:
             New fitness of the elite, in the order of `elite_genomes`; of equals the first wins.
         """
         best = int(np.argmax(checked_fitness(fitness, self.elites)))
-        self._champion = int(self.elite[best])
+        self.champion = int(self.elite[best])
 
     @property
     def seed_groups(self) -> Indices:
         """Zeros (n,): all candidates are scored on one match seed."""
-        return np.zeros(len(self._population), dtype=np.intp)
+        return np.zeros(len(self.population), dtype=np.intp)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the next population: at first as given, later elites and then children."""
-        if self._fitness is None:
-            # No fitness yet, so there is nothing to select by.
-            self._candidates = self._population
-        else:
-            self._candidates = self._offspring(self._fitness, rng)
+        self._candidates = self._offspring(rng) if len(self.fitness) else self.population
         return self._candidates
 
-    def _offspring(self, fitness: FloatArray, rng: np.random.Generator) -> Genomes:
-        n_children = len(self._population) - self.elites
+    def _offspring(self, rng: np.random.Generator) -> Genomes:
+        n_children = len(self.population) - self.elites
         # Both parents are selected independently, so that they may be the same individual.
-        fathers = self.toolbox.select(fitness, n_children, rng)
-        mothers = self.toolbox.select(fitness, n_children, rng)
+        fathers = self.toolbox.select(self.fitness, n_children, rng)
+        mothers = self.toolbox.select(self.fitness, n_children, rng)
         # One copy of the whole population, which children change in place: at this size every
         # further array leaves the caches.
-        offspring: Genomes = self._population[np.concatenate([self.elite, fathers])]
+        offspring: Genomes = self.population[np.concatenate([self.elite, fathers])]
         children = offspring[self.elites :]
-        mated = self.toolbox.mate(children, self._population, mothers, rng)
+        mated = self.toolbox.mate(children, self.population, mothers, rng)
         mutants = self.toolbox.mutate(mated, rng)
         if mutants is not children:  # another operator in the toolbox
             children[:] = mutants
@@ -242,28 +228,9 @@ class GeneticAlgorithm:
         """Make the candidates the population, with this fitness."""
         if self._candidates is None:
             raise RuntimeError("tell: expected a call of ask before it, got none")
-        self._fitness = checked_fitness(fitness, len(self._candidates))
-        self._population, self._candidates = self._candidates, None
-        self._champion = None
-
-    def state(self) -> State:
-        """Return population, fitness (empty before the first `tell`) and chosen champion."""
-        # A state holds arrays only, so an empty one stands for None.
-        scored = np.zeros(0) if self._fitness is None else self._fitness
-        chosen = [] if self._champion is None else [self._champion]
-        return {
-            "population": self._population,
-            "fitness": scored,
-            "champion": np.array(chosen, dtype=np.int64),
-        }
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        self._population = state["population"].astype(np.float32)
-        scored = state["fitness"].astype(np.float64)
-        self._fitness = scored if len(scored) else None
-        self._champion = int(state["champion"][0]) if len(state["champion"]) else None
-        self._candidates = None
+        self.fitness = checked_fitness(fitness, len(self._candidates))
+        self.champion = int(np.argmax(self.fitness))
+        self.population, self._candidates = self._candidates, None
 
 
 @documented

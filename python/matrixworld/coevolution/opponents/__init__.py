@@ -12,10 +12,12 @@ and those that use scores: `Prioritized` (Vinyals et al. 2019), `SharedSampling`
 1997). `archives` has the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and `LAPCA`
 (2007), `Generalist` (Simione & Nolfi 2021), and the `ArchiveSampler` of what an archive has kept.
 
-A sampler or archive belongs to one team and does not know which: with `swapped` payoffs the other
-team gets the mirror image. Archived members are read-only copies. All that changes is saved and
-restored by ``state`` and ``restore`` as plain arrays, and all random numbers come from the
-generator of the caller, so that a restored run continues bit for bit. Nothing here knows a world.
+A sampler or archive belongs to one team and does not know which: with payoffs ``1 - payoff``,
+transposed, the other team gets the mirror image. Archived members are read-only copies. All that
+changes is saved and restored by ``state`` and ``restore`` as plain arrays, and all random numbers
+come from the generator of the caller, so that a restored run continues bit for bit. Nothing here
+knows a world. Values out of range, and scores or payoffs of another shape, raise a ValueError that
+names them.
 """
 
 from __future__ import annotations
@@ -27,7 +29,6 @@ from matrixworld.coevolution.opponents.archives import (
     ArchiveSampler,
     Generalist,
     MaxSolve,
-    swapped,
 )
 from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
@@ -59,5 +60,4 @@ __all__ = [
     "Uniform",
     "even",
     "hard",
-    "swapped",
 ]

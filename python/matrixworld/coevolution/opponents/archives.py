@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents.samplers import Stateless, check_available, check_count
-from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, Members, State
+from matrixworld._util.checks import check_integer
+from matrixworld.coevolution.opponents.samplers import Stateless, check_available
+from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, Members, Saved, State
 
 PayoffFunction = Callable[[Members, Members], ArrayLike]
 """(candidates (n, ...), tests (m, ...)) -> payoffs (n, m) of the candidates, in [0, 1].
@@ -25,22 +27,6 @@ A pure function: one pair always has the same payoff.
 
 SOLVED_ABOVE = 0.5
 """Payoff above which a candidate solves a test; at it neither team wins."""
-
-
-def swapped(payoff: PayoffFunction) -> PayoffFunction:
-    """Return the payoff function of the other team: ``1 - payoff``, transposed.
-
-    Parameters
-    ----------
-    payoff : PayoffFunction
-        Payoffs of one team as candidates, shape (n, m).
-
-    Returns
-    -------
-    PayoffFunction
-        Payoffs of the other team as candidates, shape (m, n).
-    """
-    return lambda candidates, tests: 1.0 - np.asarray(payoff(tests, candidates)).T
 
 
 def read_only(rows: ArrayLike) -> Members:
@@ -66,7 +52,7 @@ def checked_payoffs(payoff: PayoffFunction, candidates: Members, tests: Members)
     return values
 
 
-class Archive(ABC):
+class Archive(ABC, Saved):
     """Base of the archives: candidates, tests, and the payoffs of all pairs.
 
     ::
@@ -75,7 +61,7 @@ class Archive(ABC):
                  payoffs of all these candidates on all these tests
                  keep some of both, by the rule of the subclass
 
-    Known payoffs are not computed again.
+    Known payoffs are not computed again, unless each submission has to contain all tests.
 
     Attributes
     ----------
@@ -91,6 +77,7 @@ class Archive(ABC):
         Whether each submission must contain all tests, not only the new ones.
     """
 
+    saved: ClassVar[tuple[str, ...]] = ("candidates", "tests", "payoffs")
     graded = False
     needs_all_tests = False
 
@@ -101,7 +88,7 @@ class Archive(ABC):
 
     @abstractmethod
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
-        """Return the candidates and the tests to keep, in ascending order.
+        """Return the candidates and the tests to keep.
 
         Parameters
         ----------
@@ -120,35 +107,28 @@ class Archive(ABC):
             New candidates and tests; either may be empty.
         payoff : callable
             See `PayoffFunction`.
-
-        Raises
-        ------
-        ValueError
-            If members or payoffs have another shape, or a payoff is not finite.
         """
         new_candidates, new_tests = read_only(candidates), read_only(tests)
-        archived = self.payoffs.shape
+        known, old_tests = self.payoffs, self.tests
+        if self.needs_all_tests:
+            # Tests learn, too: payoffs of the last submission are of no use.
+            known, old_tests = known[:, :0], old_tests[:0]
         all_candidates = _joined(self.candidates, new_candidates)
-        all_tests = _joined(self.tests, new_tests)
+        all_tests = _joined(old_tests, new_tests)
         # The payoffs of archived candidates on archived tests are known; two blocks are missing.
         on_new_tests = checked_payoffs(payoff, self.candidates, new_tests)
         of_new_candidates = checked_payoffs(payoff, new_candidates, all_tests)
-        of_archived = np.concatenate([self.payoffs, on_new_tests], axis=1)
+        of_archived = np.concatenate([known, on_new_tests], axis=1)
         union = np.concatenate([of_archived, of_new_candidates])
-        rows, columns = self.keep(union, (archived[0], archived[1]))
+        rows, columns = self.keep(union, (len(known), len(old_tests)))
         self.candidates = read_only(all_candidates[rows])
         self.tests = read_only(all_tests[columns])
         self.payoffs = read_only(union[np.ix_(rows, columns)])
 
-    def state(self) -> State:
-        """Return candidates, tests and payoffs."""
-        return {"candidates": self.candidates, "tests": self.tests, "payoffs": self.payoffs}
-
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
-        self.candidates = read_only(state["candidates"])
-        self.tests = read_only(state["tests"])
-        self.payoffs = read_only(state["payoffs"])
+        for name in self.saved:
+            setattr(self, name, read_only(state[name]))
 
 
 def _joined(archived: Members, new: Members) -> Members:
@@ -183,7 +163,7 @@ class MaxSolve(Archive):
     """
 
     def __init__(self, limit: int) -> None:
-        check_count("limit", limit)
+        check_integer("limit", limit, 1)
         super().__init__()
         self.limit = limit
 
@@ -268,7 +248,7 @@ class LAPCA(Archive):
     """
 
     def __init__(self, layers: int) -> None:
-        check_count("layers", layers)
+        check_integer("layers", layers, 1)
         super().__init__()
         self.layers = layers
 
@@ -366,7 +346,7 @@ def maximally_different(payoffs: ArrayLike, count: int) -> Indices:
     return np.array(chosen, dtype=np.intp)
 
 
-class Generalist:
+class Generalist(Archive):
     """A team of fixed size whose worst member is replaced only by a variant better against all.
 
     ::
@@ -378,7 +358,9 @@ class Generalist:
                          it replaces the worst
 
     A variant that gains on the opponents of its training and loses on others is filtered out. The
-    interface is that of `Archive`.
+    candidates are the team, in the order of their places, and the tests the opponents to learn
+    against next. Each submission must contain the whole opposing team, and payoffs are graded,
+    since their means are compared.
 
     Parameters
     ----------
@@ -386,17 +368,6 @@ class Generalist:
         The team at the start.
     sample_size : int
         Number of maximally different opponents to learn against.
-
-    Attributes
-    ----------
-    candidates : ndarray, shape (n, ...)
-        The team; read-only.
-    tests : ndarray, shape (m, ...)
-        Opponents to learn against next, among those last submitted; read-only.
-    graded : bool
-        True: the archive compares means of graded payoffs.
-    needs_all_tests : bool
-        True: each submission must contain the whole opposing team.
 
     References
     ----------
@@ -408,57 +379,23 @@ class Generalist:
     needs_all_tests = True
 
     def __init__(self, members: ArrayLike, *, sample_size: int) -> None:
-        check_count("sample_size", sample_size)
-        self.candidates: Members = read_only(members)
-        check_count("members", len(self.candidates))
-        self.tests: Members = read_only([])
+        check_integer("sample_size", sample_size, 1)
+        super().__init__()
+        self.candidates = read_only(members)
+        self.payoffs = read_only(np.zeros((check_integer("members", len(self.candidates), 1), 0)))
         self.sample_size = sample_size
 
-    def submit(self, candidates: ArrayLike, tests: ArrayLike, payoff: PayoffFunction) -> BoolArray:
-        """Submit variants, and choose the opponents to learn against next.
-
-        Parameters
-        ----------
-        candidates : array_like, shape (v, ...)
-            Variants; may be empty.
-        tests : array_like, shape (m, ...)
-            The whole opposing team.
-        payoff : callable
-            See `PayoffFunction`.
-
-        Returns
-        -------
-        ndarray of bool, shape (v,)
-            Whether each variant has replaced a member, even if a later variant has replaced it.
-        """
-        variants, opponents = read_only(candidates), read_only(tests)
-        check_count("tests", len(opponents))
-        # Opponents learn, too: payoffs of the last submission are of no use here.
-        members = list(self.candidates)
-        payoffs = checked_payoffs(payoff, self.candidates, opponents)
-        offered = checked_payoffs(payoff, variants, opponents)
-        replaced = np.zeros(len(variants), dtype=np.bool_)
-        for i, variant in enumerate(variants):
+    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+        """Return the members in their places, and the opponents to learn against next."""
+        check_integer("tests", payoffs.shape[1], 1)
+        strength, places = payoffs.mean(axis=1), np.arange(archived[0])
+        for variant in range(archived[0], len(payoffs)):
             # The worst of the present team, in which earlier variants may have a place.
-            worst = int(np.argmin(payoffs.mean(axis=1)))
-            if offered[i].mean() > payoffs[worst].mean():
-                payoffs[worst], members[worst], replaced[i] = offered[i], variant, True
-        self.candidates = read_only(np.stack(members))
-        self.tests = read_only(opponents[self._next_tests(payoffs)])
-        return replaced
-
-    def _next_tests(self, payoffs: FloatArray) -> Indices:
+            worst = int(np.argmin(strength[places]))
+            if strength[variant] > strength[places[worst]]:
+                places[worst] = variant
         # The opponents' own payoffs: the same matrix, seen from the other side.
-        return maximally_different(1.0 - payoffs.T, self.sample_size)
-
-    def state(self) -> State:
-        """Return the team, and the opponents to learn against next."""
-        return {"candidates": self.candidates, "tests": self.tests}
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        self.candidates = read_only(state["candidates"])
-        self.tests = read_only(state["tests"])
+        return places, maximally_different(1.0 - payoffs[places].T, self.sample_size)
 
 
 # A sampler of what an archive keeps:
@@ -487,7 +424,7 @@ class ArchiveSampler(Stateless):
 
     Parameters
     ----------
-    archive : Archive or Generalist
+    archive : Archive
         Keeps numbers of generations; saved and restored with the sampler.
     count : int, optional
         Opponents an epoch; fewer, if the archive holds fewer.
@@ -497,15 +434,10 @@ class ArchiveSampler(Stateless):
     de Jong 2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1).
     """
 
-    def __init__(self, archive: Archive | Generalist, count: int = 1) -> None:
-        check_count("count", count)
-        self.archive: Archive | Generalist = archive
+    def __init__(self, archive: Archive, count: int = 1) -> None:
+        check_integer("count", count, 1)
+        self.archive: Archive = archive
         self.count: int = count
-
-    @property
-    def graded(self) -> bool:
-        """Whether the archive should get graded payoffs, instead of win, draw or loss."""
-        return self.archive.graded
 
     def update(self, new: Members, opponents: Members, payoff: PayoffFunction) -> None:
         """Submit new generations to the archive.
@@ -526,12 +458,7 @@ class ArchiveSampler(Stateless):
     def max_pairs(self, candidates: int, tests: int) -> int:
         """Return the largest number of pairs that an update compares.
 
-        One generation of each team is new.
-
-        Parameters
-        ----------
-        candidates, tests : int
-            Generations of the team and of its opponents, the new ones included.
+        There are so many generations of the team and of its opponents, of which one each is new.
         """
         if self.archive.needs_all_tests:
             # Generalist computes all payoffs again: of its team and of the new generation.

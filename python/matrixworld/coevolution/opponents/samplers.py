@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_integer, check_number
-from matrixworld.coevolution.types import FloatArray, Indices, State
+from matrixworld.coevolution.types import FloatArray, Indices, Saved, State
 
 
 class OpponentSampler(Protocol):
@@ -50,22 +50,24 @@ class OpponentSampler(Protocol):
         """Restore a state returned by `state()`, of this or of an equal sampler."""
 
 
-class Stateless:
-    """Base of the samplers that do not use scores."""
+class Stateless(Saved):
+    """Base of the samplers that do not use scores: nothing changes, so no arrays are saved."""
 
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Ignore the scores."""
 
-    def state(self) -> State:
-        """Return no arrays: nothing changes."""
-        return {}
-
-    def restore(self, state: State) -> None:
-        """Do nothing: there is no state."""
-
 
 @dataclass(frozen=True)
-class Latest(Stateless):
+class Counted(Stateless):
+    """Base of the samplers whose one setting is the number of opponents."""
+
+    count: int = 1
+
+    def __post_init__(self) -> None:
+        check_integer("count", self.count, 1)
+
+
+class Latest(Counted):
     """The newest opponents: ``available - 1, available - 2, ...``.
 
     Parameters
@@ -73,11 +75,6 @@ class Latest(Stateless):
     count : int, optional
         Opponents an epoch; all, if fewer are available.
     """
-
-    count: int = 1
-
-    def __post_init__(self) -> None:
-        check_count("count", self.count)
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the newest opponents, the newest first."""
@@ -104,7 +101,7 @@ class Uniform(Stateless):
 
     def __post_init__(self) -> None:
         if self.count is not None:
-            check_count("count", self.count)
+            check_integer("count", self.count, 1)
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return opponents in random order, or all of them in their own order."""
@@ -115,8 +112,7 @@ class Uniform(Stateless):
         return rng.choice(available, size=min(self.count, available), replace=False)
 
 
-@dataclass(frozen=True)
-class RoundRobin(Stateless):
+class RoundRobin(Counted):
     """All opponents in turn: ``epoch mod available``, the rule of the paper's generalists.
 
     Parameters
@@ -128,11 +124,6 @@ class RoundRobin(Stateless):
     ----------
     Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
-
-    count: int = 1
-
-    def __post_init__(self) -> None:
-        check_count("count", self.count)
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the next opponents in the cycle."""
@@ -162,9 +153,9 @@ class HallOfFame(Stateless):
     sampled: int = 1
 
     def __post_init__(self) -> None:
-        check_count("newest", self.newest, least=0)
-        check_count("sampled", self.sampled, least=0)
-        check_count("newest + sampled", self.newest + self.sampled)
+        check_integer("newest", self.newest, 0)
+        check_integer("sampled", self.sampled, 0)
+        check_integer("newest + sampled", self.newest + self.sampled, 1)
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the newest opponents, the newest first, and then the older ones."""
@@ -175,14 +166,9 @@ class HallOfFame(Stateless):
         return np.append(newest, rng.choice(older, size=min(self.sampled, older), replace=False))
 
 
-def check_count(name: str, value: int, *, least: int = 1) -> None:
-    """Raise ValueError if a number is below `least`, TypeError if it is not an integer."""
-    check_integer(name, value, least)
-
-
 def check_available(available: int) -> None:
     """Raise ValueError if there is no opponent."""
-    check_count("available", available)
+    check_integer("available", available, 1)
 
 
 def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
@@ -213,16 +199,6 @@ def hard(power: float = 2.0) -> Weighting:
     ----------
     power : float, optional
         Above 0; the higher, the more weight on the hardest opponents.
-
-    Returns
-    -------
-    callable
-        The weighting.
-
-    Raises
-    ------
-    ValueError
-        If `power` is out of range.
     """
     check_number("power", power, least=0.0, positive=True)
     return partial(_hard, power=power)
@@ -234,22 +210,17 @@ def _hard(x: FloatArray, *, power: float) -> FloatArray:
 
 
 def even(x: FloatArray) -> FloatArray:
-    """Weight ``x (1 - x)``: most weight on opponents that are beaten half of the time.
+    """Return the weights (m,) ``x (1 - x)``: most on opponents that are beaten half of the time.
 
     Parameters
     ----------
     x : ndarray of float64, shape (m,)
         Win rates of the learning team.
-
-    Returns
-    -------
-    ndarray of float64, shape (m,)
-        Weights.
     """
     return x * (1.0 - x)
 
 
-class Prioritized:
+class Prioritized(Saved):
     """Opponents drawn with probability ~ f(win rate), without replacement.
 
     ::
@@ -269,30 +240,27 @@ class Prioritized:
     decay : float, optional
         Factor, in (0, 1], on earlier wins and games against an opponent with each new game.
 
-    Raises
-    ------
-    ValueError
-        If `count` or `decay` is out of range.
-
     References
     ----------
     Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
     learning", Nature 575, "prioritized fictitious self-play".
     """
 
+    saved: ClassVar[tuple[str, ...]] = ("wins", "games")
+
     def __init__(
         self, weighting: Weighting | None = None, *, count: int = 1, decay: float = 0.99
     ) -> None:
-        check_count("count", count)
+        check_integer("count", count, 1)
         check_number("decay", decay, least=0.0, most=1.0, positive=True)
         self.weighting: Weighting = hard() if weighting is None else weighting
         self.count: int = count
         self.decay: float = decay
-        self._wins, self._games = np.zeros(0), np.zeros(0)
+        self.wins, self.games = np.zeros(0), np.zeros(0)
 
     def win_rates(self, available: int) -> FloatArray:
         """Return the learning team's recent win rate against each opponent, (available,)."""
-        wins, games = _padded(self._wins, available), _padded(self._games, available)
+        wins, games = _padded(self.wins, available), _padded(self.games, available)
         rates = np.full(available, UNKNOWN)
         # Where there are no games, `out` keeps the assumed rate.
         np.divide(wins[:available], games[:available], out=rates, where=games[:available] > 0.0)
@@ -323,18 +291,9 @@ class Prioritized:
         index, values = checked_scores(opponents, scores)
         # The archive grows during a run, and so do the counts.
         size = int(index.max()) + 1
-        self._wins, self._games = _padded(self._wins, size), _padded(self._games, size)
-        self._wins[index] = self.decay * self._wins[index] + values.mean(axis=0)
-        self._games[index] = self.decay * self._games[index] + 1.0
-
-    def state(self) -> State:
-        """Return the decayed wins and games against each opponent."""
-        return {"wins": self._wins.copy(), "games": self._games.copy()}
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        self._wins = state["wins"].astype(np.float64)
-        self._games = state["games"].astype(np.float64)
+        self.wins, self.games = _padded(self.wins, size), _padded(self.games, size)
+        self.wins[index] = self.decay * self.wins[index] + values.mean(axis=0)
+        self.games[index] = self.decay * self.games[index] + 1.0
 
 
 def _padded(values: FloatArray, size: int) -> FloatArray:
@@ -372,7 +331,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Ind
     return np.asarray(order[chosen], dtype=np.intp)
 
 
-class SharedSampling:
+class SharedSampling(Saved):
     """A sampler of strong and different opponents, by the last scores against each.
 
     The rule is that of `shared_sample`. An opponent without scores counts as beating every
@@ -385,10 +344,12 @@ class SharedSampling:
         Opponents an epoch; all, if fewer are available.
     """
 
+    saved: ClassVar[tuple[str, ...]] = ("last",)
+
     def __init__(self, count: int = 1) -> None:
-        check_count("count", count)
+        check_integer("count", count, 1)
         self.count = count
-        self._beats = np.ones((0, 1))
+        self.last = np.ones((0, 1))
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the sample, the strongest first."""
@@ -397,22 +358,14 @@ class SharedSampling:
 
     def beats(self, available: int) -> FloatArray:
         """Return how surely each opponent beats each candidate, (available, n)."""
-        unknown = max(0, available - len(self._beats))
-        return np.pad(self._beats[:available], ((0, unknown), (0, 0)), constant_values=1.0)
+        unknown = max(0, available - len(self.last))
+        return np.pad(self.last[:available], ((0, unknown), (0, 0)), constant_values=1.0)
 
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Record one minus the scores (n, c) for each opponent."""
         index, values = checked_scores(opponents, scores)
         # Columns are candidates; with another number of them old scores fit none.
-        if self._beats.shape[1] != len(values):
-            self._beats = np.ones((0, len(values)))
-        self._beats = self.beats(max(len(self._beats), int(index.max()) + 1))
-        self._beats[index] = 1.0 - values.T
-
-    def state(self) -> State:
-        """Return how surely each opponent beat each candidate when last sampled."""
-        return {"beats": self._beats.copy()}
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        self._beats = state["beats"].astype(np.float64)
+        if self.last.shape[1] != len(values):
+            self.last = np.ones((0, len(values)))
+        self.last = self.beats(max(len(self.last), int(index.max()) + 1))
+        self.last[index] = 1.0 - values.T

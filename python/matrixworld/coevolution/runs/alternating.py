@@ -224,7 +224,7 @@ class Race(Run):
         """Add the generations of both teams since the last call to a sampler's archive, if any."""
         sampler = archive_of(self.samplers[team])
         if sampler is not None:
-            payoff = self._payoff_function(team, graded=sampler.graded)
+            payoff = self._payoff_function(team, graded=sampler.archive.graded)
             sampler.update(np.array(new), np.array(opponents), payoff)
 
     def max_admission_matches(self, team: Team, new: int, opponents: int) -> int:

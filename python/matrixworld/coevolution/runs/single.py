@@ -112,7 +112,7 @@ class SingleTeam(Run):
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
         learner = self.settings.learner
         sigma = learner.mutation if isinstance(learner, GeneticAlgorithmSettings) else MUTATION
-        mutate_gaussian(population[1:], rng, sigma=sigma, probability=1.0)
+        mutate_gaussian(population[1:], rng, sigma=sigma)
         return population
 
     def first_archive(self) -> dict[Team, list[Genome]]:
