@@ -268,8 +268,10 @@ def test_all_commands_come_to_the_same_judgement(run):
     [judged] = load_json(Path("d.json"))["groups"].values()
     [analyzed] = load_json(Path("a.json"))["groups"].values()
     assert judged == analyzed["judgement"] == plain
-    assert group.runs[0].numbers["judgement"] == plain
     assert group.judgement.to_json() == plain
+    [reported] = load_json(Path("run/summary.json"))["runs"].values()
+    assert reported["judgement"] == plain
+    assert set(reported["measures"]) == set(MEASURES)
 
     payoff = planned([group], path)[path / "payoff.png"]().axes[0].get_title()
     assert payoff == f"specialist-specialist, seed 5\n{headline(expected)}"

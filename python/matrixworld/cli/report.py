@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from matrixworld._util.files import save_json
-from matrixworld.analysis import Estimate
+from matrixworld.analysis import Estimate, measure_all
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.console import TERMS, command, print_wrapped
 from matrixworld.cli.explore import write_explorer
@@ -67,7 +67,8 @@ def report(
         print_wrapped(f"Failed: {path}: {problem}")
     problems = {_inside(root, path): problem for path, problem in failed.items()}
     plain = {group.name: _plain(group, estimates.get(group.name)) for group in groups}
-    runs = {_inside(root, run.path): _plain_run(run) for group in finished for run in group.runs}
+    singles = [single for group in finished for single in group.singles]
+    runs = {_inside(root, one.runs[0].path): _plain_run(one) for one in singles}
     # The summary of a run that was started by itself lies in the same directory.
     if root not in [run.path for run in results]:
         save_json(root / SUMMARY, {"groups": plain, "runs": runs, "failed": problems})
@@ -114,8 +115,17 @@ def _plain(group: Group, estimates: Mapping[str, Estimate | None] | None) -> dic
     }
 
 
-def _plain_run(run: Result) -> dict[str, Any]:
-    return {**run.numbers, **({"held_out": run.held_out} if run.is_race else {})}
+def _plain_run(single: Group) -> dict[str, Any]:
+    """Return the numbers of a run, and of a race what was measured and judged."""
+    [run] = single.runs
+    if not run.is_race:
+        return run.numbers
+    return {
+        **run.numbers,
+        "measures": plain_values(measure_all(single.payoffs)),
+        "judgement": single.judgement.to_json(),
+        "held_out": run.held_out,
+    }
 
 
 def _print_files(root: Path, figures: Sequence[Path], runs: Sequence[str]) -> None:

@@ -11,9 +11,8 @@ from typing import Any, ClassVar, cast
 
 import numpy as np
 
-from matrixworld.analysis import disengagements, judge, measure_all, read_payoffs
+from matrixworld.analysis import disengagements
 from matrixworld.analysis.engagement import PATIENCE, Disengagement
-from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
@@ -209,14 +208,9 @@ class Race(Run):
         return np.broadcast_to(rates, (finished, 2))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return counts, stretches of disengagement, measures and judgement of the payoffs."""
-        payoffs = read_payoffs(payoff.capture_rates, per_episode=True)
-        return {
-            **super().summary(payoff),
-            "disengagement": [str(stretch) for stretch in self.disengagements()],
-            "measures": plain_values(measure_all(payoffs)),
-            "judgement": judge(payoffs).to_json(),
-        }
+        """Return counts, and stretches of disengagement; commands judge the payoffs when asked."""
+        stretches = [str(stretch) for stretch in self.disengagements()]
+        return {**super().summary(payoff), "disengagement": stretches}
 
     # Matches in which samplers with an archive compare candidates:
 
