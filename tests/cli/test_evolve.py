@@ -441,7 +441,7 @@ def test_resume_scores_races_that_have_no_scores_of_their_own(copy, undrawn):
     assert [name.read_bytes() for name in names] == before
     # As if another version of the package had written it.
     files = RunDirectory.open(copy / PLACES[2])
-    owner = f"{json_digest(files.config())}/scores.json"
+    owner = f"{json_digest(files.config)}/scores.json"
     kept = {**load_json(names[2], owner=owner), "matrixworld": "0.0"}
     save_json(names[2], kept, owner=owner)
     assert "held-out" in matrixworld_command("evolve", "--resume", copy).stderr

@@ -371,7 +371,7 @@ def _found_job(root: Path) -> Job:
         hint = resume_command(root.parent)
         raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
     # Runs that were put together by hand.
-    return Job({run.relative_to(root).as_posix(): RunDirectory(run).settings() for run in runs})
+    return Job({run.relative_to(root).as_posix(): RunDirectory(run).settings for run in runs})
 
 
 def play_runs(

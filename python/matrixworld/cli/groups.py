@@ -88,13 +88,13 @@ def kept_scores(files: RunDirectory) -> Scores | None:
 
 def owner_of_scores(files: RunDirectory) -> str:
     """Return what seals the file: scores of another run are not taken for those of this one."""
-    return f"{json_digest(files.config())}/{SCORES}"
+    return f"{json_digest(files.config)}/{SCORES}"
 
 
 def open_result(path: Path) -> Result:
     """Return the run of a directory, finished or not."""
     files = RunDirectory.open(path)
-    return Result(files, files.settings(), files.finished)
+    return Result(files, files.settings, files.finished)
 
 
 @dataclass(frozen=True)

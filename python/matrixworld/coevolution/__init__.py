@@ -56,7 +56,11 @@ from matrixworld.coevolution.fitness import (
     fitness,
     reduced_virulence,
 )
-from matrixworld.coevolution.jobs.best_responses import best_responses
+from matrixworld.coevolution.jobs.best_responses import (
+    BestResponse,
+    best_response,
+    best_responses,
+)
 from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
 from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
 from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
@@ -80,7 +84,6 @@ from matrixworld.coevolution.own_code import PluginError
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Progress, ProgressBar
 from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
-from matrixworld.coevolution.runs.best_response import BestResponse, best_response
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution import tournament
-from matrixworld.coevolution.evaluation.tournament import Pairs, _block_size, _blocks
+from matrixworld.coevolution.evaluation.tournament import Pairs
 from matrixworld.play.rollout import rollout
 from matrixworld.world.policy import Population
 from tiny_race import tiny_race
@@ -73,23 +73,20 @@ def test_other_processes_and_scripts():
         assert played(executor=executor, **one) == played(**one)
 
 
-@pytest.mark.parametrize("size", [(1, 1), (1, 50), (50, 1), (31, 31), (7, 300)])
-@pytest.mark.parametrize("pairs", [0.01, 1, 7, 40, 1e9])
-def test_blocks_cover_the_matrix_once_and_are_about_as_large_as_asked(size, pairs):
-    counts = np.zeros(size, int)
-    shape = _block_size(size, pairs)
-    for block in _blocks(size, shape):
-        counts[block] += 1
-    assert (counts == 1).all()
-    most = max(1, min(pairs, size[0] * size[1]))
-    assert most / 2 < shape[0] * shape[1] <= most or shape == (1, 1)
-
-
 def test_the_measured_block_takes_about_the_time_asked_for():
     sides = population("pursuer", 31), population("evader", 31)
-    seeds = np.zeros((31, 31), np.uint64)
-    pairs = Pairs(replace(SETTINGS.world, max_steps=500), *sides, seeds, 10, rollout)
-    assert 1e-6 < pairs.seconds() < 0.1
+    world, seeds = replace(SETTINGS.world, max_steps=500), np.zeros(31 * 31, np.uint64)
+    assert 1e-6 < Pairs.all_of(world, *sides, seeds, 10, rollout).seconds() < 0.1
+
+
+def test_no_genomes_travel_but_those_that_play():
+    sides = population("pursuer", 4), population("evader", 5)
+    pairs = Pairs.all_of(SETTINGS.world, *sides, np.arange(20, dtype=np.uint64), 1, rollout)
+    part = pairs.part(slice(8, 12))  # pursuer 1 against evaders 3 and 4, pursuer 2 against 0 and 1
+    assert np.array_equal(part.pursuers.genomes, sides[0].genomes[1:3])
+    assert np.array_equal(part.evaders.genomes, sides[1].genomes[[0, 1, 3, 4]])
+    assert part.matches.evader.tolist() == [2, 3, 0, 1]
+    assert part.matches.seed.tolist() == [8, 9, 10, 11]
 
 
 def test_an_error_of_a_block_is_raised_and_the_others_are_cancelled():

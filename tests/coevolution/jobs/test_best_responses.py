@@ -1,102 +1,253 @@
-"""Best responses to the champions of many runs."""
+"""Best responses to the champions of runs: alone, side by side, and by the command."""
 
 from __future__ import annotations
 
+import json
 import re
+import shutil
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from command_line import matrixworld_command
 from matrixworld.analysis import interval_over_runs
+from matrixworld.cli import exploit
 from matrixworld.coevolution import (
+    Against,
+    EvolutionStrategySettings,
     best_response,
     best_responses,
     evolve,
+    finish,
     open_run,
     start,
 )
-from tiny_race import results, tiny_race, tiny_single
+from matrixworld.coevolution.jobs.best_responses import response_settings
+from matrixworld.coevolution.jobs.job import job_of, save_job
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.coevolution.types import other
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.policy import Population
+from tiny_race import StopAt, results, tiny_race, tiny_single
 
-CHOSEN = {"evaluation_episodes": 12, "seed": 0}
 BUDGET = 100  # matches: 2 epochs of 48
-COMMAND = ("--champion", "pursuer", "--matches", BUDGET, "--episodes", 12)
+EPISODES = 12
+CHOSEN = {"evaluation_episodes": EPISODES, "seed": 0}
+COMMAND = ("--champion", "pursuer", "--matches", BUDGET, "--episodes", EPISODES)
 SCHEDULE = "generalist-generalist"
 
 
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("jobs") / "job"
-    evolve([tiny_race(schedule=SCHEDULE, seed=seed) for seed in (0, 1, 2)], path, threads=2)
+    evolve([tiny_race(schedule=SCHEDULE, seed=seed) for seed in (0, 1, 2)], path, threads=1)
     return path
 
 
-def test_each_response_is_the_one_of_its_run_alone(job: Path, tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("races") / "race"
+    finish(tiny_race(), path, threads=1)
+    return path
+
+
+def last(run: Any, team: str) -> Population:
+    return Population(run.teams[team].genomes[-1], run.teams[team].network)
+
+
+@pytest.mark.parametrize("champion", ["pursuer", "evader"])
+def test_what_is_played(race, tmp_path, champion):
+    run, learner = open_run(race), other(champion)
+    result = best_response(run, champion, 450, tmp_path / "x", evaluation_episodes=EPISODES)
+    response = open_run(tmp_path / "x")
+    assert response.settings.schedule.team == learner
+    assert np.array_equal(response.teams[champion].genomes, last(run, champion).genomes)
+    assert result.gain.budget == 9 * 48 == response.files.summary()["training_matches"]
+    assert set(response.files.log()["team"]) == {learner}
+
+    def rates(pursuers: Population, evaders: Population, seed: int) -> np.ndarray:
+        config, match = run.settings.world, Matches.of(0, 0, np.uint64(seed))
+        scores = rollout(config, pursuers, evaders, match, episodes=EPISODES)
+        captured = scores.capture_rate[0].astype(float)
+        return captured if learner == "pursuer" else 1 - captured
+
+    before = {team: last(run, team) for team in ("pursuer", "evader")}
+    after = {**before, learner: last(response, learner)}
+    stage = (1, 0) if learner == "pursuer" else (0, 1)
+    assert np.array_equal(result.before, rates(*before.values(), evaluation_seed(5, 0, 0)))
+    assert np.array_equal(result.after, rates(*after.values(), evaluation_seed(5, *stage)))
+    gain = result.gain.gain
+    assert gain.value == pytest.approx(result.after.mean() - result.before.mean())
+    assert gain.low <= gain.value <= gain.high
+    told = json.loads((tmp_path / "x" / "best_response.json").read_text())
+    assert told["budget_matches"] == result.gain.budget
+    assert told["evaluation_matches"] == 2 * EPISODES
+    words = exploit._in_words(result)
+    assert words.startswith("A best response evolved for 432 matches gains ")
+    assert "no weakness was found" in words  # with so few matches
+
+
+@pytest.mark.parametrize("call", [0, 1, 2])
+def test_an_interrupted_response_continues(race, tmp_path, call):
+    run, arguments = open_run(race), {**CHOSEN, "schedule": Against(archive_every=1)}
+    straight = best_response(run, "pursuer", BUDGET, tmp_path / "straight", **arguments)
+    with pytest.raises(KeyboardInterrupt):
+        best_response(run, "pursuer", BUDGET, tmp_path / "x", play=StopAt(call), **arguments)
+    for _ in range(2):  # continued, and then only opened
+        again = best_response(run, "pursuer", BUDGET, tmp_path / "x", **arguments)
+        assert results(tmp_path / "x") == results(tmp_path / "straight")
+        assert again.gain == straight.gain
+
+
+def test_a_weak_champion_is_exploited(tmp_path):
+    """An untrained team hardly moves: its response learns to capture far more."""
+    settings = tiny_race(
+        fov=5, hidden=(), train_steps=20, max_steps=20, generations=1, pursuer_epochs=1,
+        evader_epochs=1, population=2, sigma=1e-6, learning_rate=1e-6, initial_head=0.01,
+    )  # fmt: skip
+    result = best_response(
+        finish(settings, tmp_path / "race"), "evader", 9600, tmp_path / "x",
+        evaluation_episodes=300,
+        learner=EvolutionStrategySettings(population=48, learning_rate=0.05, sigma=0.2),
+    )  # fmt: skip
+    assert result.gain.gain.low > 0.05
+    assert f"evolved for {9600:,} matches gains" in str(result.gain)
+    assert "exploitability is at least" in exploit._in_words(result)
+
+
+def test_settings_are_the_run_s_world_and_the_budget(race):
+    run = open_run(race)
+    settings = response_settings(run, "evader", 1000)
+    schedule = settings.schedule
+    assert (schedule.team, schedule.epochs, settings.learner.population) == ("pursuer", 20, 48)
+    assert settings.world == run.settings.world
+    assert settings.network == run.settings.network
+    assert (settings.train_steps, settings.seed) == (12, 5)
+    changed = response_settings(
+        run, "evader", 1000, match_episodes=3, train_steps=4,
+        learner=EvolutionStrategySettings(population=10),
+    )  # fmt: skip
+    assert (changed.schedule.epochs, changed.train_steps) == (33, 4)
+    with pytest.raises(ValueError, match=r"matches: expected at least 48 \(one epoch\), got 47"):
+        response_settings(run, "evader", 47)
+
+
+def test_a_scripted_champion_is_refused(race, tmp_path):
+    run = finish(tiny_single(opponent="fleer"), tmp_path / "run")
+    runs = {"a": open_run(race), "b": run}
+    with pytest.raises(ValueError, match=r"team: expected one that learned in .*run, got 'evader'"):
+        best_responses(runs, "evader", BUDGET, tmp_path / "x")
+    assert not (tmp_path / "x").exists()
+    result = best_response(run, "pursuer", BUDGET, tmp_path / "x", evaluation_episodes=2)
+    assert result.gain.budget == 96
+
+
+def test_another_response_in_the_directory_is_refused(race, tmp_path):
+    copy = tmp_path / "race"
+    shutil.copytree(race, copy)
+    run = open_run(copy)
+    best_response(run, "pursuer", 48, tmp_path / "x", evaluation_episodes=2)
+    for name, arguments in {
+        "evaluation_episodes": ("pursuer", 48, 3),
+        "schedule.epochs": ("pursuer", 96, 2),
+        "schedule.team": ("evader", 48, 2),
+    }.items():
+        *same, episodes = arguments
+        with pytest.raises(ValueError, match=f"x: holds a run with other settings: .*{name}$"):
+            best_response(run, *same, tmp_path / "x", evaluation_episodes=episodes)
+    shutil.rmtree(copy)
+    anew = finish(tiny_race(generations=1), copy)
+    with pytest.raises(ValueError, match="x: holds a run against another champion"):
+        best_response(anew, "pursuer", 48, tmp_path / "x", evaluation_episodes=2)
+
+
+def test_each_response_of_a_job_is_the_one_of_its_run_alone(job: Path, tmp_path: Path) -> None:
     runs = {f"x/seed-{n}": open_run(job / SCHEDULE / f"seed-{n}") for n in (0, 1, 2)}
-    found = best_responses(runs, "evader", BUDGET, tmp_path / "many", threads=2, **CHOSEN)
+    found = best_responses(runs, "evader", BUDGET, tmp_path / "many", threads=1, **CHOSEN)
     assert list(found) == list(runs)
     for name, run in runs.items():
         alone = best_response(run, "evader", BUDGET, tmp_path / name, threads=1, **CHOSEN)
         assert found[name].gain == alone.gain
-        here, there = results(tmp_path / "many" / name), results(tmp_path / name)
-        # The configurations differ in the name of the opponents, and checksums with them.
-        for file in ("pursuers.npy", "evaders.npy"):
-            assert here[file] == there[file]
+        assert results(tmp_path / "many" / name) == results(tmp_path / name)
         assert np.array_equal(found[name].after, alone.after)
-    again = best_responses(runs, "evader", BUDGET, tmp_path / "many", threads=1, **CHOSEN)
-    assert {name: each.gain for name, each in again.items()} == {
-        name: each.gain for name, each in found.items()
-    }
 
 
-def test_a_champion_that_did_not_learn_is_refused_before_anything_is_written(
-    job: Path, tmp_path: Path
-) -> None:
-    start(tiny_single(opponent="fleer"), tmp_path / "single").run()
-    runs = {"a": open_run(job / SCHEDULE / "seed-0"), "b": open_run(tmp_path / "single")}
-    with pytest.raises(ValueError, match=r"team: expected one that learned in .*, got 'evader'"):
-        best_responses(runs, "evader", BUDGET, tmp_path / "out")
-    assert not (tmp_path / "out").exists()
+# The command:
+
+
+def test_the_command_on_a_run(race, tmp_path):
+    run = Path(shutil.copytree(race, tmp_path / "race"))
+    command = ["exploit", run, *COMMAND]
+    told = matrixworld_command(*command).stdout
+    job = tmp_path / "race-response-to-pursuers-100x12-seed0"
+    made = job / "seed-5"
+    result = best_response(open_run(run), "pursuer", BUDGET, made, **CHOSEN)
+    before, after = f"{result.before.mean():.3f}", f"{result.after.mean():.3f}"
+    assert re.search(rf"5 +{before} +{after}  {re.escape(str(result.gain.gain))}\n", told)
+    assert "96 matches of evolution and 24 of evaluation" in told
+    assert f"matrixworld replay {made}" in told
+    files = {path: path.read_bytes() for path in made.iterdir()}
+    refused = matrixworld_command(*command, code=2).stderr
+    assert f"{job}: exists; --continue goes on with the response in it" in refused
+    assert {path: path.read_bytes() for path in made.iterdir()} == files
+    assert matrixworld_command(*command, "--continue").stdout == told
+    matrixworld_command("replay", made)
 
 
 def test_the_command_on_a_job_of_seeds(job: Path, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    told = matrixworld_command("exploit", job, *COMMAND, "--out", out).stdout
+    copy = Path(shutil.copytree(job, tmp_path / "job"))
+    told = matrixworld_command("exploit", copy, *COMMAND).stdout
+    beside = tmp_path / f"job-response-to-pursuers-{BUDGET}x{EPISODES}-seed0" / SCHEDULE
     gains = []
     for seed in (0, 1, 2):
-        run = open_run(job / SCHEDULE / f"seed-{seed}")
-        response = best_response(run, "pursuer", BUDGET, out / SCHEDULE / f"seed-{seed}", **CHOSEN)
+        run = open_run(copy / SCHEDULE / f"seed-{seed}")
+        response = best_response(run, "pursuer", BUDGET, beside / f"seed-{seed}", **CHOSEN)
         gains.append(response.gain.gain.value)
         line = rf"^ +{seed}  +{response.before.mean():.3f} +{response.after.mean():.3f}  "
         assert re.search(line + re.escape(str(response.gain.gain)), told, re.MULTILINE)
     mean = interval_over_runs(gains, bounds=(-1.0, 1.0))
     assert f"{mean.value:.3f} ({mean.low:.3f} to {mean.high:.3f})" in told
     assert "288 matches of evolution" in told
-    again = matrixworld_command("exploit", job, *COMMAND, "--out", out, code=2)
-    assert "exists; --continue goes on" in again.stderr
-    assert matrixworld_command("exploit", job, *COMMAND, "--out", out, "--continue").stdout == told
 
 
-def test_the_responses_to_a_job_lie_beside_it(tmp_path: Path) -> None:
-    settings = [tiny_race(schedule=SCHEDULE, seed=seed) for seed in (0, 1)]
-    evolve(settings, tmp_path / "job", threads=2)
-    matrixworld_command("exploit", tmp_path / "job", *COMMAND)
-    beside = tmp_path / f"job-response-to-pursuers-{BUDGET}x12-seed0"
-    assert (beside / SCHEDULE / "seed-1" / "best_response.json").exists()
+def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
+    run = Path(shutil.copytree(race, tmp_path / "race"))
+    out = tmp_path / "x"
+    command = ["exploit", run, *COMMAND, "--out", out]
+
+    def interrupted(*args: Any, **options: Any) -> Any:
+        settings = response_settings(open_run(run), "pursuer", BUDGET, **CHOSEN)
+        out.mkdir()
+        save_job(out, job_of({"seed-5": settings}))
+        start(settings, out / "seed-5", play=StopAt(1)).run()
+
+    monkeypatch.setattr(exploit, "best_responses", interrupted)
+    stopped = matrixworld_command(*command, code=130)
+    assert f"--continue goes on with the runs in {out}." in stopped.stderr
+    monkeypatch.undo()
+    assert "96 matches of evolution" in matrixworld_command(*command, "--continue").stdout
 
 
 @pytest.mark.parametrize(
-    ("options", "message"),
+    ("options", "code", "message"),
     [
-        (("--matches", 47), "expected at least 48 (one epoch), got 47"),
-        (("--continue",), "--continue: expected a response in"),
+        ([], 2, "Missing option '--champion'"),
+        (["--champion", "pursuer", "--matches", "47"], 2, "expected at least 48 (one epoch)"),
+        (
+            ["--champion", "pursuer", "--out", "{race}", "--continue"],
+            1,
+            "expected a new or empty directory for a new run",
+        ),
+        (
+            ["--champion", "pursuer", "--out", "new", "--continue"],
+            2,
+            "--continue: expected a response in new, which holds no run",
+        ),
     ],
 )
-def test_the_command_refuses_before_it_writes(
-    job: Path, tmp_path: Path, options: tuple[object, ...], message: str
-) -> None:
-    out = tmp_path / "out"
-    told = matrixworld_command("exploit", job, *COMMAND, "--out", out, *options, code=2)
-    assert message in told.stderr
-    assert not out.exists()
+def test_the_command_refuses(race, options, code, message):
+    args = [option.format(race=race) for option in options]
+    assert message in matrixworld_command("exploit", race, *args, code=code).stderr
+    assert not list(race.parent.glob("*response*"))

@@ -274,7 +274,7 @@ def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_
     # The payoff of a finished run is read when somebody asks for it.
     assert {*failures} == {cut, foreign}
     assert isinstance(failures[cut], DamagedFileError)
-    assert "expected a run of RaceSettings" in str(failures[foreign])
+    assert "holds a run with other settings: seed" in str(failures[foreign])
     assert {name: files_in(tmp_path / name) for name in (foreign, altered)} == before
     assert finished == [altered, *others]
     assert {name: files_in(tmp_path / name) for name in others} == {n: straight[n] for n in others}

@@ -197,7 +197,7 @@ def test_one_writer_at_a_time(run):
     with run.lock(), pytest.raises(LockedError, match="another process is running"), again.lock():
         pass
     with again.lock():
-        assert run.config() == again.config()
+        assert run.config == again.config
 
 
 # Files of several moments beside each other:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -24,10 +24,8 @@ from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.coevolution.evaluation.held_out import opponents_of
 from matrixworld.coevolution.evaluation.tournament import (
     BLOCK_SECONDS,
-    Block,
     Pairs,
-    play_pairs,
-    play_parts,
+    play_blocks,
     tournament,
 )
 from matrixworld.coevolution.progress import Report, silent
@@ -37,7 +35,7 @@ from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
-from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, match_seed, rollout
+from matrixworld.play.rollout import Matches, Rollout, match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 from matrixworld.world.rules import Rules
@@ -182,13 +180,16 @@ def score_population(
     count = len(population.genomes)
     # Rates of the opponents so far, and the statistics of one more.
     check_memory("scores", rates=count * episodes * (EPISODE_BYTES + 2 * RATE * len(opponents)))
-    each = [
-        _pairs(config, team, population, opponent, held_out_seed(seed, team, n), episodes, play)
-        for n, opponent in enumerate(opponents.values())
-    ]
+    each = []
+    for number, opponent in enumerate(opponents.values()):
+        sides: dict[Team, TeamPolicy] = {team: population, other(team): opponent}
+        # All genomes play the same episodes.
+        seeds = np.full(count, held_out_seed(seed, team, number), np.uint64)
+        each.append(Pairs.all_of(config, sides["pursuer"], sides["evader"], seeds, episodes, play))
     captured = np.empty((count, len(opponents), episodes))
     played = 0
-    for (number, genomes), statistics in _played(each, team, threads, executor, block_seconds):
+    blocks = play_blocks(each, count, threads, executor, block_seconds)
+    for (number, genomes), statistics in blocks:
         captured[genomes, number] = statistics.capture_rate
         played += statistics.capture_rate.size
         on_row(played)
@@ -201,55 +202,6 @@ def held_out_seed(seed: int, team: Team, number: int) -> int:
     """Return the seed of the matches of a team against held-out opponent `number`."""
     # The generation is not part of the key: all genomes play the same episodes.
     return match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
-
-
-def _pairs(
-    config: WorldConfig,
-    team: Team,
-    population: Population,
-    opponent: TeamPolicy,
-    seed: int,
-    episodes: int,
-    play: Rollout,
-) -> Pairs:
-    """Return the pairs of all genomes with one opponent, all with the same seed."""
-    seeds = np.full(len(population.genomes), seed, dtype=np.uint64)
-    # An opponent is a column for pursuers and a row for evaders.
-    if team == "pursuer":
-        return Pairs(config, population, opponent, seeds[:, None], episodes, play)
-    return Pairs(config, opponent, population, seeds[None, :], episodes, play)
-
-
-Part = tuple[int, slice]
-"""Number of an opponent, and the genomes that meet it."""
-
-
-def _played(
-    each: Sequence[Pairs],
-    team: Team,
-    threads: int | None,
-    executor: Executor | None,
-    block_seconds: float,
-) -> Iterator[tuple[Part, EpisodeStatistics]]:
-    """Yield the statistics of all pairs: opponent by opponent, or in the blocks of an executor."""
-    if executor is None:
-        for number, pairs in enumerate(each):
-            yield (number, slice(None)), play_pairs(pairs, threads)
-        return
-    check_instance("executor", executor, Executor)
-    count = each[0].seeds.size
-    size = max(1, min(count, int(block_seconds / each[0].seconds())))
-    parts = (
-        ((number, genomes), pairs.part(_block(team, genomes)))
-        for number, pairs in enumerate(each)
-        for genomes in (slice(first, first + size) for first in range(0, count, size))
-    )
-    yield from play_parts(parts, executor, threads or 1)
-
-
-def _block(team: Team, genomes: slice) -> Block:
-    only = slice(0, 1)
-    return Block(genomes, only) if team == "pursuer" else Block(only, genomes)
 
 
 def score(

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, as_completed
 from dataclasses import dataclass, replace
 from itertools import product
-from math import isqrt
-from typing import Any, NamedTuple, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,8 +31,6 @@ MEANS = ("collisions", "faults", "agent_steps", "pursuer_survivors", "evader_sur
 """Statistics of which a payoff holds the mean over the episodes."""
 STATISTICS = ("capture_rate", "length", *MEANS)
 """All statistics that a payoff needs."""
-
-Key = TypeVar("Key")
 
 
 def tournament(
@@ -96,32 +93,119 @@ def tournament(
         check_team(name, team)
     check_integer("episodes", episodes, 1)
     check_threads(threads)
-    check_number("block_seconds", block_seconds, least=0.0, positive=True)
     size = _count(pursuers), _count(evaders)
     # The statistics of all episodes are kept until the end.
     check_memory("tournament", episodes=EPISODE_BYTES * size[0] * size[1] * episodes)
     generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
-    seeds = [evaluation_seed(seed, g, h) for g, h in product(*generations)]
-    table = np.array(seeds, dtype=np.uint64).reshape(size)
-    pairs, cells = Pairs(config, pursuers, evaders, table, episodes, play), _Cells(size, episodes)
-    if executor is None:
-        # One row at a time, so that the progress can be reported.
-        for block in _blocks(size, (1, size[1])):
-            on_row(cells.fill(block, play_pairs(pairs.part(block), threads)))
-    else:
+    seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*generations)], np.uint64)
+    pairs = Pairs.all_of(config, pursuers, evaders, seeds, episodes, play)
+    kept: dict[str, NDArray[Any]] = {}
+    played = 0
+    # One row at a time, so that the progress can be reported.
+    blocks = play_blocks([pairs], size[1], threads, executor, block_seconds)
+    for (_, block), statistics in blocks:
+        for name in STATISTICS:
+            found = getattr(statistics, name)
+            if name not in kept:
+                kept[name] = np.empty((len(seeds), *found.shape[1:]), found.dtype)
+            kept[name][block] = found
+        played += statistics.length.size
+        on_row(played)
+    cells = {name: array.reshape(*size, *array.shape[1:]) for name, array in kept.items()}
+    # Capture rates and lengths keep single episodes, from which intervals are computed.
+    return Payoff(
+        capture_rates=cells["capture_rate"].astype(np.float32),
+        lengths=cells["length"].astype(np.int32),
+        **{name: cells[name].mean(axis=2) for name in MEANS},
+    )
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """Pairs of pursuers and evaders that play one match each."""
+
+    config: WorldConfig
+    pursuers: TeamPolicy
+    evaders: TeamPolicy
+    matches: Matches
+    episodes: int
+    rollout: Rollout
+
+    @classmethod
+    def all_of(
+        cls,
+        config: WorldConfig,
+        pursuers: TeamPolicy,
+        evaders: TeamPolicy,
+        seeds: Seeds,
+        episodes: int,
+        play: Rollout,
+    ) -> Pairs:
+        """Return all pairs, with the seed of each, row by row: evaders 0, 1, ... of pursuer 0."""
+        rows, columns = np.indices((_count(pursuers), _count(evaders)))
+        matches = Matches.of(rows.ravel(), columns.ravel(), seeds)
+        return cls(config, pursuers, evaders, matches, episodes, play)
+
+    def part(self, block: slice) -> Pairs:
+        """Return some of the pairs, with no other genomes than theirs: they may travel."""
+        pursuers, rows = _met(self.pursuers, self.matches.pursuer[block])
+        evaders, columns = _met(self.evaders, self.matches.evader[block])
+        matches = Matches.of(rows, columns, self.matches.seed[block])
+        return replace(self, pursuers=pursuers, evaders=evaders, matches=matches)
+
+    def play(self, threads: int | None) -> EpisodeStatistics:
+        """Play all matches, wherever this is called."""
+        return self.rollout(
+            self.config,
+            self.pursuers,
+            self.evaders,
+            self.matches,
+            episodes=self.episodes,
+            threads=threads,
+        )
+
+    def seconds(self) -> float:
+        """Return the mean time in which one thread plays a pair, of pairs from all of them."""
+        count = len(self.matches.seed)
+        numbers = np.linspace(0, count - 1, min(count, MEASURED_PAIRS)).astype(int).tolist()
+        times: list[float] = []
+        while numbers and sum(times) < MEASURED_SECONDS:
+            number = numbers.pop(0)
+            began = time.perf_counter()
+            self.part(slice(number, number + 1)).play(1)
+            times.append(time.perf_counter() - began)
+        return sum(times) / len(times)
+
+
+def play_blocks(
+    each: Sequence[Pairs],
+    most: int,
+    threads: int | None,
+    executor: Executor | None,
+    block_seconds: float,
+) -> Iterator[tuple[tuple[int, slice], EpisodeStatistics]]:
+    """Yield the statistics of all pairs in blocks, each with its number in `each` and its slice.
+
+    Here blocks of `most` pairs are played in order; an executor plays blocks that take about
+    `block_seconds` in any order.
+    """
+    check_number("block_seconds", block_seconds, least=0.0, positive=True)
+    size = most
+    if executor is not None:
         check_instance("executor", executor, Executor)
-        blocks = _blocks(size, _block_size(size, block_seconds / pairs.seconds()))
-        parts = ((block, pairs.part(block)) for block in blocks)
-        for block, statistics in play_parts(parts, executor, threads or 1):
-            on_row(cells.fill(block, statistics))
-    return cells.payoff()
-
-
-def play_parts(
-    parts: Iterable[tuple[Key, Pairs]], executor: Executor, threads: int
-) -> Iterator[tuple[Key, EpisodeStatistics]]:
-    """Yield the keys and the statistics of pairs in the order in which an executor ends them."""
-    futures = {executor.submit(play_pairs, pairs, threads): key for key, pairs in parts}
+        size = max(1, int(block_seconds / each[0].seconds()))
+    blocks = (
+        ((number, slice(first, first + size)), pairs)
+        for number, pairs in enumerate(each)
+        for first in range(0, len(pairs.matches.seed), size)
+    )
+    if executor is None:
+        for key, pairs in blocks:
+            yield key, pairs.part(key[1]).play(threads)
+        return
+    futures = {
+        executor.submit(Pairs.play, pairs.part(key[1]), threads or 1): key for key, pairs in blocks
+    }
     try:
         for future in as_completed(futures):
             # Popped, so that the statistics are not held twice.
@@ -132,108 +216,15 @@ def play_parts(
             future.cancel()
 
 
-@dataclass(frozen=True)
-class Pairs:
-    """Every one of some pursuers against every one of some evaders, as for `tournament`."""
-
-    config: WorldConfig
-    pursuers: TeamPolicy
-    evaders: TeamPolicy
-    seeds: Seeds
-    """Shape (G, H)."""
-    episodes: int
-    play: Rollout
-
-    def part(self, block: Block) -> Pairs:
-        """Return the pairs of a block, with no other genomes."""
-        pursuers, evaders = _part(self.pursuers, block.rows), _part(self.evaders, block.columns)
-        return replace(self, pursuers=pursuers, evaders=evaders, seeds=self.seeds[block])
-
-    def seconds(self) -> float:
-        """Return the mean time in which one thread plays a pair, of pairs all over the matrix."""
-        size = self.seeds.size
-        numbers = np.linspace(0, size - 1, min(size, MEASURED_PAIRS)).astype(int).tolist()
-        times: list[float] = []
-        while numbers and sum(times) < MEASURED_SECONDS:
-            g, h = divmod(numbers.pop(0), self.seeds.shape[1])
-            began = time.perf_counter()
-            play_pairs(self.part(Block(slice(g, g + 1), slice(h, h + 1))), 1)
-            times.append(time.perf_counter() - began)
-        return sum(times) / len(times)
-
-
-def play_pairs(pairs: Pairs, threads: int | None) -> EpisodeStatistics:
-    """Play G * H matches, row by row, wherever this is called."""
-    rows, columns = np.indices(pairs.seeds.shape)
-    matches = Matches.of(rows.ravel(), columns.ravel(), pairs.seeds.ravel())
-    return pairs.play(
-        pairs.config,
-        pairs.pursuers,
-        pairs.evaders,
-        matches,
-        episodes=pairs.episodes,
-        threads=threads,
-    )
-
-
-class Block(NamedTuple):
-    """A part of the matrix: some rows and columns."""
-
-    rows: slice
-    columns: slice
-
-
-class _Cells:
-    """The statistics of all pairs, shape (G, H, episodes, ...), filled block by block."""
-
-    def __init__(self, size: tuple[int, int], episodes: int) -> None:
-        self._shape = (*size, episodes)
-        self._arrays: dict[str, NDArray[Any]] = {}
-        self._played = 0
-
-    def fill(self, block: Block, statistics: EpisodeStatistics) -> int:
-        """Take the statistics of a block; return the number of episodes played so far."""
-        for name in STATISTICS:
-            found = getattr(statistics, name)
-            if name not in self._arrays:
-                self._arrays[name] = np.empty((*self._shape, *found.shape[2:]), found.dtype)
-            cells = self._arrays[name][block]
-            cells[...] = found.reshape(cells.shape)
-        self._played += int(statistics.length.size)
-        return self._played
-
-    def payoff(self) -> Payoff:
-        """Return the payoff, when all blocks are there."""
-        # Capture rates and lengths keep single episodes, from which intervals are computed.
-        means = {name: self._arrays[name].mean(axis=2) for name in MEANS}
-        return Payoff(
-            capture_rates=self._arrays["capture_rate"].astype(np.float32),
-            lengths=self._arrays["length"].astype(np.int32),
-            **means,
-        )
-
-
 def _count(team: TeamPolicy) -> int:
     return 1 if isinstance(team, str) else len(team.genomes)
 
 
-def _part(team: TeamPolicy, numbers: slice) -> TeamPolicy:
-    return team if isinstance(team, str) else Population(team.genomes[numbers], team.network)
-
-
-def _block_size(size: tuple[int, int], pairs: float) -> tuple[int, int]:
-    """Return rows and columns of blocks of about so many pairs, nearly square.
-
-    A square block has the fewest genomes, which travel with it.
-    """
-    most = max(1, int(min(pairs, size[0] * size[1])))
-    rows = min(size[0], isqrt(most))
-    columns = min(size[1], most // rows)
-    return min(size[0], most // columns), columns
-
-
-def _blocks(size: tuple[int, int], block: tuple[int, int]) -> Iterator[Block]:
-    for g in range(0, size[0], block[0]):
-        for h in range(0, size[1], block[1]):
-            rows = slice(g, min(g + block[0], size[0]))
-            yield Block(rows, slice(h, min(h + block[1], size[1])))
+def _met(team: TeamPolicy, numbers: NDArray[Any]) -> tuple[TeamPolicy, NDArray[Any]]:
+    """Return the genomes of a team that play, and where each of `numbers` is among them."""
+    if isinstance(team, str):
+        return team, numbers
+    met, places = np.unique(numbers, return_inverse=True)
+    if len(met) == len(team.genomes):
+        return team, numbers
+    return Population(team.genomes[met], team.network), places

@@ -1,24 +1,148 @@
-"""Best responses to the champions of many runs, evolved side by side."""
+"""Best responses: how much newly evolved opponents gain against the champions of runs."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from concurrent.futures import Executor
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from matrixworld.coevolution.jobs.evolve import evolve, silent
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld._util.files import save_json
+from matrixworld._util.short_repr import short_repr
+from matrixworld.analysis import response_gain
+from matrixworld.analysis.games import ResponseGain
+from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.jobs.evolve import evolve
+from matrixworld.coevolution.jobs.evolve import silent as silent_job
 from matrixworld.coevolution.jobs.worker import LOCK_WAIT
-from matrixworld.coevolution.progress import JobReport
-from matrixworld.coevolution.runs.best_response import (
-    BestResponse,
-    best_response,
-    champion_of,
-    response_settings,
-)
-from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
+from matrixworld.coevolution.progress import JobReport, Report, silent
+from matrixworld.coevolution.runs.start import finish
+from matrixworld.coevolution.schedules import Against
+from matrixworld.coevolution.settings import PolicySettings, RaceSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
-from matrixworld.coevolution.types import Team
+from matrixworld.coevolution.types import FloatArray, Team, other
+from matrixworld.play.rollout import Rollout, rollout
+from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.rules import Rewards
+
+RESPONSE = "best_response.json"
+POPULATION = 48
+"""Candidates per epoch: with few matches, many small steps learn more than few large ones."""
+
+
+@dataclass(frozen=True)
+class BestResponse:
+    """Result of a best response to a champion.
+
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team of the champion.
+    before : ndarray of float64, shape (episodes,)
+        Score of the champion's last opponent in its own run: the capture rate, or for evaders 1
+        minus it.
+    after : ndarray of float64, shape (episodes,)
+        Score of the response, in episodes that were not used in its training.
+    gain : ResponseGain
+        Difference of the two means, with an interval and the budget in matches.
+    directory : Path
+        Run directory of the response.
+    """
+
+    team: Team
+    before: FloatArray
+    after: FloatArray
+    gain: ResponseGain
+    directory: Path
+
+    __repr__ = short_repr
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the result as values that JSON can hold, without the single episodes."""
+        gain = self.gain.gain
+        return {
+            "champion": self.team,
+            "budget_matches": self.gain.budget,
+            "evaluation_matches": len(self.before) + len(self.after),
+            "before": float(self.before.mean()),
+            "after": float(self.after.mean()),
+            "gain": {"value": gain.value, "low": gain.low, "high": gain.high},
+        }
+
+
+def best_response(
+    run: SavedRun,
+    team: Team,
+    matches: int,
+    directory: str | Path,
+    *,
+    threads: int | None = None,
+    play: Rollout = rollout,
+    report: Report = silent,
+    **changes: Any,
+) -> BestResponse:
+    """Evolve a response to the last genome of `team` in a run, and measure its gain.
+
+    The response starts untrained and plays against the champion only. It is a run of its own in
+    `directory`: called again with the same arguments, the function continues an interrupted
+    response, and only reads a finished one.
+
+    Parameters
+    ----------
+    run : SavedRun
+        The run of the champion.
+    team : {"pursuer", "evader"}
+        Team of the champion.
+    matches : int
+        Budget of the response. Only complete epochs are played; the result holds the budget used.
+    directory : str or Path
+        Directory of the response.
+    threads, play, report
+        As in `finish`.
+    **changes
+        Fields of `RaceSettings` of the response, such as ``match_episodes=2``.
+
+    Returns
+    -------
+    BestResponse
+        Scores and gain.
+
+    Raises
+    ------
+    ValueError
+        If the budget is smaller than one epoch, a setting is bad, `team` did not learn in `run`, or
+        the directory holds a run of other settings or against another champion.
+
+    Notes
+    -----
+    The gain is a lower bound of the champion's exploitability (see `analysis.response_gain`): a
+    longer search may find more.
+    """
+    settings = response_settings(run, team, matches, **changes)
+    response = finish(settings, directory, threads=threads, play=play, report=report)
+    last = {name: _last(policy) for name, policy in run.teams.items()}
+    # The run may have gone on, or been made anew in the same place.
+    if not np.array_equal(_genomes(response.teams[team]), _genomes(last[team])):
+        raise ValueError(f"{directory}: holds a run against another champion")
+    before = tournament(
+        settings.world,
+        last["pursuer"],
+        last["evader"],
+        seed=settings.seed,
+        episodes=settings.evaluation_episodes,
+        threads=threads,
+        play=play,
+    )
+    scores = _scores(before.capture_rates, team), _scores(response.payoff().capture_rates, team)
+    gain = response_gain(*scores, budget=response.files.summary()["training_matches"])
+    result = BestResponse(team, *scores, gain, response.files.path)
+    save_json(response.files.path / RESPONSE, result.to_json())
+    return result
 
 
 def best_responses(
@@ -29,43 +153,36 @@ def best_responses(
     *,
     executor: Executor | None = None,
     threads: int | None = None,
-    report: JobReport = silent,
+    report: JobReport = silent_job,
     lock_wait: float = LOCK_WAIT,
     **changes: Any,
 ) -> dict[str, BestResponse]:
-    """Evolve a response to the last genome of `team` in each run, and measure its gain.
+    """Evolve a response to the last genome of `team` in each run, side by side.
 
     Parameters
     ----------
     runs : mapping of str to SavedRun
         The runs of the champions, by the names that the responses get in `directory`.
-    team : {"pursuer", "evader"}
-        Team of the champions.
-    matches : int
-        Budget of each response.
+    team, matches, **changes
+        As in `best_response`, for each response.
     directory : str or Path
         Directory of all responses; the same call continues what is unfinished in it.
     executor, threads, report, lock_wait
         As in `evolve`.
-    **changes
-        Fields of `RaceSettings` of the responses, such as ``match_episodes=2``.
 
     Returns
     -------
     dict of str to BestResponse
         As `best_response` returns them, in the order of `runs`.
 
-    Raises
-    ------
-    ValueError
-        If `team` did not learn in a run, and as in `best_response`.
-
     Notes
     -----
-    Other errors are those of `evolve`. The matches that measure the gains are played here.
+    Errors are those of `best_response` and `evolve`. The matches that measure the gains are played
+    here.
     """
+    settings = {n: response_settings(run, team, matches, **changes) for n, run in runs.items()}
     evolve(
-        settings_of_responses(runs, team, matches, **changes),
+        settings,
         directory,
         executor=executor,
         threads=threads,
@@ -78,13 +195,48 @@ def best_responses(
     }
 
 
-def settings_of_responses(
-    runs: Mapping[str, SavedRun], team: Team, matches: int, **changes: Any
-) -> dict[str, RaceSettings]:
-    """Return the settings of the responses by name; ValueError as `best_responses` raises it."""
-    settings = {}
-    for name, run in runs.items():
-        champion_of(run, team)
-        champion = str(run.files.path.absolute())
-        settings[name] = response_settings(run, team, matches, opponent=champion, **changes)
-    return settings
+def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -> RaceSettings:
+    """Return the settings of a response to the champion of `team` in a run.
+
+    World, network, evaluation and seed are those of the run, and `epochs` is as large as the budget
+    in matches allows. Training episodes are not longer than evaluation episodes. All other settings
+    have their defaults, or the values in `changes`. Of a schedule only `archive_every` counts.
+    """
+    path = run.files.path
+    if isinstance(run.teams[team], str):
+        raise ValueError(f"team: expected one that learned in {path}, got {team!r}")
+    # Rewards and mask of the champion's run are not taken over.
+    chosen: dict[str, Any] = {
+        "world": replace(run.settings.world, rewards=Rewards()),
+        "policy": PolicySettings(
+            hidden=run.settings.policy.hidden, activation=run.settings.policy.activation
+        ),
+        "learner": EvolutionStrategySettings(population=POPULATION),
+        "seed": run.settings.seed,
+        **changes,
+    }
+    alone: Any = chosen.pop("schedule", Against())
+    schedule = replace(alone, team=other(team), opponent=str(path.absolute()), epochs=None)
+    usual = RaceSettings(schedule=schedule, learner=chosen["learner"]).train_steps
+    chosen.setdefault("train_steps", min(usual, chosen["world"].max_steps))
+    settings = RaceSettings(schedule=schedule, **chosen)
+    one_epoch = settings.learner.population * settings.match_episodes
+    if matches < one_epoch:
+        raise ValueError(f"matches: expected at least {one_epoch} (one epoch), got {matches}")
+    return replace(settings, schedule=replace(schedule, epochs=matches // one_epoch))
+
+
+def _last(team: TeamPolicy) -> TeamPolicy:
+    """Return the last genome of a team, or its script."""
+    return team if isinstance(team, str) else Population(team.genomes[-1:], team.network)
+
+
+def _genomes(team: TeamPolicy) -> Any:
+    return team if isinstance(team, str) else team.genomes
+
+
+def _scores(capture_rates: NDArray[np.float32], champion: Team) -> FloatArray:
+    """Return the scores (episodes,) of the champion's opponent."""
+    # The opponent of an evader is a pursuer, whose score is the capture rate.
+    captured = capture_rates.astype(np.float64).ravel()
+    return captured if champion == "evader" else 1.0 - captured

@@ -39,7 +39,7 @@ from matrixworld.coevolution.jobs.worker import (
 from matrixworld.coevolution.progress import SECONDS, JobReport, Progress
 from matrixworld.coevolution.runs.alternating import DisengagementWarning
 from matrixworld.coevolution.runs.single import check_sources
-from matrixworld.coevolution.runs.start import check_own_code, finish
+from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
 from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage.run_directory import (
     CONFIG,
@@ -273,9 +273,7 @@ class JobPlay:
     def _open(self, name: str, settings: RaceSettings) -> None:
         files = RunDirectory(self._root / name)
         try:
-            found = files.settings()
-            if found != settings:
-                raise ValueError(f"{files.path}: expected a run of {settings}, got {found}")
+            check_same(files.path, files.settings, settings)
             self.finished[name] = played(files)
         except BAD_FILES as error:
             self.failures[name] = error

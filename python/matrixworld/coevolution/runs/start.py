@@ -10,6 +10,7 @@ from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.schedules import RaceSchedule
+from matrixworld.coevolution.sections import different_settings
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
@@ -59,6 +60,13 @@ def start(
     return RUN_CLASSES[settings.schedule.kind](settings, directory, threads=threads, play=play)
 
 
+def check_same(path: Path, found: RaceSettings, expected: RaceSettings) -> None:
+    """Raise ValueError if a directory holds a run of other settings than expected."""
+    different = different_settings(found, expected)
+    if different:
+        raise ValueError(f"{path}: holds a run with other settings: {', '.join(different)}")
+
+
 def check_own_code(settings: RaceSettings) -> None:
     """Make the learners and samplers of a run once; ValueError or PluginError if one fails."""
     genomes, schedule = settings.learner.starting_genomes, settings.schedule
@@ -104,8 +112,7 @@ def finish(
     # Without config.json the directory is empty, or holds a run that was never completely made.
     if (Path(directory) / CONFIG).exists():
         run = resume(directory, threads=threads, play=play)
-        if run.settings != settings:
-            raise ValueError(f"{directory}: expected a run of {settings}, got {run.settings}")
+        check_same(Path(directory), run.settings, settings)
     else:
         run = start(settings, directory, threads=threads, play=play)
     run.run(report)
@@ -139,4 +146,4 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
         If another process runs it.
     """
     files = RunDirectory.open(directory)
-    return start(files.settings(), files, threads=threads, play=play)
+    return start(files.settings, files, threads=threads, play=play)

@@ -124,7 +124,6 @@ class RunDirectory:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._new_config: dict[str, Any] = {}
         self._saved: dict[Team, int] = dict.fromkeys(TEAMS, 0)  # genomes in the stages so far
 
     @classmethod
@@ -135,7 +134,7 @@ class RunDirectory:
         """
         files = cls(Path(path))
         head = {"format": FORMAT, "matrixworld": __version__}
-        files._new_config = {**head, "settings": dict(settings), **more}
+        files.config = {**head, "settings": dict(settings), **more}
         files.path.mkdir(parents=True, exist_ok=True)
         files.check_empty()
         return files
@@ -154,8 +153,9 @@ class RunDirectory:
 
     # Configuration:
 
+    @cached_property
     def config(self) -> dict[str, Any]:
-        """Return config.json; OtherVersionError if it has another format."""
+        """The content of config.json; OtherVersionError if it has another format."""
         path = self.path / CONFIG
         config = load_json(path)
         # Before any other entry is read: another format may not have it.
@@ -166,9 +166,10 @@ class RunDirectory:
             )
         return config
 
+    @cached_property
     def settings(self) -> RaceSettings:
-        """Return the settings; OtherVersionError if this version cannot read them."""
-        config = self.config()
+        """Settings of the run; OtherVersionError if this version cannot read them."""
+        config = self.config
         try:
             return RaceSettings.from_json(config["settings"])
         except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
@@ -181,7 +182,7 @@ class RunDirectory:
     @cached_property
     def _owner(self) -> str:
         """Owner of the files in their checksums: runs of other settings have another one."""
-        return json_digest(self._new_config or self.config())
+        return json_digest(self.config)
 
     def _load(self, name: str) -> Arrays:
         return load_arrays(self.path / name, owner=f"{self._owner}/{name}")
@@ -271,7 +272,7 @@ class RunDirectory:
 
     def write_config(self) -> None:
         """Write config.json: the last file of a new run, with which the directory holds a run."""
-        save_json(self.path / CONFIG, self._new_config)
+        save_json(self.path / CONFIG, self.config)
 
     # Training:
 

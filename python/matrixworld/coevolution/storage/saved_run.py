@@ -40,11 +40,11 @@ def last_generation(directory: str | Path, team: Team) -> Population:
 
 def archive_network(files: RunDirectory, team: Team) -> Network:
     """Return the network of a team's genomes in a run directory."""
-    settings = files.settings()
+    settings = files.settings
     if team in settings.learning_teams:
         return settings.network
     # Opponents of a single team may come from a run with other hidden layers.
-    guest: Any = files.config().get("opponent_network")
+    guest: Any = files.config.get("opponent_network")
     try:
         hidden, activation = tuple(guest["hidden"]), guest["activation"]
         return Network.for_config(settings.world, hidden=hidden, activation=activation)
@@ -214,7 +214,7 @@ def open_run(directory: str | Path) -> SavedRun:
         If the run is of another version of the package.
     """
     files = RunDirectory.open(directory)
-    settings, archive = files.settings(), files.archive()
+    settings, archive = files.settings, files.archive()
 
     def policy(team: Team) -> TeamPolicy:
         if len(archive[team]):
