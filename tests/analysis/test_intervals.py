@@ -1,31 +1,19 @@
-"""Intervals over runs: coverage of known means, SciPy's results, and special cases."""
+"""Intervals: agreement with SciPy's, coverage of noise-free numbers, and special cases."""
 
 from __future__ import annotations
+
+from itertools import permutations
 
 import numpy as np
 import pytest
 from scipy import stats
 
+from matrices import circular, logistic
 from matrixworld import analysis
-
-
-@pytest.mark.parametrize("runs", [2, 3, 5, 10, 20])
-def test_intervals_over_runs_cover_95_percent_of_normal_means(runs: int) -> None:
-    rng = np.random.default_rng(runs)
-    samples = rng.normal(0.4, 0.1, (4000, runs))
-    found = np.array([analysis.interval_over_runs(values).ends for values in samples])
-    covered = (found[:, 0] <= 0.4) & (found[:, 1] >= 0.4)
-    assert 0.93 < covered.mean() < 0.97
-
-
-def test_intervals_of_differences_cover_95_percent_of_normal_differences() -> None:
-    rng = np.random.default_rng(1)
-    covered = []
-    for _ in range(2000):
-        one, other = rng.normal(0.5, 0.3, 5), rng.normal(0.2, 0.05, 12)
-        low, high = analysis.difference_of_runs(one, other).ends
-        covered.append(low <= 0.3 <= high)
-    assert 0.93 < np.mean(covered) < 0.97
+from matrixworld.analysis.cycles import _sums_without_noise
+from matrixworld.analysis.intervals import BIASED
+from matrixworld.analysis.judge import RULES
+from matrixworld.analysis.progress import lag_rise
 
 
 def test_intervals_are_those_of_scipy() -> None:
@@ -37,14 +25,6 @@ def test_intervals_are_those_of_scipy() -> None:
     np.testing.assert_allclose(analysis.difference_of_runs(one, other[:4]).ends, welch)
     paired = analysis.difference_of_runs(one, other, paired=True)
     np.testing.assert_allclose(paired.ends, stats.ttest_rel(one, other).confidence_interval())
-
-
-def test_levels_widen_intervals() -> None:
-    values = np.random.default_rng(1).random(12)
-    narrow, wide = (analysis.interval_over_runs(values, level=level) for level in (0.5, 0.99))
-    assert wide.ends[0] < narrow.ends[0] < values.mean()
-    assert narrow.value == pytest.approx(values.mean())
-    assert (narrow.across, narrow.samples, narrow.note) == ("runs", 12, "")
 
 
 def test_a_single_run_has_no_interval_and_says_so() -> None:
@@ -82,3 +62,146 @@ def test_bands_are_pointwise() -> None:
     single = analysis.band_over_runs(curves[:1])
     assert single.low is None
     np.testing.assert_array_equal(single.mean, curves[0])
+
+
+# ---- Over the episodes of one run ----------------------------------------------------------------
+
+
+DECIDING = {name for names, _ in RULES.values() for name in names} - {"checkerboards"}
+MATRIX_MEASURES = [
+    name for name in analysis.MEASURES if name not in DECIDING and "global" not in name
+    and "rungs" not in name
+]  # fmt: skip
+LINEAR = {
+    "capture_rate", "lag_rise",
+    *(f"{team}_{name}" for team in ("pursuer", "evader")
+      for name in ("generalization", "local_gain", "historical_gain", "fading")),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("wins", "episodes"), [(0, 4), (1, 10), (5, 10), (10, 10), (30, 200)])
+def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes: int) -> None:
+    scores = np.arange(episodes) < wins
+    expected = stats.binomtest(wins, episodes).proportion_ci(method="exact")
+    found = analysis.mean_over_episodes(scores)
+    assert found.ends == pytest.approx(tuple(expected), abs=0.006)
+    assert (found.value, found.across, found.samples) == (wins / episodes, "episodes", episodes)
+
+
+def test_scores_that_vary_little_have_narrower_intervals() -> None:
+    steady = analysis.mean_over_episodes([0.5, 0.45, 0.55, 0.5] * 25).ends
+    win_or_loss = analysis.mean_over_episodes([0.0, 1.0] * 50).ends
+    assert win_or_loss[0] < steady[0] < 0.5 < steady[1] < win_or_loss[1]
+
+
+def test_differences_cover_and_lie_within_their_bounds() -> None:
+    rng = np.random.default_rng(0)
+    covered = []
+    for _ in range(300):
+        found = analysis.difference_over_episodes(rng.random(10) < 0.9, rng.random(20) < 0.6)
+        low, high = found.ends
+        covered.append(low <= 0.3 <= high)
+    assert np.mean(covered) > 0.94
+    low, high = analysis.difference_over_episodes(np.ones(5), np.zeros(5)).ends
+    assert 0.2 < low < high == 1.0
+
+
+def test_linear_measures_cover_the_noise_free_measure() -> None:
+    truth, rng = logistic(8), np.random.default_rng(3)
+    covered = []
+    for _ in range(300):
+        scores = rng.random((8, 8, 5)) < truth[:, :, None]
+        low, high = analysis.linear_over_episodes(scores, lag_rise).ends
+        covered.append(low <= lag_rise(truth) <= high)
+    assert 0.91 < np.mean(covered) < 0.99
+
+
+def test_generalization_has_the_interval_of_each_mean() -> None:
+    scores = np.random.default_rng(3).random((4, 3, 5))
+    pursuers, evaders = analysis.generalization_over_episodes(scores, level=0.9)
+    expected = analysis.generalization(scores.mean(axis=2))
+    for band, curve, cells in (
+        (pursuers, expected.pursuers, scores),
+        (evaders, expected.evaders, 1 - scores.swapaxes(0, 1)),
+    ):
+        np.testing.assert_allclose(band.mean, curve)
+        for g in range(len(curve)):
+            one = analysis.linear_over_episodes(cells[g : g + 1], np.mean, level=0.9)
+            assert (band.low[g], band.high[g]) == pytest.approx(one.ends)
+    sure = analysis.generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
+    assert sure.high.max() < 1
+
+
+def test_cells_may_share_their_episodes() -> None:
+    rng = np.random.default_rng(4)
+    shared = rng.random((300, 1, 1, 6)) * np.ones((1, 4, 4, 1))
+    found = [analysis.linear_over_episodes(each, np.mean).ends for each in shared]
+    assert 0.91 < np.mean([low <= 0.5 <= high for low, high in found]) < 0.98
+
+
+def test_sums_without_noise_are_those_of_pairs_of_episodes() -> None:
+    scores = np.random.default_rng(5).random((3, 4, 5))
+    parts = [analysis.two_way_parts(scores[:, :, e]) for e in range(5)]
+    pairs = list(permutations(range(5), 2))
+    residual = np.mean([np.sum(parts[e].cyclic * parts[f].cyclic) for e, f in pairs])
+    centered = [scores[:, :, e] - parts[e].mean for e in range(5)]
+    total = np.mean([np.sum(centered[e] * centered[f]) for e, f in pairs])
+    np.testing.assert_allclose(_sums_without_noise(scores)[0], [residual, total])
+
+
+@pytest.mark.parametrize(("truth", "name"), [(logistic(15), "race"), (circular(15), "cycle")])
+def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray, name: str) -> None:
+    share, rng = analysis.transitive_share(truth), np.random.default_rng(6)
+    covered, values, measured = [], [], []
+    for _ in range(100):
+        scores = rng.random((15, 15, 10)) < truth[:, :, None]
+        found = analysis.transitive_share_over_episodes(scores)
+        low, high = found.ends
+        covered.append(low <= share <= high)
+        values.append(found.value)
+        measured.append(analysis.transitive_share(scores.mean(axis=2)))
+    assert np.mean(covered) > 0.9, name
+    assert abs(np.mean(values) - share) < min(0.02, abs(np.mean(measured) - share))
+    assert found.note == "episode noise subtracted"
+
+
+def test_shares_without_an_interval() -> None:
+    noise = np.random.default_rng(7).random((6, 6, 10)) < 0.5
+    found = analysis.transitive_share_over_episodes(noise)
+    assert found.note == "biased by episode noise: no interval, no variation beyond it"
+    assert found.low is None
+    assert found.value == pytest.approx(analysis.transitive_share(noise.mean(axis=2)))
+    few = analysis.transitive_share_over_episodes(noise[:, :, :3])
+    assert few.note == "biased by episode noise: no interval below 4 episodes"
+    assert np.isnan(analysis.transitive_share_over_episodes(np.full((3, 3, 4), 0.5)).value)
+
+
+def test_measures_say_which_interval_they_have() -> None:
+    rng = np.random.default_rng(8)
+    scores = rng.random((9, 9, 60)) < logistic(9)[:, :, None]
+    payoffs = analysis.read_payoffs(scores, per_episode=True)
+    for name in MATRIX_MEASURES:
+        found = analysis.MEASURES[name].of(payoffs, "whole")
+        biased = name not in LINEAR and name != "transitive_share"
+        assert (found.low is None) == (found.note == BIASED) == biased, found
+
+
+@pytest.mark.parametrize("name", MATRIX_MEASURES)
+def test_linear_measures_are_linear(name: str) -> None:
+    one, other = np.random.default_rng(9).random((2, 9, 9))
+    mixed, *parts = (
+        analysis.MEASURES[name].of(matrix, "whole").value
+        for matrix in (0.3 * one + 0.7 * other, one, other)
+    )
+    is_linear = mixed == pytest.approx(0.3 * parts[0] + 0.7 * parts[1], abs=1e-9)
+    # Stripes of random matrices are all 0, which is linear by chance.
+    assert is_linear == (name in LINEAR) or name.endswith("stripes")
+
+
+def test_episodes_without_variation_have_no_interval() -> None:
+    found = analysis.linear_over_episodes(np.ones((3, 3, 5)), np.mean)
+    assert (found.value, found.low, found.note) == (
+        1.0,
+        None,
+        "no interval: all episodes are equal",
+    )

@@ -18,7 +18,6 @@ from rliable_numbers import ONE, TASK
 
 OPEN = (0.7, 0.3)
 PENNIES = np.eye(2)
-SQUARE = np.full((2, 2), 0.5)
 
 MATRICES = [
     ([0.1, 0.2], ValueError, r"2 dimension.*got shape \(2,\)"),
@@ -57,11 +56,8 @@ def test_bad_matrices_are_refused(
 counts, stretches = analysis.dominance_of_counts, analysis.disengagements
 undecided, variance = analysis.undecided_opponents, analysis.fitness_variance
 over_runs, difference = analysis.interval_over_runs, analysis.difference_of_runs
-band, mean, linear = (
-    analysis.band_over_runs,
-    analysis.mean_over_episodes,
-    analysis.linear_over_episodes,
-)
+band, judge = analysis.band_over_runs, analysis.judge
+mean, linear = analysis.mean_over_episodes, analysis.linear_over_episodes
 middle, profile = analysis.interquartile_mean, analysis.performance_profile
 dominance, cross = analysis.dominance_tournament, analysis.global_progress
 alpha_rank = partial(analysis.alpha_rank, ROCK_PAPER_SCISSORS)
@@ -80,14 +76,8 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: strongest(margin=1.0), "expected a margin"),
     (lambda: share_on_logits(shrinkage=0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
     (lambda: share_on_logits(shrinkage=0.5), r"shrinkage in \(0, 0.5\), got 0.5"),
-    (
-        lambda: cyclic_amplitude(np.zeros((2, 5)), np.zeros((2, 5))),
-        r"at least 3 x 3 generations, got \(2, 5\)",
-    ),
-    (
-        lambda: cyclic_amplitude(np.zeros((4, 5)), np.zeros((5, 4))),
-        r"noise of shape \(4, 5\), got \(5, 4\)",
-    ),
+    (lambda: cyclic_amplitude(PENNIES, PENNIES), r"at least 3 x 3 generations, got \(2, 2\)"),
+    (lambda: cyclic_amplitude(np.eye(3), PENNIES), r"noise of shape \(3, 3\), got \(2, 2\)"),
     # Games
     (lambda: alpha_rank(alpha=0.0), "alpha above 0, got 0.0"),
     (lambda: alpha_rank(alpha=math.nan), "alpha above 0, got nan"),
@@ -96,15 +86,9 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: exploit([1.5, -0.5, 0.0]), r"\[0, 1\], got 1.5"),
     (lambda: exploit([0.5, 0.5]), "3 weights of the pursuers, got 2"),
     (lambda: exploit([0.5, 0.5, 0.5]), "weights of the pursuers with sum 1, got 1.5"),
-    (
-        lambda: analysis.response_gain([0.1, 0.2], [0.3, 0.4], budget=0),
-        "budget of at least 1 match, got 0",
-    ),
+    (lambda: analysis.response_gain([0], [1], budget=0), "budget of at least 1 match, got 0"),
     # Progress, dominance
-    (
-        lambda: cross(np.zeros((2, 3, 4, 4))),
-        r"shape \(runs, runs, n, m\), got \(2, 3, 4, 4\)",
-    ),
+    (lambda: cross(np.zeros((2, 3, 4, 4))), r"\(runs, runs, n, m\), got \(2, 3, 4, 4\)"),
     (lambda: cross(np.zeros((1, 1, 4, 4))), "at least 2 runs, got 1"),
     (lambda: cross(np.full((2, 2, 3, 3), np.nan)), r"\[0, 1\], got nan"),
     (lambda: cross(np.zeros((2, 2, 0, 3))), "none of them empty"),
@@ -131,10 +115,7 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: strength_gain(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
     (lambda: strength_gain(np.zeros(5), np.zeros(6)), "scores and noise of shape"),
     (lambda: strength_change(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
-    (
-        lambda: analysis.forgetting(PENNIES, [[0.5]]),
-        r"matrices of shape \(2, 2\), got \(1, 1\)",
-    ),
+    (lambda: analysis.forgetting(PENNIES, [[0.5]]), r"of shape \(2, 2\), got \(1, 1\)"),
     (lambda: elo(ridge=-1.0), "ridge of at least 0, got -1.0"),
     (lambda: elo(ridge=np.inf), "finite ridge"),
     (lambda: elo(cycles=2), r"cycles from 0 to 1 for a matrix of \(3, 3\), got 2"),
@@ -168,21 +149,15 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     # Reports and the judgement
     (lambda: analysis.report(np.zeros((1, 5))), r"at least 2 x 2 generations, got \(1, 5\)"),
     (lambda: analysis.report(np.zeros((3, 3)), level=0.0), r"level in \(0, 1\), got 0.0"),
+    (lambda: analysis.report([PENNIES] * 2, cross=[PENNIES]), r"\(2, 2, 2, 2\), got \(1, 2, 2\)"),
+    (lambda: analysis.MEASURES["swing"].of(PENNIES, "x"), "^window: expected one of whole, first"),
+    (lambda: judge(logistic(8), level=1.5), r"level in \(0, 1\), got 1.5"),
+    (lambda: judge(logistic(8), episodes=0), "episodes: expected"),
     (
-        lambda: analysis.report(np.zeros((2, 3, 3)), cross=np.zeros((2, 3, 3))),
-        r"shape \(2, 2, 3, 3\), got \(2, 3, 3\)",
-    ),
-    (
-        lambda: analysis.MEASURES["swing"].of(SQUARE, "x"),
-        "^window: expected one of whole, first half, last half",
-    ),
-    (lambda: analysis.judge(logistic(8), level=1.5), r"level in \(0, 1\), got 1.5"),
-    (lambda: analysis.judge(logistic(8), episodes=0), "episodes: expected"),
-    (
-        lambda: analysis.judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5),
+        lambda: judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5),
         "the 3 episodes of each cell that the payoffs hold, got",
     ),
-    (lambda: analysis.judge(1.5 * np.ones((8, 8))), "got 1.5"),
+    (lambda: judge(1.5 * np.ones((8, 8))), "got 1.5"),
 ]
 
 
@@ -194,4 +169,4 @@ def test_a_wrong_argument_is_refused(call: Callable[[], object], message: str) -
 
 def test_episodes_are_a_whole_number() -> None:
     with pytest.raises(TypeError, match="episodes: expected an integer"):
-        analysis.judge(np.zeros((8, 8, 3)), episodes=True)
+        judge(np.zeros((8, 8, 3)), episodes=True)

@@ -126,20 +126,6 @@ def test_rates_are_rates_and_follow_from_the_seed(kind: str, n: int) -> None:
             assert tuple(truths_of_group(runs, window)) == CONDITIONS
 
 
-def test_kinds_are_enough_and_some_are_held_back() -> None:
-    development = {name for name, kind in KINDS.items() if kind.development}
-    assert len(KINDS) >= 18
-    assert len(development) < len(KINDS) / 2
-    assert {"pure race", "cycle", "drift", "forgetting", "early stagnation"} <= development
-
-
-def test_later_generations_are_never_worse_where_skill_is_transitive() -> None:
-    for kind in ("pure race", "two skills", "saturating race", "late stagnation"):
-        rates = synthetic_races(kind, 30, 1)[0].rates
-        assert (np.diff(rates, axis=0) >= 0).all()
-        assert (np.diff(rates, axis=1) <= 0).all()
-
-
 # Toys
 
 

@@ -165,13 +165,10 @@ def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> Non
         ([0.2, 0.3, 0.4], "above", "reproduced"),
         ([0.2, 0.3, 0.4], "below", "not reproduced"),
         ([-0.2, 0.3, 0.1], "above", "undecided"),
-        ([-0.2, 0.3, 0.1], "below", "undecided"),
-        ([-0.2, -0.3, -0.4], "above", "not reproduced"),
         ([-0.2, -0.3, -0.4], "below", "reproduced"),
         ([0.0, 0.0, 0.0], "above", "undecided"),
         ([0.0] * 10, "above", "not reproduced"),
         ([0.1] * 10, "above", "reproduced"),
-        ([0.1] * 10, "below", "not reproduced"),
     ],
 )
 def test_verdict_on_a_claim(values: list[float], side: str, verdict: str) -> None:
@@ -258,13 +255,8 @@ def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path)
     numbers = np.load(results / "baselines.npz")
     assert numbers["captures"].shape == (4, 3, 2, 4)
     root = tmp_path / "runs" / "actor_critic" / "quick"
-    for game, seed in (
-        ("pursuers-against-random-evaders", 0),
-        ("evaders-against-random-pursuers", 1),
-    ):
-        run = open_run(root / game / "actor-critic" / str(seed))
-        at = 0 if seed == 0 else 2, 0, seed
-        np.testing.assert_array_equal(numbers["captures"][at], run.payoff().capture_rates[-1, -1])
+    run = open_run(root / "evaders-against-random-pursuers" / "actor-critic" / "1")
+    np.testing.assert_array_equal(numbers["captures"][2, 0, 1], run.payoff().capture_rates[-1, -1])
     # Taught evaders start from those of their own learner, and all meet the same pursuers.
     for learner in ("actor-critic", "evolution-equal-time"):
         taught = open_run(root / "evaders-against-those-pursuers" / learner / "1")
@@ -290,7 +282,6 @@ def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path)
         ("pursuer", [0.9, 0.91, 0.92], "reached"),
         ("pursuer", [0.5, 0.51, 0.52], "not reached"),
         ("pursuer", [0.5, 0.95, 0.99], "undecided"),
-        ("pursuer", [0.9, 0.9, 0.9], "reached"),
         ("evader", [0.1, 0.11, 0.12], "reached"),
         ("evader", [0.97, 0.98, 0.99], "not reached"),
     ],
