@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from made_up_episode import made_up_episode
 from matrixworld import coevolution
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.sections import Section
 from matrixworld.episodes import replay
 from refusals import CONFIG, GENOME, NETWORK
+from rows import random_walks
 from tiny_race import tiny_race, tiny_single
 
 
@@ -48,7 +48,7 @@ MALFORMED = {
 
 TEAM = mw.Population(GENOME, NETWORK)
 MATCH = mw.Matches.of(0, 0, 0)
-EPISODE = made_up_episode(steps=3)
+EPISODE = random_walks(steps=3)
 RNG = np.random.default_rng(0)
 TABLE = coevolution.NoiseTable(4, RNG, sigma=1.0)
 START = np.zeros(4, np.float32)

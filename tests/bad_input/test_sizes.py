@@ -12,7 +12,6 @@ import pytest
 
 import matrixworld as mw
 from command_line import RACE, matrixworld_command, words
-from made_up_episode import made_up_episode
 from matrixworld._util import memory
 from matrixworld.coevolution import best_response, open_run, score, score_population, start
 from matrixworld.coevolution import tournament as play_tournament
@@ -20,6 +19,7 @@ from matrixworld.coevolution.settings import run_memory
 from matrixworld.episodes import replay
 from matrixworld.world.arrays import state_bytes, workspace_bytes
 from refusals import CONFIG, GENOME, NETWORK
+from rows import random_walks
 from tiny_race import tiny_race, tiny_single
 
 TEAM = mw.Population(GENOME, NETWORK)
@@ -184,7 +184,7 @@ def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> No
 
 
 def test_pictures_have_a_largest_size() -> None:
-    episode = made_up_episode()
+    episode = random_walks()
     with pytest.raises(ValueError, match="contact sheet: expected at most 67,108,864 pixels"):
         replay.contact_sheet(episode, rows=10**6, cols=10**6)
     for wrong in ({"rows": 0}, {"cols": 2.5}, {"cell": 10**400}, {"fov": 1.0}, {"trail": -1}):
@@ -198,9 +198,9 @@ def test_animations_have_a_largest_size(
 ) -> None:
     monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
-        replay.save(made_up_episode(), tmp_path / f"x{suffix}")
+        replay.save(random_walks(), tmp_path / f"x{suffix}")
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
-        replay.animation(made_up_episode())
+        replay.animation(random_walks())
     assert list(tmp_path.iterdir()) == []
 
 

@@ -13,7 +13,6 @@ import pytest
 
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
-from made_up_episode import made_up_episode
 from matrixworld import VARIANTS, Episode, WorldConfig, record
 from matrixworld.cli.figures import collisions_per_1000, planned, run_title
 from matrixworld.cli.groups import groups_of
@@ -21,6 +20,7 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.episodes import render, replay
 from matrixworld.play.rollout import Matches, rollout
+from rows import random_walks
 from tiny_race import StopAt, tiny_race
 
 
@@ -157,7 +157,7 @@ def test_replay_explains_every_step_or_one():
 
 
 def test_replay_cannot_explain_a_recording_without_conflicts():
-    made_up_episode().save("walks.npz")
+    random_walks().save("walks.npz")
     result = matrixworld_command("replay", "walks.npz", "--explain", code=1)
     assert "conflict_table: expected a recording with conflicts, got none" in result.stderr
 

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from made_up_episode import made_up_episode
 from matrixworld.episodes.episode import Episode
+from rows import random_walks
 
-EPISODE = made_up_episode()
+EPISODE = random_walks()
 MARK = {"format": np.array("matrixworld episode 3")}
 ARRAYS = [
     each.name
@@ -40,7 +40,15 @@ def test_the_example_has_captures_and_faults() -> None:
     assert repr(EPISODE) == expected
 
 
-@pytest.mark.parametrize("episode", [EPISODE, made_up_episode(evaders=0, steps=0)])
+NO_EVADERS = dataclasses.replace(
+    random_walks(steps=0),
+    n_pursuers=12,
+    captured=np.zeros((1, 0), bool),
+    ever_captured=np.zeros((1, 0), bool),
+)
+
+
+@pytest.mark.parametrize("episode", [EPISODE, NO_EVADERS])
 def test_round_trip(episode: Episode, tmp_path: Path) -> None:
     path = tmp_path / "an episode"
     episode.save(path)

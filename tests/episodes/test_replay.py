@@ -19,7 +19,6 @@ import pytest
 from PIL import Image
 
 import matrixworld as mw
-from made_up_episode import made_up_episode
 from matrixworld._util import colors
 from matrixworld.episodes import render
 from matrixworld.episodes.episode import Episode
@@ -32,8 +31,9 @@ from matrixworld.episodes.replay import (
     save,
     scene,
 )
+from rows import random_walks
 
-EPISODE = made_up_episode()
+EPISODE = random_walks()
 
 
 # -- scenes ------------------------------------------------------------------------------------
@@ -193,13 +193,13 @@ def test_a_gif_of_fewer_frames_still_shows_the_last_step(tmp_path: Path) -> None
 
 
 def test_a_gif_of_a_long_episode_stays_small(tmp_path: Path) -> None:
-    episode = made_up_episode(rows=40, cols=40, pursuers=8, evaders=30, steps=100)
+    episode = random_walks(rows=40, cols=40, pursuers=8, evaders=30, steps=100)
     save(episode, tmp_path / "long.gif", cell=12)
     assert (tmp_path / "long.gif").stat().st_size < 101 * 8_000  # 4 MB for 500 steps
 
 
 def test_an_episode_that_stands_still_is_a_gif_too(tmp_path: Path) -> None:
-    save(made_up_episode(steps=0), tmp_path / "still.gif")
+    save(random_walks(steps=0), tmp_path / "still.gif")
     assert len(list(frames(tmp_path / "still.gif"))) == 1
 
 
@@ -292,7 +292,7 @@ def test_pictures_with_numbers(tmp_path: Path) -> None:
         assert (np.array(image) == wanted).all()
     save(EPISODE, tmp_path / "all.gif", every=30, numbers=True)
     assert (next(frames(tmp_path / "all.gif"))[0].shape) == wanted.shape
-    wide = made_up_episode(rows=40, cols=40, steps=2)
+    wide = random_walks(rows=40, cols=40, steps=2)
     with Image.open(io.BytesIO(animation(wide, numbers=True).data)) as image:
         assert image.size == (40 * 20 + 24, 40 * 20 + 50)
     assert contact_sheet(wide, numbers=True).width == 3 * (40 * 20 + 24)
@@ -322,7 +322,7 @@ def test_save_refuses_another_kind_of_file_and_moment(tmp_path: Path) -> None:
 
 
 def test_a_notebook_shows_an_animation() -> None:
-    long = made_up_episode(rows=40, cols=40, pursuers=8, evaders=30, steps=500)
+    long = random_walks(rows=40, cols=40, pursuers=8, evaders=30, steps=500)
     shown = animation(long)
     with Image.open(io.BytesIO(shown.data)) as image:
         assert image.n_frames == 101
@@ -334,7 +334,7 @@ def test_a_notebook_shows_an_animation() -> None:
     assert base64.b64decode(encoded[1]) == shown.data
     with Image.open(io.BytesIO(animation(EPISODE, every=7).data)) as image:
         assert image.n_frames == 6
-    with Image.open(io.BytesIO(animation(made_up_episode(3, 3, 1, 1, steps=2)).data)) as image:
+    with Image.open(io.BytesIO(animation(random_walks(3, 3, 1, 1, steps=2)).data)) as image:
         assert image.size == (464, 3 * 48 + 50)  # not larger than any other picture
 
 

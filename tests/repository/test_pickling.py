@@ -21,7 +21,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from made_up_episode import made_up_episode
 from matrixworld import analysis, classroom, cluster, coevolution, explorer, toys, tutorial
 from matrixworld.analysis.cycles import noise_reference
 from matrixworld.analysis.strength import strength_gain
@@ -29,6 +28,7 @@ from matrixworld.coevolution import Candidates, opponents, resume, start
 from matrixworld.coevolution.jobs.job import job_of
 from matrixworld.episodes import replay
 from matrixworld.plots.game import SITUATIONS, resolve
+from rows import random_walks
 from tiny_race import results, tiny_race, tiny_single
 
 INTERFACE = "an interface or a base class, which has no instances"
@@ -156,7 +156,7 @@ def _of_worlds() -> Iterator[Any]:
     yield world
     world.step([mw.Action.EAST] * 5, explain=True)
     played = mw.record(config, "chaser", "fleer", seed=1)
-    yield from (world.conflicts, world, mw.Recorder(world), played, made_up_episode())
+    yield from (world.conflicts, world, mw.Recorder(world), played, random_walks())
     yield from (replay.animation(played), replay.scene(played))
     # Conflicts exist only where agents collide.
     crowd = mw.World("B", rows=2, cols=2, n_pursuers=2, n_evaders=2)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -72,6 +73,19 @@ def random_team(
     """Return a population for a world with one random genome for each seed."""
     network = mw.Network.for_config(config, hidden, **fields)
     return mw.Population(np.stack([random_genome(network, seed, 0.7) for seed in seeds]), network)
+
+
+def random_walks(
+    rows: int = 12, cols: int = 16, pursuers: int = 5, evaders: int = 7, steps: int = 30
+) -> mw.Episode:
+    """Return an episode in which met evaders disappear, recorded without conflicts."""
+    rules = mw.Rules(TOGETHER, B, R, D, R, OCCUPATION)
+    config = mw.WorldConfig(
+        rules, rows=rows, cols=cols, n_pursuers=pursuers, n_evaders=evaders, obstacles=0.1
+    )
+    episode = mw.record_actions(config, random_actions(0, 5, steps, pursuers + evaders))
+    assert episode.length == steps
+    return replace(episode, conflict_table=None)
 
 
 def assert_same_worlds(one: mw.World, other: mw.World) -> None:
