@@ -43,7 +43,7 @@ def pool() -> Iterator[MatchPool]:
 
 
 def admitted(pool: MatchPool, text: str) -> tuple[list[Entry], list[Refusal]]:
-    submission = Submission("student", "student.py", "program", Path("student.py"), text.encode())
+    submission = Submission("student", "student.py", "program", text.encode(), Path("student.py"))
     return admit([submission], pool, lambda what, done, total: None)
 
 
