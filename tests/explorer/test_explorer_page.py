@@ -16,8 +16,7 @@ from matrixworld.coevolution import SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import explore
 from matrixworld.explorer.page import render_page, write_page
-from matrixworld.explorer.run_data import archives_of, run_data
-from matrixworld.explorer.runs_page import explorer_page
+from matrixworld.explorer.runs_page import archives_of, explorer_page, run_data
 from tiny_race import tiny_race, tiny_single
 
 Job = dict[str, SavedRun]

@@ -12,7 +12,7 @@ import pytest
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.explorer.run_data import archives_of, kept_generations, run_data, training_curve
+from matrixworld.explorer.runs_page import archives_of, kept_generations, run_data, training_curve
 from matrixworld.world.config import WorldConfig
 from tiny_race import tiny_race, tiny_single
 
@@ -112,7 +112,7 @@ def test_a_long_training_curve_has_means_of_neighbouring_epochs(
     whole = training_curve(log, single.settings)
     assert whole["epochs"] == 1
     np.testing.assert_allclose(whole["capture_rate"], log["capture_rate"], atol=1e-4)
-    monkeypatch.setattr("matrixworld.explorer.run_data.MOST_POINTS", 2)
+    monkeypatch.setattr("matrixworld.explorer.runs_page.MOST_POINTS", 2)
     short = training_curve(log, single.settings)
     means = [log["capture_rate"][:3].mean(), log["capture_rate"][3:].mean()]
     assert short["epochs"] == 3

@@ -25,6 +25,11 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
 # Both locks fail at once, instead of waiting, if another process holds them.
 if sys.platform == "win32":
     import msvcrt
@@ -75,6 +80,11 @@ UNREADABLE = (
     zlib.error,
 )
 """What zipfile and NumPy raise while they read a damaged npz file."""
+
+
+def load_toml(path: Path) -> dict[str, Any]:
+    """Return the values of a TOML file."""
+    return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
 class DamagedFileError(ValueError):

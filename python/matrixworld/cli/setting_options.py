@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import re
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import Field, dataclass, field, fields
@@ -18,6 +17,7 @@ from typing import Any, get_args
 
 import click
 
+from matrixworld._util.files import load_toml
 from matrixworld.cli.options import option_name
 from matrixworld.coevolution import SCHEDULES, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
@@ -30,11 +30,6 @@ from matrixworld.coevolution.sections import (
     sections_in,
 )
 from matrixworld.world.config import WorldConfig
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
@@ -70,8 +65,8 @@ def parsed(text: str) -> Any:
 def configured(path: Path) -> dict[str, Any]:
     """Return the settings in a file."""
     try:
-        text = path.read_text(encoding="utf-8")
-        values = tomllib.loads(text) if path.suffix == ".toml" else json.loads(text)
+        is_toml = path.suffix == ".toml"
+        values = load_toml(path) if is_toml else json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, ValueError) as error:
         raise click.UsageError(f"--config: expected TOML or JSON in {path}, got {error}") from error
     if not isinstance(values, dict):

@@ -23,8 +23,8 @@ from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes.render import png
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer.page import mime_bundle, render_page, write_page
-from matrixworld.explorer.scenes import GALLERY, Command, drawn_world, scene_link
-from matrixworld.world.policy import SCRIPTS
+from matrixworld.explorer.scenes import GALLERY, REWARDS, Command, drawn_world, scene_link
+from matrixworld.world.policy import SCRIPT_TEXTS
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
@@ -61,19 +61,6 @@ VALUES: Mapping[type, Mapping[Any, str]] = {
     bool: {False: "stays", True: "disappears"},
 }
 """The values of fields by their type, as the page names them."""
-
-SCRIPT_TEXTS = {
-    "random": "any action, all equally likely",
-    "still": "always stays",
-    "chaser": "moves to where the nearest adversary in view is nearest",
-    "fleer": "moves to where the nearest adversary in view is farthest",
-    "clumsy-chaser": "a chaser that takes any action in half of the steps",
-    "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
-    "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
-    "clumsy-fleer": "a fleer that takes any action in half of the steps",
-    "dodger": "moves to where all adversaries in view together are farthest",
-}
-"""What scripts do."""
 
 
 DOCUMENTED = re.compile(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", re.MULTILINE)
@@ -176,8 +163,8 @@ def page_data(scene: str = "") -> dict[str, Any]:
         "variants": {name: _plain(rules) for name, rules in VARIANTS.items()},
         "titles": {name: VARIANT_TEXTS[name].title for name in VARIANTS},
         "fields": [_field(name) for name in LABELS],
-        "rewards": {"paper": _plain(Rewards.paper()), "published": _plain(Rewards.published())},
-        "scripts": [{"name": name, "text": SCRIPT_TEXTS.get(name, "")} for name in SCRIPTS],
+        "rewards": {name: _plain(rewards) for name, rewards in REWARDS.items()},
+        "scripts": [{"name": name, "text": text} for name, text in SCRIPT_TEXTS.items()],
         "gallery": [
             {"title": each.title, "text": each.text, "scene": each.scene} for each in GALLERY
         ],

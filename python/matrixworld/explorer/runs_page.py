@@ -1,5 +1,8 @@
 """The page of finished runs: payoff matrices whose matches it plays, and all that belongs to them.
 
+Numbers and verdicts come from `matrixworld.analysis`, from the same functions that the command line
+and the figures use; the page computes none of its own.
+
 >>> from matrixworld.explorer import explore
 >>> explore("runs/O-seed0/generalist-generalist")  # doctest: +SKIP
 """
@@ -7,19 +10,32 @@
 from __future__ import annotations
 
 import io
+import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from matrixworld.analysis import Judgement
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import analysis
+from matrixworld.analysis.cycles import MARGIN, noise_reference, strongest_checkerboards
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
+from matrixworld.analysis.plain_values import plain_values
+from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.schedules import Against, HallOfFame
+from matrixworld.coevolution.sections import leaves
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import Playground, page_data
-from matrixworld.explorer.run_data import archives_of, run_data
 from matrixworld.version import __version__
+from matrixworld.world.policy import Population, TeamPolicy
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
@@ -102,7 +118,7 @@ def explorer_page(
     runs: Sequence[SavedRun],
     *,
     held_out: Mapping[Path, Mapping[str, Any]] | None = None,
-    judgements: Mapping[Path, Judgement] | None = None,
+    judgements: Mapping[Path, analysis.Judgement] | None = None,
     note: str = "",
 ) -> str:
     """Return the page of finished runs as HTML, in this order.
@@ -136,3 +152,277 @@ def explorer_page(
     playground = without_engine(Playground().html()).encode()
     blobs = {**archives.blobs, "playground": playground}
     return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
+
+
+# ---- A run ---------------------------------------------------------------------------------------
+
+MOST_POINTS = 6000
+"""The most points of a training curve; a longer one has means of neighbouring epochs."""
+WINDOWS, LONGEST = 4, 100
+"""As in the figures: windows of the moving average in a team phase, and in a run of one team."""
+
+
+def run_data(
+    name: str,
+    run: SavedRun,
+    held_out: Mapping[str, Any] | None = None,
+    judgement: analysis.Judgement | None = None,
+) -> dict[str, Any]:
+    """Return what a page shows of a finished run, without its teams.
+
+    `held_out` has ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last
+    ``"evaders"``. A race without `judgement` is judged here.
+    """
+    settings, payoff = run.settings, run.payoff()
+    teams = [run.teams[team] for team in TEAMS]
+    shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in teams)
+    race = settings.is_race
+    return {
+        "name": name,
+        "race": race,
+        "schedule": settings.schedule.name if race else "one team",
+        "learning": list(settings.learning_teams),
+        "seed": str(settings.seed),
+        "world": settings.world.to_json(),
+        "settings": plain_settings(settings),
+        "training": training_curve(run.files.log(), settings),
+        "payoff": plain_payoff(payoff, shape),
+        # As text: a number of JavaScript holds 53 of the 64 bits.
+        "seeds": [
+            [str(evaluation_seed(settings.seed, g, h)) for h in range(shape[1])]
+            for g in range(shape[0])
+        ],
+        "findings": findings(payoff, judgement) if race else None,
+        "limits": too_few_episodes(payoff) if race else "",
+        "held_out": held_out and {f"{team}s": held_out.get(f"{team}s") for team in TEAMS},
+    }
+
+
+def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
+    """Return the results of all cells, placed in a matrix of all generations of the archives.
+
+    ``first`` are the generations of the first cell that was played: the results of a single team
+    are of its last generation.
+    """
+    first = [count - played for count, played in zip(shape, payoff.capture_rate.shape, strict=True)]
+    return {
+        "first": first,
+        "shape": list(shape),
+        "episodes": payoff.capture_rates.shape[2],
+        "capture_rate": payoff.capture_rate.tolist(),
+        # Nine digits identify every float32.
+        "capture_rates": [
+            [[float(f"{rate:.9g}") for rate in cell] for cell in row]
+            for row in payoff.capture_rates.tolist()
+        ],
+        "lengths": payoff.lengths.tolist(),
+    }
+
+
+def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> dict[str, Any]:
+    """Return the capture rate over training, in lists of equal lengths.
+
+    The learner is 0 for the pursuers, 1 for the evaders and 2 for both. A point is the mean of so
+    many ``epochs``; ``window`` has the points of a moving average.
+    """
+    learner = (log["team"] == "evader").astype(int)
+    schedule = settings.schedule
+    both = isinstance(schedule, HallOfFame)
+    if both:
+        # Both teams learn from the same matches, and each logs a row of them.
+        log = {name: column[learner == 0] for name, column in log.items()}
+        learner = np.full(len(log["team"]), 2)
+    phases = [schedule.total_epochs(team) for team in settings.learning_teams]
+    windows = WINDOWS * (schedule.entries - 1) if settings.is_race else LONGEST
+    window = max(1, min(phases) // windows)
+    every = -(-len(learner) // MOST_POINTS)
+    starts = np.arange(0, len(learner), every)
+    counts = np.diff([*starts, len(learner)])
+    return {
+        "capture_rate": np.round(np.add.reduceat(log["capture_rate"], starts) / counts, 4).tolist(),
+        "generation": log["generation"][starts].tolist(),
+        "learner": learner[starts].tolist(),
+        "epochs": every,
+        "window": max(1, round(window / every)),
+        "matches": int(log["matches"][-1]) if len(learner) else 0,
+    }
+
+
+def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
+    """Return path, value and meaning of each setting, and whether it differs from the default."""
+    usual = {leaf.path: leaf.value for leaf in leaves(_usual(settings))}
+    return [
+        {
+            "name": leaf.path,
+            "value": _shown(plain_values(leaf.value)),
+            "help": leaf.help,
+            "changed": leaf.value != usual.get(leaf.path),
+        }
+        for leaf in leaves(settings)
+    ]
+
+
+def _usual(settings: RaceSettings) -> RaceSettings:
+    """Return the settings without options, of the same seed and schedule or opponent."""
+    schedule = settings.schedule
+    if isinstance(schedule, Against):
+        alone = Against(team=schedule.team, opponent=schedule.opponent)
+        return RaceSettings(schedule=alone, seed=settings.seed)
+    named: Any = schedule.name  # a text stands for a section
+    return RaceSettings(schedule=named, seed=settings.seed)
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, str):
+        return value
+    if value is None:
+        return "default"
+    return json.dumps(value)
+
+
+# ---- What the analysis says ----------------------------------------------------------------------
+
+BOARDS = 12
+"""The most checkerboards on a page: the strongest ones."""
+
+
+def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dict[str, Any]:
+    """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
+    matrix = payoff.capture_rate
+    ratings = analysis.elo(matrix)
+    judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
+    return {
+        "headline": analysis.headline(judgement),
+        "window": judgement.window,
+        "table": [list(row) for row in analysis.judgement_table(judgement)],
+        "reasons": analysis.explain(judgement).splitlines(),
+        "description": analysis.describe(matrix).splitlines(),
+        "noise": _noise(payoff),
+        "generalization": _generalization(payoff),
+        "lags": plain_values(analysis.lag_profile(matrix)),
+        # The triangles are the two halves of the payoff, which the page has.
+        "ciao": {
+            team: {
+                "by_age": plain_values(triangle.by_age),
+                "fading": plain_values(triangle.fading),
+                "stripes": triangle.stripes,
+                "period": triangle.period,
+            }
+            for team, triangle in zip(("pursuers", "evaders"), analysis.ciao(matrix), strict=True)
+        },
+        "ratings": {
+            "pursuers": plain_values(ratings.pursuers * analysis.ELO_POINTS),
+            "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
+            "offset": ratings.offset * analysis.ELO_POINTS,
+        },
+        "checkerboards": plain_values(strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)),
+        "margin": MARGIN,
+    }
+
+
+def _noise(payoff: Payoff) -> dict[str, Any]:
+    """Return transitive share and checkerboards of late generations, and what noise alone gives."""
+    payoffs = analysis.read_payoffs(payoff.capture_rate)
+    share, boards = (
+        analysis.MEASURES[name].of(payoffs).value for name in ("transitive_share", "checkerboards")
+    )
+    rates = payoff.capture_rates[payoffs.late.cells]
+    # A single episode of each cell does not show its noise.
+    noise = noise_reference(rates, margin=MARGIN) if rates.shape[2] >= 2 else None
+    return {
+        "transitive_share": plain_values(share),
+        "transitive_share_noise": noise and plain_values(noise.transitive_share),
+        "checkerboard_share": boards,
+        "checkerboard_share_noise": noise and plain_values(noise.checkerboards),
+    }
+
+
+def _generalization(payoff: Payoff) -> dict[str, Any]:
+    """Return the mean score of each generation, with intervals where episodes allow them."""
+    means = analysis.generalization(payoff.capture_rate)
+    curves: dict[str, Any] = {
+        team: {"mean": plain_values(getattr(means, team)), "low": None, "high": None}
+        for team in ("pursuers", "evaders")
+    }
+    if payoff.capture_rates.shape[2] >= 2:
+        bands = analysis.generalization_over_episodes(payoff.capture_rates)
+        for team, band in zip(curves, bands, strict=True):
+            curves[team] |= {"low": plain_values(band.low), "high": plain_values(band.high)}
+    return curves
+
+
+def too_few_episodes(payoff: Payoff) -> str:
+    """Return what a small number of episodes means for the judgement; empty if they are enough."""
+    episodes = payoff.capture_rates.shape[2]
+    if episodes >= EPISODES_TO_JUDGE:
+        return ""
+    return (
+        f"Each cell has {episodes} episode{'' if episodes == 1 else 's'}; it takes at least "
+        f"{EPISODES_TO_JUDGE} to tell all conditions from noise."
+    )
+
+
+# ---- Teams ---------------------------------------------------------------------------------------
+
+MOST_BYTES = 48 * 2**20
+"""Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
+
+
+class Archives(NamedTuple):
+    """The teams of the runs of a page, as plain values that name their genomes in the blobs.
+
+    A blob holds float32 in little-endian order, generation after generation. Every `step`
+    generations have a genome on the page.
+    """
+
+    teams: tuple[dict[Team, dict[str, Any]], ...]
+    blobs: dict[str, bytes]
+    step: int
+
+
+def archives_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> Archives:
+    """Return the teams of runs, with the genomes of as many generations as fit into so many bytes.
+
+    The first and the last generation of each team are always there.
+    """
+    learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
+    longest = max(len(team.genomes) for team in learned)
+
+    def size(step: int) -> int:
+        return sum(
+            len(kept_generations(len(team.genomes), step)) * team.genomes[0].nbytes
+            for team in learned
+        )
+
+    step = 1
+    # The step is the same for all runs, so that linked generations exist everywhere.
+    while size(step) > most and step < longest:
+        step += 1
+    blobs: dict[str, bytes] = {}
+    teams = tuple(
+        {team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, blobs) for team in TEAMS}
+        for n, run in enumerate(runs)
+    )
+    return Archives(teams, blobs, step)
+
+
+def kept_generations(count: int, step: int) -> list[int]:
+    """Return every generation by a step, and the last one."""
+    return sorted({*range(0, count, step), count - 1})
+
+
+def _plain_team(
+    team: TeamPolicy, identifier: str, step: int, blobs: dict[str, bytes]
+) -> dict[str, Any]:
+    """Return a team as plain values, and add its genomes to the blobs."""
+    if isinstance(team, str):
+        return {"script": team, "network": None, "generations": 1, "kept": [0], "genomes": ""}
+    network, kept = team.network, kept_generations(len(team.genomes), step)
+    blobs[identifier] = np.ascontiguousarray(team.genomes[kept], dtype="<f4").tobytes()
+    return {
+        "script": None,
+        "network": {**plain_values(network), "genome_size": network.genome_size},
+        "generations": len(team.genomes),
+        "kept": kept,
+        "genomes": identifier,
+    }

@@ -29,13 +29,17 @@ next        what the agents do next, likewise
 
 from __future__ import annotations
 
+import json
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import astuple, dataclass
+from enum import Enum
+from pathlib import Path
 
 import numpy as np
 
 from matrixworld._util.checks import check_choice, check_instance, check_integer
+from matrixworld._util.files import load_toml
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 from matrixworld.world.rules import VARIANTS, Action, Rewards, Rules, rules_of
@@ -45,6 +49,7 @@ MOST_SIDE = 64
 """The most rows and columns of a scene."""
 MOST_AGENTS = 100
 """The most agents of a team."""
+REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
 DEFAULTS = {"diagonal": "0", "fov": "11", "limit": "500", "seed": "0.0.0", "rewards": "paper"}
 
 Command = int | str
@@ -118,36 +123,30 @@ def _command_text(config: WorldConfig, action: Command) -> str:
 
 
 def _rules_text(rules: Rules) -> str:
-    for name, known in VARIANTS.items():
-        if rules == known:
-            return name
-    return ".".join(str(getattr(value, "name", value)).lower() for value in astuple(rules))
+    fields = ".".join(map(_field_text, astuple(rules)))
+    return _name_of(rules, VARIANTS) or fields.lower()
 
 
 def _rewards_text(rewards: Rewards) -> str:
-    for name, known in (("paper", Rewards.paper()), ("published", Rewards.published())):
-        if rewards == known:
-            return name
-    return "_".join(_reward_text(value) for value in astuple(rewards))
+    return _name_of(rewards, REWARDS) or "_".join(map(_field_text, astuple(rewards)))
 
 
-def _reward_text(value: object) -> str:
+def _name_of(row: object, known: Mapping[str, object]) -> str:
+    return next((name for name, each in known.items() if each == row), "")
+
+
+def _field_text(value: object) -> str:
     """Return a value as JavaScript writes it."""
     if isinstance(value, tuple):
-        return ",".join(map(_reward_text, value))
-    if isinstance(value, bool):
-        return str(value).lower()
-    return repr(value).removesuffix(".0") if isinstance(value, float) else str(value.name)  # type: ignore[attr-defined]
+        return ",".join(map(_field_text, value))
+    if isinstance(value, Enum):
+        return value.name
+    return json.dumps(value).removesuffix(".0")
 
 
 # ---- The gallery ---------------------------------------------------------------------------------
 
-ARROWS = {
-    "^": Action.NORTH,
-    ">": Action.EAST,
-    "v": Action.SOUTH,
-    "<": Action.WEST,
-}
+ARROWS = {"^": Action.NORTH, ">": Action.EAST, "v": Action.SOUTH, "<": Action.WEST}
 
 
 @dataclass(frozen=True)
@@ -182,10 +181,10 @@ def _command(text: str) -> int | str:
 def drawn_world(rules: Rules | str, drawing: str) -> World:
     """Return the world of a drawing.
 
-    Rows are separated by slashes and cells by spaces: ``.`` is free, ``#`` an obstacle; ``A``,
-    ``B``, ... are pursuers and ``a``, ``b``, ... evaders, in the order of their numbers.
+    Rows are lines, or separated by slashes, and cells by spaces: ``.`` is free, ``#`` an obstacle;
+    ``A``, ``B``, ... are pursuers and ``a``, ``b``, ... evaders, in the order of their numbers.
     """
-    cells = [row.split() for row in drawing.split("/")]
+    cells = [row.split() for row in drawing.replace("/", "\n").splitlines()]
     agents = {
         cell: (row, col)
         for row, line in enumerate(cells)
@@ -208,107 +207,8 @@ def drawn_world(rules: Rules | str, drawing: str) -> World:
     return world
 
 
-GALLERY = (
-    Example(
-        "Two want one cell",
-        "Two pursuers head for the same cell. Under -SB teammates bounce: both stay, and both "
-        "are at fault. Press -S, and they share the cell; press -D, and both are lost.",
-        "SB",
-        ". . . . . / . A . B . / . . . . . / . . a . .",
-        "A> B<",
-    ),
-    Example(
-        "Share a cell?",
-        "The same moves under two rules: -S lets teammates share a cell, -SB does not. They are "
-        "at fault either way, so both boards pay the same penalty.",
-        "S",
-        "A . B . / . . . . / . C . a",
-        "A> B< C^",
-        compare="SB",
-    ),
-    Example(
-        "Swap",
-        "Two pursuers want to change places. That is a conflict on the edge between their "
-        "cells: under -SB both bounce, under -S both pass.",
-        "SB",
-        ". . . . / . A B . / . . . a",
-        "A> B<",
-    ),
-    Example(
-        "Queue",
-        "All move in one direction. A cell that its agent leaves is free for the next one, so "
-        "there is no conflict.",
-        "SB",
-        ". . . . . . / A B C . . a / . . . . . .",
-        "A> B> C>",
-    ),
-    Example(
-        "Chain",
-        "The first of a queue runs into an obstacle and bounces. The second cannot enter its "
-        "cell, and so on to the last one.",
-        "SB",
-        ". . . . . . / A B C # . a / . . . . . .",
-        "A> B> C>",
-    ),
-    Example(
-        "Contact",
-        "Under -O a pursuer captures an evader by reaching its cell. Here both head for the "
-        "same one; contact of adversaries is the aim of the game, and nobody is at fault.",
-        "O",
-        ". . . . . / . A . a . / . . . . .",
-        "A> a<",
-        compare="R",
-    ),
-    Example(
-        "Drones",
-        "Under -D every contact destroys: the evader is captured, and its pursuer is lost with "
-        "it. Another pursuer flies out of the board.",
-        "D",
-        ". . . B . / . A . a . / . . . . b",
-        "A> a< B^",
-    ),
-    Example(
-        "Surround",
-        "Three pursuers stand around an evader and the fourth closes the ring. Under -SD the "
-        "evader is removed, under -S it stays captured as long as the ring holds.",
-        "SD",
-        ". . A . . / . B a . C / . . D . . / b . . . .",
-        "C<",
-        compare="S",
-    ),
-    Example(
-        "Walls help",
-        "Obstacles and the border count as pursuers do: one pursuer is enough for an evader in "
-        "a corner. Remove the obstacle (Build), and it is free.",
-        "S",
-        "a . A . / # . . . / . . . b",
-        "A<",
-    ),
-    Example(
-        "Bump",
-        "Under -S an evader bounces off a pursuer, and so loses its move. Pursuers that enter "
-        "its cell bounce as well: surround it instead.",
-        "S",
-        ". . . . . / . A a . . / . . B . .",
-        "A> a<",
-    ),
-    Example(
-        "Turns",
-        "Under -TO agents move one after the other: the pursuer reaches the evader before it "
-        "can leave. Under -O all move at once, and the evader escapes.",
-        "TO",
-        ". . . . . . / . A a . . . / . . . . . .",
-        "A> a>",
-        compare="O",
-    ),
-    Example(
-        "Chase",
-        "Scripts play: three hunters against two agents that flee. Press Run. Give an agent "
-        "moves of your own at any time, or choose another script for it.",
-        "O",
-        "A . . . . . . . . / . . # # . . . . . / . . . # . . a . . / B . . . . . . . . / . . . "
-        ". . # . . . / . . . . b # . . . / C . . . . . . . .",
-        "A=hunter B=hunter C=hunter a=dodger b=fleer",
-    ),
+GALLERY = tuple(
+    Example(**{**row, "text": " ".join(row["text"].split())})
+    for row in load_toml(Path(__file__).with_name("gallery.toml"))["example"]
 )
 """The examples, in the order of the page."""

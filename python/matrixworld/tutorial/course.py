@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -16,13 +15,8 @@ from textwrap import fill
 from typing import Any, TypeVar
 
 from matrixworld._util.checks import check_instance, shown
-from matrixworld._util.files import Arrays, load_arrays
+from matrixworld._util.files import Arrays, load_arrays, load_toml
 from matrixworld.tutorial.checks import Check
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 CHAPTERS = range(1, 10)
 """Numbers of the notebooks."""
@@ -162,10 +156,9 @@ def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
 @cache
 def _texts() -> dict[str, dict[str, Any]]:
     """Return the texts of all exercises, whose lines are of any length."""
-    table = tomllib.loads(TEXTS.read_text(encoding="utf-8"))
     return {
         name: {field: _joined(text) for field, text in texts.items()}
-        for name, texts in table.items()
+        for name, texts in load_toml(TEXTS).items()
     }
 
 

@@ -30,22 +30,23 @@ Script: TypeAlias = Literal[
 ]
 
 SCRIPTS: tuple[Script, ...] = get_args(Script)
-"""Names of the scripted policies.
+"""Names of the scripted policies."""
 
-==============  ===================================================================================
-random          any action, all equally likely
-still           always stays
-chaser          moves to where the nearest adversary in view is nearest
-fleer           moves to where the nearest adversary in view is farthest
-clumsy-chaser   a chaser that takes any action in half of the steps
-clumsy-fleer    a fleer that takes any action in half of the steps
-hunter          a chaser of the nearest adversary in view to which no teammate in view is nearer
-surrounder      a chaser of the nearest free cell beside an adversary in view without a teammate
-dodger          moves to where all adversaries in view together are farthest; each cell that holds
-                some weighs ``2**14 // (1 + moves)**2``
-==============  ===================================================================================
+SCRIPT_TEXTS: dict[Script, str] = {
+    "random": "any action, all equally likely",
+    "still": "always stays",
+    "chaser": "moves to where the nearest adversary in view is nearest",
+    "fleer": "moves to where the nearest adversary in view is farthest",
+    "clumsy-chaser": "a chaser that takes any action in half of the steps",
+    "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
+    "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
+    "clumsy-fleer": "a fleer that takes any action in half of the steps",
+    "dodger": "moves to where all adversaries in view together are farthest",
+}
+"""What scripts do.
 
-Distances are counted in moves. All scripts but random avoid obstacles and break ties at random.
+Distances are counted in moves; for the dodger each cell that holds some adversaries weighs
+``2**14 // (1 + moves)**2``. All scripts but random avoid obstacles and break ties at random.
 Without an adversary in view (for the surrounder: without such a cell; for the hunter: without an
 adversary of its own) hunter and surrounder keep one direction for 12 steps, and the others, except
 still, walk at random.

@@ -1,4 +1,4 @@
-// What the page holds of its runs; `matrixworld.explorer.run_data` writes it.
+// What the page holds of its runs; `matrixworld.explorer.runs_page` writes it.
 
 import type { PageData } from "../playground/data.ts";
 import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
