@@ -165,6 +165,13 @@ ACCEPTED = {
 """Values of the table that are legal, each with what they mean."""
 
 
+ELSEWHERE = ("rollout(matches)", "start(directory)", "replay.save(path)")
+ELSEWHERE += ("EvolutionStrategy(genome)", "GeneticAlgorithm(population)", "CmaEs(genome)")
+"""Parameters that Python or NumPy reads, and refuses in its own words."""
+UNREADABLE = {"an integer that Python does not write", "an array of objects", "text with a null"}
+"""Values that Python may refuse in its own words when it compares or writes them."""
+
+
 def parameters() -> Iterator[Any]:
     for name, (_, legal) in CALLS.items():
         for parameter in legal:
@@ -182,8 +189,10 @@ def test_a_malformed_value_is_a_value_or_type_error(
     for what, wrong in MALFORMED.items():
         if (name, parameter, what) in ACCEPTED:
             continue
-        with pytest.raises((TypeError, ValueError)):
+        with pytest.raises((TypeError, ValueError)) as caught:
             call(**{**others, parameter: wrong})
+        if f"{name}({parameter})" not in ELSEWHERE and what not in UNREADABLE:
+            assert "expected" in str(caught.value), what
         assert list(tmp_path.iterdir()) == [], what
 
 
@@ -194,15 +203,3 @@ def test_numbers_of_other_classes_become_pythons_own() -> None:
     assert type(settings.learner.sigma) is float
     assert type(settings.policy.hidden[0]) is int
     assert settings == tiny_race(rows=7, cols=6, sigma=0.5, hidden=(7,))
-
-
-@pytest.mark.parametrize("seed", [-1, 2**64, 1.5, None, "1"])
-def test_the_seed_of_a_safety_summary_is_checked(seed: Any) -> None:
-    with pytest.raises((TypeError, ValueError), match="seed: expected"):
-        MONITOR.summary(seed=seed)
-
-
-@pytest.mark.parametrize("config", [[], "O", None, 3])
-def test_the_config_of_an_episode_is_a_mapping(config: Any) -> None:
-    with pytest.raises(TypeError, match="config: expected a mapping"):
-        mw.Episode(**{**vars(EPISODE), "config": config})

@@ -142,9 +142,7 @@ def test_estimates_are_near_what_is_measured(call: str) -> None:
     ("changes", "part"),
     [
         ({"hidden": (2**20, 2**20)}, "candidates"),
-        ({"population": MANY - 1}, "candidates"),
         ({"generations": MANY}, "episodes"),
-        ({"evaluation_episodes": MANY}, "episodes"),
         ({"match_episodes": MANY}, "episodes"),
     ],
 )
@@ -162,13 +160,6 @@ def test_settings_describe_runs_of_larger_machines() -> None:
     assert sum(run_memory(tiny_single()).values()) < 10**7
 
 
-@pytest.mark.parametrize("threads", [0, -1, 1025, 10**400, True, 2.0])
-def test_a_run_with_impossible_threads_makes_no_directory(tmp_path: Path, threads: Any) -> None:
-    with pytest.raises((TypeError, ValueError), match="threads: expected"):
-        start(tiny_race(), tmp_path / "run", threads=threads)
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> None:
     start(tiny_race(), tmp_path / "run", threads=1).run()
     run = open_run(tmp_path / "run")
@@ -184,12 +175,8 @@ def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> No
 
 
 def test_pictures_have_a_largest_size() -> None:
-    episode = random_walks()
     with pytest.raises(ValueError, match="contact sheet: expected at most 67,108,864 pixels"):
-        replay.contact_sheet(episode, rows=10**6, cols=10**6)
-    for wrong in ({"rows": 0}, {"cols": 2.5}, {"cell": 10**400}, {"fov": 1.0}, {"trail": -1}):
-        with pytest.raises((TypeError, ValueError), match=f"{next(iter(wrong))}: expected"):
-            replay.contact_sheet(episode, **wrong)
+        replay.contact_sheet(random_walks(), rows=10**6, cols=10**6)
 
 
 @pytest.mark.parametrize("suffix", [".gif", ".mp4"])
@@ -199,8 +186,6 @@ def test_animations_have_a_largest_size(
     monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
         replay.save(random_walks(), tmp_path / f"x{suffix}")
-    with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
-        replay.animation(random_walks())
     assert list(tmp_path.iterdir()) == []
 
 
@@ -210,20 +195,13 @@ def test_animations_have_a_largest_size(
 @pytest.mark.usefixtures("half_a_gigabyte")
 @pytest.mark.parametrize("output", [["new"], []], ids=["named", "default"])
 @pytest.mark.parametrize(
-    "options",
-    [
-        {"threads": 1025},
-        {"hidden": "1048576,1048576"},
-        {"population": 100000000000},
-        {"population": 2000000000},
-        {"evaluation_episodes": 10**21},
-        {"evaluation_episodes": 2000000000},
-    ],
+    ("option", "number"),
+    [("threads", 1025), ("population", 2 * 10**9), ("evaluation_episodes", 10**21)],
 )
 def test_evolve_makes_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: list[str], options: dict[str, object]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: list[str], option: str, number: int
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    said = matrixworld_command("evolve", *output, *words({**RACE, **options}), code=2).stderr
-    assert next(iter(options)) in said or "an estimate of" in said
+    said = matrixworld_command("evolve", *output, *words(RACE | {option: number}), code=2).stderr
+    assert option in said or "an estimate of" in said
     assert list(tmp_path.iterdir()) == []

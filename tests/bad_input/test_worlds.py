@@ -20,24 +20,12 @@ WORLD_CALLS = [
     kind(lambda w: w.step(None), "integers | got dtype object"),
     value(lambda w: w.step([0, -1, 0]), "0 to 4 | got -1 (world 0, agent 1)"),
     value(lambda w: w.step([0, 0, 5]), "0 to 4 | got 5 (world 0, agent 2)"),
-    value(lambda w: w.step([256, 0, 0]), "0 to 4 | got 256"),
     value(lambda w: w.step(HUGE), "0 to 4 | got 9223372036854775807"),
     value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
     value(lambda w: w.reset(2**64), "0 to 1844 | got 18446744073709551616"),
-    kind(lambda w: w.reset(1.0), "an integer | got 1.0"),
-    kind(lambda w: w.reset(True), "an integer | got True"),
     value(lambda w: w.reset(0, episode=-1), "0 to 1844 | got -1"),
-    kind(lambda w: w.reset(0, episode="1"), "an integer | got '1'"),
     value(lambda w: w.reset(episode=3), "a seed with it | got episode 3"),
-    value(
-        lambda w: w.reset(pursuers=[[0, 0]]),
-        "shape (2, 2) | pursuers: expected shape (2, 2), got (1, 2)",
-    ),
-    value(
-        lambda w: w.reset(evaders=[[0, 0], [1, 1]]),
-        "shape (1, 2) | evaders: expected shape (1, 2), got (2, 2)",
-    ),
-    value(lambda w: w.reset(evaders=[0, 1]), "shape (1, 2) | got (2,)"),
+    value(lambda w: w.reset(pursuers=[[0, 0]]), "shape (2, 2) | pursuers: expected shape"),
     value(lambda w: w.reset(evaders=[[0, 1, 2]]), "shape (1, 2) | (1, 3)"),
     kind(lambda w: w.reset(evaders=[[0.5, 1]]), "integers | float64"),
     kind(lambda w: w.reset(pursuers=[]), "integers | got dtype float64"),
@@ -56,7 +44,6 @@ WORLD_CALLS = [
     value(lambda w: w.reset(obstacles=["...", "..."]), "shape (3, 4) | got (2, 3)"),
     value(lambda w: w.reset(obstacles=["####", "####", "##.."]), "at least 3 free cells | got 2"),
     kind(lambda w: w.reset(obstacles=np.zeros((3, 4), int)), "dtype bool | got int64"),
-    kind(lambda w: w.reset(obstacles=0.5), "a bool array | got 0.5"),
 ]
 
 
@@ -107,17 +94,12 @@ ZEROS = np.zeros((2, 3), int)
 BAD_ACTION = np.array([[0, 0, 0], [4, 5, 4]])
 BATCH_CALLS = [
     value(lambda b: b.step(ZEROS[0]), "shape (2, 3) | got (3,)"),
-    value(lambda b: b.step(np.zeros((3, 3), int)), "shape (2, 3) | (3, 3)"),
     value(lambda b: b.step(np.zeros((2, 4), int)), "shape (2, 3) | (2, 4)"),
     kind(lambda b: b.step(ZEROS * 1.0), "integers | got dtype float64"),
     value(lambda b: b.step(BAD_ACTION), "0 to 4 | got 5 (world 1, agent 1)"),
     value(lambda b: b.reset([1]), "shape (2,) | got (1,)"),
-    value(lambda b: b.reset([1, 2, 3]), "shape (2,) | got (3,)"),
     value(lambda b: b.reset([[1, 2]]), "shape (2,) | got (1, 2)"),
-    value(lambda b: b.reset(-1), "0 to 1844 | got -1"),
     value(lambda b: b.reset([5, -3]), "0 to 1844 | got -3"),
-    value(lambda b: b.reset([2**64, 1]), "0 to 1844 | got 18446744073709551616"),
-    kind(lambda b: b.reset(1.5), "an integer | got 1.5"),
     kind(lambda b: b.reset([1.0, 2.0]), "an integer | got 1.0"),
     value(lambda b: b.reset(episode=3), "a seed with it | got episode 3"),
     kind(lambda b: b.reset(mask=[1, 0]), "dtype bool | got int64"),

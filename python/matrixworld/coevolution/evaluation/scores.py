@@ -172,6 +172,7 @@ def score_population(
         If there are fewer than 2 episodes, or if the network does not fit the world.
     """
     check_instance("config", config, WorldConfig)
+    check_choice("team", team, TEAMS)
     check_instance("population", population, Population)
     check_integer("episodes", episodes, 2)
     check_threads(threads)
