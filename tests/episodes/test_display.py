@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-import io
 import pickle
-import sys
 from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
@@ -27,21 +25,9 @@ from rows import config_of
 
 
 @pytest.fixture(autouse=True)
-def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Collect the pauses instead of taking them; the clock stands still."""
-    taken: list[float] = []
-    monkeypatch.setattr("time.sleep", taken.append)
-    monkeypatch.setattr("time.monotonic", lambda: 5.0)
+def _drawn_to_memory(naps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mpl, "rcParams", mpl.rcParams.copy())
     mpl.use("agg")
-    return taken
-
-
-class TerminalStream(io.StringIO):
-    encoding = "utf-8"
-
-    def isatty(self) -> bool:
-        return True
 
 
 SCENE = mw.World(config_of("O")).scene("a title")
@@ -67,23 +53,19 @@ def test_without_display_or_terminal_it_is_plain_text(
     ]
 
 
-def test_a_terminal_is_drawn_in_place(naps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, value in {"COLUMNS": "99", "LINES": "40", "COLORTERM": "", "TERM": "xterm"}.items():
-        monkeypatch.setenv(name, value)
-    monkeypatch.delenv("NO_COLOR", raising=False)
-    stream = TerminalStream()
-    monkeypatch.setattr(sys, "stdout", stream)
+def test_a_terminal_is_drawn_in_place(
+    naps: list[float], terminal: pytest.CaptureFixture[str]
+) -> None:
     shown = first_place()
     for _ in range(3):
         shown.follow(SCENE)
     shown.close()
-    monkeypatch.undo()
-    pieces = stream.getvalue().split(HOME)
-    assert pieces[0] == WRAP_OFF + CLEAR
-    assert len(pieces) == 4
-    assert pieces[1].splitlines()[0].startswith(ansi(SCENE, color="256").splitlines()[0])
-    assert pieces[1] == pieces[2] == pieces[3] + WRAP_OFF
-    assert pieces[3].endswith(WRAP_ON + "\n")
+    start, *pieces = terminal.readouterr().out.split(HOME)
+    assert start == WRAP_OFF + CLEAR
+    assert len(pieces) == 3
+    assert pieces[0].splitlines()[0].startswith(ansi(SCENE, color="256").splitlines()[0])
+    assert pieces[0] == pieces[1] == pieces[2] + WRAP_OFF
+    assert pieces[2].endswith(WRAP_ON + "\n")
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
 
 
@@ -123,10 +105,8 @@ def test_a_window_shows_each_picture(naps: list[float]) -> None:
     shown = first_place()
     for title in ("before", "now"):
         shown.follow(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
-    (number,) = plt.get_fignums()
+    assert len(plt.get_fignums()) == 1
     figure = plt.gcf()
-    assert figure.number == number
-    assert figure.axes[0].images[0].get_array().shape == rgb(SCENE).shape
     expected = rgb(dataclasses.replace(SCENE, title="now"), fov=5, viewers=[0])
     np.testing.assert_array_equal(figure.axes[0].images[0].get_array(), expected)
     height, width, _ = expected.shape

@@ -44,7 +44,7 @@ def table(text: str) -> dict[str, str]:
 
 def test_every_variant_has_a_text() -> None:
     missing = [variant for variant in mw.VARIANTS if variant not in VARIANT_TEXTS]
-    assert not missing, f"matrixworld/envs/variants.py: add an entry for {missing}"
+    assert not missing, f"matrixworld/envs/variants.toml: add an entry for {missing}"
     assert set(VARIANT_TEXTS) <= set(mw.VARIANTS)
 
 

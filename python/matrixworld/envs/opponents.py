@@ -221,7 +221,8 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
     elif hasattr(given, "teams"):  # a saved run; its class is not imported here
         return _resolved(name, team, given.teams[team], config)
     if isinstance(given, Population):
-        return _genomes(name, given, config)
+        check_fits(name, given.network, config)
+        return [Population(genome, given.network) for genome in given.genomes]
     if callable(given):
         return [given]
     raise TypeError(
@@ -246,8 +247,3 @@ def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Pop
         known = ", ".join([*SCRIPTS, *evolved])
         raise ValueError(f"{name}: expected one of {known}, or a run directory, got {str(given)!r}")
     return last_generation(given, team)
-
-
-def _genomes(name: str, population: Population, config: WorldConfig) -> list[Plays]:
-    check_fits(name, population.network, config)
-    return [Population(genome, population.network) for genome in population.genomes]

@@ -95,11 +95,9 @@ class Status(WorldArrays):
     def infos(self) -> list[dict[str, Any]]:
         """Return the info of each agent: a dict of `INFO_KEYS` with plain values."""
         n_agents = len(self.alive)
-        columns = [
-            column
-            for output in _INFO_FIELDS
-            for column in _columns(output, vars(self)[output.name], n_agents)
-        ]
+        columns: list[list[Any]] = []
+        for output in _INFO_FIELDS:
+            columns += _columns(output, vars(self)[output.name], n_agents)
         columns += self.fault.T.astype(float).tolist()
         return [dict(zip(INFO_KEYS, row, strict=True)) for row in zip(*columns, strict=True)]
 
@@ -165,7 +163,16 @@ class MatrixWorldBase(HasOpponents):
         viewers = self._viewers(fields_of_view)
         kept = check_bool("record", record) or render_mode is not None
         self._drawing = Drawing(self.world, render_mode, viewers) if kept else None
-        self._make_spaces()
+        view = (3, self.config.fov, self.config.fov)
+        self.observation_spaces: dict[str, spaces.Box] = {
+            name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
+            for name in self.possible_agents
+        }
+        self.action_spaces: dict[str, spaces.Discrete] = {
+            name: spaces.Discrete(self.config.n_actions) for name in self.possible_agents
+        }
+        whole = (3, self.config.rows, self.config.cols)
+        self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
         self._seeded = False
 
     def _viewers(self, fields_of_view: bool | Iterable[str]) -> list[int]:
@@ -176,18 +183,6 @@ class MatrixWorldBase(HasOpponents):
         if unknown:
             raise ValueError(f"fields_of_view: expected names of agents, got {unknown}")
         return [self._index[name] for name in named]
-
-    def _make_spaces(self) -> None:
-        config = self.config
-        view, whole = (3, config.fov, config.fov), (3, config.rows, config.cols)
-        self.observation_spaces: dict[str, spaces.Box] = {
-            name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
-            for name in self.possible_agents
-        }
-        self.action_spaces: dict[str, spaces.Discrete] = {
-            name: spaces.Discrete(config.n_actions) for name in self.possible_agents
-        }
-        self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""

@@ -168,41 +168,31 @@ class Window(Place):
         self._plt.close(self._figure)
 
 
-class Terminal(Place):
-    """Text in a terminal, redrawn in place, with the cursor below it."""
+class Text(Place):
+    """Text: in a terminal redrawn in place, with the cursor below it; else one below the other."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
-        self._begun = False
+        self.watched = stream.isatty()
+        self._start = WRAP_OFF + CLEAR
 
     def show(self, scene: Scene, **look: Any) -> None:
         """Show a scene as text; `look` is for pictures only."""
+        if not self.watched:
+            self._stream.write(ansi(scene, color="none") + "\n\n")
+            return
         mode = color_mode(self._stream)
         compact = mode != "none" and not fits(scene.shape, self._stream)
-        self._stream.write(WRAP_OFF if self._begun else WRAP_OFF + CLEAR)
-        self._begun = True
+        self._stream.write(self._start)
         draw(ansi(scene, color=mode, compact=compact), self._stream)
         self._stream.write(WRAP_ON + "\n")
         self._stream.flush()
-
-
-class Printout(Place):
-    """Plain text, one drawing below the other with a blank line between them."""
-
-    watched = False
-
-    def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
-
-    def show(self, scene: Scene, **look: Any) -> None:
-        """Print a scene; `look` is for pictures only."""
-        self._stream.write(ansi(scene, color="none") + "\n\n")
+        self._start = WRAP_OFF
 
 
 def first_place() -> Place:
     """Return the first place that exists: a notebook, a window, the terminal, or a file or pipe."""
-    stream = sys.stdout
-    return _notebook() or _window() or (Terminal(stream) if stream.isatty() else Printout(stream))
+    return _notebook() or _window() or Text(sys.stdout)
 
 
 def _notebook() -> Place | None:

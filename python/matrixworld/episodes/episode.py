@@ -335,16 +335,11 @@ def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.in
     captures: list[tuple[int, int, int]] = []
     deaths: list[tuple[int, int, int]] = []
     for step in range(max(1, now - MARK_STEPS + 1), now + 1):
-        caught = _newly_captured(episode, step)
+        evaders = episode.ever_captured[step] & ~episode.ever_captured[step - 1]
+        caught = np.concatenate([np.zeros(episode.n_pursuers, bool), evaders])
         # An evader that disappears in its capture is marked as captured, not as dead.
         gone = episode.alive[step - 1] & ~episode.alive[step]
         for marks, agents in ((captures, caught), (deaths, gone & ~caught)):
             last_positions = episode.last_positions[step, agents].tolist()
             marks.extend((row, col, now - step) for row, col in last_positions)
     return np.array(captures, int).reshape(-1, 3), np.array(deaths, int).reshape(-1, 3)
-
-
-def _newly_captured(episode: Episode, step: int) -> NDArray[np.bool_]:
-    """Return which agents were captured for the first time in this step, shape (A,)."""
-    evaders = episode.ever_captured[step] & ~episode.ever_captured[step - 1]
-    return np.concatenate([np.zeros(episode.n_pursuers, bool), evaders])

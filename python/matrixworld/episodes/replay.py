@@ -10,7 +10,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TextIO, TypedDict
+from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,38 +59,30 @@ class Look(TypedDict, total=False):
     numbers: bool
 
 
-def animate_terminal(
-    episode: Episode,
-    stream: TextIO | None = None,
-    *,
-    fps: float = 10.0,
-    every: int = 1,
-) -> None:
-    """Show an episode in a terminal, in place, until its end or Ctrl-C.
+def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> None:
+    """Show an episode in the terminal, in place, until its end or Ctrl-C.
 
     A grid too large for the terminal is drawn in half blocks. Where there is no terminal, the last
     moment is printed as plain text.
     """
     check_number("fps", fps, least=0.0, positive=True)
     times = _times(episode, every)
-    out = sys.stdout if stream is None else stream
-    if not out.isatty():
-        print_moment(episode, out)
+    if not sys.stdout.isatty():
+        print_moment(episode)
         return
-    look = _text_look(episode, out)
-    play((ansi(scene(episode, t), **look) for t in times), out, fps=fps)
+    look = _text_look(episode)
+    play((ansi(scene(episode, t), **look) for t in times), sys.stdout, fps=fps)
 
 
-def print_moment(episode: Episode, stream: TextIO | None = None, *, step: int = -1) -> None:
-    """Print one moment of an episode, as `scene` counts them, in the colors of the stream."""
-    out = sys.stdout if stream is None else stream
-    out.write(ansi(scene(episode, step), **_text_look(episode, out)) + "\n")
+def print_moment(episode: Episode, *, step: int = -1) -> None:
+    """Print one moment of an episode, as `scene` counts them, in the colors of the output."""
+    sys.stdout.write(ansi(scene(episode, step), **_text_look(episode)) + "\n")
 
 
-def _text_look(episode: Episode, stream: TextIO) -> dict[str, Any]:
-    """Return the keyword arguments of `render.ansi` that suit a stream."""
-    mode = color_mode(stream)
-    return {"color": mode, "compact": mode != "none" and not fits(episode.map.shape, stream)}
+def _text_look(episode: Episode) -> dict[str, Any]:
+    """Return the keyword arguments of `render.ansi` that suit the output."""
+    mode = color_mode(sys.stdout)
+    return {"color": mode, "compact": mode != "none" and not fits(episode.map.shape, sys.stdout)}
 
 
 def save(
@@ -122,11 +114,9 @@ def save(
     step : int, optional
         The moment of a PNG, as for `scene`.
     **look
-        ``cell``: pixels per cell; by default the size of the grid decides. ``trail``: steps back
-        that the trails of the agents go, 6 by default. ``fov``: side of the fields of view in
-        cells; by default that of the episode's world. ``viewers``: the agents whose fields of view
-        are outlined, by number or name. ``numbers``: whether agents carry their numbers in their
-        teams, as in `render.rgb`.
+        ``cell``, ``viewers`` and ``numbers`` as for `render.rgb`; ``fov``, too, but by default that
+        of the episode's world. ``trail``: steps back that the trails of the agents go, 6 by
+        default.
 
     Raises
     ------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +17,7 @@ from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.arrays import WorldArrays
 from matrixworld.world.rules import COLLISION_KINDS
 
+_COUNTED = ("collisions", "faults", "agent_steps", "capture_rate")
 TEAMS = ("pursuers", "evaders")
 _COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
 
@@ -82,15 +83,11 @@ class SafetySummary:
         )
 
     def _row(self, t: int, k: int) -> str:
-        rates = (
-            _printed(rate[t, k], ends[t, k])
-            for rate, ends in (
-                (self.involved_rate, self.involved_interval),
-                (self.fault_rate, self.fault_interval),
-            )
-        )
         return _COLUMNS.format(
-            *(TEAMS[t], COLLISION_KINDS[k], *rates),
+            TEAMS[t],
+            COLLISION_KINDS[k],
+            _printed(self.involved_rate[t, k], self.involved_interval[t, k]),
+            _printed(self.fault_rate[t, k], self.fault_interval[t, k]),
             f"{self.fault_median[t, k]:.0f}",
             f"{self.fault_mean[t, k]:.1f}",
             f"{self.fault_max[t, k]:.0f}",
@@ -171,29 +168,29 @@ class SafetyMonitor:
 
     def add_statistics(self, statistics: EpisodeStatistics) -> None:
         """Collect all episodes of a `rollout`."""
-        self.add(
-            statistics.collisions,
-            statistics.faults,
-            statistics.agent_steps,
-            statistics.capture_rate,
-        )
+        self.add(*(getattr(statistics, name) for name in _COUNTED))
 
     def add_infos(self, infos: Mapping[str, Any]) -> None:
         """Collect the episodes that ended in a step of a `VectorEnv`, if any did."""
         ended, statistics = infos["_episode"], infos["episode"]
         if ended.any():
-            names = ("collisions", "faults", "agent_steps", "capture_rate")
-            self.add(*(statistics[name][ended] for name in names))
+            self.add(*(statistics[name][ended] for name in _COUNTED))
 
     def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
-        n = episode.n_pursuers
-        self.add(
-            _by_team(episode.involved.sum(axis=0), n),
-            _by_team(episode.fault.sum(axis=0), n),
-            _by_team(episode.alive[:-1].sum(axis=0), n),
-            episode.capture_rate,
+        counts = episode.involved, episode.fault, episode.alive[:-1]
+        by_agent = [each.sum(axis=0) for each in counts]
+        self._add_agents(by_agent, episode.n_pursuers, episode.capture_rate)
+
+    def _add_agents(
+        self, counts: Iterable[NDArray[Any]], n_pursuers: int, capture_rate: float
+    ) -> None:
+        """Collect an episode from its counts by agent: collisions, faults, agent-steps."""
+        sides = slice(None, n_pursuers), slice(n_pursuers, None)
+        collisions, faults, agent_steps = (
+            np.stack([each[side].sum(axis=0) for side in sides]) for each in counts
         )
+        self.add(collisions, faults, agent_steps, capture_rate)
 
     def observe(self, status: WorldArrays) -> None:
         """Follow an environment by its ``env.status``; call it after every step.
@@ -213,7 +210,8 @@ class SafetyMonitor:
             return
         current.follow(status)
         if status.terminated or status.truncated:
-            self.add(*current.totals(), float(status.capture_rate))
+            counts = current.involved, current.fault, current.agent_steps
+            self._add_agents(counts, current.n_pursuers, float(status.capture_rate))
 
     def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
         """Return a monitor of the episodes of both."""
@@ -265,10 +263,6 @@ class _Current:
         self.fault += status.fault
         self.alive = status.alive
 
-    def totals(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        n = self.n_pursuers
-        return _by_team(self.involved, n), _by_team(self.fault, n), _by_team(self.agent_steps, n)
-
 
 def _which(status: WorldArrays) -> tuple[int, int]:
     return int(status.seed), int(status.episode)
@@ -279,10 +273,6 @@ def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.i
     if array.shape != shape:
         raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
     return array
-
-
-def _by_team(by_agent: NDArray[Any], n_pursuers: int) -> NDArray[Any]:
-    return np.stack([by_agent[:n_pursuers].sum(axis=0), by_agent[n_pursuers:].sum(axis=0)])
 
 
 def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64]:

@@ -143,7 +143,7 @@ def _variants() -> dict[str, Rules]:
     d, r, b = Outcome.DISAPPEAR, Outcome.REACH, Outcome.BOUNCE
     together, in_turns = Interaction.SIMULTANEOUS, Interaction.AGENT_TURNS
     occupation, surround = Capture.OCCUPATION, Capture.SURROUND
-    # One variant per line. A new line needs a text in `envs/variants.py`; tests name the rest.
+    # One variant per line. A new line needs a text in `envs/variants.toml`; tests name the rest.
     #          interaction, obstacle, teammate, evader, pursuer, capture, captured disappear
     return {
         "D": Rules(together, d, d, d, d, occupation),

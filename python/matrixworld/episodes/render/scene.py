@@ -116,10 +116,10 @@ class Scene:
         self._check_inside()
 
     def _check_inside(self) -> None:
-        living = self.positions[self.alive]
-        outside = ((living < 0) | (living >= self.map.shape)).any(axis=1)
+        beyond = (self.positions < 0) | (self.positions >= self.map.shape)
+        outside = self.alive & beyond.any(axis=1)
         if outside.any():
-            agent = int(np.flatnonzero(self.alive)[outside][0])
+            agent = int(outside.argmax())
             cell = tuple(self.positions[agent].tolist())
             raise ValueError(
                 f"positions: expected cells of a {self.map.shape[0]} x {self.map.shape[1]} map, "
@@ -143,14 +143,12 @@ class Scene:
 
     def agent(self, who: int | str) -> int:
         """Return the number of an agent given by number or name; ValueError if there is none."""
-        n_agents = len(self.alive)
-        names = [agent_name(agent, self.n_pursuers) for agent in range(n_agents)]
+        agents = range(len(self.alive))
+        names = [agent_name(agent, self.n_pursuers) for agent in agents]
         if isinstance(who, str) and who in names:
             return names.index(who)
-        if isinstance(who, str) or not 0 <= who < n_agents:
-            expected = (
-                f"0 to {n_agents - 1} or a name such as {names[0]}" if names else "no viewers"
-            )
+        if isinstance(who, str) or who not in agents:
+            expected = f"0 to {agents[-1]} or a name such as {names[0]}" if names else "no viewers"
             raise ValueError(f"viewers: expected {expected}, got {who!r}")
         return who
 

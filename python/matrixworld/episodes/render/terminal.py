@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from itertools import groupby
 from typing import NamedTuple, TextIO
@@ -27,6 +27,7 @@ HIDE_CURSOR = "\x1b[?25l"
 SHOW_CURSOR = "\x1b[?25h"
 WRAP_OFF = "\x1b[?7l"  # a drawing wider than the terminal is cut instead of broken into pieces
 WRAP_ON = "\x1b[?7h"
+RESET = "\x1b[0m"
 
 
 class Ink(NamedTuple):
@@ -86,7 +87,7 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
         raise ValueError("compact: expected color 'true' or '256', got 'none'")
     glyphs = ASCII if color == "none" else UNICODE
     field = _half_blocks(scene) if compact else _cells(scene, glyphs)
-    return "\n".join(_painted(line, _CODES[color]) for line in (_legend(scene, glyphs), *field))
+    return "\n".join(_painted(line, color) for line in (_legend(scene, glyphs), *field))
 
 
 def _legend(scene: Scene, glyphs: Glyphs) -> list[Run]:
@@ -179,34 +180,27 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
     ]
 
 
-def _painted(line: list[Run], code: Callable[[Ink], str]) -> str:
+def _painted(line: list[Run], color: str) -> str:
     """Return the line with an escape code at each change of colour, reset at its end."""
     parts = []
     for ink, runs in groupby(line, key=lambda run: run[1]):
         text = "".join(run[0] for run in runs)
-        start = code(ink)
+        start = _code(ink, color)
         parts.append(f"{start}{text}{RESET}" if start else text)
     return "".join(parts)
 
 
-RESET = "\x1b[0m"
+def _code(ink: Ink, color: str) -> str:
+    """Return the escape code of a text's colours; none for the terminal's own."""
+    given = [(place, colour) for place, colour in (("38", ink.text), ("48", ink.ground)) if colour]
+    if color == "none" or not given:
+        return ""
+    number = _palette_number if color == "256" else _true_number
+    return f"\x1b[{';'.join(f'{place};{number(colour)}' for place, colour in given)}m"
 
 
-def _true_color(ink: Ink) -> str:
-    return _escape(ink, lambda colour: "2;" + ";".join(map(str, _channels(colour))))
-
-
-def _palette_color(ink: Ink) -> str:
-    return _escape(ink, lambda colour: f"5;{_palette_index(colour)}")
-
-
-def _escape(ink: Ink, number: Callable[[str], str]) -> str:
-    codes = [
-        f"{place};{number(colour)}"
-        for place, colour in (("38", ink.text), ("48", ink.ground))
-        if colour
-    ]
-    return f"\x1b[{';'.join(codes)}m" if codes else ""
+def _true_number(colour: str) -> str:
+    return "2;" + ";".join(map(str, _channels(colour)))
 
 
 def _channels(colour: str) -> tuple[int, int, int]:
@@ -214,7 +208,7 @@ def _channels(colour: str) -> tuple[int, int, int]:
 
 
 @lru_cache(maxsize=64)
-def _palette_index(colour: str) -> int:
+def _palette_number(colour: str) -> str:
     """Return the nearest colour of the 6 x 6 x 6 and 24 greys that xterm numbers 16 to 255."""
     # The first 16 colours are left out, because users choose them.
     levels = (0, 95, 135, 175, 215, 255)
@@ -226,16 +220,11 @@ def _palette_index(colour: str) -> int:
     }
     palette |= {232 + i: (8 + 10 * i,) * 3 for i in range(24)}
     wanted = _channels(colour)
-    return min(
-        palette, key=lambda i: sum((a - b) ** 2 for a, b in zip(palette[i], wanted, strict=True))
-    )
 
+    def distance(number: int) -> int:
+        return sum((a - b) ** 2 for a, b in zip(palette[number], wanted, strict=True))
 
-_CODES: dict[str, Callable[[Ink], str]] = {
-    "true": _true_color,
-    "256": _palette_color,
-    "none": lambda ink: "",
-}
+    return f"5;{min(palette, key=distance)}"
 
 
 def play(frames: Iterable[str], stream: TextIO, *, fps: float) -> None:
