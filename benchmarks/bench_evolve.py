@@ -21,7 +21,7 @@ from typing import Any
 import click
 
 from matrixworld import Matches, Population, _core
-from matrixworld.cli.evolve import new_job, play_runs
+from matrixworld.cli.evolve import play_runs
 from matrixworld.cli.report import report
 from matrixworld.coevolution import (
     EvolutionStrategy,
@@ -30,6 +30,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     RunDirectory,
 )
+from matrixworld.coevolution.jobs.job import job_of
 from matrixworld.coevolution.runs import run
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from parts import Functions, Parts
@@ -74,7 +75,7 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
     with TemporaryDirectory() as directory, silence():
         root = Path(directory)
         with parts.timed(OTHER):
-            job = new_job([settings], None)
+            job = job_of(settings)
             [result], _ = play_runs(job, root, threads, new=True)
         with parts.timed(FIGURES):
             report(job, [result], root, {})

@@ -12,7 +12,7 @@ from matrixworld.analysis import CONDITIONS, Judgement, judge
 from matrixworld.cli.advice import ADVICE, GENERAL, advice
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.options import given_options
-from matrixworld.cli.setting_options import asked
+from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import RaceSettings
 
 SETTINGS = [
@@ -62,7 +62,7 @@ def test_advice_names_options_of_evolve_and_known_conditions():
         for settings in filter(row.applies, SETTINGS[:3]):
             words = shlex.split(row.line(settings).partition(": ")[0])
             with evolve_command.make_context("evolve", words) as context:
-                asked(given_options(context.params)).settings()
+                settings_of(given_options(context.params))
         assert set(row.conditions) <= set(CONDITIONS)
     assert GENERAL.keys() == set(CONDITIONS)
 

@@ -14,10 +14,11 @@ from command_line import MAIN_JOB, matrixworld_command
 from matrixworld._util.checks import processor_name
 from matrixworld._util.files import load_json
 from matrixworld.cli import bench
-from matrixworld.cli.bench import Timing, durations, evolve_figures, hints, lines_of, matches_of
+from matrixworld.cli.bench import Timing, durations, evolve_figures, hints, lines_of
 from matrixworld.coevolution import RaceSettings, start
 
-WORLD = ["--rows", 7, "--cols", 6, "--n-pursuers", 2, "--n-evaders", 3, "--fov", 5]
+SMALL = {"rows": 7, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 5}
+WORLD = [word for name, n in SMALL.items() for word in ("--set", f"world.{name}={n}")]
 QUICK = ["bench", *WORLD, "--seconds", 0.02, "--hidden", "4"]
 STEPS = [*["step only"] * 2, *["step and views"] * 3]
 STEPS += [*["VectorEnv"] * 3, *["VectorEnv, copy=False"] * 3]
@@ -30,16 +31,18 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("MATRIXWORLD_KERNELS", raising=False)
 
 
-def timing(what: str, threads: int, *rates: float, hidden: tuple[int, ...] | None = None):
+def timing(what: str, threads: int, *rates: float) -> Timing:
     """A timing of calls that play 10 worlds or matches, of 500 agent-steps in all."""
-    return Timing(what, 10, threads, lambda call: None, 500, 20, hidden, [*rates])
+    amounts = {"agent_steps": 500, "world_steps": 20}
+    amounts |= {"matches": 10} if "matches" in what else {}
+    return Timing(what, 10, threads, lambda call: None, amounts, [*rates])
 
 
 # What it prints and writes
 
 
 def test_it_prints_the_machine_a_table_and_durations():
-    result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "none")
+    result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "[]")
     head, processor, world, _, titles, *lines = result.stdout.splitlines()
     assert head.startswith(f"matrixworld {mw.__version__}, NumPy {np.__version__}, Python 3.")
     assert "to use; kernels for " in processor
@@ -65,10 +68,9 @@ def test_the_file_holds_the_figures():
     written = load_json(Path("a.json"))
     assert written["machine"]["kernels"] in ("base", "x86-64-v3", "x86-64-v4")
     assert written["machine"]["python"].startswith("3.")
-    config = mw.WorldConfig("SB", rows=7, cols=6, n_pursuers=2, n_evaders=3, fov=5)
-    assert written["world"] == config.to_json()
+    assert written["world"] == mw.WorldConfig("SB", **SMALL).to_json()
     lines = written["lines"]
-    assert [line["what"] for line in lines] == [*STEPS, "matches", "matches"]
+    assert [line["what"] for line in lines] == [*STEPS, *["matches, hidden 4"] * 2]
     assert {(line["at_once"], line["threads"]) for line in lines} == {
         *[(1024, 1), (1, 1), (1024, 2)],
         *[(48, 1), (48, 2)],
@@ -88,24 +90,17 @@ def test_one_thread_has_no_speedup():
     assert {line["over_one_thread"] for line in lines} == {None}
 
 
-def test_a_map_as_world():
-    rows = [".....", ".@@..", "....."]
-    Path("a.map").write_text("\n".join(["type octile", "height 3", "width 5", "map", *rows]))
-    world = ["--n-pursuers", 2, "--n-evaders", 3, "--obstacles", "a.map", "--diagonal"]
-    options = ["--seconds", 0.02, "--hidden", 4, "--threads", 1]
-    assert "\nO: 3 x 5 cells" in matrixworld_command("bench", *world, *options).stdout
-
-
 # The figures
 
 
 def test_rates_are_medians_and_multiples_of_one_thread():
-    measured = (
-        timing("VectorEnv", 1, 1.0, 4.0, 2.0),
-        timing("VectorEnv", 4, 3.0, 3.5, 1.0),
-        timing("matches", 4, 2.0, hidden=(32,)),
+    lines = lines_of(
+        (
+            timing("VectorEnv", 1, 1.0, 4.0, 2.0),
+            timing("VectorEnv", 4, 3.0, 3.5, 1.0),
+            timing("matches, hidden 32", 4, 2.0),
+        )
     )
-    lines = lines_of(measured)
     assert [line["agent_steps_per_second"] for line in lines] == [1000, 1500, 1000]
     assert [line["world_steps_per_second"] for line in lines] == [40, 60, 40]
     assert [line["matches_per_second"] for line in lines] == [None, None, 20]
@@ -113,35 +108,23 @@ def test_rates_are_medians_and_multiples_of_one_thread():
     assert lines[0]["spread"] == 1.5
 
 
-def test_matches_of_adds_up_to_the_total_of_a_run(tmp_path):
-    race = RaceSettings.of(
-        {
-            "world.rows": 6,
-            "world.cols": 6,
-            "world.n_pursuers": 2,
-            "world.n_evaders": 3,
-            "policy.hidden": (4,),
-            "match_episodes": 2,
-        }
-    )
-    training, evaluation = matches_of(race)
-    assert training + evaluation == start(race, tmp_path / "run").total_matches()
-
-
-def test_how_long_evolve_takes():
+def test_how_long_evolve_takes(tmp_path):
     races = [RaceSettings(schedule=name) for name in MAIN_JOB]
-    lines = lines_of([timing("matches", 2, 10.0, hidden=(32,))])
-    evolve = evolve_figures(lines, races)
-    training, evaluation = map(sum, zip(*map(matches_of, races), strict=True))
-    assert evolve["matches"] == training + evaluation
-    assert evolve["seconds"] == pytest.approx((training + 2.5 * evaluation) / 100)
-    (told,) = durations(lines, evolve, " here")
-    assert " matches of matrixworld evolve here with hidden layers 32 take about" in told
-    assert evolve_figures(lines_of([timing("matches", 2, 10.0, hidden=(64,))]), races) is None
+    measured = [timing("matches, hidden 32", 2, 10.0)]
+    evolve = evolve_figures(measured, races)
+    # Elites and archives play no matches with the default settings.
+    started = [start(race, tmp_path / race.schedule.name) for race in races[::2]]
+    both = evolve_figures(measured, races[::2])
+    assert both["matches"] == sum(race.total_matches() for race in started)
+    training = sum(race.training_matches() for race in started)
+    assert both["seconds"] == pytest.approx((training + 2.5 * (both["matches"] - training)) / 100)
+    (told,) = durations(measured, evolve)
+    assert " matches of matrixworld evolve in this world with hidden layers 32 take about" in told
+    assert evolve_figures([timing("matches, hidden 64", 2, 10.0)], races) is None
 
 
 def test_hints_say_what_may_be_wrong():
-    one, good, bad = (timing("matches", n, r, hidden=(32,)) for n, r in ((1, 1), (2, 2), (2, 1)))
+    one, good, bad = (timing("matches, hidden 32", n, rate) for n, rate in ((1, 1), (2, 2), (2, 1)))
     assert not [*hints(lines_of([one, good]))]
     slow, uneven = hints(lines_of([one, bad, timing("step only", 1, 1.0, 2.0)]))
     assert "Hint: 2 threads are only 1.00 times as fast as one (matches, hidden 32)." in slow
@@ -173,15 +156,12 @@ def test_a_processor_without_a_name(tmp_path):
 
 
 BAD = [
-    (["Q"], f"'[VARIANT]': expected one of {', '.join(mw.VARIANTS)}, got 'Q'"),
-    (["--seconds", "0"], "'--seconds': expected a number above 0, at most 3600, got 0"),
-    (["--seconds", "nan"], "'--seconds': expected a number above 0, at most 3600, got nan"),
-    (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
-    (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
-    (["--hidden", "0"], "hidden: expected at least 1, got 0"),
-    (["--rows", "1", "--cols", "3"], "--n-pursuers: expected 1 to 3, got 8"),
-    (["--fov", "4"], "--fov: expected"),
-    (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
+    (["Q"], "expected one of D, R, B, O, S, SB, SD, SDB, TO"),
+    (["--seconds", "0"], "0.0 is not in the range 0<x<=3600"),
+    (["--seconds", "nan"], "'nan' is not a number"),
+    (["--hidden", "4,x"], "policy.hidden: expected a sequence of ints, got '4,x'"),
+    (["--hidden", "0"], "policy.hidden: expected at least 1, got 0"),
+    (["--set", "world.fov=4"], "world.fov: expected"),
     (["--json", "old.json"], "old.json: exists; give --force to replace it"),
     (["--json", "no/a.json"], "no/a.json: expected a directory that exists, got 'no'"),
 ]

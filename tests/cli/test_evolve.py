@@ -3,14 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
-import re
 import shlex
 import shutil
-import signal
-import subprocess
-import sys
-import time
 from functools import partial
 from pathlib import Path
 
@@ -34,7 +28,7 @@ from matrixworld._util.files import json_digest, load_json, locked, save_json
 from matrixworld.cli import report
 from matrixworld.cli import score as score_module
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.setting_options import Asked
+from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import (
     TEAMS,
     Race,
@@ -42,14 +36,12 @@ from matrixworld.coevolution import (
     RunDirectory,
     finish,
     open_run,
-    resume,
     score,
     start,
 )
 from matrixworld.coevolution.jobs import evolve as jobs_evolve
 from matrixworld.coevolution.jobs.evolve import JobPlay
 from matrixworld.coevolution.sections import leaves
-from matrixworld.world.rules import VARIANTS
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -92,15 +84,9 @@ def test_the_help_of_all_settings_has_every_one_with_its_default():
     assert "6000; actor-critic: 1200; against pursuer: 6000; against evader: 4000]" in shown
 
 
-def test_the_variants_are_printed_as_a_table():
-    lines = matrixworld_command("evolve", "--variants").stdout.splitlines()
-    assert [line.split()[0] for line in lines[1:10]] == [*VARIANTS]
-    assert lines[6].split()[:4] == ["SB", "all", "at", "once"]
-
-
 def test_without_options_the_settings_are_those_of_the_package():
-    assert Asked().settings() == [RaceSettings(schedule=name) for name in MAIN_JOB]
-    assert Asked({"against": "still"}).settings() == [
+    assert settings_of({}) == [RaceSettings(schedule=name) for name in MAIN_JOB]
+    assert settings_of({"schedule": ("against",), "sets": [("schedule.opponent", "still")]}) == [
         RaceSettings.of({"schedule": "against", "schedule.opponent": "still"})
     ]
 
@@ -123,34 +109,38 @@ def test_a_setting_of_one_schedule_of_a_job_is_left_out_of_the_others():
     every = [("learner.sigma", 0.2)]
     in_turns = [("schedule.evader_epochs", 5)]
     joint = [("schedule.joint_epochs", 7), ("schedule.contemporaries", 3)]
-    assert Asked({}, [*every, *in_turns, *joint]).settings() == [
+    assert settings_of({"sets": [*every, *in_turns, *joint]}) == [
         RaceSettings.of(
             {"schedule": name, **dict(every), **dict(joint if "hall" in name else in_turns)}
         )
         for name in MAIN_JOB
     ]
     with pytest.raises(click.UsageError, match="schedule.epochs: .* a setting of schedule=against"):
-        Asked({}, [("schedule.epochs", 2)]).settings()
+        settings_of({"sets": [("schedule.epochs", 2)]})
 
 
 def test_settings_from_a_file(undrawn, tmp_path):
-    (tmp_path / "race.toml").write_text(
-        'seed = 3\n[learner]\nkind = "ga"\nmutation = 0.2\n[schedule]\nkind = "hall-of-fame"\n'
-        'generations = 2\n[world]\nrules = "SB"\nrows = 7\n'
-    )
-    file = tmp_path / "race.toml"
-    expected = RaceSettings.of(
-        {
-            "learner": "ga", "learner.mutation": 0.2, "schedule": "hall-of-fame", "seed": 3,
-            "schedule.generations": 2, "world.rules": "SB", "world.rows": 7,
-        }
-    )  # fmt: skip
-    assert Asked(config=file).settings() == [expected]
+    plain = {
+        "seed": 3, "learner": {"kind": "ga", "mutation": 0.2},
+        "schedule": {"kind": "hall-of-fame", "generations": 2}, "world": {"rules": "SB", "rows": 7},
+    }  # fmt: skip
+    assert settings_of({"config": plain}) == [
+        RaceSettings.of(
+            {
+                "learner": "ga", "learner.mutation": 0.2, "schedule": "hall-of-fame", "seed": 3,
+                "schedule.generations": 2, "world.rules": "SB", "world.rows": 7,
+            }
+        )
+    ]  # fmt: skip
     # Options come after the file; what a schedule of another kind lacks has its default there.
-    changed = Asked({"schedule": ("alternating",), "rows": 9}, [("learner.elites", 3)], file)
-    (race,) = changed.settings()
+    options = {"schedule": ("alternating",), "rows": 9, "sets": [("learner.elites", 3)]}
+    (race,) = settings_of({**options, "config": plain})
     assert race.schedule == RaceSettings.of({"schedule": "alternating", "learner": "ga"}).schedule
     assert (race.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
+
+    Path("race.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
+    said = matrixworld_command("evolve", "--config", "race.toml", code=2).stderr
+    assert "--variant: expected one of" in said
     start(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run").run()
     matrixworld_command("evolve", "again", "--config", "run/config.json", "--seed", 6)
     again = open_run("again/generalist-generalist/seed-6").settings
@@ -171,6 +161,7 @@ def test_a_map_file_and_no_hidden_layer(undrawn, tmp_path):
     assert settings.world.map.sum() == 2
 
 
+ALONE = ["--schedule", "against"]
 BAD = [
     (["--rows", "many"], "'--rows': 'many' is not a valid integer"),
     (["--set", "schedule.pursuer_epochs=0"], "schedule.pursuer_epochs: expected at least 1, got 0"),
@@ -180,7 +171,7 @@ BAD = [
     (["--set", "policy.hidden=4,x"], "policy.hidden: expected a sequence of ints, got '4,x'"),
     (["--set", "world.obstacles=2"], "expected a number in [0, 1), got 2"),
     (["--set", "world.obstacles=no.map"], "No such file or directory: 'no.map'"),
-    (["--set", "learner.sigma"], "--set: expected PATH=VALUE, such as learner.sigma=0.1, got 'le"),
+    (["--set", "learner.sigma"], "'--set': expected PATH=VALUE, such as learner.sigma=0.1, got 'l"),
     (["--set", "sigma=1"], "; did you mean learner.sigma?"),
     (["--set", "learner.sigmma=1"], "; did you mean learner.sigma?"),
     (["--learner", "gaa"], "learner: expected one of es, ga, cma, actor-critic, or module:object"),
@@ -188,12 +179,14 @@ BAD = [
     (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
     (["--set", "learner.mutation=0.1"], "learner.mutation: expected one of the settings populat"),
     (["--set", "learner.mutation=0.1"], "; it is a setting of learner=ga"),
-    (["--team", "evader"], "--team: expected together with --against only"),
+    (["--set", "schedule.team=evader"], "; it is a setting of schedule=against"),
+    ([*ALONE, "--generations", "3"], "--generations: expected one of the settings te"),
     (
-        ["--against", "random", "--generations", "3"],
-        "--generations: expected one of the settings te",
+        [*ALONE, "--set", "schedule.opponent=nobody"],
+        "schedule.opponent: expected random, still, chaser, fleer, clumsy-chaser, hunter, "
+        "surrounder, clumsy-fleer, dodger or a run directory, got 'nobody'",
     ),
-    (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
+    ([*ALONE, "--set", "schedule.start=nobody"], "schedule.start: expected a directory that holds"),
     (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
     (["--seeds", "0-3", "--seed", "1"], "--seeds: expected it without --seed, got both"),
@@ -203,7 +196,6 @@ BAD = [
     (["--seeds", "0-3,7,2"], "expected each seed once, got 2 several times"),
     (["--seeds", "9223372036854775808"], "expected seeds from 0 to 9223372036854775807, got 922"),
     (["--seeds", "0-9223372036854775807"], "expected at most 100,000 seeds, got 9,223,372,036,8"),
-    (["--seeds", "0-2", "--against", "nobody"], "or a run directory, got 'nobody'"),
     (["--seeds", "0-2", "--rows", "0"], "--rows: expected 1 to 4096, got 0"),
 ]
 
@@ -253,20 +245,6 @@ def test_the_main_job_has_equal_training_matches(tmp_path):
     assert max(matches.values()) <= 1.01 * min(matches.values()), matches
 
 
-def test_held_out_scores_are_those_of_the_command(job):
-    output, result = job
-    printed = {
-        line[:20].strip(): re.findall(r"(0\.\d\d) \(0\.\d\d to 0\.\d\d\)", line)
-        for line in result.stdout.splitlines()
-    }
-    for column, name in enumerate(MAIN_JOB):
-        matrixworld_command("score", output / PLACES[column], "--json", f"{name}.json")
-        [found] = json.loads(Path(f"{name}.json").read_text())["groups"].values()
-        for team in TEAMS:
-            mean = found[f"{team}s"]["estimates"][0]["mean"]["value"]
-            assert printed[f"held-out, {team}s"][column] == f"{mean:.2f}"
-
-
 def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
     counts = {"built": 0, "read": 0, "scored": 0}
     jobs = len(MAIN_JOB)
@@ -302,17 +280,10 @@ def test_without_output_runs_go_to_directories_named_after_variant_and_seed(undr
     second = matrixworld_command("evolve", *one, code=2).stderr
     assert "OUTPUT: expected a new or empty directory, got 'runs/O-seed5'; " in second
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
-    matrixworld_command("evolve", "--against", "fleer", *words({**WORLD, "epochs": 2}))
+    alone = words({**WORLD, "schedule": "against", "opponent": "fleer", "epochs": 2})
+    matrixworld_command("evolve", *alone)
     names = {path.name for path in Path("runs").iterdir()}
     assert names == {"O-seed5", "O-pursuer-against-fleer-seed5"}
-
-
-def test_a_directory_with_runs_is_refused(copy):
-    before = sorted(copy.rglob("*"))
-    result = matrixworld_command("evolve", copy, *words(JOB), code=2)
-    assert "expected a new or empty directory" in result.stderr
-    assert f"--resume {copy} continues the run in it" in result.stderr
-    assert sorted(copy.rglob("*")) == before
 
 
 def test_all_schedules_and_the_hall_of_fame(undrawn):
@@ -327,10 +298,8 @@ def test_all_schedules_and_the_hall_of_fame(undrawn):
 
 
 def test_one_team_alone_against_a_script_and_then_against_the_result():
-    epochs = words({"epochs": 5, "archive_every": 2})
-    result = matrixworld_command(
-        "evolve", "first", "--against", "random", "--team", "evader", *words(WORLD), *epochs
-    )
+    alone = {**WORLD, "schedule": "against", "epochs": 5, "archive_every": 2}
+    result = matrixworld_command("evolve", "first", *words({**alone, "team": "evader"}))
     start(tiny_single(team="evader"), "again").run()
     first = Path("first/evader-against-random/seed-5")
     assert results(first) == results(Path("again"))
@@ -341,19 +310,20 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     shown = [f"{rate:.4f} ({low:.4f} to {high:.4f})", deviation, f"{numbers['length']:.1f}"]
     assert [part in row for part in shown] == [True, True, True]
     assert (first / "training.png").read_bytes().startswith(PNG)
-    matrixworld_command(
-        "evolve", "next", "--against", "first", *words({**WORLD, "start": "hunters"}), code=2
-    )
-    matrixworld_command("evolve", "next", "--against", "first", *words(WORLD), *epochs)
+    # The directory of a job of one run stands for the run.
+    matrixworld_command("evolve", "next", *words({**alone, "opponent": "first"}))
     archive = open_run("next/pursuer-against-evader-against-random/seed-5").files.archive()
     last = open_run(first).files.archive()["evader"][-1]
     assert np.array_equal(archive["evader"], last[None])
 
 
 def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
-    against = copy / PLACES[0]
-    result = matrixworld_command("evolve", "out", "--against", against, *words({"fov": 5}), code=2)
+    against = words({"schedule": "against", "opponent": copy / PLACES[0], "fov": 5})
+    result = matrixworld_command("evolve", "out", *against, code=2)
     assert "opponents: expected genomes for fov 5" in result.stderr
+    result = matrixworld_command("evolve", "out", *against[:-2], "--set",
+                                 f"schedule.start={copy}", code=2)  # fmt: skip
+    assert "schedule.start: expected one run, got a directory of several" in result.stderr
     assert not Path("out").exists()
 
 
@@ -387,34 +357,6 @@ def test_a_job_that_is_stopped_before_its_first_run_is_resumed_whole(job, undraw
     matrixworld_command("evolve", "--resume", "out")
     for place in PLACES:
         assert results(Path("out") / place) == results(job[0] / place)
-
-
-def test_a_real_ctrl_c(tmp_path):
-    """During a team phase of a long race, after the log of the first phase was written."""
-    longer = {"generations": 10, "pursuer_epochs": 60, "evader_epochs": 60, "match_episodes": 4}
-    many = words({**RACE, **longer, "schedule": MAIN_JOB[0]})
-    process = subprocess.Popen(
-        [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
-        stderr=subprocess.PIPE,
-        text=True,
-        # In a background job SIGINT may be ignored, and child processes inherit that.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
-    )
-    run = Path("out") / PLACES[0]
-    stage = run / "stage-0001.npz"
-    deadline = time.monotonic() + 30
-    while not stage.exists() and time.monotonic() < deadline:
-        time.sleep(0.05)
-    os.kill(process.pid, signal.SIGINT)
-    _, errors = process.communicate(timeout=30)
-    assert process.returncode == 130
-    assert "matrixworld evolve --resume out\n" in errors
-    assert "Traceback" not in errors
-    stopped = resume(run)
-    assert stopped.stage < stopped.n_stages
-    stopped.run()
-    start(stopped.settings, tmp_path / "straight").run()
-    assert results(run) == results(tmp_path / "straight")
 
 
 @pytest.mark.slow

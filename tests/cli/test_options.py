@@ -16,16 +16,13 @@ from matrixworld.cli import main
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings import MOST_SEED
 
-DIFFERENT = {"--episodes", "--explain", "--each", "--out"} | {
-    *("--rows", "--cols", "--n-pursuers", "--n-evaders", "--steps", "--seconds", "--team"),
-    "--generation",
-}
+DIFFERENT = {"--episodes", "--explain", "--each", "--out", "--seconds", "--generation"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
 many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
-each run; `--out` has another file by default. `class` plays small and short games by default, and
-limits the seconds of programs; `class export` has to be told a team, and takes one generation."""
+each run; `--out` has another file by default. `class` limits the seconds of programs, and
+`class export` takes one generation."""
 
-BENCH = ["--rows", 7, "--cols", 6, "--n-pursuers", 2, "--n-evaders", 3, "--fov", 5]
+BENCH = [word for each in ("rows=7", "cols=6") for word in ("--set", f"world.{each}")]
 
 
 # Declared once

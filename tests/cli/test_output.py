@@ -12,7 +12,7 @@ from command_line import JOB, MAIN_JOB, RACE, WORLD, matrixworld_command, words
 
 ONE = ["--schedule", MAIN_JOB[2]]
 SEEDS = [*ONE, "--seeds", "5-7", *words({n: v for n, v in RACE.items() if n != "seed"})]
-ALONE = ["--against", "random", *words({"epochs": 3, **WORLD})]
+ALONE = words({"schedule": "against", "epochs": 3, **WORLD})
 JOBS = {"main": words(JOB), "seeds": SEEDS, "alone": ALONE}
 
 

@@ -131,7 +131,7 @@ def test_finished_runs_are_read_without_the_code(straight, command):
 def test_resume_says_what_is_missing(straight):
     shutil.copytree(straight, "run")
     before = {path: path.read_bytes() for path in Path("run").iterdir()}
-    said = matrixworld_command("evolve", "--resume", "run", code=1).stderr
+    said = matrixworld_command("evolve", "--resume", "run", code=2).stderr
     assert run_together(said).endswith(
         "Error: learner: expected a module that can be imported, got 'mine:Learner' (No module "
         "named 'mine'); install the package that has it, or put its folder on PYTHONPATH"

@@ -70,9 +70,8 @@ def test_a_directory_for_each_schedule_and_seed():
 
 
 def test_one_team_alone_and_the_default_directory():
-    epochs = words({"epochs": 5, "archive_every": 2})
-    alone = ["--against", "random", "--team", "evader", *words(ALONE), *epochs]
-    said = matrixworld_command("evolve", "--seeds", "0-1", *alone)
+    alone = {**ALONE, "schedule": "against", "team": "evader", "epochs": 5, "archive_every": 2}
+    said = matrixworld_command("evolve", "--seeds", "0-1", *words(alone))
     assert said.stderr.startswith("Output directory: runs/O-evader-against-random-seeds0-1\n")
     root = Path("runs/O-evader-against-random-seeds0-1")
     runs = [root / f"evader-against-random/seed-{n}" for n in (0, 1)]

@@ -30,16 +30,17 @@ def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return root
 
 
-TINY = words({"rows": 6, "cols": 6, "fov": 3, "n_pursuers": 2, "n_evaders": 3, "hidden": "4"})
+TINY = {"rows": 6, "cols": 6, "fov": 3, "n_pursuers": 2, "n_evaders": 3, "hidden": "4"}
+CRITIC = words({"learner": "actor-critic", **TINY})
 
 
 @pytest.mark.parametrize(
     "arguments",
     [
-        ["new", "--learner", "actor-critic", *TINY],
-        ["new", "--learner", "actor-critic", "--against", "random", *TINY],
-        ["new", "--learner", "actor-critic", "--seeds", "0-1", *TINY],
-        ["new", "--learner", "actor-critic", "--against", "race", *words({"start": "race"}), *TINY],
+        ["new", *CRITIC],
+        ["new", "--schedule", "against", *CRITIC],
+        ["new", "--seeds", "0-1", *CRITIC],
+        ["new", *words({"schedule": "against", "opponent": "race", "start": "race"}), *CRITIC],
         ["--resume", "begun"],
     ],
     ids=["races", "alone", "seeds", "start", "resume"],

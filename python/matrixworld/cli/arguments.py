@@ -18,7 +18,6 @@ from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDUL
 from matrixworld.coevolution.storage.run_directory import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.version import MissingExtraError
-from matrixworld.world.policy import SCRIPTS
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]
@@ -53,29 +52,29 @@ def run_name(path: Path) -> str:
     return path.parent.name if re.fullmatch(SEED, path.name) else path.name
 
 
-def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
-    """Return the run of a directory that is a run or holds exactly one."""
-    if value is None:
-        return None
-    runs = find_runs(Path(value))
-    if not runs:
-        raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
-    if len(runs) > 1:
+def run_in(
+    path: str, setting: str | None = None, expected: str = "a directory that holds a run"
+) -> Path:
+    """Return the run of a directory that is one or holds exactly one; else name the setting."""
+    runs = find_runs(Path(path))
+    if len(runs) == 1:
+        return runs[0]
+    got = repr(path)
+    if runs:
+        expected = "one run"
         names = ", ".join([*map(str, runs[:MOST_NAMES]), *["..."] * (len(runs) > MOST_NAMES)])
-        raise click.BadParameter(f"expected one run, got a directory of several: {names}")
-    return runs[0]
+        got = f"a directory of several: {names}"
+    raise click.BadParameter(f"expected {expected}, got {got}", param_hint=setting)
+
+
+def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
+    """Return the run of a directory, as a callback of an argument."""
+    return None if value is None else run_in(value)
 
 
 def can_resume(path: Path) -> bool:
     """Return whether a directory holds a run, or runs that have been asked for."""
     return bool(find_runs(path)) or (path / JOB).exists()
-
-
-def resumed_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
-    """Return a directory that holds something to resume."""
-    if value is not None and not can_resume(Path(value)):
-        raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
-    return None if value is None else Path(value)
 
 
 def all_of(
@@ -94,17 +93,6 @@ def all_of(
         return list(dict.fromkeys(found))
 
     return callback
-
-
-def opponent_of(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
-    """Return the name of a script, or the path of a run."""
-    # A directory that has the name of a script can be given as ./random.
-    if value is None or value in SCRIPTS:
-        return value
-    if not find_runs(Path(value)):
-        scripts = ", ".join(SCRIPTS)
-        raise click.BadParameter(f"expected {scripts} or a run directory, got {value!r}")
-    return str(run_of(ctx, param, value))
 
 
 def resume_command(root: Path) -> str:

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 import os
 import platform
-import re
 import statistics
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import partial
 from pathlib import Path
@@ -28,21 +27,14 @@ from matrixworld._util.checks import check_threads, processor_name, usable_cores
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note, print_table, print_wrapped, progress
 from matrixworld.cli.options import (
-    cols_option,
-    diagonal_option,
+    FiniteRange,
     force_option,
-    fov_option,
-    given_options,
     json_option,
-    n_evaders_option,
-    n_pursuers_option,
-    obstacles_option,
     refuse_existing,
-    rows_option,
     threads_option,
     write_json,
 )
-from matrixworld.cli.setting_options import Asked
+from matrixworld.cli.setting_options import parsed, set_option, settings_of
 from matrixworld.coevolution import TEAMS, RaceSettings
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
@@ -50,11 +42,11 @@ from matrixworld.version import __version__
 from matrixworld.world.arrays import array_specs, episode_specs
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network, Population
-from matrixworld.world.rules import VARIANTS
+from matrixworld.world.policy import Population
 from matrixworld.world.world import World
 
-Figures = dict[str, Any]
+Line = dict[str, Any]
+"""Figures by name, as the file has them."""
 
 # The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ("32", "64,64", "400,300")
@@ -76,46 +68,40 @@ LEAST_SPEEDUP, LEAST_SHARE = 1.5, 0.25
 WIDEST_SPREAD = 0.3
 """Largest spread of repeats on an idle machine, as a share of the median."""
 
-
-COLUMNS = {
-    "at once": ("at_once", 1, "d"),
-    "threads": ("threads", 1, "d"),
-    "million agent-steps/s": ("agent_steps_per_second", 1e-6, ".2f"),
-    "world steps/s": ("world_steps_per_second", 1, ",.0f"),
-    "matches/s": ("matches_per_second", 1, ",.1f"),
-    "speedup": ("over_one_thread", 1, ",.2f"),
+AMOUNTS = {
+    "agent_steps": ("million agent-steps/s", 1e-6, ".2f"),
+    "world_steps": ("world steps/s", 1, ",.0f"),
+    "matches": ("matches/s", 1, ",.1f"),
 }
-"""Columns of the table: key of the figures, unit and format."""
+"""What a call plays: its column in the table, with unit and format."""
 LEGEND = (
     "An agent-step is one step of a living agent, in matches one decision of a network. At once: "
     "worlds in a step, or matches in a call. Speedup: over one thread."
 )
 
 
-# ---- What is measured ----------------------------------------------------------------------------
+# What is measured:
 
 
 @dataclass
 class Timing:
-    """A call that plays `size` worlds or matches, and the rates (calls a second) so far.
+    """A call that plays `at_once` worlds or matches, and the rates (calls a second) so far.
 
-    `agent_steps` and `world_steps` are those of one call.
+    `amounts` has what one call plays, by the names in `AMOUNTS`.
     """
 
     what: str
-    size: int
+    at_once: int
     threads: int
     play: Callable[[int], object]
-    agent_steps: float
-    world_steps: float
-    hidden: tuple[int, ...] | None = None
+    amounts: Mapping[str, float]
     rates: list[float] = field(default_factory=list)
 
     def repeat(self, seconds: float) -> None:
         """Call for so many seconds, at least once, and append the rate to `rates`."""
         # An untimed call fills the caches, which the timing before has used. A call of matches is
         # so long that this does not matter.
-        if self.hidden is None:
+        if "matches" not in self.amounts:
             self.play(0)
         calls, passed, start = 0, 0.0, time.perf_counter()
         while calls == 0 or passed < seconds:
@@ -125,9 +111,15 @@ class Timing:
         self.rates.append(calls / passed)
 
     @property
-    def rate(self) -> float:
-        """Median of the repeats, in calls a second."""
-        return statistics.median(self.rates)
+    def per_second(self) -> dict[str, float]:
+        """What is played in a second, by the median of the repeats."""
+        rate = statistics.median(self.rates)
+        return {name: rate * amount for name, amount in self.amounts.items()}
+
+    @property
+    def spread(self) -> float:
+        """Difference of the fastest and the slowest repeat, as a share of the median."""
+        return (max(self.rates) - min(self.rates)) / statistics.median(self.rates)
 
 
 def random_actions(config: WorldConfig, worlds: int) -> Callable[[int], NDArray[np.uint8]]:
@@ -148,17 +140,20 @@ def timings_of_worlds(config: WorldConfig, threads: int) -> list[Timing]:
     """Prepare the timings of steps, of many worlds and of one, with one thread and several."""
     many = many_worlds(config)
     alive = {worlds: alive_share(config, worlds) for worlds in (many, 1)}
+    env = partial(VectorEnv, config, autoreset_mode="SameStep")
     played: dict[str, Callable[[int, int], Any]] = {
         "step only": lambda worlds, n: _batch(config, worlds, n),
         "step and views": lambda worlds, n: _batch(config, worlds, n, "views"),
-        "VectorEnv": lambda worlds, n: _vector_env(config, worlds, n, copy=True),
-        "VectorEnv, copy=False": lambda worlds, n: _vector_env(config, worlds, n, copy=False),
+        "VectorEnv": lambda worlds, n: env(worlds, threads=n),
+        "VectorEnv, copy=False": lambda worlds, n: env(worlds, threads=n, copy=False),
     }
 
     def timing(what: str, worlds: int, n: int) -> Timing:
-        env, actions = played[what](worlds, n), random_actions(config, worlds)
-        agent_steps = worlds * config.n_agents * alive[worlds]
-        return Timing(what, worlds, n, lambda k: env.step(actions(k)), agent_steps, worlds)
+        game, actions = played[what](worlds, n), random_actions(config, worlds)
+        if isinstance(game, VectorEnv):
+            game.reset(seed=0)
+        amounts = {"agent_steps": worlds * config.n_agents * alive[worlds], "world_steps": worlds}
+        return Timing(what, worlds, n, lambda call: game.step(actions(call)), amounts)
 
     # Threads divide the worlds, so one world is played by one thread. Steps without views are, too:
     # they are the cost of the rules alone.
@@ -169,33 +164,6 @@ def timings_of_worlds(config: WorldConfig, threads: int) -> list[Timing]:
         for worlds, n in cases
         if n == 1 or what != "step only"
     ]
-
-
-def timings_of_matches(
-    config: WorldConfig, network: Network, population: int, threads: int
-) -> list[Timing]:
-    """Prepare the timings of matches of a population of pursuers against one evader."""
-    match = _match(config, network, population)
-    # Every call plays the same matches, so their steps are counted once.
-    scores = match(threads=threads)
-    counts = int(scores.agent_steps.sum()), int(scores.length.sum())
-    return [
-        Timing("matches", population, n, partial(_played, match, n), *counts, network.hidden)
-        for n in dict.fromkeys((1, threads))
-    ]
-
-
-def _played(match: Callable[..., EpisodeStatistics], threads: int, call: int) -> None:
-    match(threads=threads)
-
-
-def _match(config: WorldConfig, network: Network, size: int) -> Callable[..., EpisodeStatistics]:
-    pursuers, evaders = (
-        Population(np.stack([network.initial(rng) for _ in range(count)]), network)
-        for rng, count in zip(map(np.random.default_rng, (0, 1)), (size, 1), strict=True)
-    )
-    matches = Matches.of(np.arange(size), 0, np.arange(size))
-    return partial(rollout, config, pursuers, evaders, matches)
 
 
 def many_worlds(config: WorldConfig) -> int:
@@ -222,13 +190,36 @@ def _batch(config: WorldConfig, worlds: int, threads: int, *names: str) -> Batch
     return Batch(worlds, config, threads=threads, autoreset=mode, buffers=buffers)
 
 
-def _vector_env(config: WorldConfig, worlds: int, threads: int, *, copy: bool) -> VectorEnv:
-    env = VectorEnv(config, worlds, threads=threads, copy=copy, autoreset_mode="SameStep")
-    env.reset(seed=0)
-    return env
+def timings_of_matches(race: RaceSettings, threads: int) -> list[Timing]:
+    """Prepare the timings of the matches of an epoch: a population against one evader."""
+    size = race.learner.population
+    match = _match(race, size)
+    # Every call plays the same matches, so their steps are counted once.
+    scores = match(threads=threads)
+    amounts = {
+        "agent_steps": int(scores.agent_steps.sum()),
+        "world_steps": int(scores.length.sum()),
+        "matches": size,
+    }
+
+    def timing(n: int) -> Timing:
+        return Timing(_matches(race), size, n, lambda call: match(threads=n), amounts)
+
+    return [timing(n) for n in dict.fromkeys((1, threads))]
 
 
-# ---- Checks --------------------------------------------------------------------------------------
+def _match(race: RaceSettings, size: int) -> Callable[..., EpisodeStatistics]:
+    """Return the rollout of so many untrained pursuers against one untrained evader."""
+    network = race.network
+    pursuers, evaders = (
+        Population(np.stack([network.initial(rng) for _ in range(count)]), network)
+        for rng, count in zip(map(np.random.default_rng, (0, 1)), (size, 1), strict=True)
+    )
+    matches = Matches.of(np.arange(size), 0, np.arange(size))
+    return partial(rollout, race.training_world, pursuers, evaders, matches)
+
+
+# Checks:
 
 
 def check_worlds(config: WorldConfig, threads: int) -> None:
@@ -245,19 +236,19 @@ def check_worlds(config: WorldConfig, threads: int) -> None:
             if world.terminated or world.truncated:
                 continue
             world.step(actions(step)[seed])
-            pairs: dict[str, tuple[NDArray[Any], NDArray[Any]]] = {
-                "observations": (env.observations[seed], world.views()),
-                "rewards": (env.rewards[seed], world.rewards),
-                "positions": (env.infos["positions"][seed], world.positions),
-            }
-            for name, (ours, theirs) in pairs.items():
-                where = f"in {name} after step {step + 1} of seed {seed}"
-                _check_equal(ours, theirs, f"VectorEnv and a single world differ {where}")
+            where = f"after step {step + 1} of seed {seed}"
+            for name, ours, theirs in (
+                ("observations", env.observations, world.views()),
+                ("rewards", env.rewards, world.rewards),
+                ("positions", env.infos["positions"], world.positions),
+            ):
+                wrong = f"VectorEnv and a single world differ in {name} {where}"
+                _check_equal(ours[seed], theirs, wrong)
 
 
-def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
+def check_matches(race: RaceSettings, threads: int) -> None:
     """Compare several threads with one; raise click.ClickException if the results differ."""
-    match = _match(config, network, CHECKED_MATCHES)
+    match = _match(race, CHECKED_MATCHES)
     # Also where only one thread is measured, there must be something to compare with.
     several = max(2, threads)
     one, more = (match(episodes=2, threads=n) for n in (1, several))
@@ -271,67 +262,40 @@ def _check_equal(ours: NDArray[Any], theirs: NDArray[Any], wrong: str) -> None:
         raise click.ClickException(f"{wrong}. Nothing was measured, because the results are wrong.")
 
 
-# ---- The command ---------------------------------------------------------------------------------
-
-
-def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
-    if value.upper() not in VARIANTS:
-        raise click.BadParameter(f"expected one of {', '.join(VARIANTS)}, got {value!r}")
-    return value.upper()
-
-
-def _sizes_of(value: str) -> tuple[int, ...]:
-    """Return layer sizes such as 32 or 64,64; none: no layer."""
-    if not re.fullmatch(r"none|\d{1,9}(,\d{1,9})*", value):
-        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
-    return () if value == "none" else tuple(map(int, value.split(",")))
-
-
-def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
-    # Not click.FloatRange, which lets nan pass.
-    if not 0 < value <= LONGEST:
-        raise click.BadParameter(f"expected a number above 0, at most {LONGEST:g}, got {value:g}")
-    return value
+# The command:
 
 
 @click.command("bench", short_help="Measure how fast this machine plays.")
-@click.argument("variant", default="O", callback=_variant)
+@click.argument("variant", default="O", type=click.types.FuncParamType(str.upper))
 @click.option(
     "--hidden",
-    type=_sizes_of,
+    type=parsed,
     multiple=True,
     default=HIDDEN,
     metavar="SIZES",
-    help="hidden layers of the networks in matches, such as 32 or 64,64; none: no hidden layer; "
+    help="hidden layers of the networks in matches, such as 32 or 64,64; []: no hidden layer; "
     f"may be given several times  [default: {' and '.join(HIDDEN)}]",
 )
 @click.option(
     "--seconds",
-    type=float,
+    type=FiniteRange(0, LONGEST, min_open=True),
     default=SECONDS,
     show_default=True,
-    callback=_seconds,
     metavar="NUMBER",
     help=f"time of each measurement, in {REPEATS} repeats; there are about 14",
 )
 @threads_option
+@set_option
 @json_option
 @force_option
-@rows_option
-@cols_option
-@n_pursuers_option
-@n_evaders_option
-@obstacles_option
-@fov_option
-@diagonal_option
 def bench_command(
     variant: str,
-    hidden: tuple[tuple[int, ...], ...],
+    hidden: tuple[Any, ...],
     seconds: float,
     threads: int | None,
+    sets: list[tuple[str, Any]],
     json_file: Path | None,
     force: bool,
-    **options: Any,
 ) -> None:
     """Measure how fast worlds and matches are played on this machine.
 
@@ -343,26 +307,31 @@ def bench_command(
     Ctrl-C stops, and prints what has been measured so far.
     """
     refuse_existing(json_file, force=force)
-    given = given_options(options)
-    # One row of races for each network; the first network is that of the world's own lines.
-    asked = {**given, "variant": variant}
-    races = [Asked(asked, [("policy.hidden", h)]).settings() for h in dict.fromkeys(hidden)]
-    settings = [race for race, *_ in races]
-    world, threads = settings[0].world, check_threads(threads)
+    # The races of `evolve` for each network; the lines without a network have the world of all.
+    jobs = [
+        settings_of({"variant": variant, "sets": [*sets, ("policy.hidden", sizes)]})
+        for sizes in hidden
+    ]
+    races = list(dict.fromkeys(first for first, *_ in jobs))
+    world, threads = races[0].world, check_threads(threads)
     machine = machine_figures()
     print_head(machine, variant, world)
+    timings: list[Timing] = []
+    stopped = False
     with failures():
-        measured, stopped = _measure(settings, world, threads, seconds / REPEATS)
-    if measured:
-        lines = lines_of(measured)
-        evolve = evolve_figures(lines, races[0])
-        print_lines(lines)
-        where = "" if variant == "O" and not given else " in this world"
-        for sentence in (*durations(lines, evolve, where), *hints(lines)):
-            print_wrapped(sentence)
-        figures = {"machine": machine, "world": world.to_json(), "lines": lines, "evolve": evolve}
-        with failures():
-            write_json(json_file, figures)
+        # Ctrl-C may come in the checks, too: then nothing is planned yet.
+        try:
+            _measure(races, threads, seconds / REPEATS, timings)
+        except KeyboardInterrupt:
+            stopped = True
+        measured = [each for each in timings if each.rates]
+        if measured:
+            lines, evolve = lines_of(measured), evolve_figures(measured, jobs[0])
+            print_lines(lines)
+            for sentence in (*durations(measured, evolve), *hints(lines)):
+                print_wrapped(sentence)
+            found = {"machine": machine, "world": world.to_json(), "lines": lines, "evolve": evolve}
+            write_json(json_file, found)
     if stopped:
         what = "The figures are from the time before" if measured else "Nothing was measured yet"
         note(f"\nStopped. {what}.")
@@ -370,37 +339,28 @@ def bench_command(
 
 
 def _measure(
-    settings: Sequence[RaceSettings], world: WorldConfig, threads: int, seconds: float
-) -> tuple[list[Timing], bool]:
-    """Return what was measured, and whether Ctrl-C stopped it."""
-    planned: list[Timing] = []
-    stopped = False
-    # Ctrl-C may come in the checks, too: then nothing is planned yet.
-    try:
-        short = settings[0].training_world
-        check_worlds(world, threads)
-        for each in settings:
-            check_matches(short, each.network, threads)
-        planned += timings_of_worlds(world, threads)
-        for each in settings:
-            planned += timings_of_matches(short, each.network, each.learner.population, threads)
-        total = REPEATS * len(planned)
-        with progress(unit="timings") as report:
-            # In turns, so that a disturbance of some seconds does not spoil all repeats of a line.
-            for number, one in enumerate(planned * REPEATS):
-                report(one.what, number, total)
-                one.repeat(seconds)
-            report("done", total, total)
-    except KeyboardInterrupt:
-        stopped = True
-    # After Ctrl-C some have not been measured at all.
-    return [each for each in planned if each.rates], stopped
+    races: Sequence[RaceSettings], threads: int, seconds: float, timings: list[Timing]
+) -> None:
+    """Check the results, and append to `timings` what is then measured."""
+    check_worlds(races[0].world, threads)
+    for race in races:
+        check_matches(race, threads)
+    timings += timings_of_worlds(races[0].world, threads)
+    for race in races:
+        timings += timings_of_matches(race, threads)
+    total = REPEATS * len(timings)
+    with progress(unit="timings") as report:
+        # In turns, so that a disturbance of some seconds does not spoil all repeats of a line.
+        for number, one in enumerate(timings * REPEATS):
+            report(one.what, number, total)
+            one.repeat(seconds)
+        report("done", total, total)
 
 
-# ---- What is printed and written -----------------------------------------------------------------
+# What is printed and written:
 
 
-def machine_figures() -> Figures:
+def machine_figures() -> dict[str, Any]:
     """Describe this machine."""
     try:
         level = _core.kernel_level().removeprefix("kernels_")
@@ -416,134 +376,138 @@ def machine_figures() -> Figures:
     }
 
 
-def print_head(machine: Figures, variant: str, world: WorldConfig) -> None:
+def print_head(machine: dict[str, Any], variant: str, world: WorldConfig) -> None:
     """Print the machine and the world."""
     # A forced instruction set explains figures that are lower than on other machines.
     chosen = ", as MATRIXWORLD_KERNELS says" if "MATRIXWORLD_KERNELS" in os.environ else ""
     versions = "matrixworld {matrixworld}, NumPy {numpy}, Python {python}"
     click.echo(
         f"{versions.format(**machine)}\n{machine['processor']}, "
-        f"{_count(machine['cores'], 'core')} to use; kernels for {machine['kernels']}{chosen}\n"
+        f"{machine['cores']} core(s) to use; kernels for {machine['kernels']}{chosen}\n"
         f"{variant}: {world.rows} x {world.cols} cells, {world.n_pursuers} pursuers against "
         f"{world.n_evaders} evaders, views of {world.fov} x {world.fov}\n"
     )
 
 
-def lines_of(measured: Sequence[Timing]) -> list[Figures]:
+def lines_of(measured: Sequence[Timing]) -> list[Line]:
     """Return the figures of each timing; those of several threads are compared with one."""
-    # A line is compared with the line that differs from it in the threads only.
-    ones = {(each.what, each.hidden, each.size): each for each in measured if each.threads == 1}
+    speeds = {(each.what, each.at_once, each.threads): each.per_second for each in measured}
     lines = []
     for each in measured:
-        one = ones.get((each.what, each.hidden, each.size), each)
+        one = speeds.get((each.what, each.at_once, 1)) if each.threads > 1 else None
+        steps = each.per_second["world_steps"]
         lines.append(
             {
                 "what": each.what,
-                "hidden": None if each.hidden is None else list(each.hidden),
-                "at_once": each.size,
+                "at_once": each.at_once,
                 "threads": each.threads,
-                "agent_steps_per_second": each.rate * each.agent_steps,
-                "world_steps_per_second": each.rate * each.world_steps,
-                "matches_per_second": None if each.hidden is None else each.rate * each.size,
-                "over_one_thread": None if one is each else each.rate / one.rate,
+                **{f"{name}_per_second": each.per_second.get(name) for name in AMOUNTS},
+                "over_one_thread": None if one is None else steps / one["world_steps"],
                 "repeats": len(each.rates),
-                "spread": (max(each.rates) - min(each.rates)) / each.rate,
+                "spread": each.spread,
             }
         )
     return lines
 
 
-def evolve_figures(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures | None:
-    """Estimate how long the matches of races take; None if no measured network is theirs."""
-    # All races have the same network and world; they differ in the schedule.
-    hidden = list(races[0].policy.hidden)
-    rates = [line for line in lines if line["hidden"] == hidden]
-    if not rates:
-        return None
-    trained, evaluated = (sum(counts) for counts in zip(*map(matches_of, races), strict=True))
-    # The matches measured have the length of training; those of the evaluation are longer.
-    longer = races[0].world.max_steps / races[0].train_steps
-    # The last line is that of the most threads.
-    return {
-        "hidden": hidden,
-        "threads": rates[-1]["threads"],
-        "matches": trained + evaluated,
-        "seconds": (trained + longer * evaluated) / rates[-1]["matches_per_second"],
-    }
-
-
-def matches_of(race: RaceSettings) -> tuple[int, int]:
-    """Return the numbers of matches of a race's training and of its payoff matrix."""
-    epochs = sum(race.schedule.total_epochs(team) for team in TEAMS)
-    # Generation 0 is evaluated, too.
-    cells = race.schedule.entries**2
-    return epochs * race.learner.population * race.match_episodes, cells * race.evaluation_episodes
-
-
-def print_lines(lines: Sequence[Figures]) -> None:
+def print_lines(lines: Sequence[Line]) -> None:
     """Print the table of all lines and what its columns mean."""
 
     def cell(value: float | None, unit: float, form: str) -> str:
         return "" if value is None else format(value * unit, form)
 
+    heads = ("", "at once", "threads", *(head for head, *_ in AMOUNTS.values()), "speedup")
     rows = [
-        (_name(line), *(cell(line[key], unit, form) for key, unit, form in COLUMNS.values()))
+        (
+            line["what"],
+            str(line["at_once"]),
+            str(line["threads"]),
+            *(
+                cell(line[f"{name}_per_second"], unit, form)
+                for name, (_, unit, form) in AMOUNTS.items()
+            ),
+            cell(line["over_one_thread"], 1, ",.2f"),
+        )
         for line in lines
     ]
-    print_table([("", *COLUMNS), *rows], "<" + ">" * len(COLUMNS))
+    print_table([heads, *rows], "<" + ">" * (len(heads) - 1))
     click.echo()
     print_wrapped(LEGEND)
     click.echo()
 
 
-def durations(lines: Sequence[Figures], evolve: Figures | None, where: str) -> Iterator[str]:
+def evolve_figures(measured: Sequence[Timing], races: Sequence[RaceSettings]) -> Line | None:
+    """Estimate how long the matches of races take; None if no measured network is theirs.
+
+    All races have the same network and world; they differ in the schedule.
+    """
+    known = [each for each in measured if each.what == _matches(races[0])]
+    if not known:
+        return None
+    trained = sum(
+        race.schedule.total_epochs(team) * race.learner.population * race.match_episodes
+        for race in races
+        for team in TEAMS
+    )
+    # Generation 0 is evaluated, too.
+    evaluated = sum(race.schedule.entries**2 * race.evaluation_episodes for race in races)
+    # The matches measured have the length of training; those of the evaluation are longer.
+    longer = races[0].world.max_steps / races[0].train_steps
+    most = known[-1]  # of the most threads
+    return {
+        "hidden": list(races[0].policy.hidden),
+        "threads": most.threads,
+        "matches": trained + evaluated,
+        "seconds": (trained + longer * evaluated) / most.per_second["matches"],
+    }
+
+
+def durations(measured: Sequence[Timing], evolve: Line | None) -> Iterator[str]:
     """Yield what the figures mean for a user."""
     if evolve is not None:
         yield (
-            f"The {evolve['matches']:,} matches of matrixworld evolve{where} with hidden layers "
-            f"{_sizes(evolve['hidden'])} take about {_duration(evolve['seconds'])}, with "
-            f"{_count(evolve['threads'], 'thread')}. The time of the learners is not included."
+            f"The {evolve['matches']:,} matches of matrixworld evolve in this world with hidden "
+            f"layers {_sizes(evolve['hidden'])} take about {_duration(evolve['seconds'])}, with "
+            f"{_threads(evolve['threads'])}. The time of the learners is not included."
         )
-    envs = [line for line in lines if line["what"] == "VectorEnv" and line["at_once"] > 1]
-    if envs:
-        seconds = LEARNING / envs[-1]["agent_steps_per_second"]
+    envs = [each for each in measured if each.what == "VectorEnv" and each.at_once > 1]
+    for env in envs[-1:]:
         yield (
-            f"VectorEnv, with {envs[-1]['at_once']} worlds and "
-            f"{_count(envs[-1]['threads'], 'thread')}, plays {LEARNING // 1_000_000} million "
-            f"agent-steps in {_duration(seconds)}."
+            f"VectorEnv, with {env.at_once} worlds and {_threads(env.threads)}, plays "
+            f"{LEARNING // 1_000_000} million agent-steps in "
+            f"{_duration(LEARNING / env.per_second['agent_steps'])}."
         )
 
 
-def hints(lines: Sequence[Figures]) -> Iterator[str]:
+def hints(lines: Sequence[Line]) -> Iterator[str]:
     """Yield what looks wrong, with possible causes."""
     compared = [line for line in lines if line["over_one_thread"] is not None]
     worst = min(compared, key=lambda line: line["over_one_thread"], default=None)
     if worst and worst["over_one_thread"] < max(LEAST_SPEEDUP, LEAST_SHARE * worst["threads"]):
         yield (
             f"Hint: {worst['threads']} threads are only {worst['over_one_thread']:.2f} times as "
-            f"fast as one ({_name(worst)}). Another process may be busy, or fewer cores may be "
-            f"free than there are threads."
+            f"fast as one ({worst['what']}). Another process may be busy, or fewer cores may be "
+            "free than there are threads."
         )
     uneven = max(lines, key=lambda line: line["spread"])
     if uneven["spread"] > WIDEST_SPREAD:
         yield (
-            f"Hint: the repeats of {_name(uneven)}, {uneven['at_once']} at once with "
-            f"{_count(uneven['threads'], 'thread')}, differ by {uneven['spread']:.0%}. Another "
-            f"process may be busy, the processor may change its clock, or --seconds may be too "
-            f"short."
+            f"Hint: the repeats of {uneven['what']}, {uneven['at_once']} at once with "
+            f"{_threads(uneven['threads'])}, differ by {uneven['spread']:.0%}. Another process may "
+            "be busy, the processor may change its clock, or --seconds may be too short."
         )
 
 
-def _name(line: Figures) -> str:
-    return line["what"] if line["hidden"] is None else f"matches, hidden {_sizes(line['hidden'])}"
+def _matches(race: RaceSettings) -> str:
+    return f"matches, hidden {_sizes(race.policy.hidden)}"
 
 
 def _sizes(hidden: Sequence[int]) -> str:
     return ",".join(map(str, hidden)) or "none"
 
 
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+def _threads(number: int) -> str:
+    return f"{number} thread{'' if number == 1 else 's'}"
 
 
 def _duration(seconds: float) -> str:

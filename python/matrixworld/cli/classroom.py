@@ -18,17 +18,15 @@ from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
-    diagonal_option,
     force_option,
-    fov_option,
     json_option,
-    obstacles_option,
     option_name,
     out_option,
     refuse_existing,
     seed_option,
+    steps_option,
     threads_option,
-    variant_option,
+    world_options,
     write_json,
 )
 from matrixworld.cli.setting_options import in_options
@@ -37,16 +35,10 @@ from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.explorer.page import write_page
 from matrixworld.world.config import WorldConfig
 
-VARIANT = "O"
-SIZE = 16
-"""Rows and columns of the grid, if no map gives them."""
-SIZE_DEFAULT = f"[default: {SIZE}, or that of the map]"
-
-
-def _world(name: str, help: str, default: int | None = None) -> Callable[[Any], Any]:
-    return click.option(
-        name, type=int, default=default, show_default=True, metavar="INTEGER", help=help
-    )
+GAME: dict[str, Any] = {"variant": "O", "n_pursuers": 4, "n_evaders": 4, "steps": 100}
+"""The game where options do not say otherwise: smaller and shorter than that of `evolve`."""
+SIZE: dict[str, Any] = {"rows": 16, "cols": 16}
+"""Its grid, if no map gives one."""
 
 
 def _limit(name: str, help: str) -> Callable[[Any], Any]:
@@ -97,15 +89,8 @@ def class_command() -> None:
 @json_option
 @force_option
 @threads_option
-@variant_option
-@obstacles_option
-@fov_option
-@diagonal_option
-@_world("--rows", f"rows of the grid  {SIZE_DEFAULT}")
-@_world("--cols", f"columns of the grid  {SIZE_DEFAULT}")
-@_world("--n-pursuers", "number of pursuers", 4)
-@_world("--n-evaders", "number of evaders", 4)
-@_world("--steps", "most steps of an episode", 100)
+@world_options("variant", "obstacles", "fov", "diagonal", "rows", "cols", "n_pursuers", "n_evaders")
+@steps_option
 @_limit("--seconds", "processor time of a match, in seconds")
 @_limit("--wait", "time by the clock of one answer, in seconds")
 @_limit("--in-all", "processor time of all matches of a policy, in seconds")
@@ -134,6 +119,9 @@ def play_command(
     each student, DIR/NAME/. Programs run in processes of their own, without files, network or other
     processes, with limits of time and memory. What breaks a rule is left out, and the page says
     why; docs/class.md tells the rules.
+
+    By default 4 pursuers play against 4 evaders in -O, on 16 x 16 cells or a map, for at most 100
+    steps.
     """
     with failures():
         page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
@@ -166,14 +154,13 @@ def play_command(
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
     """Return the world and the limits that the options ask for."""
     limits = {name: options.pop(name) for name in ("seconds", "wait", "in_all", "memory")}
-    names = {"steps": "max_steps"}
-    variant = options.pop("variant") or VARIANT
-    # What is not given has the default of a world; the size of the grid may be that of a map.
-    settings = {names.get(name, name): each for name, each in options.items() if each is not None}
-    if not isinstance(settings.get("obstacles"), str):
-        settings = {"rows": SIZE, "cols": SIZE, **settings}
+    given = {name: value for name, value in options.items() if value is not None}
+    size = {} if isinstance(given.get("obstacles"), str) else SIZE
+    settings = {**size, **GAME, **given}
     try:
-        config = WorldConfig.of(variant, **settings)
+        config = WorldConfig.of(
+            settings.pop("variant"), max_steps=settings.pop("steps"), **settings
+        )
     except (OSError, TypeError, ValueError) as error:
         raise click.UsageError(in_options(str(error))) from error
     try:

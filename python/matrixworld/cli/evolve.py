@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager
 from dataclasses import replace
@@ -12,46 +12,35 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import (
-    can_resume,
-    failures,
-    find_runs,
-    opponent_of,
-    place_in_job,
-    resume_command,
-    resumed_of,
-)
+from matrixworld.cli.arguments import can_resume, failures, find_runs, place_in_job, resume_command
 from matrixworld.cli.console import INTERRUPTED, note, print_table, progress, warnings_as_notes
 from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
     cluster_option,
-    cols_option,
     given_options,
-    n_evaders_option,
-    n_pursuers_option,
     on_cluster,
     option_name,
-    refuse_threads,
-    rows_option,
     seed_option,
     seeds_option,
     threads_option,
-    variant_option,
+    world_options,
 )
 from matrixworld.cli.report import report
-from matrixworld.cli.setting_options import ALL, HINTS, MAIN_JOB, asked, help_all, usage_errors
-from matrixworld.coevolution import (
-    SCHEDULES,
-    TEAMS,
-    PluginError,
-    RaceSettings,
-    RunDirectory,
+from matrixworld.cli.setting_options import (
+    ALL,
+    HINTS,
+    MAIN_JOB,
+    config_option,
+    help_all,
+    set_option,
+    settings_of,
+    usage_errors,
 )
+from matrixworld.coevolution import PluginError, RunDirectory
 from matrixworld.coevolution.jobs.evolve import BAD_FILES, check_job, described, play_job
 from matrixworld.coevolution.jobs.job import Job, job_of, open_job
-from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
-from matrixworld.world.policy import SCRIPTS
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
 RUNS = Path("runs")
@@ -63,7 +52,7 @@ Examples:
   matrixworld evolve
   matrixworld evolve my-race --variant SB --schedule generalist-generalist
   matrixworld evolve my-races --seeds 0-9
-  matrixworld evolve --against random --team evader
+  matrixworld evolve my-evaders --schedule against --set schedule.team=evader
   matrixworld evolve my-race --learner ga --set learner.mutation=0.1
   matrixworld evolve my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
@@ -113,18 +102,14 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
 
 @click.command("evolve", epilog=EXAMPLES, short_help="Start races, or continue them.")
 @click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
-@variant_option
-@rows_option
-@cols_option
-@n_pursuers_option
-@n_evaders_option
+@world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
-    type=click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
+    type=click.Choice([*ALL_SCHEDULES, Against.kind, ALL]),
     multiple=True,
     metavar="NAME",
-    help=f"opponents of each team: {', '.join([*SCHEDULES, ALTERNATING])}, {HALL_OF_FAME}; may be "
-    f"given several times; {ALL}: the first three  [default: {', '.join(MAIN_JOB)}]",
+    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
+    f"alone; may be given several times; {ALL}: the first three  [default: {', '.join(MAIN_JOB)}]",
 )
 @click.option(
     "--learner",
@@ -138,18 +123,6 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
     metavar="INTEGER",
     help="generations of a race  [default: 30]",
 )
-@click.option(
-    "--against",
-    callback=opponent_of,
-    metavar="SCRIPT|RUN",
-    help=f"evolve one team alone against {', '.join(SCRIPTS)}, or the last generation of a run",
-)
-@click.option(
-    "--team",
-    type=click.Choice(TEAMS),
-    metavar="TEAM",
-    help="with --against: the team that learns  [default: pursuer]",
-)
 @seed_option
 @seeds_option
 @threads_option
@@ -157,24 +130,12 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
 @click.option(
     "--resume",
     "resumed",
+    type=click.Path(path_type=Path),
     metavar="DIR",
-    callback=resumed_of,
     help="continue the run, or all runs, in this directory",
 )
-@click.option(
-    "--set",
-    "sets",
-    multiple=True,
-    metavar="PATH=VALUE",
-    help="any other setting, such as learner.sigma=0.1; --help-all lists them; may be given "
-    "several times",
-)
-@click.option(
-    "--config",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="settings from a .toml file, or the config.json of a run; options replace them",
-)
+@set_option
+@config_option
 @click.option(
     "--variants",
     is_flag=True,
@@ -194,7 +155,6 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
-    seeds: tuple[int, ...] | None,
     threads: int | None,
     where: str | None,
     **options: Any,
@@ -204,8 +164,9 @@ def evolve_command(
     Without options: three races at equal numbers of training matches. In the first, each team
     learns against the newest opponents only (specialists), in the second against living ones and a
     hall of fame, in the third against all earlier generations (generalists). A race ends with a
-    payoff matrix, a judgement, scores against held-out opponents and figures. With --against one
-    team alone evolves against fixed opponents. With --seeds there is a run of each seed.
+    payoff matrix, a judgement, scores against held-out opponents and figures. With --schedule
+    against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
+    script, or the last generation of a run. With --seeds there is a run of each seed.
 
     OUTPUT is a new directory, which receives one run directory for each run:
     SCHEDULE/seed-NUMBER. The default is a directory in runs/, named after variant and seed. A run
@@ -220,94 +181,30 @@ def evolve_command(
     """
     given = given_options(options)
     with failures(), warnings_as_notes():
-        if resumed:
-            _refuse_settings(output, {**given, **({"seeds": seeds} if seeds else {})})
-            _play_old(resumed, threads, where)
+        if resumed is None:
+            job = _new_job(given)
+            root = _new_directory(output, _default_directory(job))
         else:
-            _refuse_seed(seeds, given)
-            _play_new(asked(given).settings(), seeds, output, threads, where)
+            _refuse_settings(resumed, output, given)
+            root, job = resumed, _found_job(resumed)
+        _check(job, root, threads, where)
+        with _resumable(root):
+            with on_cluster(where, threads, root, job.runs.values()) as executor:
+                results, failed = play_runs(job, root, threads, executor, new=resumed is None)
+            report(job, results, root, failed, threads)
+        if failed:
+            lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
+            raise click.ClickException(
+                f"{len(failed)} of {len(job.runs)} runs failed:{lines}\nTo try them again:\n"
+                f"  {resume_command(root)}"
+            )
 
 
-def _refuse_seed(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> None:
-    if seeds is not None and "seed" in given:
-        raise click.UsageError("--seeds: expected it without --seed, got both")
-
-
-def _play_new(
-    settings: list[RaceSettings],
-    seeds: tuple[int, ...] | None,
-    output: Path | None,
-    threads: int | None,
-    where: str | None,
-) -> None:
-    job = new_job(settings, seeds)
-    remote = _remote(job, where, threads)
-    root = _new_directory(output, _default_directory(job))
-    # Some settings can be checked only when opponents and start genomes have been read.
-    with usage_errors():
-        check_job(job, root, remote, threads)
-    with _resumable(root):
-        _play(job, root, threads, where, new=True)
-
-
-def _remote(job: Job, where: str | None, threads: int | None) -> Executor | None:
-    """Return an executor for checks if runs play on other machines; a single run cannot."""
-    if where is None:
-        return None
-    refuse_threads(where, threads)
-    if len(job.runs) == 1:
+def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) -> None:
+    if not can_resume(resumed):
         raise click.UsageError(
-            "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
+            f"--resume: expected a directory that holds a run, got {str(resumed)!r}"
         )
-    return Executor()
-
-
-def _play_old(root: Path, threads: int | None, where: str | None) -> None:
-    # The job is read inside the block: reading it may fail or take some time.
-    with _resumable(root):
-        job = _found_job(root)
-        remote = _remote(job, where, threads)
-        try:
-            check_job(job, root, remote, threads)
-        except ValueError as error:
-            # The package of a learner of the user's own may be missing, or have changed.
-            raise click.ClickException(str(error)) from error
-        _play(job, root, threads, where, new=False)
-
-
-def _play(job: Job, root: Path, threads: int | None, where: str | None, *, new: bool) -> None:
-    """Play a job, and report the results; exit code 1 if runs failed."""
-    with on_cluster(where, threads, root, job.runs.values()) as executor:
-        results, failed = play_runs(job, root, threads, executor, new=new)
-    report(job, results, root, failed, threads)
-    if failed:
-        lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
-        raise click.ClickException(
-            f"{len(failed)} of {len(job.runs)} runs failed:{lines}\nTo try them again:\n"
-            f"  {resume_command(root)}"
-        )
-
-
-@contextmanager
-def _resumable(root: Path) -> Iterator[None]:
-    """Tell the user how to continue after Ctrl-C, or an error such as a full disk.
-
-    An error in the code of the user's own learner keeps its traceback.
-    """
-    hint = f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}"
-    try:
-        yield
-    except KeyboardInterrupt:
-        if not can_resume(root):  # stopped before anything was made: the command itself is repeated
-            raise
-        note(hint)
-        raise click.exceptions.Exit(INTERRUPTED) from None
-    except (BrokenExecutor, OSError, PluginError):
-        note(hint)
-        raise
-
-
-def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
     names = [*(["OUTPUT"] if output else []), *map(option_name, given)]
     if names:
         raise click.UsageError(
@@ -316,28 +213,53 @@ def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
         )
 
 
+def _check(job: Job, root: Path, threads: int | None, where: str | None) -> None:
+    """Refuse a job that cannot be played, before anything is written or a cluster looked for."""
+    if where is not None and len(job.runs) == 1:
+        raise click.UsageError(
+            "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
+        )
+    # Some settings can be checked only when opponents and start genomes have been read; and the
+    # package of a learner of the user's own may be missing, or have changed.
+    with usage_errors():
+        check_job(job, root, None if where is None else Executor(), threads)
+
+
+@contextmanager
+def _resumable(root: Path) -> Iterator[None]:
+    """Tell the user how to continue after Ctrl-C, or an error such as a full disk.
+
+    An error in the code of the user's own learner keeps its traceback.
+    """
+    try:
+        yield
+    except (BrokenExecutor, KeyboardInterrupt, OSError, PluginError) as error:
+        if not can_resume(root):  # stopped before anything was made: the command itself is repeated
+            raise
+        note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")
+        if isinstance(error, KeyboardInterrupt):
+            raise click.exceptions.Exit(INTERRUPTED) from None
+        raise
+
+
 def _new_directory(output: Path | None, default: Path) -> Path:
     """Return the directory of new runs, and print it if it is not `output`."""
     root = output or default
     if root.exists():
-        _check_free(root)
+        try:
+            RunDirectory(root).check_empty()
+        except FileExistsError as error:
+            hint = (
+                f"; {resume_command(root)} continues the run in it, or prints its result again"
+                if can_resume(root)
+                else ""
+            )
+            raise click.UsageError(
+                f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
+            ) from error
     if output is None:
         note(f"Output directory: {root}")
     return root
-
-
-def _check_free(root: Path) -> None:
-    try:
-        RunDirectory(root).check_empty()
-    except FileExistsError as error:
-        hint = (
-            f"; {resume_command(root)} continues the run in it, or prints its result again"
-            if can_resume(root)
-            else ""
-        )
-        raise click.UsageError(
-            f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
-        ) from error
 
 
 # Jobs:
@@ -352,13 +274,17 @@ def _default_directory(job: Job) -> Path:
     return RUNS / f"{settings.variant}{what}-{named}"
 
 
-def new_job(settings: Sequence[RaceSettings], seeds: Sequence[int] | None) -> Job:
-    """Return the job of runs that options ask for: settings of different schedules, and seeds."""
+def _new_job(given: dict[str, Any]) -> Job:
+    """Return the job of the runs that options ask for, of several schedules and seeds."""
+    seeds = given.get("seeds")
+    if seeds is not None and "seed" in given:
+        raise click.UsageError("--seeds: expected it without --seed, got both")
     # The order in which find_runs finds them, so that --resume prints and draws the same.
-    ordered = sorted(settings, key=lambda each: place_in_job(each.schedule.name))
-    if seeds is None:
-        return job_of(ordered)
-    return job_of([replace(each, seed=seed) for each in ordered for seed in seeds])
+    settings = sorted(settings_of(given), key=lambda each: place_in_job(each.schedule.name))
+    if seeds is not None:
+        settings = [replace(each, seed=seed) for each in settings for seed in seeds]
+    with usage_errors():
+        return job_of(settings)
 
 
 def _found_job(root: Path) -> Job:

@@ -313,9 +313,9 @@ baseline_option = click.option(
     multiple=True,
     callback=_parsed,
     metavar="NAME=RUN",
-    help="a team that was trained in another way (evolve --against): its last generation plays "
-    "against the race's opponents, and is a level line in the figure of generalization. RUN may "
-    "hold a run for each seed of the races. May be repeated",
+    help="a team that was trained in another way (evolve --schedule against): its last generation "
+    "plays against the race's opponents, and is a level line in the figure of generalization. RUN "
+    "may hold a run for each seed of the races. May be repeated",
 )
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from matrixworld._util.checks import INT_MAX
 from matrixworld.analysis import all_results, describe, explain
 from matrixworld.analysis.report import measure_table
 from matrixworld.cli.advice import advice
@@ -16,7 +17,6 @@ from matrixworld.cli.groups import Group, groups_of, races_argument
 from matrixworld.cli.options import (
     force_option,
     json_option,
-    known_episodes_option,
     refuse_existing,
     write_json,
 )
@@ -31,7 +31,12 @@ SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ
 @click.option("--all", "everything", is_flag=True, help="all measures, after the judgement")
 @click.option("--each", is_flag=True, help="judge each run and each file by itself")
 @click.option("--explain", "explained", is_flag=True, help="reasons and numbers in sentences, too")
-@known_episodes_option
+@click.option(
+    "--episodes",
+    type=click.IntRange(1, INT_MAX),
+    metavar="INTEGER",
+    help="episodes behind each cell of a file that holds means only",
+)
 @json_option
 @force_option
 def judge_command(

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 import shlex
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -33,6 +35,19 @@ TYPED = "matrixworld.typed"
 def option_name(field_name: str) -> str:
     """Return the option of a settings field."""
     return "--" + field_name.replace("_", "-")
+
+
+class FiniteRange(click.FloatRange):
+    """A range of numbers that does not let nan pass."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """Return the number."""
+        number = float(super().convert(value, param, ctx))
+        if math.isnan(number):
+            self.fail(f"{value!r} is not a number", param, ctx)
+        return number
 
 
 def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
@@ -62,17 +77,12 @@ episodes_option = click.option(
     metavar="INTEGER",
     help="fresh episodes of each pair of opponents",
 )
-known_episodes_option = click.option(
-    "--episodes",
-    type=click.IntRange(1, INT_MAX),
-    metavar="INTEGER",
-    help="episodes behind each cell of a file that holds means only",
-)
 steps_option = click.option(
     "--steps",
     type=click.IntRange(1, INT_MAX),
     metavar="INTEGER",
-    help="most steps of an episode  [default: as in the evaluation of RUN, or 500]",
+    help="most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in a "
+    "class 100]",
 )
 threads_option = click.option(
     "--threads",
@@ -107,30 +117,28 @@ RANGE = r"\d{1,19}(-\d{1,19})?"
 def seeds_of(
     ctx: click.Context, param: click.Parameter, value: str | None
 ) -> tuple[int, ...] | None:
-    """Return the seeds that a text names, in its order."""
+    """Return the seeds that a text such as 0-9 or 0,3,5-7 names, in its order."""
     if value is None:
         return None
     if not re.fullmatch(f"{RANGE}(,{RANGE})*", value):
         raise click.BadParameter(f"expected seeds such as 0-9 or 0,3,5-7, got {value!r}")
     ends = [[int(end) for end in part.split("-")] for part in value.split(",")]
-    _check_ends([(part[0], part[-1]) for part in ends])
-    seeds = Counter(seed for part in ends for seed in range(part[0], part[-1] + 1))
+    ranges = [range(part[0], part[-1] + 1) for part in ends]
+    for each in ranges:
+        if not each:
+            last = each.stop - 1
+            raise click.BadParameter(f"expected the lower seed first, got {each.start}-{last}")
+        if each[-1] > MOST_SEED:
+            raise click.BadParameter(f"expected seeds from 0 to {MOST_SEED}, got {each[-1]}")
+    # Before any list is made: 0-9999999999 would fill the memory.
+    count = sum(each.stop - each.start for each in ranges)
+    if count > MOST_SEEDS:
+        raise click.BadParameter(f"expected at most {MOST_SEEDS:,} seeds, got {count:,}")
+    seeds = Counter(chain.from_iterable(ranges))
     [(seed, times)] = seeds.most_common(1)
     if times > 1:
         raise click.BadParameter(f"expected each seed once, got {seed} several times")
     return tuple(seeds)
-
-
-def _check_ends(ends: list[tuple[int, int]]) -> None:
-    for first, last in ends:
-        if first > last:
-            raise click.BadParameter(f"expected the lower seed first, got {first}-{last}")
-        if last > MOST_SEED:
-            raise click.BadParameter(f"expected seeds from 0 to {MOST_SEED}, got {last}")
-    count = sum(last - first + 1 for first, last in ends)
-    # Before any list is made: 0-9999999999 would fill the memory.
-    if count > MOST_SEEDS:
-        raise click.BadParameter(f"expected at most {MOST_SEEDS:,} seeds, got {count:,}")
 
 
 seeds_option = click.option(
@@ -162,12 +170,6 @@ cluster_option = click.option(
 )
 
 
-def refuse_threads(where: str | None, threads: int | None) -> None:
-    """Raise click.UsageError if ``--threads`` is given beside ``--cluster``."""
-    if where is not None and threads is not None:
-        raise click.UsageError("--threads: expected it without --cluster, got both")
-
-
 @contextmanager
 def on_cluster(
     where: str | None,
@@ -182,7 +184,8 @@ def on_cluster(
     if where is None:
         yield None
         return
-    refuse_threads(where, threads)
+    if threads is not None:
+        raise click.UsageError("--threads: expected it without --cluster, got both")
     alike = any(each.learner.rounds_by_processor for each in settings)
     try:
         with cluster(where, directory=directory, same_processors=alike, tell=note) as executor:
@@ -207,30 +210,36 @@ def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) ->
     raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
 
 
-variant_option = click.option(
-    "--variant",
-    type=click.types.FuncParamType(str.upper),
-    metavar="NAME",
-    help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
-)
+SPECIAL: dict[str, Callable[[Any], Any]] = {
+    "variant": click.option(
+        "--variant",
+        type=click.types.FuncParamType(str.upper),
+        metavar="NAME",
+        help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
+    ),
+    "obstacles": click.option(
+        "--obstacles",
+        callback=_obstacles,
+        metavar="DENSITY|FILE",
+        help="density of obstacles in [0, 1), or a MovingAI .map file",
+    ),
+    "diagonal": click.option("--diagonal/--no-diagonal", default=None, help=WORLD_HELP["diagonal"]),
+}
+"""Options of a world that are no integers."""
 
 
-def _integer(name: str) -> Callable[[AnyFunction], AnyFunction]:
-    return click.option(option_name(name), type=int, metavar="INTEGER", help=WORLD_HELP[name])
+def world_options(*names: str) -> Callable[[AnyFunction], AnyFunction]:
+    """Return what adds the options of these fields of a world to a command, in this order."""
 
+    def add(function: AnyFunction) -> AnyFunction:
+        for name in reversed(names):
+            option = SPECIAL.get(name) or click.option(
+                option_name(name), type=int, metavar="INTEGER", help=WORLD_HELP[name]
+            )
+            function = option(function)
+        return function
 
-rows_option, cols_option = _integer("rows"), _integer("cols")
-n_pursuers_option, n_evaders_option = _integer("n_pursuers"), _integer("n_evaders")
-obstacles_option = click.option(
-    "--obstacles",
-    callback=_obstacles,
-    metavar="DENSITY|FILE",
-    help="density of obstacles in [0, 1), or a MovingAI .map file",
-)
-fov_option = _integer("fov")
-diagonal_option = click.option(
-    "--diagonal/--no-diagonal", default=None, help=WORLD_HELP["diagonal"]
-)
+    return add
 
 
 # Values:

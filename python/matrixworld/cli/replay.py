@@ -11,15 +11,14 @@ import click
 from matrixworld._util.checks import INT_MAX, SEED_MAX
 from matrixworld.cli.arguments import failures, find_runs, run_of
 from matrixworld.cli.options import (
-    cols_option,
+    FiniteRange,
     force_option,
     given_options,
-    obstacles_option,
     option_name,
     refuse_existing,
-    rows_option,
     seed_option,
     steps_option,
+    world_options,
 )
 from matrixworld.coevolution import open_run
 from matrixworld.episodes import replay
@@ -50,13 +49,6 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
     for path in value:
         if path.suffix.lower() not in SUFFIXES:
             raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
-    return value
-
-
-def _fps(ctx: click.Context, param: click.Parameter, value: float) -> float:
-    # Not click.FloatRange, which lets nan pass.
-    if not SLOWEST <= value <= FASTEST:
-        raise click.BadParameter(f"expected {SLOWEST:g} to {FASTEST:g}, got {value:g}")
     return value
 
 
@@ -111,8 +103,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 @force_option
 @click.option(
     "--fps",
-    type=float,
-    callback=_fps,
+    type=FiniteRange(SLOWEST, FASTEST),
     default=10.0,
     show_default=True,
     metavar="NUMBER",
@@ -147,9 +138,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
-@rows_option
-@cols_option
-@obstacles_option
+@world_options("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
     out: tuple[Path, ...],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -153,7 +154,11 @@ def _print_next(groups: Sequence[Group], root: Path) -> None:
     if isinstance(schedule, Against):
         commands = [
             command("replay", path, "--out match.gif"),
-            command("evolve --against", path, f"--team {other(schedule.team)}"),
+            command(
+                "evolve --schedule against --set",
+                f"schedule.opponent={shlex.quote(str(path))}",
+                f"--set schedule.team={other(schedule.team)}",
+            ),
         ]
     else:
         generation = schedule.entries - 1

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import Field, dataclass, field, fields
+from dataclasses import Field, fields, replace
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, get_args
@@ -18,8 +18,9 @@ from typing import Any, get_args
 import click
 
 from matrixworld._util.files import load_toml
+from matrixworld.cli.arguments import run_in
 from matrixworld.cli.options import option_name
-from matrixworld.coevolution import SCHEDULES, RaceSettings
+from matrixworld.coevolution import SCHEDULES, Against, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
 from matrixworld.coevolution.sections import (
     WORLD_HELP,
@@ -30,6 +31,7 @@ from matrixworld.coevolution.sections import (
     sections_in,
 )
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import SCRIPTS
 
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
@@ -37,12 +39,12 @@ HINTS = hints_of(RaceSettings)
 
 PATHS = {
     "variant": "world.rules",
-    **{name: f"world.{name}" for name in WORLD_HELP if name not in ("rules", "rewards")},
-    "hidden": "policy.hidden",
+    "rows": "world.rows",
+    "cols": "world.cols",
+    "n_pursuers": "world.n_pursuers",
+    "n_evaders": "world.n_evaders",
     "learner": "learner",
     "generations": "schedule.generations",
-    "against": "schedule.opponent",
-    "team": "schedule.team",
     "seed": "seed",
 }
 """Options of their own, and the settings that they set."""
@@ -62,96 +64,123 @@ def parsed(text: str) -> Any:
     return text if isinstance(value, str | dict) else value
 
 
-def configured(path: Path) -> dict[str, Any]:
+def _pairs(
+    ctx: click.Context, param: click.Parameter, texts: Sequence[str]
+) -> list[tuple[str, Any]]:
+    """Return paths of settings with their values."""
+    pairs = []
+    for text in texts:
+        path, equals, value = text.partition("=")
+        if not equals or not path:
+            raise click.BadParameter(
+                f"expected PATH=VALUE, such as learner.sigma=0.1, got {text!r}"
+            )
+        pairs.append((path.strip(), parsed(value.strip())))
+    return pairs
+
+
+def _configured(ctx: click.Context, param: click.Parameter, path: Path | None) -> dict[str, Any]:
     """Return the settings in a file."""
+    if path is None:
+        return {}
     try:
         is_toml = path.suffix == ".toml"
         values = load_toml(path) if is_toml else json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, ValueError) as error:
-        raise click.UsageError(f"--config: expected TOML or JSON in {path}, got {error}") from error
+        raise click.BadParameter(f"expected TOML or JSON in {path}, got {error}") from error
     if not isinstance(values, dict):
-        raise click.UsageError(f"--config: expected settings by name in {path}")
+        raise click.BadParameter(f"expected settings by name in {path}")
     # The config.json of a run has more than the settings.
     inside = values.get("settings", values)
     return inside if isinstance(inside, dict) else values
 
 
-@dataclass(frozen=True)
-class Asked:
-    """Settings that a command line asks for.
+set_option = click.option(
+    "--set",
+    "sets",
+    multiple=True,
+    callback=_pairs,
+    metavar="PATH=VALUE",
+    help="any other setting, such as learner.sigma=0.1; evolve --help-all lists them; may be given "
+    "several times",
+)
+config_option = click.option(
+    "--config",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    callback=_configured,
+    metavar="FILE",
+    help="settings from a .toml file, or the config.json of a run; options replace them",
+)
 
-    `options` has those that were given, by their names in `PATHS`, and perhaps ``schedule``; `sets`
-    has paths of settings and their values.
+
+def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
+    """Return the settings of each run that options ask for; click.UsageError for a bad value.
+
+    `given` has values by the names in `PATHS`, and perhaps ``schedule``, several names; ``sets``,
+    paths and their values; and ``config``, the settings of a file.
     """
-
-    options: Mapping[str, Any] = field(default_factory=dict)
-    sets: Iterable[tuple[str, Any]] = ()
-    config: Path | None = None
-
-    def settings(self) -> list[RaceSettings]:
-        """Return the settings of each run; click.UsageError for a bad value."""
-        file = {} if self.config is None else configured(self.config)
-        changes: dict[str, Any] = {}
-        for name, path in PATHS.items():
-            if name in self.options and name != "schedule":
-                put(changes, path, self.options[name])
-        for path, value in self.sets:
-            put(changes, path, value)
-        if isinstance(changes.get("schedule"), str):
-            changes["schedule"] = {"kind": changes["schedule"]}
-        return [_made(file, each) for each in self._by_schedule(changes, file)]
-
-    def _by_schedule(
-        self, changes: Mapping[str, Any], file: Mapping[str, Any]
-    ) -> Iterator[dict[str, Any]]:
-        """Yield the changes for each run: what its own schedule lacks belongs to another one."""
-        given = changes.get("schedule", {})
-        names = self._schedules(given, file)
-        fields_of = {name: _names(sections_in(HINTS["schedule"])[name]) for name in names if name}
-        for name in names:
-            others = {each for other in fields_of.values() for each in other}
-            foreign = others - fields_of[name] if name else set()
-            kept = {key: value for key, value in given.items() if key not in foreign}
-            kind = {"kind": name} if name else {}
-            yield {**changes, **({"schedule": {**kept, **kind}} if kept or kind else {})}
-
-    def _schedules(self, given: Mapping[str, Any], file: Mapping[str, Any]) -> list[str]:
-        """Return the names of the schedules; "" for that of the file."""
-        named = self.options.get("schedule", ())
-        if "against" in self.options:
-            if named:
-                raise click.UsageError("--schedule: expected without --against only")
-            return ["against"]
-        if named:
-            wanted = [*SCHEDULES] if ALL in named else []
-            return list(dict.fromkeys([*wanted, *(name for name in named if name != ALL)]))
-        if "kind" in given:
-            return [str(given["kind"])] if given["kind"] in sections_in(HINTS["schedule"]) else [""]
-        if "team" in self.options:
-            raise click.UsageError("--team: expected together with --against only")
-        return [""] if "schedule" in file else list(MAIN_JOB)
-
-
-def asked(options: dict[str, Any]) -> Asked:
-    """Return what the given options of a command ask for."""
-    sets = []
-    for text in options.pop("sets", ()):
-        path, equals, value = text.partition("=")
-        if not equals or not path:
-            raise click.UsageError(
-                f"--set: expected PATH=VALUE, such as learner.sigma=0.1, got {text!r}"
-            )
-        sets.append((path.strip(), parsed(value.strip())))
-    return Asked(options, sets, options.pop("config", None))
-
-
-def _names(cls: type[Section]) -> set[str]:
-    return {item.name for item in fields(cls)}
-
-
-def _made(file: Mapping[str, Any], changes: Mapping[str, Any]) -> RaceSettings:
+    file: Mapping[str, Any] = given.get("config", {})
+    changes: dict[str, Any] = {}
+    for name, path in PATHS.items():
+        if name in given:
+            put(changes, path, given[name])
+    for path, value in given.get("sets", ()):
+        put(changes, path, value)
     with usage_errors():
-        return RaceSettings.from_json(merged(RaceSettings, file, changes), complete=False)
+        return [
+            _with_runs(RaceSettings.from_json(merged(RaceSettings, file, each), complete=False))
+            for each in _by_schedule(changes, given.get("schedule", ()), file)
+        ]
+
+
+def _by_schedule(
+    changes: Mapping[str, Any], named: Sequence[str], file: Mapping[str, Any]
+) -> Iterator[dict[str, Any]]:
+    """Yield the changes for each run: what its own schedule lacks belongs to another one."""
+    given = changes.get("schedule", {})
+    given = {"kind": given} if isinstance(given, str) else given
+    names = _schedules(named, given, file)
+    known = sections_in(HINTS["schedule"])
+    fields_of = {
+        name: {item.name for item in fields(known[name])} if name in known else set()
+        for name in names
+    }
+    every = set().union(*fields_of.values())
+    for name in names:
+        foreign = every - fields_of[name]
+        own = {key: value for key, value in given.items() if key not in foreign}
+        own |= {"kind": name} if name else {}
+        yield {**changes, **({"schedule": own} if own else {})}
+
+
+def _schedules(
+    named: Sequence[str], given: Mapping[str, Any], file: Mapping[str, Any]
+) -> list[str]:
+    """Return the names of the schedules, one for each run; "" for that of the file."""
+    if named:
+        wanted = [*(SCHEDULES if ALL in named else ()), *named]
+        return [name for name in dict.fromkeys(wanted) if name != ALL]
+    if "kind" in given:
+        return [str(given["kind"])]
+    return [""] if "schedule" in file else list(MAIN_JOB)
+
+
+def _with_runs(settings: RaceSettings) -> RaceSettings:
+    """Return the settings with the run itself where the directory of a job of one is given."""
+    schedule = settings.schedule
+    if not isinstance(schedule, Against):
+        return settings
+    runs: dict[str, Any] = {}
+    # A directory that has the name of a script can be given as ./random.
+    if schedule.opponent not in SCRIPTS:
+        expected = f"{', '.join(SCRIPTS)} or a run directory"
+        runs["opponent"] = str(run_in(schedule.opponent, "schedule.opponent", expected))
+    if schedule.start is not None:
+        runs["start"] = str(run_in(schedule.start, "schedule.start"))
+    return replace(settings, schedule=replace(schedule, **runs))
+
+
+# Messages:
 
 
 @contextmanager
@@ -169,8 +198,9 @@ def in_options(message: str) -> str:
     context = click.get_current_context(silent=True)
     options = {option.name for option in context.command.params} if context else set()
     # A `WorldConfig` names its fields without the section, and the rules by their variant.
-    names = {setting: name for name, setting in PATHS.items()}
-    name = names.get(path, names.get(f"world.{path}", path.removeprefix("world.")))
+    names = {setting.removeprefix("world."): name for name, setting in PATHS.items()}
+    field = path.removeprefix("world.")
+    name = names.get(field, field)
     if name in options and name != "learner":
         return f"{option_name(name)}{colon}{rest}"
     return message + _meant(path) if "expected one of the settings" in rest else message
@@ -179,7 +209,7 @@ def in_options(message: str) -> str:
 def _meant(path: str) -> str:
     """Return what may be meant by an unknown path: one of another kind, or with the same end."""
     titles: dict[str, list[str]] = {}
-    for title, rows in _help_sections():
+    for title, rows in _help_sections().items():
         for row, _ in rows:
             titles.setdefault(row.split()[0], []).append(title)
     if path in titles:
@@ -195,37 +225,32 @@ def option_of(path: str, value: Any) -> str:
     """Return the option of ``evolve`` that sets a setting to a value."""
     text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
     names = {setting: name for name, setting in PATHS.items()} | {"schedule": "schedule"}
-    named = path in names and names[path] not in ("obstacles", "fov", "diagonal", "hidden")
-    return f"{option_name(names[path])} {text}" if named else f"--set {path}={text}"
+    return f"{option_name(names[path])} {text}" if path in names else f"--set {path}={text}"
 
 
 # --help-all:
 
-
-def _help_sections() -> list[tuple[str, list[tuple[str, str]]]]:
-    """Return the sections of all settings: title, and rows of path with type, and text."""
-    world = [(f"world.{name}", f"{text}") for name, text in WORLD_HELP.items()]
-    sections: list[tuple[str, list[tuple[str, str]]]] = [("world", world)]
-    _add_sections(RaceSettings, "", "settings", sections)
-    return sections
+Rows = list[tuple[str, str]]
+"""Path with type, and help text, of each setting of a section."""
 
 
-def _add_sections(
-    cls: type[Section],
-    path: str,
-    title: str,
-    sections: list[tuple[str, list[tuple[str, str]]]],
-) -> None:
-    rows: list[tuple[str, str]] = []
-    sections.append((title, rows))
+def _help_sections() -> dict[str, Rows]:
+    """Return the sections of all settings by their titles."""
+    world = [(f"world.{name}", text) for name, text in WORLD_HELP.items()]
+    return {"world": world, **dict(_sections_of(RaceSettings, "", "settings"))}
+
+
+def _sections_of(cls: type[Section], path: str, title: str) -> Iterator[tuple[str, Rows]]:
+    """Yield a section and those in it: title and rows."""
+    rows: Rows = []
+    yield title, rows
     for item in fields(cls):
         hint, here = hints_of(cls)[item.name], f"{path}{item.name}"
         kinds = dict.fromkeys(sections_in(hint).values())
         if hint is WorldConfig or here == "schedule.evaders_meet":
             continue
         for each in kinds:
-            named = f"{here}={each.kind}" if each.kind else here
-            _add_sections(each, f"{here}.", named, sections)
+            yield from _sections_of(each, f"{here}.", f"{here}={each.kind}" if each.kind else here)
         if not kinds:
             rows.append((f"{here} {_type(hint)}", _text(item)))
 
@@ -265,7 +290,7 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         f"sections of a name. Installed learners: {', '.join(installed(LEARNER)) or 'none'}. "
         f"Installed opponent samplers: {', '.join(installed(OPPONENT)) or 'none'}."
     )
-    for title, rows in _help_sections():
+    for title, rows in _help_sections().items():
         if rows:
             with formatter.section(title):
                 formatter.write_dl(rows)
