@@ -16,6 +16,7 @@ WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
 @pytest.mark.parametrize(
     ("rates", "expected"),
     [
+        (np.empty((0, 2)), ()),
         ([OPEN] * 5, ()),
         ([WON] * 2, ()),
         ([WON] * 3, (Disengagement("pursuers", 1, 3),)),
@@ -34,13 +35,6 @@ def test_disengagement_takes_both_team_phases_three_generations_in_a_row(
     rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
 ) -> None:
     assert analysis.disengagements(rates) == expected
-
-
-def test_disengagement_before_the_first_generation_and_with_another_first() -> None:
-    assert analysis.disengagements(np.empty((0, 2))) == ()
-    assert analysis.disengagements([WON] * 3, first=7) == (Disengagement("pursuers", 7, 9),)
-    assert len(analysis.disengagements([WON] * 2, patience=2)[0]) == 2
-    assert analysis.disengagements([OPEN] * 3, high=0.2, low=0.1)[0].winner == "pursuers"
 
 
 def test_a_disengagement_names_the_team_that_needs_more_epochs() -> None:

@@ -7,7 +7,6 @@ of time, and it may saturate. A checkerboard contradicts every such order.
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -25,7 +24,6 @@ from matrixworld.analysis.intervals import (
 )
 from matrixworld.analysis.payoffs import (
     SHRINKAGE,
-    Mask,
     Rates,
     check_payoff,
     check_rates,
@@ -176,11 +174,28 @@ def checkerboards(
     matrix = check_payoff(payoff)
     require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
     require(level is None or 0.0 <= level <= 1.0, "a level in [0, 1] or None", level)
-    prefers = _prefers(matrix, margin, level)
+    wins = None if level is None else (matrix > level).astype(np.float64)
+    count = 0
     # One row at a time: all pairs of rows at once would take O(n^2 m^2) memory.
-    count = sum(_count_from(p, matrix, prefers, margin) for p in range(len(matrix) - 1))
+    for p in range(len(matrix) - 1):
+        found = _margins(matrix, p) > margin
+        if wins is not None:
+            found &= _margins(wins, p) > 0.0  # both better cells are wins, and both worse are not
+        count += int(np.count_nonzero(found))
     rows, columns = matrix.shape
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
+
+
+def _margins(matrix: Rates, p: int) -> Rates:
+    """Return by how much the better cells of row p with each later row exceed the worse ones.
+
+    Shape (later rows, m, m): the evaders that p beats, and those that the later row beats. Rows are
+    in one order and evaders in both, so each checkerboard is in one place.
+    """
+    row, later = matrix[p], matrix[p + 1 :]
+    margins: Rates = np.minimum(row[:, None], later[:, None, :])
+    margins -= np.maximum(row, later[:, :, None])
+    return margins
 
 
 def clear_checkerboards(matrix: Rates) -> Checkerboards:
@@ -189,27 +204,6 @@ def clear_checkerboards(matrix: Rates) -> Checkerboards:
     Races cycle at low capture rates, too, where no cell crosses one half.
     """
     return checkerboards(thinned(matrix), margin=MARGIN, level=None)
-
-
-def _prefers(matrix: Rates, margin: float, level: float | None) -> Mask:
-    """Return ``[p, a, b]``: p beats a and not b by the margin; bool, shape (n, m, m)."""
-    # Two of the four margins compare cells of one row, so they serve all pairs of rows.
-    prefers: Mask = matrix[:, :, None] - matrix[:, None, :] > margin
-    if level is not None:
-        wins = matrix > level
-        prefers &= wins[:, :, None] & ~wins[:, None, :]
-    return prefers
-
-
-def _count_from(p: int, matrix: Rates, prefers: Mask, margin: float) -> int:
-    """Count checkerboards of row p with later rows, over ordered pairs of columns (e1, e2)."""
-    # Columns are ordered and rows are not: each checkerboard is found under one naming only.
-    after = slice(p + 1, None)
-    p_leads = matrix[p] - matrix[after] > margin  # (rows, e1)
-    p_trails = matrix[after] - matrix[p] > margin  # (rows, e2)
-    found = prefers[p] & prefers[after].transpose(0, 2, 1)
-    found &= p_leads[:, :, None] & p_trails[:, None, :]
-    return int(np.count_nonzero(found))
 
 
 def strongest_checkerboards(
@@ -224,8 +218,12 @@ def strongest_checkerboards(
     matrix = check_payoff(payoff)
     require(count >= 0, "a count of at least 0", count)
     require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
-    pairs = itertools.combinations(range(len(matrix)), 2)
-    boards = sorted((_strongest_of(matrix, p, q) for p, q in pairs), key=lambda b: -b.margin)
+    boards = []
+    for p in range(len(matrix) - 1):
+        for q, margins in enumerate(_margins(matrix, p), p + 1):
+            best = divmod(int(margins.argmax()), len(margins))
+            boards.append(Checkerboard((p, q), best, float(margins[best])))
+    boards.sort(key=lambda board: -board.margin)
     chosen: list[Checkerboard] = []
     for board in boards:
         if board.margin <= margin or len(chosen) == count:
@@ -233,15 +231,6 @@ def strongest_checkerboards(
         if all(_in_common(board, other) <= 2 for other in chosen):
             chosen.append(board)
     return tuple(chosen)
-
-
-def _strongest_of(matrix: Rates, p: int, q: int) -> Checkerboard:
-    """Return the checkerboard of two rows with the largest margin, which may be negative."""
-    better = np.minimum(matrix[p][:, None], matrix[q])  # (evaders of p, evaders of q)
-    worse = np.maximum(matrix[p], matrix[q][:, None])
-    margins = better - worse
-    a, b = np.unravel_index(int(margins.argmax()), margins.shape)
-    return Checkerboard((p, q), (int(a), int(b)), float(margins[a, b]))
 
 
 def _in_common(one: Checkerboard, other: Checkerboard) -> int:

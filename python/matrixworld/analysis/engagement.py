@@ -6,7 +6,6 @@ It is measured over generations (which team wins both team phases) and within on
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
 from typing import NamedTuple
@@ -66,14 +65,7 @@ class Undecided(NamedTuple):
         return self.beaten_by_all + self.beaten_by_none
 
 
-def disengagements(
-    rates: ArrayLike,
-    *,
-    first: int = 1,
-    high: float = PURSUERS_WIN,
-    low: float = EVADERS_WIN,
-    patience: int = PATIENCE,
-) -> tuple[Disengagement, ...]:
+def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
     """Find the longest stretches of generations in which one team wins both team phases.
 
     They come in order; the last one has not ended if its `last` is the newest generation.
@@ -81,21 +73,28 @@ def disengagements(
     Parameters
     ----------
     rates : array_like of float, shape (K, 2)
-        Capture rate after the pursuers' and after the evaders' team phase of generations `first`,
-        ``first + 1``, ... A matrix gives them by `team_phase_rates`, a training log during the
-        race. K may be 0, before the first generation.
-    first : int, optional
-        Generation of the first row.
-    high, low : float, optional
-        Pursuers win a team phase with a capture rate above `high`, evaders with one below `low`.
-    patience : int, optional
-        Fewest generations of a stretch.
+        Capture rate after the pursuers' and after the evaders' team phase of generations 1, 2, ...
+        A matrix gives them by `team_phase_rates`, a training log during the race. K may be 0,
+        before the first generation.
+
+    Notes
+    -----
+    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. A stretch
+    has at least 3 generations.
     """
-    require(low < high, "low < high", f"low {low} and high {high}")
-    require(patience >= 1, "a patience of at least 1 generation", patience)
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
-    winners = _winners(_check_team_phases(rates), high, low)
-    return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
+    winners = (
+        "pursuers" if min(pair) > PURSUERS_WIN else "evaders" if max(pair) < EVADERS_WIN else None
+        for pair in _check_team_phases(rates).tolist()
+    )
+    found, first = [], 1
+    # Groups of equal winners; None, a contested generation, ends a stretch.
+    for winner, group in groupby(winners):
+        after = first + len(list(group))
+        if winner is not None and after - first >= PATIENCE:
+            found.append(Disengagement(winner, first, after - 1))
+        first = after
+    return tuple(found)
 
 
 def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimate:
@@ -181,20 +180,3 @@ def _check_team_phases(rates: ArrayLike) -> Rates:
     array = check_rates(rates, ndim=2, what="team phase capture rates")
     require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
     return array
-
-
-def _winners(rates: Rates, high: float, low: float) -> list[str | None]:
-    return [
-        "pursuers" if min(pair) > high else "evaders" if max(pair) < low else None
-        for pair in rates.tolist()
-    ]
-
-
-def _stretches(winners: list[str | None], first: int) -> Iterator[Disengagement]:
-    generation = first
-    # Groups of equal winners; None, a contested generation, ends a stretch.
-    for winner, group in groupby(winners):
-        length = len(list(group))
-        if winner is not None:
-            yield Disengagement(winner, generation, generation + length - 1)
-        generation += length

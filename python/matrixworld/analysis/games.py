@@ -290,9 +290,7 @@ def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -
     return Exploitability(max(0.0, rate - lowest), max(0.0, highest - rate))
 
 
-def response_gain(
-    before: ArrayLike, after: ArrayLike, *, budget: int, rng: np.random.Generator | int = 0
-) -> ResponseGain:
+def response_gain(before: ArrayLike, after: ArrayLike, *, budget: int) -> ResponseGain:
     """Return a lower bound of a champion's exploitability from a response evolved against it.
 
     A lower bound, because a longer search may find a better response.
@@ -306,14 +304,12 @@ def response_gain(
         episodes of its selection are too high.
     budget : int
         Matches spent on evolving the response, at least 1.
-    rng : numpy.random.Generator or int, optional
-        As for `difference_over_episodes`.
     """
     require(budget >= 1, "a budget of at least 1 match", budget)
     old = check_rates(before, ndim=1, what="scores before")
     new = check_rates(after, ndim=1, what="scores after")
     # Both score lists come from independent episodes; they need not have the same length.
-    return ResponseGain(difference_over_episodes(new, old, rng=rng), budget)
+    return ResponseGain(difference_over_episodes(new, old), budget)
 
 
 def _check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
@@ -420,21 +416,19 @@ def _transitions(matrix: Rates, alpha: float, population: int) -> Rates:
     # [g, h, g']: gain of pursuers g' over g; [g, h, h']: gain of evaders h' over h.
     pursuers = matrix.T[None, :, :] - matrix[:, :, None]
     evaders = matrix[:, :, None] - matrix[:, None, :]
+
+    def rate(gain: Rates) -> Rates:
+        # A positive rate between all neighbours keeps the chain irreducible: one solution.
+        return np.maximum(fixation_probability(gain, alpha=alpha, population=population), _RAREST)
+
     for h in range(columns):
-        chain[:, h, :, h] = _rate(pursuers[:, h], alpha, population)
+        chain[:, h, :, h] = rate(pursuers[:, h])
     for g in range(rows):
-        chain[g, :, g, :] = _rate(evaders[g], alpha, population)
+        chain[g, :, g, :] = rate(evaders[g])
     flat: Rates = eta * chain.reshape(matrix.size, matrix.size)
     # The elimination never uses the probability to stay.
     np.fill_diagonal(flat, 0.0)
     return flat
-
-
-def _rate(gain: Rates, alpha: float, population: int) -> Rates:
-    rate = fixation_probability(gain, alpha=alpha, population=population)
-    # A positive rate between all neighbours keeps the chain irreducible, so its solution is unique.
-    floored: Rates = np.maximum(rate, _RAREST)
-    return floored
 
 
 def _stationary(chain: Rates) -> Rates:

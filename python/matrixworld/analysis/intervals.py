@@ -158,10 +158,8 @@ def difference_of_runs(
     paired : bool, optional
         Whether entry i of both groups belongs together, for example through the same seed. The
         default is independent groups, whose variances may differ (Welch).
-    level : float, optional
-        Confidence level, in (0, 1).
-    bounds : tuple of float, optional
-        Smallest and largest possible difference; the interval is clipped to them.
+    level, bounds : optional
+        As for `interval_over_runs`.
 
     References
     ----------
@@ -235,9 +233,7 @@ def band_over_runs(
 # ---- Over the episodes of one run ---------------------------------------------------------------
 
 
-def mean_over_episodes(
-    scores: ArrayLike, *, level: float = LEVEL, rng: np.random.Generator | int = 0
-) -> Estimate:
+def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the mean of scores in [0, 1] with an interval that needs no other assumption.
 
     Parameters
@@ -246,8 +242,6 @@ def mean_over_episodes(
         Scores in [0, 1] of independent episodes, at least two.
     level : float, optional
         Confidence level, in (0, 1).
-    rng : numpy.random.Generator or int, optional
-        Generator or seed of the drawn weights.
 
     Notes
     -----
@@ -263,17 +257,11 @@ def mean_over_episodes(
     of a bounded random variable".
     """
     array = _check_scores(scores, level)
-    low, high = _ends_of_mean(array, level, rng)
+    low, high = _ends_of_mean(array, level)
     return Estimate(float(array.mean()), low, high, "episodes", len(array))
 
 
-def difference_over_episodes(
-    one: ArrayLike,
-    other: ArrayLike,
-    *,
-    level: float = LEVEL,
-    rng: np.random.Generator | int = 0,
-) -> Estimate:
+def difference_over_episodes(one: ArrayLike, other: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the difference of two means of scores in [0, 1] with an interval over episodes.
 
     The squared distances of both means from the ends of their own intervals are added, as Newcombe
@@ -286,12 +274,10 @@ def difference_over_episodes(
         Scores in [0, 1] of independent episodes, at least two of each.
     level : float, optional
         Confidence level, in (0, 1).
-    rng : numpy.random.Generator or int, optional
-        As for `mean_over_episodes`.
     """
     first, second = _check_scores(one, level), _check_scores(other, level)
     means = float(first.mean()), float(second.mean())
-    ends = [_ends_of_mean(each, level, rng) for each in (first, second)]
+    ends = [_ends_of_mean(each, level) for each in (first, second)]
     difference = means[0] - means[1]
     low = difference - math.hypot(means[0] - ends[0][0], ends[1][1] - means[1])
     high = difference + math.hypot(ends[0][1] - means[0], means[1] - ends[1][0])
@@ -315,10 +301,8 @@ def linear_over_episodes(
     measure : callable
         Takes a matrix (n, m) and returns a weighted sum of its cells plus a constant, such as a
         mean or a difference of means.
-    level : float, optional
-        Confidence level, in (0, 1).
-    bounds : tuple of float, optional
-        Smallest and largest possible value; the interval is clipped to them.
+    level, bounds : optional
+        As for `interval_over_runs`.
 
     Notes
     -----
@@ -360,12 +344,10 @@ def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> 
     return pursuers, evaders
 
 
-def _ends_of_mean(
-    scores: Rates, level: float, rng: np.random.Generator | int
-) -> tuple[float, float]:
+def _ends_of_mean(scores: Rates, level: float) -> tuple[float, float]:
     values, counts = np.unique(scores, return_counts=True)
     # Weights of equal scores add up: a gamma variable for each value instead of each episode.
-    generator = np.random.default_rng(rng)
+    generator = np.random.default_rng(0)
     drawn: Any = generator.standard_gamma(counts, (DRAWS, len(counts)))
     extra = generator.standard_exponential(DRAWS)
     known, total = drawn @ values, drawn.sum(axis=1) + extra
@@ -410,7 +392,9 @@ def rate_intervals(
     """
     n, rng = len(counts), np.random.default_rng(seed)
     c = counts.reshape(n, -1).astype(float)
-    s = np.broadcast_to(_by_kind(agent_steps, counts.ndim), counts.shape).reshape(n, -1)
+    # Agent-steps lack the other axes and the kinds: a length of 1 there.
+    by_team = agent_steps.reshape(n, *(1,) * (counts.ndim - 3), 2, 1).astype(float)
+    s = np.broadcast_to(by_team, counts.shape).reshape(n, -1)
     data = np.concatenate([c, s, c * c, c * s, s * s], axis=1)
     draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(RESAMPLES_OF_RATES))
     # One draw is how often each episode occurs in a resample: a product sums the whole resample.
@@ -418,12 +402,6 @@ def rate_intervals(
     ends = _ends(*_rates_and_errors(sums.reshape(len(sums), 5, -1)))
     ends[:, ((c > 0).sum(axis=0) < COLLIDING_FOR_RATES) | (n < EPISODES_FOR_RATES)] = np.nan
     return np.asarray(1000 * ends.T.reshape(*counts.shape[1:], 2))
-
-
-def _by_kind(agent_steps: NDArray[np.int64], ndim: int) -> NDArray[np.float64]:
-    """Return agent-steps (episodes, 2) with axes of length 1 for all other axes of the counts."""
-    shape = (len(agent_steps), *(1,) * (ndim - 3), 2, 1)
-    return agent_steps.reshape(shape).astype(float)
 
 
 def _rates_and_errors(sums: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -441,11 +419,8 @@ def _ends(rates: NDArray[Any], errors: NDArray[Any]) -> NDArray[np.float64]:
         t = (rates[1:] - rates[0]) / errors[1:]
         t[np.isnan(t)] = 0.0
         # Without interpolation, which has no result between two infinities.
-        ends = (
-            rates[0]
-            - np.quantile(t, ((1 + LEVEL) / 2, (1 - LEVEL) / 2), axis=0, method="nearest")
-            * errors[0]
-        )
+        tails = (1 + LEVEL) / 2, (1 - LEVEL) / 2
+        ends = rates[0] - np.quantile(t, tails, axis=0, method="nearest") * errors[0]
     return np.asarray(np.clip(ends, 0.0, 1.0))
 
 

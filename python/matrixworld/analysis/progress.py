@@ -189,23 +189,19 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
     return LagProfile(lags, means, np.array([len(diagonal) for diagonal in diagonals]))
 
 
-def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
+def lag_rise(matrix: Rates) -> float:
     """Return how much better later pursuers do than earlier ones, in [-1, 1].
 
-    Lag profile at ``+lag`` minus lag profile at ``-lag``; the lag is a third of the generations
-    unless it is given. Swapping the teams gives the same number.
+    Lag profile at ``+rise_lag`` minus lag profile at ``-rise_lag``, for at least 2 x 2 generations.
+    Swapping the teams gives the same number.
     """
-    matrix = check_payoff(payoff)
-    shortest = min(matrix.shape)
-    lag = default_rise_lag(shortest) if lag is None else lag
-    require(1 <= lag < shortest, f"a lag from 1 to {shortest - 1}", lag)
     # Both lags have the same number of cells in a square matrix, so both means are equally noisy.
-    profile = lag_profile(matrix)
+    profile, lag = lag_profile(matrix), rise_lag(min(matrix.shape))
     return profile.at(lag) - profile.at(-lag)
 
 
 # Long enough for strength to grow by more than noise, short enough to leave many cells.
-def default_rise_lag(generations: int) -> int:
+def rise_lag(generations: int) -> int:
     """Return a third of the generations, rounded down, at least 1."""
     return max(1, generations // 3)
 
@@ -229,21 +225,19 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
     return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
 
 
-def swing(payoff: ArrayLike, start: int | None = None) -> float:
+def swing(matrix: Rates) -> float:
     """Return how much the capture rate changes on average in the evaders' team phase.
 
-    Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations ``k >= start``; the default start, a
-    quarter of the generations, leaves out the untrained ones. Pursuers learn first in a generation,
-    so swapping the teams gives another number.
+    Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations ``k >= swing_start``, for at least 2 x 2
+    generations. Pursuers learn first in a generation, so swapping the teams gives another number.
     """
-    rates = team_phase_rates(payoff)
-    # Row k - 1 belongs to generation k, hence one more generation than rows.
-    start = default_swing_start(len(rates) + 1) if start is None else start
-    require(1 <= start <= len(rates), f"a start from 1 to {len(rates)}", start)
-    return float(np.abs(rates[start - 1 :, 0] - rates[start - 1 :, 1]).mean())
+    # Row k - 1 belongs to generation k.
+    rates = team_phase_rates(matrix)[swing_start(min(matrix.shape)) - 1 :]
+    return float(np.abs(rates[:, 0] - rates[:, 1]).mean())
 
 
-def default_swing_start(generations: int) -> int:
+# The first generations are untrained.
+def swing_start(generations: int) -> int:
     """Return a quarter of the generations, rounded up, at least 1."""
     return max(1, -(-generations // 4))
 

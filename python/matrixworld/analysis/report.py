@@ -19,8 +19,6 @@ from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, r
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.progress import (
     ciao,
-    default_rise_lag,
-    default_swing_start,
     dominance_tournament,
     generalization,
     global_progress,
@@ -28,7 +26,9 @@ from matrixworld.analysis.progress import (
     lag_profile,
     lag_rise,
     local_progress,
+    rise_lag,
     swing,
+    swing_start,
     team_phase_rates,
 )
 from matrixworld.analysis.ratings import elo
@@ -331,7 +331,7 @@ def _checkerboards(late: Rates) -> str:
 
 def _swing(matrix: Rates) -> str:
     return (
-        f"From generation {default_swing_start(min(matrix.shape))} on, the capture rate of the "
+        f"From generation {swing_start(min(matrix.shape))} on, the capture rate of the "
         "same pursuers against the evaders of one generation and of the previous one differs by "
         f"{swing(matrix):.2f} on average."
     )
@@ -343,7 +343,7 @@ def _lags(matrix: Rates) -> str:
     inside = [lag for lag in HEADLINE_LAGS if profile.lags[0] <= lag <= profile.lags[-1]]
     means = ", ".join(f"{f'{lag:+d}' if lag else 0}: {profile.at(lag):.2f}" for lag in inside)
     # The lag is a third of the run, so it is 1 in short runs.
-    rise = default_rise_lag(min(matrix.shape))
+    rise = rise_lag(min(matrix.shape))
     return (
         f"Capture rate by lag (pursuer minus evader generation): {means}. At a lag of "
         f"+{rise} generation{'' if rise == 1 else 's'} it differs from a lag of -{rise} by "

@@ -181,7 +181,7 @@ def conflict_outcomes(*, title: str = "Conflicts and their outcomes") -> Figure:
         "removed": Line2D([], [], marker="x", markeredgewidth=2, **_MARK),
         "had to stay": Line2D([], [], marker="o", markerfacecolor="none", **_MARK),
     }
-    legend_below(figure, [*marks.values()], [*marks])
+    legend_below(figure, marks)
     figure.suptitle(fitting(figure, title))
     return figure
 
@@ -452,7 +452,7 @@ def interaction_models(*, title: str = "One round of the three interaction model
         "state before and after the round": Patch(facecolor=colors.INK),
         "state between two turns": Patch(facecolor=colors.PAPER, edgecolor=colors.INK),
     }
-    legend_below(figure, [*entries.values()], [*entries])
+    legend_below(figure, entries)
     figure.suptitle(fitting(figure, title))
     return figure
 

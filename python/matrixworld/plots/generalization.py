@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,21 +12,14 @@ from numpy.typing import ArrayLike
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.analysis.payoffs import Rates, check_rates
-from matrixworld.plots.style import (
-    DASHES,
-    check_some,
-    draw_band,
-    fitting,
-    legend_below,
-    new_figure,
-    unit_axis,
-    whole_numbers,
-    wrapped,
-)
+from matrixworld.plots import style
 
 Baselines = Mapping[str, Mapping[str, ArrayLike]]
 """Scores (seeds,) of teams that were trained in another way, by race and by their name."""
 
+TEAMS = ("pursuer", "evader")
+SCORES = ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)")
+OVER_SEEDS = "95% interval of the mean over seeds"
 NAME = 28
 """Characters of a line of a race's name."""
 
@@ -54,14 +47,14 @@ def generalization_curves(
         Each is drawn as a level line with its name.
     title : str, optional
     """
-    figure = new_figure(6.4, 4.2)
+    figure = style.new_figure(6.4, 4.2)
     axes = figure.add_subplot()
     draw_generalization(axes, payoff, per_episode)
     for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
         each = {name: [score] for name, score in baselines.items()}
         _draw_baselines(axes, each, colors.TEAMS[team])
-    axes.set_title(fitting(figure, title))
-    legend_below(figure, *axes.get_legend_handles_labels())
+    axes.set_title(style.fitting(figure, title))
+    style.legend_below(figure, style.labelled(axes))
     return figure
 
 
@@ -84,41 +77,30 @@ def generalization_over_seeds(
         is a level line at its mean, and a band for its interval.
     title : str, optional
     """
-    check_some(payoffs, "race")
+    style.check_some(payoffs, "race")
     baselines = (pursuer_baselines or {}, evader_baselines or {})
     for name in [name for team in baselines for name in team if name not in payoffs]:
         raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
-    figure = new_figure(max(5.6, 1.0 + 3.6 * len(payoffs)), 4.4)
+    figure = style.new_figure(max(5.6, 1.0 + 3.6 * len(payoffs)), 4.4)
     panels = figure.subplots(1, len(payoffs), sharey=True, squeeze=False)[0]
     for axes, (name, matrices) in zip(panels, payoffs.items(), strict=True):
-        _draw_race(axes, list(matrices), [team.get(name, {}) for team in baselines])
-        axes.set_title(wrapped(name, NAME), size="medium", fontweight="bold")
+        bands = analysis.race_bands(matrices)
+        draw_teams(axes, (bands[f"{team}_generalization"] for team in TEAMS), OVER_SEEDS)
+        style.unit_axis(axes)
+        for team, color in zip(baselines, colors.TEAMS, strict=True):
+            _draw_baselines(axes, team.get(name, {}), color)
+        axes.set_title(style.wrapped(name, NAME), size="medium", fontweight="bold")
     panels[0].set_ylabel("mean score (0 to 1)")
-    entries = {
-        label: handle
-        for axes in panels
-        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)
-    }
-    legend_below(figure, [*entries.values()], [*entries], columns=2)
-    figure.suptitle(fitting(figure, title))
+    style.legend_below(figure, style.labelled(*panels))
+    figure.suptitle(style.fitting(figure, title))
     return figure
-
-
-def _draw_race(
-    axes: Axes, matrices: list[ArrayLike], baselines: list[Mapping[str, ArrayLike]]
-) -> None:
-    bands = analysis.race_bands(matrices)
-    teams = [bands["pursuer_generalization"], bands["evader_generalization"]]
-    _draw_teams(axes, teams, "95% interval of the mean over seeds")
-    for color, team in zip(colors.TEAMS, baselines, strict=True):
-        _draw_baselines(axes, team, color)
 
 
 def _draw_baselines(axes: Axes, baselines: Mapping[str, ArrayLike], color: str) -> None:
     for index, (name, scores) in enumerate(baselines.items()):
         values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
         level = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
-        dashes = DASHES[index % len(DASHES)]
+        dashes = style.DASHES[index % len(style.DASHES)]
         axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
         if level.low is not None and level.high is not None:
             axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
@@ -138,19 +120,21 @@ def draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> Non
     bands = [analysis.band_over_runs([curve]) for curve in curves]
     if per_episode and np.shape(payoff)[2] >= 2:
         bands = [*analysis.generalization_over_episodes(payoff)]
-    _draw_teams(axes, bands, "95% interval over episodes")
+    draw_teams(axes, bands, "95% interval over episodes")
     axes.set_ylabel("mean score")
+    style.unit_axis(axes)
 
 
-def _draw_teams(axes: Axes, bands: Sequence[analysis.Band], interval: str) -> None:
-    """Draw the curves of both teams, and the intervals if they have some."""
-    labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
-    for band, color, label in zip(bands, colors.TEAMS, labels, strict=True):
-        draw_band(axes, band, color, "-", label=label)
-    if bands[0].low is not None:
+def draw_teams(
+    axes: Axes, bands: Iterable[analysis.Band], interval: str, *, evaders: str = "-"
+) -> None:
+    """Draw the curves of both teams, and the intervals if they have some; `evaders` is a style."""
+    looks = zip(bands, colors.TEAMS, ("-", evaders), SCORES, strict=True)
+    for band, color, line, label in looks:
+        style.draw_band(axes, band, color, line, label=label)
+    if band.low is not None:
         # An empty band for the legend, whose entry is of both teams.
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
     axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(whole_numbers(6))
+    axes.xaxis.set_major_locator(style.whole_numbers(6))
     axes.margins(x=0.02)
-    unit_axis(axes)

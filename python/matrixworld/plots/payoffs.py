@@ -17,18 +17,8 @@ from numpy.typing import ArrayLike
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.analysis.payoffs import Rates
+from matrixworld.plots import style
 from matrixworld.plots.generalization import draw_generalization, mean_of
-from matrixworld.plots.style import (
-    check_some,
-    columns_of_three,
-    fitting,
-    legend_below,
-    new_figure,
-    rows_of,
-    unit_axis,
-    whole_numbers,
-    wrapped,
-)
 
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
@@ -55,10 +45,10 @@ def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against
     title : str, optional
     """
     rows, columns = analysis.check_payoff(payoff).shape
-    figure = new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
+    figure = style.new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
     axes = figure.add_subplot()
     image = _draw_heatmap(axes, payoff)
-    axes.set_title(fitting(figure, title))
+    axes.set_title(style.fitting(figure, title))
     figure.colorbar(image, ax=axes, label=_SCALE, shrink=0.9)
     return figure
 
@@ -75,10 +65,10 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     payoff : array_like of float, shape (n, m)
     title : str, optional
     """
-    figure = new_figure(6.4, 4.2)
+    figure = style.new_figure(6.4, 4.2)
     axes = figure.add_subplot()
     _draw_lag_profile(axes, payoff)
-    axes.set_title(fitting(figure, title))
+    axes.set_title(style.fitting(figure, title))
     return figure
 
 
@@ -101,7 +91,7 @@ def ciao_triangles(
     title : str, optional
     """
     triangles = analysis.ciao(payoff)
-    figure = new_figure(7.4, 3.8)
+    figure = style.new_figure(7.4, 3.8)
     panels = figure.subplots(1, 2)
     for axes, triangle, name, other, color in zip(
         panels, triangles, names, names[::-1], colors.TEAMS, strict=True
@@ -111,7 +101,7 @@ def ciao_triangles(
         axes.set_title(f"wins of {name}", color=color)
         axes.spines[["top", "right"]].set_visible(False)
     figure.colorbar(image, ax=list(panels), label="payoff (0 loses, 1 wins)", shrink=0.9)
-    figure.suptitle(fitting(figure, title))
+    figure.suptitle(style.fitting(figure, title))
     return figure
 
 
@@ -137,10 +127,10 @@ def comparison(
         Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
     title : str, optional
     """
-    check_some(payoffs, "race")
-    lines, columns = rows_of(len(payoffs), COLUMNS)
-    figure = new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
-    panels = columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.7, 1.0, 1.0))
+    style.check_some(payoffs, "race")
+    lines, columns = style.rows_of(len(payoffs), COLUMNS)
+    figure = style.new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
+    panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.7, 1.0, 1.0))
     for column, payoff in zip(panels, payoffs.values(), strict=True):
         _draw_race(column, payoff, per_episode)
     means = {name: mean_of(payoff, per_episode) for name, payoff in payoffs.items()}
@@ -166,8 +156,7 @@ def _share_legends(figure: Figure, panels: Sequence[Sequence[Axes]], columns: in
         # The scales are shared, so one label per row is enough.
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
-    handles, labels = panels[0][2].get_legend_handles_labels()
-    legend_below(figure, handles, labels, columns=min(columns, 3))
+    style.legend_below(figure, style.labelled(panels[0][2]), columns=min(columns, 3))
 
 
 def _draw_race(column: Sequence[Axes], payoff: ArrayLike, per_episode: bool) -> None:
@@ -194,7 +183,7 @@ def _write_heads(
     # The names of all races are at the same height.
     lines = 1 + max(map(len, verdicts.values()))
     for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
-        axes.set_title(wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + LINE * lines)
+        axes.set_title(style.wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + LINE * lines)
         _write_above(axes, _numbers(payoff), 5, "small")
         _write_above(axes, "\n".join(verdicts[name]), 5 + LINE, "medium")
 
@@ -227,7 +216,7 @@ def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
 
 def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(whole_numbers(6))
+        axis.set_major_locator(style.whole_numbers(6))
     return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
 
 
@@ -249,9 +238,9 @@ def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
     axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     axes.set(xlabel="lag: pursuer minus evader generation", ylabel="mean capture rate")
-    axes.xaxis.set_major_locator(whole_numbers(8))
+    axes.xaxis.set_major_locator(style.whole_numbers(8))
     axes.margins(x=0.02)
-    unit_axis(axes)
+    style.unit_axis(axes)
     aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
     axes.text(0.02, 0.97, "evaders are later", ha="left", va="top", **aside)
     axes.text(0.98, 0.03, "pursuers are later", ha="right", va="bottom", **aside)

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -19,22 +18,8 @@ from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS, Band, Judgement
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import Rates, check_rates
-from matrixworld.plots.style import (
-    DASHES,
-    LINES,
-    MOST_LINES,
-    check_some,
-    columns_of_three,
-    draw_band,
-    fitting,
-    legend_below,
-    new_figure,
-    plain_axis,
-    rows_of,
-    unit_axis,
-    whole_numbers,
-    wrapped,
-)
+from matrixworld.plots import style
+from matrixworld.plots.generalization import OVER_SEEDS, TEAMS, draw_teams
 
 WIDEST = 26
 """Characters of a line of a group's name."""
@@ -63,23 +48,25 @@ def run_dots(
         What a dot stands for.
     title : str, optional
     """
-    check_some(groups)
-    figure = new_figure(6.6, 1.5 + 0.5 * len(groups))
+    style.check_some(groups)
+    figure = style.new_figure(6.6, 1.5 + 0.5 * len(groups))
     axes = figure.add_subplot()
     for row, values in enumerate(groups.values()):
         _draw_dots(axes, row, analysis.interval_over_runs(values), np.asarray(values))
-    for dashes, (name, level) in zip(DASHES * len(groups), (levels or {}).items(), strict=False):
+    for dashes, (name, level) in zip(
+        style.DASHES * len(groups), (levels or {}).items(), strict=False
+    ):
         axes.axvline(level, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
     axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
     axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
-    axes.set_yticks(range(len(groups)), [wrapped(name, WIDEST) for name in groups])
+    axes.set_yticks(range(len(groups)), [style.wrapped(name, WIDEST) for name in groups])
     axes.set_ylim(len(groups) - 0.5, -0.5)
     axes.set_xlabel(label)
-    plain_axis(axes)
+    style.plain_axis(axes)
     axes.grid(visible=False, axis="y")
-    legend_below(figure, *axes.get_legend_handles_labels(), columns=4)
+    style.legend_below(figure, style.labelled(axes), columns=4)
     if title:
-        figure.suptitle(fitting(figure, title))
+        figure.suptitle(style.fitting(figure, title))
     return figure
 
 
@@ -117,28 +104,28 @@ def run_curves(
         Label of the horizontal axis.
     title : str, optional
     """
-    check_some(groups)
-    figure = new_figure(6.6, 3.6)
+    style.check_some(groups)
+    figure = style.new_figure(6.6, 3.6)
     axes = figure.add_subplot()
     for index, (name, curves) in enumerate(groups.items()):
-        color, style = LINES[index % len(LINES)]
+        color, line = style.LINES[index % len(style.LINES)]
         band = analysis.band_over_runs(curves, places=places)
-        if len(np.asarray(curves)) <= MOST_LINES:
+        if len(np.asarray(curves)) <= style.MOST_LINES:
             # Smooth edges of many thin lines would make the picture several times as large.
             look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
             axes.plot(band.places, np.asarray(curves).T, color=color, **look)
-        draw_band(axes, band, color, style, label=name)
-    if min(len(np.asarray(curves)) for curves in groups.values()) <= MOST_LINES:
+        style.draw_band(axes, band, color, line, label=name)
+    if min(len(np.asarray(curves)) for curves in groups.values()) <= style.MOST_LINES:
         axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single run")
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
-    axes.xaxis.set_major_locator(whole_numbers(8))
+    axes.xaxis.set_major_locator(style.whole_numbers(8))
     axes.margins(x=0.02)
-    plain_axis(axes)
-    handles, labels = axes.get_legend_handles_labels()
-    legend_below(figure, handles, labels, columns=4 if len(labels) <= 4 else 3)
+    style.plain_axis(axes)
+    entries = style.labelled(axes)
+    style.legend_below(figure, entries, columns=4 if len(entries) <= 4 else 3)
     if title:
-        figure.suptitle(fitting(figure, title))
+        figure.suptitle(style.fitting(figure, title))
     return figure
 
 
@@ -166,7 +153,7 @@ def seed_scores(
         Scores in [0, 1] by the name of the group, then by team: ``"pursuer"``, ``"evader"``.
     title : str, optional
     """
-    check_some(scores)
+    style.check_some(scores)
     arrays = {
         group: {
             team: check_rates(values, ndim=2, what=f"scores of {group}")
@@ -175,23 +162,22 @@ def seed_scores(
         for group, of_teams in scores.items()
     }
     teams = [team for team in SCORES if any(team in each for each in arrays.values())]
-    figure = new_figure(9.4, 0.9 + max(3.0, 0.55 * len(arrays) + 1.4) * len(teams))
+    figure = style.new_figure(9.4, 0.9 + max(3.0, 0.55 * len(arrays) + 1.4) * len(teams))
     grid = figure.subplots(len(teams), 2, squeeze=False, width_ratios=(1.25, 1.0))
     for (left, right), team in zip(grid, teams, strict=True):
         of_team = {group: each[team] for group, each in arrays.items() if team in each}
         _draw_profiles(left, of_team, team)
         _draw_middles(right, of_team, team)
     _write_legend(figure, arrays)
-    figure.suptitle(fitting(figure, title))
+    figure.suptitle(style.fitting(figure, title))
     return figure
 
 
 def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
-    for (color, style), values in zip(LINES, scores.values(), strict=False):
+    for (color, line), values in zip(style.LINES, scores.values(), strict=False):
         shares = analysis.performance_profile(values)
         axes.step(
-            shares.places, shares.mean, color=color, linestyle=style, linewidth=1.6,
-            where="post",
+            shares.places, shares.mean, color=color, linestyle=line, linewidth=1.6, where="post",
         )  # fmt: skip
         if shares.low is not None and shares.high is not None:
             axes.fill_between(
@@ -201,11 +187,11 @@ def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     axes.set(xlabel=f"threshold of the {SCORES[team]}", ylabel="share of scores above it")
     axes.set_title(f"{team}s: performance profile", size="medium")
     axes.set_xlim(-0.01, 1.01)
-    unit_axis(axes)
+    style.unit_axis(axes)
 
 
 def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
-    for row, ((color, _), values) in enumerate(zip(LINES, scores.values(), strict=False)):
+    for row, ((color, _), values) in enumerate(zip(style.LINES, scores.values(), strict=False)):
         middle = analysis.interquartile_mean(values)
         means = values.mean(axis=1)
         # Seeds with equal means lie beside each other.
@@ -214,28 +200,26 @@ def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
         if middle.low is not None and middle.high is not None:
             axes.plot([middle.low, middle.high], [row - 0.22] * 2, color=color, linewidth=2.2)
         axes.plot(middle.value, row - 0.22, marker="D", markersize=6, color=color)
-    names = [f"{wrapped(name, WIDEST)} ({len(values)} seeds)" for name, values in scores.items()]
+    names = [
+        f"{style.wrapped(name, WIDEST)} ({len(values)} seeds)" for name, values in scores.items()
+    ]
     axes.set_yticks(np.arange(len(names)), names, size="small")
     axes.set(xlim=(-0.02, 1.02), ylim=(len(names) - 0.5, -0.5), xlabel=SCORES[team])
     axes.set_title(f"{team}s: interquartile mean", size="medium")
-    plain_axis(axes)
+    style.plain_axis(axes)
 
 
-def _write_legend(figure: Figure, groups: Mapping[str, object]) -> None:
-    handles = [
-        Line2D([], [], color=color, linestyle=style, linewidth=1.6)
-        for (color, style), _ in zip(LINES, groups, strict=False)
-    ]
-    marks = [
-        Line2D([], [], color=colors.MUTED, marker="D", linewidth=2.2),
-        Line2D([], [], color=colors.MUTED, marker="o", markersize=4, linewidth=0, alpha=0.6),
-    ]
-    labels: Sequence[str] = [
-        *groups,
-        f"interquartile mean, 95% interval from {analysis.fewest_runs()} seeds on",
-        "mean of one seed",
-    ]
-    legend_below(figure, [*handles, *marks], labels, columns=min(3, len(labels)))
+def _write_legend(figure: Figure, groups: Iterable[str]) -> None:
+    entries = {
+        group: Line2D([], [], color=color, linestyle=line, linewidth=1.6)
+        for (color, line), group in zip(style.LINES, groups, strict=False)
+    }
+    middle = f"interquartile mean, 95% interval from {analysis.fewest_runs()} seeds on"
+    entries[middle] = Line2D([], [], color=colors.MUTED, marker="D", linewidth=2.2)
+    entries["mean of one seed"] = Line2D(
+        [], [], color=colors.MUTED, marker="o", markersize=4, linewidth=0, alpha=0.6
+    )
+    style.legend_below(figure, entries, columns=min(3, len(entries)))
 
 
 # ---- Bands over generations ----------------------------------------------------------------------
@@ -266,73 +250,59 @@ def seed_bands(
         Results of :func:`matrixworld.analysis.judge` by the name of the group.
     title : str, optional
     """
-    check_some(payoffs)
-    lines, columns = rows_of(len(payoffs), GROUPS)
-    figure = new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
-    panels = columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.0, 1.0, 1.0))
+    style.check_some(payoffs)
+    lines, columns = style.rows_of(len(payoffs), GROUPS)
+    figure = style.new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
+    panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.0, 1.0, 1.0))
     groups = {name: [analysis.check_payoff(m) for m in each] for name, each in payoffs.items()}
     ratings = []
     for column, (name, matrices) in zip(panels, groups.items(), strict=True):
         ratings.append(_draw_group(column, matrices))
         _write_head(column[0], name, len(matrices), (judgements or {}).get(name))
     _share_scales(panels, columns, ratings)
-    entries = _legend(singles=min(map(len, groups.values())) <= MOST_LINES)
-    legend_below(figure, [*entries.values()], [*entries], columns=2 if columns < 3 else 4)
+    entries = style.labelled(*(column[0] for column in panels))
+    style.legend_below(figure, entries, columns=2 if columns < 3 else 4)
     if title:
-        figure.suptitle(fitting(figure, title))
+        figure.suptitle(style.fitting(figure, title))
     return figure
 
 
 def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[float, float]:
     """Draw the three panels of a group; return the limits of the axis of ratings."""
     bands = analysis.race_bands(matrices)
-    singles = matrices if len(matrices) <= MOST_LINES else []
+    few = len(matrices) <= style.MOST_LINES
+    singles = [analysis.race_bands([matrix]) for matrix in matrices] if few else []
     scores, strength, lags = column
-    _draw_teams(
-        scores,
-        (bands["pursuer_generalization"], bands["evader_generalization"]),
-        [analysis.generalization(matrix) for matrix in singles],
-    )
-    ratings = bands["pursuer_ratings"], bands["evader_ratings"]
-    _draw_teams(strength, ratings, map(_points, singles))
-    _draw_lags(lags, bands["lag_profile"], singles)
+    for axes, number in ((scores, "generalization"), (strength, "ratings")):
+        names = [f"{team}_{number}" for team in TEAMS]
+        for name, color in zip(names, colors.TEAMS, strict=True):
+            _draw_singles(axes, singles, name, color)
+        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS, evaders=style.DASHES[0])
+    if singles:
+        scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single seed")
+    _draw_singles(lags, singles, "lag_profile", colors.INK)
+    style.draw_band(lags, bands["lag_profile"], colors.INK, "-")
+    lags.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
+    lags.set_xlabel("lag: pursuer minus\nevader generation")
     for axes in column:
-        axes.xaxis.set_major_locator(whole_numbers(5))
+        axes.xaxis.set_major_locator(style.whole_numbers(5))
         axes.margins(x=0.02)
-        plain_axis(axes)
-    unit_axis(scores)
-    unit_axis(lags)
+        style.plain_axis(axes)
+    style.unit_axis(scores)
+    style.unit_axis(lags)
     return strength.get_ylim()
 
 
-def _points(matrix: Rates) -> tuple[Rates, Rates]:
-    ratings = analysis.elo(matrix)
-    return analysis.ELO_POINTS * ratings.pursuers, analysis.ELO_POINTS * ratings.evaders
-
-
-def _draw_teams(axes: Axes, bands: tuple[Band, Band], singles: Iterable[Iterable[Rates]]) -> None:
-    """Draw the curves of both teams: thin ones of single seeds, and their means with bands."""
-    for curves in singles:
-        for curve, color in zip(curves, colors.TEAMS, strict=True):
-            axes.plot(curve, color=color, alpha=0.35, linewidth=0.6)
-    for band, color, style in zip(bands, colors.TEAMS, ("-", DASHES[0]), strict=True):
-        draw_band(axes, band, color, style)
-    axes.set_xlabel("generation")
-
-
-def _draw_lags(axes: Axes, band: Band, singles: Sequence[Rates]) -> None:
-    for matrix in singles:
-        profile = analysis.lag_profile(matrix)
-        axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.25, linewidth=0.6)
-    draw_band(axes, band, colors.INK, "-")
-    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
-    axes.set_xlabel("lag: pursuer minus\nevader generation")
+def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, color: str) -> None:
+    for bands in singles:
+        band = bands[name]
+        axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
 
 
 def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None) -> None:
     counted = "1 seed: no band" if seeds == 1 else f"{seeds} seeds"
     found = "" if judgement is None else analysis.headline(judgement)
-    lines = [wrapped(name, WIDEST_HEAD), counted, *textwrap.wrap(found, WIDEST_HEAD)]
+    lines = [style.wrapped(name, WIDEST_HEAD), counted, *textwrap.wrap(found, WIDEST_HEAD)]
     axes.set_title("\n".join(lines), size="medium")
 
 
@@ -349,20 +319,6 @@ def _share_scales(
                 axes.set_ylabel(name)
             else:
                 axes.tick_params(labelleft=False)
-
-
-def _legend(*, singles: bool) -> dict[str, Artist]:
-    pursuers, evaders = colors.TEAMS
-    entries: dict[str, Artist] = {
-        "pursuers (score: capture rate)": Line2D([], [], color=pursuers, linewidth=1.7),
-        "evaders (score: 1 - capture rate)": Line2D(
-            [], [], color=evaders, linewidth=1.7, linestyle="--"
-        ),
-        "95% interval of the mean over seeds": Patch(color=colors.MUTED, alpha=0.3, linewidth=0),
-    }
-    if singles:
-        entries["single seed"] = Line2D([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6)
-    return entries
 
 
 # ---- Verdicts ------------------------------------------------------------------------------------
@@ -399,21 +355,21 @@ def verdict_strip(
         Seeds that are not finished; they have an empty column.
     title : str, optional
     """
-    check_some(judgements)
+    style.check_some(judgements)
     for name, judgement in judgements.items():
         if len(seeds[name]) != judgement.runs:
             raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(seeds[name])}")
     absent = missing or {}
     most = max(len(seeds[name]) + len(absent.get(name, ())) for name in judgements)
-    figure = new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
+    figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
     panels = figure.subplots(len(judgements), 1, squeeze=False)[:, 0]
     for axes, (name, judgement) in zip(panels, judgements.items(), strict=True):
         columns = _columns(judgement, seeds[name], absent.get(name, ()))
         _draw_verdicts(axes, columns, judgement, most)
         axes.set_title(f"{name}: {analysis.headline(judgement)}", size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
-    legend_below(figure, [Patch(**look) for look in LOOKS.values()], [*LOOKS], columns=4)
-    figure.suptitle(fitting(figure, title))
+    style.legend_below(figure, {name: Patch(**look) for name, look in LOOKS.items()}, columns=4)
+    figure.suptitle(style.fitting(figure, title))
     return figure
 
 

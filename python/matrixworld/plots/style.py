@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -78,11 +78,17 @@ def columns_of_three(
     return panels[:count]
 
 
-def legend_below(
-    figure: Figure, handles: Sequence[Artist], labels: Sequence[str], *, columns: int = 2
-) -> None:
+def labelled(*panels: Axes) -> dict[str, Artist]:
+    """Return what is labelled in some panels, each label once, for a legend."""
+    found = (axes.get_legend_handles_labels() for axes in panels)
+    return {label: handle for each in found for handle, label in zip(*each, strict=True)}
+
+
+def legend_below(figure: Figure, entries: Mapping[str, Artist], *, columns: int = 2) -> None:
     """Add a legend below all axes of a figure."""
-    figure.legend(handles, labels, loc="outside lower center", ncols=columns, frameon=False)
+    figure.legend(
+        [*entries.values()], [*entries], loc="outside lower center", ncols=columns, frameon=False
+    )
 
 
 def unit_axis(axes: Axes) -> None:

@@ -13,15 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util import colors
 from matrixworld.analysis.payoffs import check_rates
-from matrixworld.plots.style import (
-    DASHES,
-    fitting,
-    legend_below,
-    new_figure,
-    plain_axis,
-    unit_axis,
-    whole_numbers,
-)
+from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
 _TEAMS = ("pursuers", "evaders")
@@ -56,7 +48,7 @@ def training_curve(
     """
     values = check_rates(rates, ndim=1, what="training capture rates")
     shades = _shades(learners, len(values))
-    figure = new_figure(8.0, 3.8)
+    figure = style.new_figure(8.0, 3.8)
     axes = figure.add_subplot()
     if window > 1:
         axes.add_collection(_in_pieces(values, shades, alpha=0.25, linewidth=0.6))
@@ -65,15 +57,19 @@ def training_curve(
     if len(values) <= _MARKED:
         place = np.arange(1, len(values) + 1)
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
-    axes.set_title(fitting(figure, title))
+    axes.set_title(style.fitting(figure, title))
     axes.set(xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
-    axes.xaxis.set_major_locator(whole_numbers(10))
-    unit_axis(axes)
+    axes.xaxis.set_major_locator(style.whole_numbers(10))
+    style.unit_axis(axes)
     if generations is not None:
         _generation_axis(axes, np.asarray(generations), len(values))
-    learning = {f"{t} learn": c for t, c in zip(_TEAMS, colors.TEAMS, strict=True) if c in shades}
+    learning = {
+        f"{team} learn": Line2D([], [], color=color)
+        for team, color in zip(_TEAMS, colors.TEAMS, strict=True)
+        if color in shades
+    }
     if learning:
-        legend_below(figure, [Line2D([], [], color=c) for c in learning.values()], [*learning])
+        style.legend_below(figure, learning)
     return figure
 
 
@@ -95,14 +91,14 @@ def collision_rates(
     bad = values[~(np.isfinite(values) & (values >= 0))]
     if len(bad):
         raise ValueError(f"expected finite collision rates of at least 0, got {bad[0]}")
-    figure = new_figure(8.4, 3.8)
+    figure = style.new_figure(8.4, 3.8)
     panels = figure.subplots(1, 2, sharey=True)
     for team, axes in enumerate(panels):
         _draw_collisions(axes, values[:, team], _TEAMS[team], colors.TEAMS[team])
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
-    legend_below(figure, *panels[0].get_legend_handles_labels(), columns=3)
-    figure.suptitle(fitting(figure, title))
+    style.legend_below(figure, style.labelled(panels[0]), columns=3)
+    figure.suptitle(style.fitting(figure, title))
     return figure
 
 
@@ -111,12 +107,12 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
     for kind, curve in enumerate(rates.T):
         axes.plot(
             curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
-            linestyle=("-", *DASHES)[kind], marker=marker, markersize=3,
+            linestyle=("-", *style.DASHES)[kind], marker=marker, markersize=3,
         )  # fmt: skip
     axes.set_title(team, color=color)
     axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(whole_numbers(6))
-    plain_axis(axes)
+    axes.xaxis.set_major_locator(style.whole_numbers(6))
+    style.plain_axis(axes)
 
 
 def _shades(learners: ArrayLike | None, length: int) -> list[str]:
