@@ -51,7 +51,7 @@ PARTS: dict[str, Functions] = {
     "ask: variation": [(EvolutionStrategy, "ask"), (GeneticAlgorithm, "ask")],
     "tell: selection and update": [(EvolutionStrategy, "tell"), (GeneticAlgorithm, "tell")],
     "validation": [(Population, "__post_init__")],
-    "fitness and log": [(TrainingMatches, "fitness"), (TrainingMatches, "record")],
+    "fitness and log": [(TrainingMatches, "fitness_of_epoch")],
     "checkpoints and disk": [
         (Race, "_save"),
         (Race, "_restore"),

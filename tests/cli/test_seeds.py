@@ -85,7 +85,7 @@ def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
 
     def keep(job, results, root, failed, threads):
         seeds = [each.settings.seed for each in results]
-        seen.update(seeds=seeds, asked=job.asked(), failed=failed)
+        seen.update(seeds=seeds, asked=[*job.runs], failed=failed)
 
     monkeypatch.setattr("matrixworld.cli.evolve.report", keep)
     one = ["--schedule", MAIN_JOB[2], *words(ONE)]
@@ -98,7 +98,7 @@ def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
     assert "payoff.npz: cut or altered" in said.stderr
     assert "To try them again:\n  matrixworld evolve --resume out\n" in said.stderr
     assert seen["seeds"] == [0, 2]
-    assert seen["asked"] == {MAIN_JOB[2]: [0, 1, 2]}
+    assert seen["asked"] == [f"{MAIN_JOB[2]}/seed-{n}" for n in (0, 1, 2)]
     assert list(seen["failed"]) == [runs[1]]
     # Results follow from the other files: without the damaged one they are made again.
     (runs[1] / "payoff.npz").unlink()

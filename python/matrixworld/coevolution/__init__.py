@@ -83,8 +83,7 @@ from matrixworld.coevolution.learners.toolbox import (
 from matrixworld.coevolution.own_code import PluginError
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Progress, ProgressBar
-from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
-from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.runs.race import DisengagementWarning, HallOfFameRace, Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import finish, resume, start

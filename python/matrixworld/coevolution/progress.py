@@ -65,8 +65,8 @@ JobReport = Callable[[Progress], None]
 """Called twice a second while a job is played."""
 
 
-def silent(activity: str, done: int, total: int) -> None:
-    """Report nothing."""
+def silent(*told: object) -> None:
+    """Report nothing, of a run or of a job."""
 
 
 class ProgressBar:

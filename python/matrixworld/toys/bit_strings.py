@@ -34,7 +34,7 @@ from numpy.typing import ArrayLike
 from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
 from matrixworld.coevolution.opponents.samplers import OpponentSampler
-from matrixworld.coevolution.runs.hall_of_fame import pairings
+from matrixworld.coevolution.runs.race import pairings
 from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, IntArray
 
 Samplers = tuple[OpponentSampler, OpponentSampler]

@@ -280,21 +280,21 @@ def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_
     assert {name: files_in(tmp_path / name) for name in others} == {n: straight[n] for n in others}
 
 
-def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path):
+def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch):
     job = job_of(SETTINGS)
     save_job(tmp_path, job)
     held = next(iter(job.runs))
     run = start(job.runs[held], tmp_path / held)
     with run.files.lock():
         began = time.monotonic()
-        failures, finished = failures_of(
-            SETTINGS, tmp_path, executor=ThreadPoolExecutor(2), lock_wait=1.0
-        )
+        monkeypatch.setattr(worker, "LOCK_WAIT", 1.0)
+        failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
         assert 1.0 <= time.monotonic() - began < 20.0
     assert {*failures} == {held}
     assert isinstance(failures[held], _Locked)
     assert "another process is running there" in str(failures[held])
     assert len(finished) == len(SETTINGS) - 1
+    monkeypatch.undo()
     lock = run.files.lock()
     lock.__enter__()
     threading.Timer(1.0, lock.__exit__, (None, None, None)).start()
@@ -396,7 +396,6 @@ BAD = [
     ({"executor": 3}, TypeError, "executor"),
     ({"threads": 0}, ValueError, "threads"),
     ({"executor": ThreadPoolExecutor(1), "threads": 2}, ValueError, "threads: expected None"),
-    ({"lock_wait": -1.0}, ValueError, "lock_wait"),
     ({"settings": [tiny_race(), tiny_race()]}, ValueError, "settings: expected runs of different"),
     ({"settings": [tiny_race(learner="nowhere:Learner")]}, ValueError, "nowhere"),
     ({"settings": [tiny_single(opponent="nowhere")]}, FileNotFoundError, "nowhere"),

@@ -7,7 +7,7 @@ import pytest
 
 from matrixworld import coevolution
 from matrixworld.coevolution import HallOfFameRace
-from matrixworld.coevolution.runs.hall_of_fame import pairings, table_of_individuals
+from matrixworld.coevolution.runs.race import pairings, table_of_individuals
 from tiny_race import hall_of_fame
 
 

@@ -17,8 +17,6 @@ from matrixworld.analysis import response_gain
 from matrixworld.analysis.games import ResponseGain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.jobs.evolve import evolve
-from matrixworld.coevolution.jobs.evolve import silent as silent_job
-from matrixworld.coevolution.jobs.worker import LOCK_WAIT
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.progress import JobReport, Report, silent
 from matrixworld.coevolution.runs.start import finish
@@ -153,8 +151,7 @@ def best_responses(
     *,
     executor: Executor | None = None,
     threads: int | None = None,
-    report: JobReport = silent_job,
-    lock_wait: float = LOCK_WAIT,
+    report: JobReport = silent,
     **changes: Any,
 ) -> dict[str, BestResponse]:
     """Evolve a response to the last genome of `team` in each run, side by side.
@@ -167,7 +164,7 @@ def best_responses(
         As in `best_response`, for each response.
     directory : str or Path
         Directory of all responses; the same call continues what is unfinished in it.
-    executor, threads, report, lock_wait
+    executor, threads, report
         As in `evolve`.
 
     Returns
@@ -181,14 +178,7 @@ def best_responses(
     here.
     """
     settings = {n: response_settings(run, team, matches, **changes) for n, run in runs.items()}
-    evolve(
-        settings,
-        directory,
-        executor=executor,
-        threads=threads,
-        report=report,
-        lock_wait=lock_wait,
-    )
+    evolve(settings, directory, executor=executor, threads=threads, report=report)
     return {
         name: best_response(run, team, matches, Path(directory) / name, threads=threads, **changes)
         for name, run in runs.items()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -10,7 +11,7 @@ from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
-from matrixworld._util.checks import check_instance, check_number, check_threads
+from matrixworld._util.checks import check_instance, check_threads
 from matrixworld._util.files import DamagedFileError, is_temporary, locked
 from matrixworld._util.memory import check_memory
 from matrixworld.coevolution.jobs.job import (
@@ -21,10 +22,8 @@ from matrixworld.coevolution.jobs.job import (
     job_of,
     open_job,
     save_job,
-    settings_to_text,
 )
 from matrixworld.coevolution.jobs.worker import (
-    LOCK_WAIT,
     Played,
     WorkerDiedError,
     WorkerProcesses,
@@ -36,8 +35,8 @@ from matrixworld.coevolution.jobs.worker import (
     started,
     waiting,
 )
-from matrixworld.coevolution.progress import SECONDS, JobReport, Progress
-from matrixworld.coevolution.runs.alternating import DisengagementWarning
+from matrixworld.coevolution.progress import SECONDS, JobReport, Progress, silent
+from matrixworld.coevolution.runs.race import DisengagementWarning
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
 from matrixworld.coevolution.settings import RaceSettings, run_memory
@@ -87,10 +86,6 @@ def described(path: Path, error: BaseException) -> str:
     return text.removeprefix(f"{path.absolute()}: ").removeprefix(f"{path}: ")
 
 
-def silent(progress: Progress) -> None:
-    """Report nothing."""
-
-
 def evolve(
     settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings],
     directory: str | Path,
@@ -98,7 +93,6 @@ def evolve(
     executor: Executor | None = None,
     threads: int | None = None,
     report: JobReport = silent,
-    lock_wait: float = LOCK_WAIT,
 ) -> list[SavedRun]:
     """Return the finished runs of these settings: start them, continue them, or only open them.
 
@@ -117,8 +111,6 @@ def evolve(
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
         Called twice a second with a `Progress`, such as `ProgressBar.show`.
-    lock_wait : float, optional
-        Seconds for which a run directory that another process holds is waited for.
 
     Returns
     -------
@@ -152,12 +144,9 @@ def evolve(
     In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
     """
     root, job = Path(directory), job_of(settings)
-    check_number("lock_wait", lock_wait, least=0.0)
     check_directory(root, job)
     check_job(job, root, executor, threads)
-    names, errors = play_job(
-        job, root, executor=executor, threads=threads, report=report, lock_wait=lock_wait
-    )
+    names, errors = play_job(job, root, executor=executor, threads=threads, report=report)
     failures = {root / name: error for name, error in errors.items()}
     finished = []
     for path in (root / name for name in names):
@@ -225,7 +214,6 @@ def play_job(
     executor: Executor | None = None,
     threads: int | None = None,
     report: JobReport = silent,
-    lock_wait: float = LOCK_WAIT,
 ) -> tuple[list[str], dict[str, BaseException]]:
     """Play what is unfinished of a job that `check_job` has checked.
 
@@ -242,7 +230,7 @@ def play_job(
             # Before any run begins: what was asked for is known from now on.
             if open_job(root) is None:
                 save_job(root, job)
-        play = JobPlay(job, root, lock_wait, report)
+        play = JobPlay(job, root, report)
         names = play.unfinished()
         try:
             if executor is not None and names:
@@ -259,8 +247,8 @@ def play_job(
 class JobPlay:
     """A job while it is played: what has finished and failed, and the progress of the rest."""
 
-    def __init__(self, job: Job, root: Path, lock_wait: float, report: JobReport) -> None:
-        self._job, self._root, self._lock_wait, self._report = job, root, lock_wait, report
+    def __init__(self, job: Job, root: Path, report: JobReport) -> None:
+        self._job, self._root, self._report = job, root, report
         self.finished: dict[str, Played] = {}
         self.failures: dict[str, BaseException] = {}
         self._losses: Counter[str] = Counter()
@@ -307,7 +295,7 @@ class JobPlay:
                 run = waiting(
                     lambda: finish(self._job.runs[name], path, threads=threads, report=report),
                     path,
-                    0.0 if alone else self._lock_wait,
+                    lock_wait=0.0 if alone else None,
                 )
                 self._finish(name, played(run.files))
             except Exception as error:  # noqa: BLE001, of the run
@@ -345,9 +333,8 @@ class JobPlay:
         try:
             with started(self._root) as token:
                 for name in names:
-                    text = settings_to_text(self._job.runs[name])
-                    task = (text, root, name, token, threads, self._lock_wait)
-                    futures[executor.submit(run_task, *task)] = name
+                    text = json.dumps(self._job.runs[name].to_json())
+                    futures[executor.submit(run_task, text, root, name, token, threads)] = name
                 pending = set(futures)
                 while pending:
                     self._tell(read_progress(self._root))

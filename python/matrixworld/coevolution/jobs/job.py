@@ -37,13 +37,6 @@ class Job:
 
     runs: Mapping[str, RaceSettings]
 
-    def asked(self) -> dict[str, list[int]]:
-        """Return the seeds that were asked for, by schedule or other name of a group of runs."""
-        found: dict[str, list[int]] = {}
-        for name, settings in self.runs.items():
-            found.setdefault(group_of(name), []).append(settings.seed)
-        return found
-
 
 def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
     """Return the job of these settings, perhaps by name; without names each run gets one.
@@ -67,7 +60,12 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
             )
         runs[name] = _from_anywhere(each)
     _check_names(runs)
-    _check_different(runs)
+    # Equal runs are no independent observations.
+    names: dict[RaceSettings, str] = {}
+    for name, each in runs.items():
+        other = names.setdefault(each, name)
+        if other != name:
+            raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
     return Job(runs)
 
 
@@ -89,15 +87,6 @@ def _check_names(runs: Mapping[str, RaceSettings]) -> None:
             raise ValueError(f"settings: expected runs beside each other, got {name} in a run")
 
 
-def _check_different(runs: Mapping[str, RaceSettings]) -> None:
-    """Raise ValueError for equal runs, which are no independent observations."""
-    seen: dict[str, str] = {}
-    for name, settings in runs.items():
-        other = seen.setdefault(settings_to_text(settings), name)
-        if other != name:
-            raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
-
-
 def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     """Return settings whose paths mean the same in another current directory, as workers have."""
     schedule = settings.schedule
@@ -117,19 +106,6 @@ def group_of(name: str) -> str:
     return name.rpartition("/")[0] or name
 
 
-# Settings as text:
-
-
-def settings_to_text(settings: RaceSettings) -> str:
-    """Return the settings of a run as JSON text, from which `settings_from_text` makes them."""
-    return json.dumps(settings.to_json())
-
-
-def settings_from_text(text: str) -> RaceSettings:
-    """Return settings equal to those of which `settings_to_text` made the text."""
-    return RaceSettings.from_json(json.loads(text))
-
-
 # The file:
 
 
@@ -138,7 +114,7 @@ def save_job(directory: Path, job: Job) -> None:
     # Settings that differ in the seed only are written once: 1,000 seeds take 40 kB, not 3 MB.
     groups: dict[str, dict[str, Any]] = {}
     for name, settings in job.runs.items():
-        values = json.loads(settings_to_text(settings))
+        values = settings.to_json()
         seed = values.pop("seed")
         key = json.dumps(values, sort_keys=True)
         groups.setdefault(key, {"settings": values, "seeds": {}})["seeds"][name] = seed

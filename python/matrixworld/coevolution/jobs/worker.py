@@ -29,10 +29,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from matrixworld._util.files import LockedError, replacing
-from matrixworld.coevolution.jobs.job import settings_from_text
 from matrixworld.coevolution.progress import Progress, Report
-from matrixworld.coevolution.runs.alternating import DisengagementWarning
+from matrixworld.coevolution.runs.race import DisengagementWarning
 from matrixworld.coevolution.runs.start import finish
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 
 LOCK_WAIT = 120.0
@@ -58,9 +58,7 @@ class WorkerDiedError(RuntimeError):
     """A run has lost several worker processes, for example for lack of memory."""
 
 
-def run_task(
-    settings: str, directory: str, name: str, token: str, threads: int, lock_wait: float
-) -> Played:
+def run_task(settings: str, directory: str, name: str, token: str, threads: int) -> Played:
     """Finish the run `name` of a job, wherever this is called.
 
     Only text and numbers go in and out, so that every executor can carry them. Errors are those of
@@ -75,12 +73,12 @@ def run_task(
     # Before anything else: if this process dies, it is known which run it was playing.
     look(Progress("begins", 0, 0))
     try:
+        asked = RaceSettings.from_json(json.loads(settings))
         run = waiting(
-            lambda: finish(
-                settings_from_text(settings), root / name, threads=threads, report=at_times(look)
-            ),
-            root / name, lock_wait, lambda: check_start(root, token),
-        )  # fmt: skip
+            lambda: finish(asked, root / name, threads=threads, report=at_times(look)),
+            root / name,
+            check=lambda: check_start(root, token),
+        )
     finally:
         progress_file(root, name).unlink(missing_ok=True)
     return played(run.files)
@@ -112,11 +110,11 @@ def at_times(look: Callable[[Progress], None]) -> Report:
 def waiting(
     play: Callable[[], Result],
     path: Path,
-    seconds: float,
+    lock_wait: float | None = None,
     check: Callable[[], None] = lambda: None,
 ) -> Result:
     """Return what `play` returns; repeat it while another process holds the run directory."""
-    until = time.monotonic() + seconds
+    until = time.monotonic() + (LOCK_WAIT if lock_wait is None else lock_wait)
     while True:
         try:
             return play()

@@ -2,8 +2,8 @@
 
 This module tells what all kinds of runs share: how a run is made, continued and saved (`Run`), and
 how one team learns for some epochs (`TeamPhase`). What a stage is, each kind of run says itself:
-a phase of one team (`alternating`), a generation of both teams (`hall_of_fame`), or some epochs of
-a team that learns alone (`single`).
+a phase of one team or a generation of both teams (`race`), or some epochs of a team that learns
+alone (`single`).
 
 Everything that a stage changes (learners, samplers, archive, counters, log) is saved at its end. A
 run that is stopped within a stage, even by a power cut, repeats that stage when it is resumed, and
@@ -100,6 +100,7 @@ class Run(ABC):
     """
 
     schedule_class: ClassVar[type[Schedule]]
+    stages_per_generation: ClassVar[int] = 1
 
     def __init__(
         self,
@@ -112,6 +113,7 @@ class Run(ABC):
         # Everything that can be wrong is checked before the directory is made.
         self.settings: RaceSettings = settings
         self.check_settings()
+        self.schedule: Schedule = settings.schedule
         check_threads(threads)
         check_memory("run", **run_memory(settings))
         self.training: TrainingMatches = TrainingMatches(settings, play, threads)
@@ -137,12 +139,12 @@ class Run(ABC):
             self.files = RunDirectory.create(directory, config, **self.extra_config())
             self._write_new()
 
-    # Each kind of run defines the following methods:
-
     @property
-    @abstractmethod
     def n_stages(self) -> int:
-        """The number of stages."""
+        """The number of stages: of each entry that the run adds to the archive of a team."""
+        return self.stages_per_generation * (self.schedule.entries - 1)
+
+    # Each kind of run defines the following methods:
 
     @abstractmethod
     def learn(self, stage: int) -> None:
@@ -177,6 +179,8 @@ class Run(ABC):
         """Return the entries of config.json besides the settings."""
         return {}
 
+    # The following methods are the same for all kinds:
+
     def check_settings(self) -> None:
         """Raise TypeError or ValueError if this kind of run cannot have these settings."""
         if not isinstance(self.settings, RaceSettings):
@@ -185,28 +189,12 @@ class Run(ABC):
             expected, got = self.schedule_class.kind, self.settings.schedule.kind
             raise ValueError(f"schedule: expected {expected}, got {got}")
 
-    def warn(self) -> None:  # noqa: B027, optional
-        """Warn of problems in training; called after each stage."""
-
-    # The following methods are the same for all kinds:
-
     def run(self, report: Report = silent) -> Payoff:
         """Continue from the last stage to the end; save and return the payoff.
 
-        Parameters
-        ----------
-        report : callable, optional
-            Called often with the progress (see `ProgressBar`).
-
-        Returns
-        -------
-        Payoff
-            Results of the evaluation.
-
-        Notes
-        -----
-        After KeyboardInterrupt or any other error the files hold the last finished stage, from
-        which `run` or `resume` continues.
+        `report` is called often with the progress (see `ProgressBar`). After KeyboardInterrupt or
+        any other error the files hold the last finished stage, from which `run` or `resume`
+        continues.
         """
         self._report = report
         with self.files.lock():
@@ -216,7 +204,7 @@ class Run(ABC):
             self._total_matches = self.total_matches()
             while self.stage < self.n_stages:
                 self.learn(self.stage)
-                self._end_stage()
+                self.end_stage()
             if not self.files.finished:
                 payoff = self.evaluate()
                 self.files.save_results(payoff.arrays(), self.summary(payoff))
@@ -247,14 +235,14 @@ class Run(ABC):
             "evaluation_matches": int(payoff.lengths.size),
         }
 
-    def _end_stage(self) -> None:
+    def end_stage(self) -> None:
+        """Count and save a finished stage."""
         # In the second half of the epochs the team has mostly adapted to its opponents.
         rows = self.training.rows
         rates = [row["capture_rate"] for row in rows[len(rows) // 2 :]]
         self.stage_capture_rates.append(float(np.mean(rates)))
         self.stage += 1
         self._save()
-        self.warn()
 
     def _write_new(self) -> None:
         with self.files.lock():
@@ -353,10 +341,9 @@ class TeamPhase:
         # Win rates, not fitness: samplers expect numbers in [0, 1].
         if not isinstance(self.sampler, Stateless):
             self.sampler.tell(opponents, table(win_rates(scores, team)))
-        fitness = self.training.fitness(scores, team, table)
-        self.training.record(
+        fitness = self.training.fitness_of_epoch(
             scores,
-            fitness,
+            table,
             team=team,
             generation=self.generation,
             epoch=matchup.epoch,

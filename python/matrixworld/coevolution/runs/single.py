@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import ceil
 from pathlib import Path
 from typing import Any, ClassVar, cast
 
@@ -64,6 +63,7 @@ class SingleTeam(Run):
     were not used in training. For other attributes see `Run`.
     """
 
+    schedule: Against
     schedule_class: ClassVar[type[Schedule]] = Against
 
     def __init__(
@@ -78,6 +78,7 @@ class SingleTeam(Run):
     ) -> None:
         self.settings = settings
         self.check_settings()
+        schedule = cast(Against, settings.schedule)  # `check_settings` refuses others
         self.opponents: TeamPolicy = "random"
         self._start: Genome | None = None
         # In an existing run, `_restore` takes them from the archive.
@@ -85,23 +86,10 @@ class SingleTeam(Run):
             self.opponents = _opponents(settings, opponents)
             self._start = _start(settings, start)
             # The settings in config.json must not name opponents that were not used.
-            schedule = replace(
-                self.schedule,
-                opponent=self.schedule.opponent if opponents is None else GIVEN,
-                start=self.schedule.start if start is None else GIVEN,
-            )
-            settings = replace(settings, schedule=schedule)
+            changes = {"opponent": opponents, "start": start}
+            given: Any = {name: GIVEN for name, value in changes.items() if value is not None}
+            settings = replace(settings, schedule=replace(schedule, **given))
         super().__init__(settings, directory, threads=threads, play=play)
-
-    @property
-    def schedule(self) -> Against:
-        """Which opponents the team meets, and for how long."""
-        return cast(Against, self.settings.schedule)  # `check_settings` refuses others
-
-    @property
-    def n_stages(self) -> int:
-        """The number of entries that the run adds to the archive."""
-        return ceil(self.schedule.epochs / self.schedule.archive_every)
 
     def first_population(self, team: Team, count: int) -> Genomes:
         """Return untrained genomes, or the genome to start from and mutants of it."""

@@ -6,8 +6,7 @@ from pathlib import Path
 
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.runs.alternating import Race
-from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.runs.race import HallOfFameRace, Race
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.schedules import RaceSchedule
 from matrixworld.coevolution.sections import different_settings
@@ -34,26 +33,13 @@ def start(
 
     Parameters
     ----------
-    settings : RaceSettings
-        Settings of the run.
-    directory : str, Path or RunDirectory
-        A new or empty directory; a `RunDirectory` to continue the run in it.
-    threads : int, optional
-        Threads that `play` may use. By default all cores. Results do not depend on it.
-    play : callable, optional
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+    settings, directory, threads, play
+        As in `Run`, whose errors this function raises.
 
     Returns
     -------
     Race, HallOfFameRace or SingleTeam
         The run; its method `run` trains and evaluates.
-
-    Raises
-    ------
-    FileExistsError
-        If the directory is not empty.
-    TypeError
-        If the settings are of another class.
     """
     if not isinstance(settings, RaceSettings):
         raise TypeError(f"settings: expected RaceSettings, got {shown(settings)}")
@@ -91,23 +77,15 @@ def finish(
     Parameters
     ----------
     settings, directory, threads, play
-        As in `start`.
+        As in `Run`.
     report : callable, optional
         Called with the progress, as in `Run.run`.
-
-    Returns
-    -------
-    SavedRun
-        The finished run.
 
     Raises
     ------
     ValueError
-        If the directory holds a run of other settings.
-
-    Notes
-    -----
-    Other errors are those of `start` and `resume`.
+        If the directory holds a run of other settings. Other errors are those of `start` and
+        `resume`.
     """
     # Without config.json the directory is empty, or holds a run that was never completely made.
     if (Path(directory) / CONFIG).exists():
@@ -127,12 +105,7 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
     directory : str or Path
         The run directory.
     threads, play
-        As in `start`.
-
-    Returns
-    -------
-    Race, HallOfFameRace or SingleTeam
-        The run; its method `run` continues the training.
+        As in `Run`.
 
     Raises
     ------

@@ -177,17 +177,18 @@ class TrainingMatches:
 
     # The log:
 
-    def record(
+    def fitness_of_epoch(
         self,
         scores: EpisodeStatistics,
-        fitness: FloatArray,
+        table: Table,
         *,
         team: Team,
         generation: int,
         epoch: int,
         opponent: int,
-    ) -> None:
-        """Add one epoch of one team to the log (see `COLUMNS` in `storage.run_directory`)."""
+    ) -> FloatArray:
+        """Return the fitness (n,) of a team's individuals, and log the epoch (see `COLUMNS`)."""
+        fitness = self.fitness(scores, team, table)
         # (M, worlds, teams, kinds of collision) -> (teams,)
         faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
         row: Row = {
@@ -206,6 +207,7 @@ class TrainingMatches:
             "steps": self.steps,
         }
         self.rows.append(row)
+        return fitness
 
     def _recount_last_epoch(self) -> None:
         """Count the matches since the last epoch in the log of that epoch."""

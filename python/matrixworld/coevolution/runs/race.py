@@ -1,0 +1,453 @@
+"""Races: both teams learn, in turns (`Race`) or at the same time (`HallOfFameRace`).
+
+In turns, a team meets archived opponents of the other team: those of one of the paper's three
+schedules, or what opponent samplers choose. At the same time, each individual meets living
+opponents and members of a hall of fame (Rosin & Belew 1997). A sampler with an archive compares
+candidates in matches of their own (`Race.admit`).
+"""
+
+from __future__ import annotations
+
+import warnings
+from functools import partial
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from matrixworld.analysis import disengagements
+from matrixworld.analysis.engagement import PATIENCE, Disengagement
+from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.fitness import win_rates
+from matrixworld.coevolution.opponents import OpponentSampler
+from matrixworld.coevolution.opponents.archives import PayoffFunction
+from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.schedules import (
+    Alternating,
+    HallOfFame,
+    RaceSchedule,
+    Schedule,
+    archive_of,
+    available,
+)
+from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
+from matrixworld.coevolution.storage.run_directory import SEVERAL
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genomes,
+    Indices,
+    Members,
+    State,
+    Stateful,
+    Team,
+    other,
+)
+from matrixworld.play.rollout import Matches
+from matrixworld.world.policy import Population
+
+EVEN = 0.5
+"""Capture rate at which neither team wins."""
+DECIMALS = 6
+"""Capture rates are float32: differences beyond this decimal are rounding errors."""
+
+Met = tuple[Population, Indices]
+"""The possible opponents of an individual, and those that it has met."""
+
+
+class DisengagementWarning(UserWarning):
+    """One team wins nearly everything, so that neither team has much to learn from."""
+
+
+class Race(Run):
+    """Co-evolution in turns, by one of the paper's three schedules or by opponent samplers.
+
+    ::
+
+        p[0], e[0] untrained
+        for k in 1 .. generations:
+            p[k] = p[k-1], improved for some epochs against evaders that its sampler chooses
+            e[k] = e[k-1], improved for some epochs against pursuers that its sampler chooses
+        payoff[g, h] = capture rate of p[g] against e[h]
+
+    A stage is a team phase: one team's epochs of one generation. Learners keep their state from
+    generation to generation.
+
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the race.
+    directory, threads, play
+        As in `Run`, whose other attributes a race has, too.
+
+    Attributes
+    ----------
+    samplers : dict of str to OpponentSampler
+        Opponent sampler of each team, which chooses among the archived generations of the other.
+    """
+
+    schedule: RaceSchedule
+    schedule_class: ClassVar[type[Schedule]] = Alternating
+    stages_per_generation: ClassVar[int] = 2
+
+    def set_up(self) -> None:
+        """Make the opponent samplers of both teams."""
+        self.samplers: dict[Team, OpponentSampler] = {
+            team: self.schedule.new_sampler(team) for team in TEAMS
+        }
+
+    def stateful_parts(self) -> dict[str, Stateful]:
+        """Return learners and opponent samplers."""
+        samplers = {f"{team}.sampler": sampler for team, sampler in self.samplers.items()}
+        return {**super().stateful_parts(), **samplers}
+
+    def learn(self, stage: int) -> None:
+        """Let one team learn for the epochs of a generation, and archive its genome."""
+        # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
+        generation, team = 1 + stage // 2, TEAMS[stage % 2]
+        n_before = available(team, generation - 1) if generation > 1 else 0
+        self.admit(team, generation, range(n_before, available(team, generation)))
+        before = self.learners[team].state()
+        team_phase = TeamPhase(
+            self.training,
+            self.learners[team],
+            team,
+            generation,
+            opponents=self.training.population(self.genomes(other(team))),
+            sampler=self.samplers[team],
+            on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
+        )
+        team_phase.run(range(self.schedule.epochs(team)))
+        self.retain(team, generation, before)
+        self.archive[team].append(self.learners[team].genome)
+
+    def retain(self, team: Team, generation: int, before: State) -> None:
+        """Undo what a team has learned in a generation if it got worse against all opponents.
+
+        Only with the setting `retention_episodes`; `before` is the state of the learner before the
+        generation. The random numbers of the next generation are others, so that a discarded
+        generation is not learned again.
+        """
+        episodes, learner = self.schedule.retention_episodes, self.learners[team]
+        if not episodes:
+            return
+        opponents = self.training.population(self.genomes(other(team)))
+        previous = self.archive[team][-1]
+        if not self.training.keeps(team, generation, learner.genome, previous, opponents, episodes):
+            learner.restore(before)
+
+    def evaluate(self) -> Payoff:
+        """Play every archived generation of one team against every one of the other team."""
+        settings, training = self.settings, self.training
+        return tournament(
+            settings.world,
+            training.population(self.genomes("pursuer")),
+            training.population(self.genomes("evader")),
+            seed=settings.seed,
+            episodes=settings.evaluation_episodes,
+            threads=training.threads,
+            play=training.rollout,
+            on_row=lambda played: self.report("tournament", played),
+        )
+
+    # How many episodes a race plays:
+
+    def total_matches(self) -> int:
+        """Return the episodes of the training and of the payoff matrix."""
+        cells = (self.schedule.generations + 1) ** 2
+        return self.training_matches() + cells * self.settings.evaluation_episodes
+
+    def training_matches(self) -> int:
+        """Return the number of training episodes; with archives, an upper bound of it."""
+        generations = range(1, self.schedule.generations + 1)
+        matches = sum(self.generation_matches(team, k) for k in generations for team in TEAMS)
+        return matches * self.settings.match_episodes
+
+    def generation_matches(self, team: Team, k: int) -> int:
+        """Return the training matches by which `team` learns its generation `k`."""
+        archived = available(team, k)
+        met = min(self.schedule.sampled_opponents, archived)
+        epochs = self.schedule.epochs(team) * met * self.settings.learner.population
+        return epochs + self.selection_matches(team, k, met, archived)
+
+    def selection_matches(self, team: Team, k: int, met: int, archived: int) -> int:
+        """Return the matches around a generation that choose its opponents and its genome.
+
+        In an epoch an individual meets `met` opponents; `archived` ones are there.
+        """
+        champion = self.settings.learner.elite_matches * met
+        # Retention compares two genomes.
+        retention = 2 * archived * self.schedule.retention_episodes
+        sampler = archive_of(self.samplers[team])
+        pairs = 0 if sampler is None else sampler.max_pairs(k, archived)
+        return champion + retention + pairs * self._archive_episodes(team)
+
+    # Disengagement:
+
+    def end_stage(self) -> None:
+        """Save the stage; warn once of each disengagement, when it is long enough."""
+        super().end_stage()
+        if self.stage % self.stages_per_generation == 0:
+            generation = self.stage // self.stages_per_generation
+            for stretch in self.disengagements():
+                # Equal, not at least: a longer stretch has been reported before.
+                if stretch.last == generation and len(stretch) == PATIENCE:
+                    warnings.warn(str(stretch), DisengagementWarning, stacklevel=3)
+
+    def disengagements(self) -> tuple[Disengagement, ...]:
+        """Return the stretches of finished generations in which one team won everything."""
+        return disengagements(self.phase_rates())
+
+    def phase_rates(self) -> FloatArray:
+        """Return the capture rates (K, 2) of both team phases of the K finished generations."""
+        stages = self.stages_per_generation
+        finished = len(self.stage_capture_rates) // stages
+        rates = np.array(self.stage_capture_rates[: finished * stages]).reshape(finished, stages)
+        # If a stage is a generation (as in `HallOfFameRace`), both phases have its rate.
+        return np.broadcast_to(rates, (finished, 2))
+
+    def summary(self, payoff: Payoff) -> dict[str, Any]:
+        """Return counts, and stretches of disengagement; commands judge the payoffs when asked."""
+        stretches = [str(stretch) for stretch in self.disengagements()]
+        return {**super().summary(payoff), "disengagement": stretches}
+
+    # Matches in which samplers with an archive compare candidates:
+
+    def admit(self, team: Team, generation: int, opponents: range) -> None:
+        """Add the team's newest genome and new `opponents` to its sampler's archive, if any."""
+        sampler = archive_of(self.samplers[team])
+        if sampler is not None:
+            payoff = self._payoff_function(team, graded=sampler.archive.graded)
+            sampler.update(np.array([generation - 1]), np.array(opponents), payoff)
+
+    def _archive_episodes(self, team: Team) -> int:
+        """Return the matches of each pair that a team's archive compares."""
+        return self.schedule.opponents_of(team).archive_episodes
+
+    def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:
+        """Return a function that plays generations (n,) against opponents (m,).
+
+        Its payoffs (n, m) are rates if `graded`, otherwise 1 for a win, 0.5 for a draw and 0.
+        """
+
+        def payoff(candidates: Members, tests: Members) -> FloatArray:
+            generations = {team: candidates, other(team): tests}
+            captured = self._capture_rates(
+                generations["pursuer"], generations["evader"], self._archive_episodes(team)
+            )
+            # Archives are the same for both teams: rows are candidates, and higher is better.
+            rates = captured if team == "pursuer" else 1.0 - captured.T
+            return rates if graded else (1.0 + np.sign(np.round(rates - EVEN, DECIMALS))) / 2.0
+
+        return payoff
+
+    def _capture_rates(self, pursuers: Members, evaders: Members, episodes: int) -> FloatArray:
+        """Return mean capture rates (n, m); the seeds of a pair depend on that pair only."""
+        seed, shape = self.settings.seed, (len(pursuers), len(evaders), episodes)
+        seeds = [
+            training_seeds(seed, int(g), int(h), Phase.ARCHIVE, 0, episodes)
+            for g in pursuers
+            for h in evaders
+        ]
+        # Matches in the order of the seeds: all episodes of a pair, then the next pair.
+        g, h, _ = np.indices(shape).reshape(3, -1)
+        scores = self.training.play(
+            self._members("pursuer", pursuers),
+            self._members("evader", evaders),
+            Matches.of(g, h, np.concatenate(seeds)),
+        )
+        rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
+        return np.asarray(rates.reshape(shape).mean(axis=2))
+
+    def _members(self, team: Team, generations: Members) -> Population:
+        return self.training.population(np.stack([self.archive[team][int(g)] for g in generations]))
+
+
+class HallOfFameRace(Race):
+    """Simultaneous co-evolution of two populations with halls of fame (Rosin & Belew 1997).
+
+    ::
+
+        in each epoch:
+            both populations breed
+            each individual plays against some living opponents, and against members of the
+            opponents' hall of fame that its team's sampler chooses
+            its fitness is the mean over its matches, or the result of fitness sharing
+        at the end of a generation the champion of each team enters its hall of fame
+
+    The halls of fame are the archive, so that payoff and analysis are those of `Race`. A stage is
+    a generation. Any learner can take part: the individuals of an evolution strategy are its
+    samples, and its mean is the champion.
+
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the race, with the schedule "hall-of-fame".
+    directory, threads, play
+        As in `Run`.
+
+    References
+    ----------
+    Rosin, C. D. and Belew, R. K. (1997). New methods for competitive coevolution. Evolutionary
+    Computation 5(1).
+    """
+
+    schedule: HallOfFame
+    schedule_class: ClassVar[type[Schedule]] = HallOfFame
+    stages_per_generation: ClassVar[int] = 1
+
+    def learn(self, stage: int) -> None:
+        """Let both teams evolve for the epochs of a generation, and archive their champions."""
+        generation = 1 + stage
+        for team in TEAMS:
+            self.admit(team, generation, range(stage, generation))
+        before = {team: self.learners[team].state() for team in TEAMS}
+        for epoch in range(self.schedule.joint_epochs):
+            populations = {
+                team: self.learners[team].ask(
+                    self._generator(Purpose.LEARN, generation, epoch, team)
+                )
+                for team in TEAMS
+            }
+            fitness, met = self._evaluate(generation, epoch, populations)
+            for team in TEAMS:
+                self.learners[team].tell(fitness[team])
+            self.report(f"generation {generation}: both")
+        # Both teams before either archive grows, so that the order of the teams does not matter.
+        for team in TEAMS:
+            self.training.choose_champion(self.learners[team], team, generation, *met[team])
+            self.retain(team, generation, before[team])
+        for team in TEAMS:
+            self.archive[team].append(self.learners[team].genome)
+
+    def _evaluate(
+        self, generation: int, epoch: int, populations: dict[Team, Genomes]
+    ) -> tuple[dict[Team, FloatArray], dict[Team, Met]]:
+        """Play and log the matches of an epoch.
+
+        Returns the fitness (n,) of each team, and whom its fittest individual has met.
+        """
+        rng = self._generator(Purpose.OPPONENTS, generation, epoch)
+        sampled = self._sample_halls(epoch, rng)
+        halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
+        n = self.settings.learner.population
+        # Both teams have the same kind of learner, and with it the same groups.
+        groups = self.learners["pursuer"].seed_groups
+        hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
+        pairs = pairings(groups, self.schedule.contemporaries, hall_sizes, rng)
+        everyone = {
+            team: self.training.population(np.concatenate([populations[team], halls[team]]))
+            for team in TEAMS
+        }
+        seeds = training_seeds(
+            self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch,
+            int(pairs.group.max()) + 1,
+        )[pairs.group]  # fmt: skip
+        scores = self.training.play(
+            everyone["pursuer"],
+            everyone["evader"],
+            Matches.of(pairs.pursuer, pairs.evader, seeds),
+        )
+        fitness: dict[Team, FloatArray] = {}
+        met: dict[Team, Met] = {}
+        for team in TEAMS:
+            own, opponents = getattr(pairs, team), getattr(pairs, other(team))
+            table = partial(table_of_individuals, own, opponents, n)
+            fitness[team] = self.training.fitness_of_epoch(
+                scores, table, team=team, generation=generation, epoch=epoch, opponent=SEVERAL
+            )
+            living, fittest = own < n, own == np.argmax(fitness[team])
+            self.training.teach(
+                self.learners[team], team, everyone[other(team)], opponents[living], seeds[living]
+            )
+            met[team] = everyone[other(team)], opponents[fittest]
+            if len(sampled[team]):
+                # Columns from n on are the hall of fame.
+                self.samplers[team].tell(sampled[team], table(win_rates(scores, team))[:, n:])
+        return fitness, met
+
+    def _sample_halls(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
+        """Return for each team its opponents from the other team's hall of fame."""
+        if not self.schedule.hall_sample:
+            return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
+        samplers, size = self.samplers, len(self.archive["pursuer"])
+        return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
+
+    def _generator(
+        self, purpose: Purpose, generation: int, epoch: int, team: Team = "pursuer"
+    ) -> np.random.Generator:
+        return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
+
+    def generation_matches(self, team: Team, k: int) -> int:
+        """Return the training matches by which `team` learns its generation `k`."""
+        schedule, population = self.schedule, self.settings.learner.population
+        sampled = min(schedule.hall_sample, k)
+        # A match of two living individuals counts for both teams, and here for the pursuers.
+        living = schedule.contemporaries if team == "pursuer" else 0
+        epochs = schedule.joint_epochs * (sampled + living) * population
+        return epochs + self.selection_matches(team, k, schedule.contemporaries + sampled, k)
+
+
+class Pairings(NamedTuple):
+    """The M matches of one epoch between two populations of n individuals.
+
+    Players with numbers below n are individuals, the others members of the hall of fame. Matches of
+    the same group have the same seed.
+    """
+
+    pursuer: Indices
+    evader: Indices
+    group: Indices
+
+
+def pairings(
+    seed_groups: Indices,
+    contemporaries: int,
+    hall: tuple[int, int],
+    rng: np.random.Generator,
+) -> Pairings:
+    """Return the matches of two populations of n individuals.
+
+    Every individual plays against `contemporaries` living opponents (such a match counts for both),
+    and against every sampled member of the other team's hall of fame.
+
+    `seed_groups` (n,) has the learner's groups (see `Learner`), and `hall` the number of
+    sampled members of the pursuers' and of the evaders' hall of fame.
+
+    Groups meet groups in random order, and their members meet in turn: with as many contemporaries
+    as a group has members, every member meets all members of one opposing group. Between mirrored
+    samples the strength of the opponents then cancels out, like the luck of the match seed. Where
+    all individuals are one group, each meets single opponents in random order.
+    """
+    n, groups = len(seed_groups), int(seed_groups.max()) + 1
+    size = n // groups if groups > 1 else 1
+    blocks = np.argsort(seed_groups, kind="stable").reshape(-1, size)
+    individuals = blocks.ravel()
+    rounds = []
+    for meeting in range(contemporaries):
+        if meeting % size == 0:
+            opponents = blocks[rng.permutation(len(blocks))]
+        rounds.append((individuals, np.roll(opponents, meeting % size, axis=1).ravel()))
+    rounds += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
+    rounds += [(np.full(n, n + member), individuals) for member in range(hall[0])]
+    pursuers, evaders = zip(*rounds, strict=True)
+    # The same seeds for the members of a group, other ones in each round.
+    first = np.arange(len(rounds))[:, np.newaxis] * groups
+    seeds = first + seed_groups[individuals]
+    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
+
+
+def table_of_individuals(
+    own: Indices, opponents: Indices, n: int, values: FloatArray
+) -> FloatArray:
+    """Return the values (M,) of matches as a table (n, m) of individuals against opponents.
+
+    It holds the mean over the matches of a pair, and NaN for a pair that did not play.
+    """
+    # Matches of hall members themselves are not needed: they do not evolve any more.
+    living, m = own < n, int(opponents.max()) + 1
+    pair = own[living] * m + opponents[living]
+    count = np.bincount(pair, minlength=n * m)
+    table = np.full(n * m, np.nan)
+    np.divide(np.bincount(pair, values[living], n * m), count, out=table, where=count > 0)
+    return table.reshape(n, m)
