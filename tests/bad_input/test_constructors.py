@@ -74,7 +74,7 @@ CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
     ),
     "VectorEnv": (
         mw.VectorEnv,
-        {"config": CONFIG, "n_worlds": 2, "threads": 1}
+        {"config": CONFIG, "n_worlds": 2, "threads": 1, "copy": True, "action_mask": False}
         | {"autoreset_mode": "NextStep", "flatten": False, "state": False, "render_mode": None},
     ),
     "parallel_env": (mw.parallel_env, {"config": CONFIG}),

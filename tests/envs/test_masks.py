@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from rows import NAMES, config_of
+from rows import NAMES, config_of, play_turns
 
 STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
 
@@ -65,18 +65,15 @@ def test_masks_in_turns(name: str) -> None:
     env = mw.aec_env(config_of(name, obstacles=0.2), action_mask=True)
     env.reset(seed=2)
     inside = env.unwrapped
-    acted = 0
-    for agent in env.agent_iter():
-        _, _, terminated, truncated, info = env.last()
-        if terminated or truncated:
-            env.step(None)
-            continue
+
+    def choose(agent: str, info: dict[str, Any]) -> int:
         position = inside.status.positions[inside.possible_agents.index(agent)]
         ground = env.state()[2].astype(bool)
         assert info["action_mask"].tolist() == expected_mask(position, ground, 5)
-        env.step(env.action_space(agent).sample(info["action_mask"]))
-        acted += 1
-    assert acted > 10
+        return int(env.action_space(agent).sample(info["action_mask"]))
+
+    play_turns(env, choose)
+    assert inside.status.steps > 1
 
 
 def test_without_the_option_there_is_no_mask() -> None:

@@ -12,25 +12,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.envs import INFO_KEYS
-from rows import CUSTOM, NAMES, config_of, random_actions
-
-
-def named(env: Any, row: np.ndarray) -> dict[str, int]:
-    return {
-        agent: int(action)
-        for agent, action in zip(env.possible_agents, row, strict=True)
-        if agent in env.agents
-    }
-
-
-def assert_equal(one: Any, other: Any) -> None:
-    """Dicts of arrays and numbers, nested."""
-    if isinstance(one, dict):
-        assert one.keys() == other.keys()
-        for key, value in one.items():
-            assert_equal(value, other[key])
-    else:
-        np.testing.assert_array_equal(one, other)
+from rows import CUSTOM, NAMES, by_name, config_of, random_actions, random_team
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -43,7 +25,7 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
     for row in random_actions(3, config.n_actions, config.max_steps, config.n_agents):
         acted = [agent for agent, lives in zip(env.possible_agents, alive, strict=True) if lives]
         assert env.agents == acted
-        observations, rewards, terminations, truncations, infos = env.step(named(env, row))
+        observations, rewards, terminations, truncations, infos = env.step(by_name(env, row))
         world.step(row)
         for part in (observations, rewards, terminations, truncations, infos):
             assert list(part) == acted
@@ -78,11 +60,8 @@ def test_infos() -> None:
     first, second, evader = infos.values()
     assert not first["involved_adversary"]
     assert (second["fault_adversary"], second["cost_adversary"], second["cost"]) == (True, 1.0, 1.0)
-    assert (evader["involved_adversary"], evader["fault_adversary"], evader["cost"]) == (
-        True,
-        False,
-        0.0,
-    )
+    told = evader["involved_adversary"], evader["fault_adversary"], evader["cost"]
+    assert told == (True, False, 0.0)
     _, _, terminations, _, infos = env.step({"pursuer_0": 2, "pursuer_1": 0, "evader_0": 2})
     assert infos["pursuer_0"]["cost_teammate"] == infos["pursuer_1"]["cost_teammate"] == 1.0
     assert infos["evader_0"] | {"captured": False} == infos["evader_0"]
@@ -130,21 +109,22 @@ def test_options() -> None:
 
 
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda e: pickle.loads(pickle.dumps(e))])  # noqa: S301
-@pytest.mark.parametrize("name", ["O", "SB", "swarm-D", "TO"])
+@pytest.mark.parametrize("name", ["O", "SB", "swarm-D", "TO", "a built-in team"])
 def test_copies_continue_independently_and_identically(name: str, copied: Any) -> None:
-    env = mw.parallel_env(config_of(name), record=True)
+    built_in = name == "a built-in team"
+    config = config_of("R" if built_in else name)
+    league = ["random", random_team(config, 1)]
+    env = mw.parallel_env(config, record=True, evaders=league if built_in else None)
     env.reset(seed=1)
-    rows = random_actions(3, 5, 20, env.config.n_agents)
-    env.step(named(env, rows[0]))
+    rows = random_actions(3, 5, 20, len(env.possible_agents))
+    env.step(by_name(env, rows[0]))
     twin = copied(env)
     env.action_space(env.agents[0]).seed(4)
     for row in rows[1:]:
         if not env.agents:
             env.reset()
             twin.reset()
-        assert_equal(
-            dict(enumerate(env.step(named(env, row)))), dict(enumerate(twin.step(named(twin, row))))
-        )
+        np.testing.assert_equal(env.step(by_name(env, row)), twin.step(by_name(twin, row)))
     np.testing.assert_array_equal(env.recorded.positions, twin.recorded.positions)
     left = copied(env)
     env.reset()
@@ -158,8 +138,8 @@ def test_observations_are_not_overwritten() -> None:
     env = mw.parallel_env(config_of("R"))
     observations, _ = env.reset(seed=1)
     before = copy.deepcopy(observations)
-    env.step(named(env, random_actions(3, 5, env.config.n_agents)))
-    assert_equal(observations, before)
+    env.step(by_name(env, random_actions(3, 5, env.config.n_agents)))
+    np.testing.assert_equal(observations, before)
 
 
 @pytest.mark.parametrize(
@@ -184,32 +164,38 @@ def test_actions_that_are_refused(
 
 
 def test_calls_that_are_refused() -> None:
-    env = mw.parallel_env(config_of("O"))
+    env = mw.parallel_env(config_of("O", max_steps=1))
     with pytest.raises(RuntimeError, match="call reset"):
         env.step({})
     env.reset(seed=1)
-    ended = mw.parallel_env(config_of("O", max_steps=1))
-    ended.reset(seed=1)
-    ended.step(dict.fromkeys(ended.agents, 0))
-    assert ended.step({}) == ({}, {}, {}, {}, {})
-    with pytest.raises(RuntimeError, match="has ended"):
-        ended.step({"pursuer_0": 0})
     with pytest.raises(ValueError, match=r"none came for \['pursuer_1', "):
         env.step({"pursuer_0": 0})
-    with pytest.raises(ValueError, match="render: expected a render_mode"):
+    env.step(dict.fromkeys(env.agents, 0))
+    assert env.step({}) == ({}, {}, {}, {}, {})
+    with pytest.raises(RuntimeError, match="has ended"):
+        env.step({"pursuer_0": 0})
+    with pytest.raises(ValueError, match="^render: expected a render_mode"):
         env.render()
     with pytest.raises(RuntimeError, match="record=True"):
         env.recorded  # noqa: B018
-    with pytest.raises(ValueError, match="render_mode: expected None or one of .*got 'png'"):
-        mw.parallel_env(render_mode="png")
-    with pytest.raises(ValueError, match=r"fields_of_view: .*got \['evader_30'\]"):
-        mw.parallel_env(fields_of_view=["pursuer_0", "evader_30"])
-    with pytest.raises(ValueError, match="^action_mask: expected a fov of at least 3, got 1"):
-        mw.parallel_env(fov=1, action_mask=True)
-    with pytest.raises(TypeError, match="^action_mask: expected True or False, got 'yes'"):
-        mw.aec_env(action_mask="yes")
     env.close()
     env.close()
+
+
+@pytest.mark.parametrize(
+    ("settings", "error", "says"),
+    [
+        ({"render_mode": "png"}, ValueError, "render_mode: expected None or one of .*got 'png'"),
+        ({"fields_of_view": ["evader_30"]}, ValueError, r"fields_of_view: .*got \['evader_30'\]"),
+        ({"fov": 1, "action_mask": True}, ValueError, "action_mask: expected a fov .* got 1"),
+        ({"action_mask": "yes"}, TypeError, "action_mask: expected True or False, got 'yes'"),
+    ],
+)
+def test_settings_that_are_refused(
+    settings: dict[str, Any], error: type[Exception], says: str
+) -> None:
+    with pytest.raises(error, match=f"^{says}"):
+        mw.parallel_env(**settings)
 
 
 def test_names() -> None:

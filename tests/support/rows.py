@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -86,6 +87,25 @@ def random_walks(
     episode = mw.record_actions(config, random_actions(0, 5, steps, pursuers + evaders))
     assert episode.length == steps
     return replace(episode, conflict_table=None)
+
+
+def by_name(env: Any, row: np.ndarray) -> dict[str, int]:
+    """Return the actions of a parallel environment's living agents, from those of all agents."""
+    actions = dict(zip(env.possible_agents, row.tolist(), strict=True))
+    return {agent: actions[agent] for agent in env.agents}
+
+
+def play_turns(env: Any, choose: Callable[[str, dict[str, Any]], int]) -> dict[str, float]:
+    """Play an episode of an AEC environment, and return what each agent was paid.
+
+    `choose` gets the agent and its info.
+    """
+    paid = dict.fromkeys(env.possible_agents, 0.0)
+    for agent in env.agent_iter():
+        _, reward, terminated, truncated, info = env.last()
+        paid[agent] += reward
+        env.step(None if terminated or truncated else choose(agent, info))
+    return paid
 
 
 def assert_same_worlds(one: mw.World, other: mw.World) -> None:
