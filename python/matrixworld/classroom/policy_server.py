@@ -28,12 +28,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.classroom.sandbox import (
-    Limits,
-    end_with_parent,
-    filter_system_calls,
-    set_limits,
-)
+from matrixworld.classroom.sandbox import Limits, end_with_parent, filter_system_calls, set_limits
 
 # ---- Messages ------------------------------------------------------------------------------------
 #

@@ -59,7 +59,9 @@ class Standing:
 
 
 def standings(result: ClassResult, team: Team) -> list[Standing]:
-    """Return the standings of a team, the highest score first.
+    """Return the standings of a team's students and scripts, the highest score first.
+
+    Entries with equal scores are in the order of the submissions.
 
     Parameters
     ----------
@@ -67,11 +69,6 @@ def standings(result: ClassResult, team: Team) -> list[Standing]:
         The tournament.
     team : {"pursuer", "evader"}
         The team.
-
-    Returns
-    -------
-    list of Standing
-        Of students and scripts. Entries with equal scores are in the order of the submissions.
     """
     payoffs = payoffs_of(result, team)
     band = generalization_over_episodes(result.capture_rates)[team == "evader"]

@@ -18,7 +18,7 @@ import unicodedata
 import zipfile
 import zlib
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import IO, Any, Literal, NamedTuple, TypeAlias
@@ -271,16 +271,12 @@ def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy)
         If there is no such team.
     """
     check_choice("team", team, TEAMS)
-    network = policy.network
     save_arrays(
         Path(path),
         {
+            **asdict(policy.network),
+            "hidden": np.array(policy.network.hidden, np.int64),
             "genome": policy.genome,
-            "hidden": np.array(network.hidden, np.int64),
-            "activation": network.activation,
-            "fov": network.fov,
-            "n_actions": network.n_actions,
-            "sampled": network.sampled,
             "team": team,
         },
     )

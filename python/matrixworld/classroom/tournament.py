@@ -83,7 +83,7 @@ def play_class(
     threads: int | None = None,
     progress: Callable[[str], AbstractContextManager[Report]] = lambda unit: nullcontext(silent),
 ) -> ClassResult:
-    """Play the tournament of a directory of submissions.
+    """Play all pairs of a directory of submissions; what breaks a rule is left out.
 
     Parameters
     ----------
@@ -106,11 +106,6 @@ def play_class(
     progress : callable, optional
         Takes the unit of a part of the work and returns a context, which gives a function
         ``report(what, done, total)``. By default nothing is reported.
-
-    Returns
-    -------
-    ClassResult
-        Results of all pairs of entries that broke no rule.
 
     Raises
     ------

@@ -62,7 +62,6 @@ VALUES: Mapping[type, Mapping[Any, str]] = {
 }
 """The values of fields by their type, as the page names them."""
 
-
 DOCUMENTED = re.compile(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", re.MULTILINE)
 """Names of parameters in a docstring, and their text."""
 
@@ -93,9 +92,6 @@ class Playground:
         If the world is in the middle of a round or too large, or another argument is not valid.
     """
 
-    scene: str
-    picture: bytes
-
     def __init__(
         self,
         world: World | None = None,
@@ -118,11 +114,6 @@ class Playground:
         ----------
         page : str or path, optional
             Address of the page. The default is ``playground.html``.
-
-        Returns
-        -------
-        str
-            The link.
         """
         return f"{os.fspath(page)}#{self.scene}"
 

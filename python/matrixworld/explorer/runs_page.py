@@ -54,8 +54,7 @@ class Explorer:
     path : Path
         The file.
     picture : bytes, optional
-        A match as a PNG file: what a notebook shows where it shows no frame. The
-        default is none.
+        A match as a PNG file: what a notebook shows where it shows no frame. The default is none.
     """
 
     path: Path
@@ -70,7 +69,7 @@ class Explorer:
 
 
 def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Explorer:
-    """Write the page of finished runs.
+    """Write the page of finished runs; the last expression of a notebook's cell shows it.
 
     Parameters
     ----------
@@ -81,11 +80,6 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
         holds all of the runs.
     force : bool, optional
         Whether to replace a file that exists. The default is False.
-
-    Returns
-    -------
-    Explorer
-        The page; the last expression of a notebook's cell shows it.
 
     Raises
     ------

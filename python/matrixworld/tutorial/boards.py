@@ -19,6 +19,8 @@ from matrixworld.world.rules import Action, Rules
 from matrixworld.world.world import World
 
 Cell = tuple[int, int]
+Situation = tuple[list[Cell], list[Cell]]
+"""Cells of pursuers on a square, all different, and those they mean to enter."""
 MOVES: dict[Action, Cell] = {
     Action.STAY: (0, 0),
     Action.NORTH: (-1, 0),
@@ -110,10 +112,10 @@ def before_and_after(world: World, actions: ArrayLike) -> Picture:
     return Picture(np.concatenate(pixels, axis=1))
 
 
-def random_pack(rng: np.random.Generator, side: int, count: int) -> tuple[list[Cell], list[Cell]]:
-    """Return cells of pursuers on a square, all different, and those they mean to enter.
+def random_pack(rng: np.random.Generator, side: int, count: int) -> Situation:
+    """Return a situation of pursuers that stay or enter a cell beside them.
 
-    These are the same or beside them. A pursuer that would leave the square stays.
+    A pursuer that would leave the square stays.
     """
     places = rng.permutation(side * side)[:count]
     cells = [divmod(int(place), side) for place in places]
@@ -126,6 +128,20 @@ def random_pack(rng: np.random.Generator, side: int, count: int) -> tuple[list[C
         for here, there in zip(cells, wanted, strict=True)
     ]
     return cells, targets
+
+
+def situations(drawn: Iterable[Situation], *, seed: int, most: int) -> list[Situation]:
+    """Return drawn situations, and random ones of 2 to `most` pursuers on 4 x 4 cells."""
+    rng = np.random.default_rng(seed)
+    counts = [count for count in range(2, most + 1) for _ in range(8)]
+    return [*drawn, *(random_pack(rng, 4, count) for count in counts)]
+
+
+def after_step(situation: Situation, side: int, rules: Rules | str = "SB") -> World:
+    """Return a world after the step of a pack on a square; no target is outside."""
+    world = pack(situation[0], side, rules)
+    world.step([*actions_to(*situation), Action.STAY], explain=True)
+    return world
 
 
 def actions_to(cells: Iterable[Cell], targets: Iterable[Cell]) -> list[Action]:

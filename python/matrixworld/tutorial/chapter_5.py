@@ -14,12 +14,7 @@ from matrixworld.tutorial.course import kept
 
 ENDINGS = {"A": "one side only", "B": "cycle", "C": "arms race", "D": "equilibrium"}
 """What happens in the four races of the first exercise."""
-SHOWN = {
-    "A": "only evaders rise",
-    "B": "cycle",
-    "C": "pure race",
-    "D": "early stagnation",
-}
+SHOWN = {"A": "only evaders rise", "B": "cycle", "C": "pure race", "D": "early stagnation"}
 """Kinds of these races."""
 
 

@@ -43,21 +43,16 @@ def reveal(answers: Any, races: Sequence[FloatArray]) -> str:
         return "No verdicts yet. Replace the dots with a list, and run both cells again."
     if isinstance(answers, str) or len(answers) != len(races) or set(answers) - set(ANSWERS):
         return f"Expected a list of {len(races)} answers, each 'yes', 'no' or '?'."
+    truths = [is_disengaged(*each) for each in UNKNOWN]
     lines = [f"race  {'truth':13}{'you':13}judge"]
-    for place, (each, answer) in enumerate(zip(UNKNOWN, answers, strict=True)):
-        truth = "disengaged" if is_disengaged(*each) else "not"
-        lines.append(f"{place:<6}{truth:13}{ANSWERS[answer]:13}{verdict_of(races[place])}")
-    return "\n".join([*lines, "", _errors(answers)])
-
-
-def _errors(answers: Sequence[str]) -> str:
-    """Return how often the answers were wrong, in words."""
-    held = [is_disengaged(*each) for each in UNKNOWN]
-    alarms = sum(a == "yes" and not truth for a, truth in zip(answers, held, strict=True))
-    missed = sum(a == "no" and truth for a, truth in zip(answers, held, strict=True))
-    return (
-        f"You: {alarms} false alarms in {len(held) - sum(held)} races that are not disengaged, "
-        f"and {missed} of {sum(held)} disengaged ones missed."
+    for place, (truth, answer) in enumerate(zip(truths, answers, strict=True)):
+        word = "disengaged" if truth else "not"
+        lines.append(f"{place:<6}{word:13}{ANSWERS[answer]:13}{verdict_of(races[place])}")
+    pairs = list(zip(answers, truths, strict=True))
+    alarms, missed = pairs.count(("yes", False)), pairs.count(("no", True))
+    return "\n".join(lines) + (
+        f"\n\nYou: {alarms} false alarms in {truths.count(False)} races that are not disengaged, "
+        f"and {missed} of {truths.count(True)} disengaged ones missed."
     )
 
 

@@ -155,12 +155,7 @@ def _why_verdict(found: str, right: str, one: FloatArray, other: FloatArray) -> 
     )
 
 
-verdict = function(
-    one_of((BETTER, WORSE, OPEN)),
-    verdict_on,
-    _scores,
-    otherwise=_why_verdict,
-)
+verdict = function(one_of((BETTER, WORSE, OPEN)), verdict_on, _scores, otherwise=_why_verdict)
 
 
 CHECKS: dict[str, Check] = {

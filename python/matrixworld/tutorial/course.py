@@ -76,11 +76,6 @@ def check(name: str, answer: object) -> Feedback:
     answer : object
         The student's answer; ``...`` stands for no answer yet.
 
-    Returns
-    -------
-    Feedback
-        The reply.
-
     Raises
     ------
     ValueError
@@ -121,17 +116,7 @@ def hint(name: str) -> Feedback:
     Parameters
     ----------
     name : str
-        Name of the exercise, for example ``"3.2"``.
-
-    Returns
-    -------
-    Feedback
-        The hint.
-
-    Raises
-    ------
-    ValueError
-        If there is no exercise of this name.
+        Name of the exercise, as in `check`; ValueError if there is none of this name.
     """
     exercise = _find(name)
     if isinstance(exercise, Prediction):
@@ -143,8 +128,6 @@ def hint(name: str) -> Feedback:
 
 def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
     """Return the exercises and predictions of a notebook, from 1, by name, in their order."""
-    if chapter not in CHAPTERS:
-        raise ValueError(f"chapter: expected {CHAPTERS[0]} to {CHAPTERS[-1]}, got {chapter!r}")
     checks: Mapping[str, Check] = import_module(f"matrixworld.tutorial.chapter_{chapter}").CHECKS
     return {
         name: Prediction(**text) if "outcome" in text else Exercise(checks[name], **text)
@@ -180,22 +163,12 @@ def _find(name: str) -> Exercise | Prediction:
 
 
 def kept(name: str) -> Arrays:
-    """Return arrays that were computed before.
+    """Return arrays that were computed before, by name.
 
     Parameters
     ----------
     name : str
-        Name of the file without its ending.
-
-    Returns
-    -------
-    mapping of str to ndarray
-        The arrays.
-
-    Raises
-    ------
-    ValueError
-        If nothing is kept under this name.
+        Name of the file without its ending; ValueError if nothing is kept under this name.
     """
     names = sorted(path.stem for path in DATA.glob("*.npz"))
     if name not in names:
@@ -212,10 +185,5 @@ def size(full: T, quick: T) -> T:
         The value for a reader.
     quick : object
         The value if the environment variable ``MATRIXWORLD_QUICK`` is 1.
-
-    Returns
-    -------
-    object
-        One of them.
     """
     return quick if os.environ.get(QUICK) == "1" else full
