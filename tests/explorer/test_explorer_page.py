@@ -147,6 +147,7 @@ def test_the_page_says_if_its_matches_differ(browser: Browser, job: Job, tmp_pat
 def test_keys(opened: Browser) -> None:
     select(opened, 0, 1, 1)
     opened.wait("window.matrixworldExplorer.step > 0")  # a click plays the match
+    assert opened.js("document.activeElement === document.body")  # Space is for the player, not a tab
     opened.press(" ", HOME)
     opened.wait("window.matrixworldExplorer.step === 0")
     opened.press(RIGHT, RIGHT)
@@ -162,13 +163,13 @@ def test_keys(opened: Browser) -> None:
     opened.press("o")
     opened.wait(f"{PLAYED} === '0 1 1 0 '")
     opened.press("?")
-    assert opened.js("document.querySelector('dialog.help').open")
+    opened.wait("document.querySelector('dialog.help').open")
     opened.press(ESCAPE)
-    assert not opened.js("document.querySelector('dialog.help').open")
+    opened.wait("!document.querySelector('dialog.help').open")
     opened.press("2")
     opened.wait(f"{PLAYED} === '1 1 1 0 '")
     opened.press("d")
-    assert opened.js("document.documentElement.dataset.theme") in ("light", "dark")
+    opened.wait("['light', 'dark'].includes(document.documentElement.dataset.theme)")
     assert opened.errors() == []
 
 

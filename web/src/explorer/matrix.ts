@@ -61,8 +61,12 @@ export class MatrixPanel {
     this.#room.addEventListener("pointermove", (event) => this.#point(event));
     this.#room.addEventListener("pointerleave", () => store.point({}));
     this.#room.addEventListener("click", (event) => this.#choose(event));
-    // A click leaves the arrow keys to the player; Tab and M give them to the matrix.
-    this.#room.addEventListener("mousedown", (event) => event.preventDefault());
+    // A click gives the keys to the player, also those of a button that was pressed before; Tab and M
+    // give them to the matrix.
+    this.#room.addEventListener("mousedown", (event) => {
+      event.preventDefault();
+      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+    });
     this.#room.addEventListener("keydown", (event) => this.#key(event));
     store.on("run", () => this.#draw());
     store.on("match", () => this.#mark());

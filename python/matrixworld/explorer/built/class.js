@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 164e875ff9e6c054058b049a1a245e6b47f2566b9b188e9029f87358df8a4cfa */
+/* built from web/ by "npm run build"; sources 4dd90db7e0414bd988c4e9cd6e0b85ed9e491e29d9ad42fe1656c6b6de270ba5 */
 "use strict";(()=>{var sr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},W=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#s=0;#a=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#o=r.still??!1,this.#r=r.clock??sr}get step(){return this.#n}get time(){return this.#o?this.#n:this.#s}get arrived(){return this.#s===
 this.#n}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get speed(){return this.#t}set speed(e){

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 164e875ff9e6c054058b049a1a245e6b47f2566b9b188e9029f87358df8a4cfa */
+/* built from web/ by "npm run build"; sources 4dd90db7e0414bd988c4e9cd6e0b85ed9e491e29d9ad42fe1656c6b6de270ba5 */
 "use strict";(()=>{var Mt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Et={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Ct=["obstacle","teammate","adversary"],Ye=["vertex","edge","chain"],Tt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Xe=["p\
 ursuer_{number}","evader_{number}"],_t={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
@@ -290,41 +290,41 @@ a-hidden":"true"});#n=y("g");#t;#o=d("h2");#c=d("strong",{class:"rate numbers"})
 plays it."},this.#s,this.#a);let r=d("header",{class:"readout","aria-live":"polite"},d("div",{},this.#o,this.#i),d("div",{class:"of-cell"},this.#c,this.#d));this.
 element=d("section",{class:"card matrix-card","aria-label":"Payoff matrix"},r,this.#t,jo()),this.#b(),new ResizeObserver(()=>this.#h()).observe(this.#t),this.#t.
 addEventListener("pointermove",o=>this.#v(o)),this.#t.addEventListener("pointerleave",()=>n.point({})),this.#t.addEventListener("click",o=>this.#w(o)),this.#t.addEventListener(
-"mousedown",o=>o.preventDefault()),this.#t.addEventListener("keydown",o=>this.#x(o)),n.on("run",()=>this.#h()),n.on("match",()=>this.#f()),n.on("hover",()=>this.#f())}get#l(){
-return this.#r[this.#e.selected.run]}#h(){let[t,n]=this.#l.payoff.shape,{clientWidth:r,clientHeight:o}=this.#t;if(r<50)return;let a=Math.max(Wo,Math.min(r-_.left-
-_.right,o-_.top-_.bottom))/Math.max(t,n),i=Math.max(_.left,(r-n*a-_.right+_.left)/2),l=_.top+Math.max(0,(o-_.top-_.bottom-t*a)/2),c={width:r,height:o,left:i,top:l,
-cell:a,rows:t,columns:n};this.#u=c,_e(this.#s,this.#l.payoff,{left:i,top:l,width:n*a,height:t*a}),this.#a.setAttribute("viewBox",`0 0 ${r} ${o}`),this.#a.replaceChildren(
-Go(c),zo(c),...this.#p(c),this.#n),this.#f()}#m(t){let n=this.#l.findings?.generalization;if(!n)return[];let{selected:r,hover:o}=this.#e,[s,a]=[o.pursuer??r.pursuer,
-o.evader??r.evader],[i,l]=er(t,n.pursuers.mean[s]??0,s),[c,u]=tr(t,n.evaders.mean[a]??0,a);return[y("circle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),y("circle",
-{class:"dot of-evaders",cx:c,cy:u,r:5})]}#p(t){let n=this.#l.findings?.generalization;if(!n)return[];let{left:r,top:o,cell:s,rows:a,columns:i}=t,[l,c]=[r+i*s+P,
-o-P],u={class:"side"};return[y("rect",{...u,x:l,y:o,width:be,height:a*s}),y("rect",{...u,x:r,y:c-W,width:i*s,height:W}),...nr(n.pursuers,(m,p)=>er(t,m,p),"of-pu\
-rsuers"),...nr(n.evaders,(m,p)=>tr(t,m,p),"of-evaders"),y("text",{class:"tick",x:l,y:o+a*s+16,"text-anchor":"start"},"0"),y("text",{class:"tick",x:l+be,y:o+a*s+
-16,"text-anchor":"end"},"1"),y("text",{class:"tick",x:r-6,y:c-4,"text-anchor":"end"},"0"),y("text",{class:"tick",x:r-6,y:c-W+8,"text-anchor":"end"},"1"),y("text",
-{class:"label of-pursuers",x:l+be,y:o+a*s+34,"text-anchor":"end"},"captures"),y("text",{class:"label of-evaders",x:r+i*s+P,y:c-W+10,"text-anchor":"start"},"esca\
-pes")]}#f(){let t=this.#u;if(!t)return;let{selected:n,hover:r}=this.#e,{left:o,top:s,cell:a,rows:i,columns:l}=t,c=g=>s+(i-1-g)*a,u=[],m=(g,h)=>y("rect",{class:h,
-x:o,y:c(g),width:l*a+P+be,height:a}),p=(g,h)=>y("rect",{class:h,x:o+g*a,y:s-P-W,width:a,height:P+W+i*a});if(u.push(m(n.pursuer,"strip pursuer"),p(n.evader,"stri\
-p evader")),r.pursuer!==null&&r.pursuer<i&&u.push(m(r.pursuer,"strip hover")),r.evader!==null&&r.evader<l&&u.push(p(r.evader,"strip hover")),r.lag!==null)for(let g=0;g<
-l;g++){let h=g+r.lag;h>=0&&h<i&&u.push(y("rect",{class:"lagged",x:o+g*a,y:c(h),width:a,height:a}))}u.push(...this.#m(t));let f={x:o+n.evader*a,y:c(n.pursuer),width:a,
-height:a};u.push(y("rect",{class:"chosen under",...f}),y("rect",{class:"chosen",...f})),this.#n.replaceChildren(...u),this.#b()}#b(){let{selected:t,hover:n}=this.#e,
-r=n.pursuer??t.pursuer,o=n.evader??t.evader,s=se(this.#l,r,o);this.#o.replaceChildren(d("span",{class:"pursuer"},`Pursuers ${r}`)," against ",d("span",{class:"e\
-vader"},`evaders ${o}`)),this.#c.textContent=s?A(s.rate,3):"-",this.#d.textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"the evaluation played n\
-o episodes",this.#i.textContent=this.#y(r,o)}#y(t,n){let r=this.#l.findings?.generalization;if(!r)return"";let o=(s,a)=>De(s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??
-null);return`Against all: captures ${o(r.pursuers,t)}, escapes ${o(r.evaders,n)}`}#g(t){let n=this.#u;if(!n)return null;let r=this.#t.getBoundingClientRect(),o=Math.
-floor((t.clientX-r.left-n.left)/n.cell),s=n.rows-1-Math.floor((t.clientY-r.top-n.top)/n.cell),[a,i]=[s>=0&&s<n.rows,o>=0&&o<n.columns];return a||i?{g:a?s:-1,h:i?
-o:-1,inside:a&&i}:null}#v(t){let n=this.#g(t);this.#e.point(n?{pursuer:n.g<0?null:n.g,evader:n.h<0?null:n.h}:{})}#w(t){let n=this.#g(t);n&&(this.#e.select({...n.
-g<0?{}:{pursuer:n.g},...n.h<0?{}:{evader:n.h}}),n.inside&&this.#t.dispatchEvent(new CustomEvent("play",{bubbles:!0})))}#x(t){let r={ArrowUp:[1,0],ArrowDown:[-1,
-0],ArrowRight:[0,1],ArrowLeft:[0,-1]}[t.key];if(t.key==="Enter")this.#t.dispatchEvent(new CustomEvent("play",{bubbles:!0}));else if(r){let o=t.shiftKey?5:1,[s,a]=this.#l.
-payoff.shape,{pursuer:i,evader:l}=this.#e.selected;this.#e.select({pursuer:Qn(i+o*r[0],s),evader:Qn(l+o*r[1],a)})}else return;t.preventDefault(),t.stopPropagation()}};
-function jo(){let e=d("span",{class:"gradient"});return e.style.backgroundImage=en(),d("p",{class:"scale-of-rates small muted"},"0 all escape",e,"1 all caught")}
-var Qn=(e,t)=>Math.min(t-1,Math.max(0,e));function Go({left:e,top:t,cell:n,rows:r,columns:o}){let s=y("g",{class:"axes"}),a=t+r*n,i=l=>pe(0,l-1,Math.min(l,l*n/44),
-!0);for(let l of i(o))s.append(y("text",{class:"tick",x:e+(l+.5)*n,y:a+16,"text-anchor":"middle"},l));for(let l of i(r))s.append(y("text",{class:"tick",x:e-7,y:a-
-(l+.5)*n,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(y("text",{class:"label of-evaders",x:e+o*n/2,y:a+36,"text-anchor":"middle"},"evad\
-er generation"),y("text",{class:"label of-pursuers",transform:`translate(${e-36} ${t+r*n/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),s}function zo({
-left:e,top:t,cell:n,rows:r,columns:o}){let s=y("g",{class:"diagonal"}),a=Math.min(r,o);if(a<3)return s;let i=t+r*n;for(let l of["H","V"]){let c=`M${e} ${i}`;for(let u=1;u<=
-a;u++){let[m,p]=[`H${e+u*n}`,`V${i-u*n}`];c+=l==="H"?m+p:p+m}s.append(y("path",{d:c,class:"under"}),y("path",{d:c}))}return s}var er=({left:e,top:t,cell:n,rows:r,
-columns:o},s,a)=>[e+o*n+P+s*be,t+(r-a-.5)*n],tr=({left:e,top:t,cell:n},r,o)=>[e+(o+.5)*n,t-P-r*W];function nr(e,t,n){let r=s=>s.map((a,i)=>t(a??0,i).map(l=>l.toFixed(
-1)).join(" ")),o=[];return e.low&&e.high&&o.push(y("path",{class:`band ${n}`,d:`M${[...r(e.high),...r(e.low).reverse()].join("L")}Z`})),o.push(y("path",{class:`\
-line ${n}`,d:`M${r(e.mean).join("L")}`})),o}function C(e,t,...n){return d("section",{class:"card panel","aria-label":e},d("header",{},d("h2",{},e),d("p",{class:"small muted"},t)),...n)}function rr(e,t,n){let{findings:r}=e;if(!r)return null;let o=d("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=n();l&&Ko(o,e,i,t,l)},a=r.checkerboards.
+"mousedown",o=>{o.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),this.#t.addEventListener("keydown",o=>this.#x(
+o)),n.on("run",()=>this.#h()),n.on("match",()=>this.#f()),n.on("hover",()=>this.#f())}get#l(){return this.#r[this.#e.selected.run]}#h(){let[t,n]=this.#l.payoff.
+shape,{clientWidth:r,clientHeight:o}=this.#t;if(r<50)return;let a=Math.max(Wo,Math.min(r-_.left-_.right,o-_.top-_.bottom))/Math.max(t,n),i=Math.max(_.left,(r-n*
+a-_.right+_.left)/2),l=_.top+Math.max(0,(o-_.top-_.bottom-t*a)/2),c={width:r,height:o,left:i,top:l,cell:a,rows:t,columns:n};this.#u=c,_e(this.#s,this.#l.payoff,
+{left:i,top:l,width:n*a,height:t*a}),this.#a.setAttribute("viewBox",`0 0 ${r} ${o}`),this.#a.replaceChildren(Go(c),zo(c),...this.#p(c),this.#n),this.#f()}#m(t){
+let n=this.#l.findings?.generalization;if(!n)return[];let{selected:r,hover:o}=this.#e,[s,a]=[o.pursuer??r.pursuer,o.evader??r.evader],[i,l]=er(t,n.pursuers.mean[s]??
+0,s),[c,u]=tr(t,n.evaders.mean[a]??0,a);return[y("circle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),y("circle",{class:"dot of-evaders",cx:c,cy:u,r:5})]}#p(t){let n=this.#l.
+findings?.generalization;if(!n)return[];let{left:r,top:o,cell:s,rows:a,columns:i}=t,[l,c]=[r+i*s+P,o-P],u={class:"side"};return[y("rect",{...u,x:l,y:o,width:be,
+height:a*s}),y("rect",{...u,x:r,y:c-W,width:i*s,height:W}),...nr(n.pursuers,(m,p)=>er(t,m,p),"of-pursuers"),...nr(n.evaders,(m,p)=>tr(t,m,p),"of-evaders"),y("te\
+xt",{class:"tick",x:l,y:o+a*s+16,"text-anchor":"start"},"0"),y("text",{class:"tick",x:l+be,y:o+a*s+16,"text-anchor":"end"},"1"),y("text",{class:"tick",x:r-6,y:c-
+4,"text-anchor":"end"},"0"),y("text",{class:"tick",x:r-6,y:c-W+8,"text-anchor":"end"},"1"),y("text",{class:"label of-pursuers",x:l+be,y:o+a*s+34,"text-anchor":"\
+end"},"captures"),y("text",{class:"label of-evaders",x:r+i*s+P,y:c-W+10,"text-anchor":"start"},"escapes")]}#f(){let t=this.#u;if(!t)return;let{selected:n,hover:r}=this.#e,
+{left:o,top:s,cell:a,rows:i,columns:l}=t,c=g=>s+(i-1-g)*a,u=[],m=(g,h)=>y("rect",{class:h,x:o,y:c(g),width:l*a+P+be,height:a}),p=(g,h)=>y("rect",{class:h,x:o+g*
+a,y:s-P-W,width:a,height:P+W+i*a});if(u.push(m(n.pursuer,"strip pursuer"),p(n.evader,"strip evader")),r.pursuer!==null&&r.pursuer<i&&u.push(m(r.pursuer,"strip h\
+over")),r.evader!==null&&r.evader<l&&u.push(p(r.evader,"strip hover")),r.lag!==null)for(let g=0;g<l;g++){let h=g+r.lag;h>=0&&h<i&&u.push(y("rect",{class:"lagged",
+x:o+g*a,y:c(h),width:a,height:a}))}u.push(...this.#m(t));let f={x:o+n.evader*a,y:c(n.pursuer),width:a,height:a};u.push(y("rect",{class:"chosen under",...f}),y("\
+rect",{class:"chosen",...f})),this.#n.replaceChildren(...u),this.#b()}#b(){let{selected:t,hover:n}=this.#e,r=n.pursuer??t.pursuer,o=n.evader??t.evader,s=se(this.#l,
+r,o);this.#o.replaceChildren(d("span",{class:"pursuer"},`Pursuers ${r}`)," against ",d("span",{class:"evader"},`evaders ${o}`)),this.#c.textContent=s?A(s.rate,3):
+"-",this.#d.textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"the evaluation played no episodes",this.#i.textContent=this.#y(r,o)}#y(t,n){let r=this.#l.
+findings?.generalization;if(!r)return"";let o=(s,a)=>De(s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(r.pursuers,t)}, escape\
+s ${o(r.evaders,n)}`}#g(t){let n=this.#u;if(!n)return null;let r=this.#t.getBoundingClientRect(),o=Math.floor((t.clientX-r.left-n.left)/n.cell),s=n.rows-1-Math.
+floor((t.clientY-r.top-n.top)/n.cell),[a,i]=[s>=0&&s<n.rows,o>=0&&o<n.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#v(t){let n=this.#g(t);this.#e.point(
+n?{pursuer:n.g<0?null:n.g,evader:n.h<0?null:n.h}:{})}#w(t){let n=this.#g(t);n&&(this.#e.select({...n.g<0?{}:{pursuer:n.g},...n.h<0?{}:{evader:n.h}}),n.inside&&this.#t.
+dispatchEvent(new CustomEvent("play",{bubbles:!0})))}#x(t){let r={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]}[t.key];if(t.key==="Enter")this.#t.
+dispatchEvent(new CustomEvent("play",{bubbles:!0}));else if(r){let o=t.shiftKey?5:1,[s,a]=this.#l.payoff.shape,{pursuer:i,evader:l}=this.#e.selected;this.#e.select(
+{pursuer:Qn(i+o*r[0],s),evader:Qn(l+o*r[1],a)})}else return;t.preventDefault(),t.stopPropagation()}};function jo(){let e=d("span",{class:"gradient"});return e.style.
+backgroundImage=en(),d("p",{class:"scale-of-rates small muted"},"0 all escape",e,"1 all caught")}var Qn=(e,t)=>Math.min(t-1,Math.max(0,e));function Go({left:e,top:t,
+cell:n,rows:r,columns:o}){let s=y("g",{class:"axes"}),a=t+r*n,i=l=>pe(0,l-1,Math.min(l,l*n/44),!0);for(let l of i(o))s.append(y("text",{class:"tick",x:e+(l+.5)*
+n,y:a+16,"text-anchor":"middle"},l));for(let l of i(r))s.append(y("text",{class:"tick",x:e-7,y:a-(l+.5)*n,"text-anchor":"end","dominant-baseline":"middle"},l));
+return s.append(y("text",{class:"label of-evaders",x:e+o*n/2,y:a+36,"text-anchor":"middle"},"evader generation"),y("text",{class:"label of-pursuers",transform:`\
+translate(${e-36} ${t+r*n/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),s}function zo({left:e,top:t,cell:n,rows:r,columns:o}){let s=y("g",{class:"\
+diagonal"}),a=Math.min(r,o);if(a<3)return s;let i=t+r*n;for(let l of["H","V"]){let c=`M${e} ${i}`;for(let u=1;u<=a;u++){let[m,p]=[`H${e+u*n}`,`V${i-u*n}`];c+=l===
+"H"?m+p:p+m}s.append(y("path",{d:c,class:"under"}),y("path",{d:c}))}return s}var er=({left:e,top:t,cell:n,rows:r,columns:o},s,a)=>[e+o*n+P+s*be,t+(r-a-.5)*n],tr=({
+left:e,top:t,cell:n},r,o)=>[e+(o+.5)*n,t-P-r*W];function nr(e,t,n){let r=s=>s.map((a,i)=>t(a??0,i).map(l=>l.toFixed(1)).join(" ")),o=[];return e.low&&e.high&&o.
+push(y("path",{class:`band ${n}`,d:`M${[...r(e.high),...r(e.low).reverse()].join("L")}Z`})),o.push(y("path",{class:`line ${n}`,d:`M${r(e.mean).join("L")}`})),o}function C(e,t,...n){return d("section",{class:"card panel","aria-label":e},d("header",{},d("h2",{},e),d("p",{class:"small muted"},t)),...n)}function rr(e,t,n){let{findings:r}=e;if(!r)return null;let o=d("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=n();l&&Ko(o,e,i,t,l)},a=r.checkerboards.
 map(i=>Vo(e,i,s));return{element:C("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Click one: its four match\
 es side by side.",a.length?d("div",{class:"boards"},...a):d("p",{},`No four cells differ by more than ${r.margin} in this way.`),a.length?d("p",{class:"small mu\
 ted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes."):null,o)}}var or=({

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 164e875ff9e6c054058b049a1a245e6b47f2566b9b188e9029f87358df8a4cfa */
+/* built from web/ by "npm run build"; sources 4dd90db7e0414bd988c4e9cd6e0b85ed9e491e29d9ad42fe1656c6b6de270ba5 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},mt={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
