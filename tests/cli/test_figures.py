@@ -100,7 +100,7 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
         (["{job}", "--baseline", "x={job}"], "expected a run of one team, got a race"),
         (
             ["{job}", "--baseline", "x={root}/nothing"],
-            "--baseline x: expected a directory that holds",
+            "nothing: expected a directory that holds runs, got none",
         ),
     ],
 )

@@ -14,7 +14,7 @@ from matrices import circular, logistic
 from matrixworld import plots
 from matrixworld._util.files import load_json
 from matrixworld.analysis import CONDITIONS, MEASURES, describe, headline, judge
-from matrixworld.cli.figures import OF_GROUPS, planned
+from matrixworld.cli.figures import group_figure, planned
 from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import open_run, start
 from tiny_race import StopAt, tiny_race, tiny_single
@@ -275,7 +275,7 @@ def test_all_commands_come_to_the_same_judgement(run):
 
     payoff = planned([group], path)[path / "payoff.png"]().axes[0].get_title()
     assert payoff == f"specialist-specialist, seed 5\n{headline(expected)}"
-    two = OF_GROUPS["comparison"]({"a": group, "b": group}, {})
+    two = group_figure("comparison", {"a": group, "b": group}, {})
     texts = [[text.get_text() for text in axes.texts] for axes in two.axes[:2]]
     assert all(headline(expected) in text for text in texts)
     assert plots.comparison({"a": rates.mean(axis=2)}).axes[0].texts[-1].get_text() == ""

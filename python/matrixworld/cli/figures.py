@@ -1,7 +1,7 @@
 """The figures of runs and of the game: which there are, what draws each, and into which file.
 
-Matplotlib takes half a second to import, so each function imports it when it draws: commands
-without figures need not wait.
+Matplotlib takes half a second to import, so functions import it when they draw: commands without
+figures need not wait.
 """
 
 from __future__ import annotations
@@ -26,7 +26,6 @@ from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_te
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.schedules import HallOfFame
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.coevolution.types import TEAMS, Team
 
 if TYPE_CHECKING:
@@ -38,6 +37,17 @@ LONGEST = 100
 """Windows of the moving average in the run of one team alone."""
 FORMATS = ("png", "pdf", "svg")
 """As in `matrixworld.plots.style`."""
+
+OF_RUN = ("training", "payoff", "generalization", "lag_profile", "collisions")
+"""Figures of a race. A run of one team has the first one only."""
+OF_GROUPS = ("comparison", "seeds", "verdicts", "held_out", "generalization")
+"""Figures of several runs: side by side, or over the seeds."""
+OF_GAME = {
+    "rules": "rules_table",
+    "conflicts": "conflict_outcomes",
+    "interaction": "interaction_models",
+}
+"""Figures of the game, which need no run: the functions of `matrixworld.plots` that draw them."""
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -69,19 +79,18 @@ def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> 
     """
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]
-    names = _together(races, seeds, selection)
+    names, baselines = _together(races, seeds, selection), selection.baselines
     of_run = selection.name in OF_RUN and selection.name not in names
     alone = groups if selection.each or of_run else [g for g in groups if g not in seeds]
     found: dict[Path, Draw] = {}
     for single in [single for group in alone for single in group.singles]:
-        for name in [*OF_RUN] if single.is_race else [*OF_RUN][:1]:
+        for name in OF_RUN if single.is_race else OF_RUN[:1]:
             file = single.runs[0].path / f"{name}.{selection.suffix}"
-            found[file] = partial(OF_RUN[name], single, selection.baselines)
+            found[file] = partial(run_figure, name, single, baselines)
     drawn = {group.name: group for group in seeds or races}
     for name in names:
-        found[root / f"{name}.{selection.suffix}"] = partial(
-            OF_GROUPS[name], drawn, selection.baselines
-        )
+        file = root / f"{name}.{selection.suffix}"
+        found[file] = partial(group_figure, name, drawn, baselines)
     return {file: draw for file, draw in found.items() if selection.name in (None, file.stem)}
 
 
@@ -90,7 +99,7 @@ def _together(
 ) -> tuple[str, ...]:
     """Return the names of the figures that show several runs."""
     of_seeds = selection.name == "generalization" or selection.baselines
-    if selection.name is not None and selection.name in {*OF_GROUPS} - {*OF_RUN}:
+    if selection.name in OF_GROUPS and selection.name not in OF_RUN:
         return (selection.name,)
     if seeds:
         return ("seeds", "verdicts", "held_out", *(["generalization"] if of_seeds else []))
@@ -123,47 +132,36 @@ def run_title(path: Path, settings: RaceSettings) -> str:
     return f"{name}, seed {settings.seed}"
 
 
-# Figures of a run:
+# What draws them:
 
 
-def _title(group: Group, shown: str) -> str:
-    """Return the title of a figure: which run, and what the figure shows."""
-    [run] = group.runs
-    return f"{run_title(run.path, run.settings)}\n{shown}"
-
-
-def _payoff(group: Group, baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    title = _title(group, headline(group.judgement))
-    return plots.payoff_heatmap(group.payoffs.matrices[0], title=title)
-
-
-def _generalization(group: Group, baselines: Baselines) -> Figure:
+def run_figure(name: str, group: Group, baselines: Baselines) -> Figure:
+    """Draw a figure of a single run."""
     from matrixworld import plots
 
     [run] = group.runs
-    scores = baseline_scores(run, baselines)
+
+    def title(shown: str) -> str:
+        return f"{run_title(run.path, run.settings)}\n{shown}"
+
+    if name == "training":
+        return _training(run, title)
+    if name == "payoff":
+        shown = title(headline(group.judgement))
+        return plots.payoff_heatmap(group.payoffs.matrices[0], title=shown)
+    if name == "lag_profile":
+        return plots.lag_profile_curve(group.payoffs.matrices[0], title=title("Lag profile"))
+    if name == "collisions":
+        shown = title("Collisions per 1000 agent-steps")
+        return plots.collision_rates(collisions_per_1000(run.payoff), title=shown)
+    scores = baseline_scores(group, baselines)
     return plots.generalization_curves(
         run.payoff.capture_rates,
         per_episode=True,
-        pursuer_baselines=scores["pursuer"],
-        evader_baselines=scores["evader"],
-        title=_title(group, "Mean score against all opponents"),
+        pursuer_baselines={name: score for name, [score] in scores["pursuer"].items()},
+        evader_baselines={name: score for name, [score] in scores["evader"].items()},
+        title=title("Mean score against all opponents"),
     )
-
-
-def _lag_profile(group: Group, baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    return plots.lag_profile_curve(group.payoffs.matrices[0], title=_title(group, "Lag profile"))
-
-
-def _collisions(group: Group, baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    title = _title(group, "Collisions per 1000 agent-steps")
-    return plots.collision_rates(collisions_per_1000(group.runs[0].payoff), title=title)
 
 
 def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:
@@ -175,113 +173,63 @@ def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:
     return 1000 * np.stack([pursuers, evaders], axis=1)
 
 
-def _training(group: Group, baselines: Baselines) -> Figure:
+def _training(run: Result, title: Callable[[str], str]) -> Figure:
     from matrixworld import plots
 
-    [run] = group.runs
-    log, settings = run.files.log(), run.settings
+    log, schedule = run.files.log(), run.settings.schedule
     rates, learners = log["capture_rate"], log["team"] == "evader"
-    schedule = settings.schedule
     if isinstance(schedule, Against):
-        title = _title(group, f"Capture rate while {schedule.team}s learn")
         window = max(1, schedule.epochs // LONGEST)
-        return plots.training_curve(rates, learners, window=window, title=title)
+        shown = title(f"Capture rate while {schedule.team}s learn")
+        return plots.training_curve(rates, learners, window=window, title=shown)
     # The same window for both teams, so it must fit into the shorter team phase.
     window = max(1, min(schedule.epochs(team) for team in TEAMS) // WINDOWS)
     generations = log["generation"]
     if isinstance(schedule, HallOfFame):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         once = ~learners
-        title = _title(group, "Capture rate while both teams learn")
+        shown = title("Capture rate while both teams learn")
         return plots.training_curve(
-            rates[once], None, generations=generations[once], window=window, title=title
+            rates[once], None, generations=generations[once], window=window, title=shown
         )
-    title = _title(group, "Capture rate while pursuers and evaders learn in turn")
+    shown = title("Capture rate while pursuers and evaders learn in turn")
     return plots.training_curve(
-        rates, learners, generations=generations, window=window, title=title
+        rates, learners, generations=generations, window=window, title=shown
     )
 
 
-OF_RUN: Mapping[str, Callable[[Group, Baselines], Figure]] = {
-    "training": _training,
-    "payoff": _payoff,
-    "generalization": _generalization,
-    "lag_profile": _lag_profile,
-    "collisions": _collisions,
-}
-"""Figures of a race. A run of one team has the first one only."""
-
-
-# Figures of several runs:
-
-
-def _comparison(groups: Mapping[str, Group], baselines: Baselines) -> Figure:
+def group_figure(name: str, groups: Mapping[str, Group], baselines: Baselines) -> Figure:
+    """Draw a figure of several runs, by the names of their groups."""
     from matrixworld import plots
 
-    named = {
-        f"{name}, seed {single.seeds[0]}": single
-        for name, group in groups.items()
-        for single in group.singles
-    }
-    payoffs = {name: single.runs[0].payoff.capture_rates for name, single in named.items()}
-    judgements = {name: single.judgement for name, single in named.items()}
-    return plots.comparison(payoffs, judgements, per_episode=True)
-
-
-def _seeds(groups: Mapping[str, Group], baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    return plots.seed_bands(
-        {name: group.payoffs.matrices for name, group in groups.items()},
-        {name: group.judgement for name, group in groups.items()},
-    )
-
-
-def _verdicts(groups: Mapping[str, Group], baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    return plots.verdict_strip(
-        {name: group.judgement for name, group in groups.items()},
-        {name: group.seeds for name, group in groups.items()},
-        {name: group.missing for name, group in groups.items()},
-    )
-
-
-def _held_out(groups: Mapping[str, Group], baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    play_held_out([run for group in groups.values() for run in group.runs], None)
-    return plots.seed_scores(
-        {name: {team: held_out(group, team) for team in TEAMS} for name, group in groups.items()}
-    )
-
-
-def _generalization_over_seeds(groups: Mapping[str, Group], baselines: Baselines) -> Figure:
-    from matrixworld import plots
-
-    scores = {name: _over_seeds(group, baselines) for name, group in groups.items()}
+    matrices = {name: group.payoffs.matrices for name, group in groups.items()}
+    if name == "comparison":
+        singles = {
+            f"{name}, seed {single.seeds[0]}": single
+            for name, group in groups.items()
+            for single in group.singles
+        }
+        rates = {name: single.runs[0].payoff.capture_rates for name, single in singles.items()}
+        each = {name: single.judgement for name, single in singles.items()}
+        return plots.comparison(rates, each, per_episode=True)
+    if name in ("seeds", "verdicts"):
+        judgements = {name: group.judgement for name, group in groups.items()}
+        if name == "seeds":
+            return plots.seed_bands(matrices, judgements)
+        seeds = {name: group.seeds for name, group in groups.items()}
+        missing = {name: group.missing for name, group in groups.items()}
+        return plots.verdict_strip(judgements, seeds, missing)
+    if name == "held_out":
+        play_held_out([run for group in groups.values() for run in group.runs], None)
+        return plots.seed_scores(
+            {name: {team: held_out(each, team) for team in TEAMS} for name, each in groups.items()}
+        )
+    scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
     return plots.generalization_over_seeds(
-        {name: group.payoffs.matrices for name, group in groups.items()},
+        matrices,
         pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
         evader_baselines={name: each["evader"] for name, each in scores.items()},
     )
-
-
-OF_GROUPS: Mapping[str, Callable[[Mapping[str, Group], Baselines], Figure]] = {
-    "comparison": _comparison,
-    "seeds": _seeds,
-    "verdicts": _verdicts,
-    "held_out": _held_out,
-    "generalization": _generalization_over_seeds,
-}
-"""Figures of several runs: side by side, or over the seeds."""
-
-OF_GAME = {
-    "rules": "rules_table",
-    "conflicts": "conflict_outcomes",
-    "interaction": "interaction_models",
-}
-"""Figures of the game, which need no run: the functions of `matrixworld.plots` that draw them."""
 
 
 def game_figure(name: str) -> Figure:
@@ -321,35 +269,33 @@ baseline_option = click.option(
 
 def open_baselines(baselines: Mapping[str, Path]) -> dict[str, list[SavedRun]]:
     """Return the runs of each baseline; click.UsageError if one is no run of one team."""
+    opened = {}
     for name, path in baselines.items():
-        if not run_directories(path):
-            raise click.UsageError(
-                f"--baseline {name}: expected a directory that holds runs: {path}"
-            )
-    opened = {name: open_runs(path) for name, path in baselines.items()}
-    for name, runs in opened.items():
-        if not runs:
-            raise click.UsageError(f"--baseline: expected a finished run, got {baselines[name]}")
         try:
-            teams = {trained_team(run)[0] for run in runs}
-        except ValueError as error:
-            raise click.UsageError(f"--baseline: {error}") from error
-        if len(teams) > 1:
+            opened[name] = open_runs(path)
+            teams = {trained_team(run)[0] for run in opened[name]}
+        except (FileNotFoundError, ValueError) as error:
+            raise click.UsageError(f"--baseline {name}: {error}") from error
+        if len(teams) != 1:
+            got = "runs of both" if teams else "no finished run"
             raise click.UsageError(
-                f"--baseline: expected runs of one team, got both teams in {baselines[name]}"
+                f"--baseline {name}: expected finished runs of one team, got {got} in {path}"
             )
     return opened
 
 
-def baseline_scores(race: Result, baselines: Baselines) -> dict[Team, dict[str, float]]:
-    """Return the mean score of each baseline against all opponents of a race."""
-    scores: dict[Team, dict[str, float]] = {team: {} for team in TEAMS}
-    if not baselines:
-        return scores
-    opponents = open_run(race.path)
+def baseline_scores(group: Group, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
+    """Return the mean score of each baseline against all opponents of each race of a group."""
+    scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
+    races = [open_run(run.path) for run in group.runs] if baselines else []
     for name, runs in baselines.items():
-        team, champion = trained_team(_of_seed(name, runs, race.settings.seed))
-        scores[team][name] = float(scores_in_race(opponents, team, champion).mean())
+        trained = [trained_team(_of_seed(name, runs, race.settings.seed)) for race in races]
+        means = [
+            float(scores_in_race(race, team, champion).mean())
+            for race, (team, champion) in zip(races, trained, strict=True)
+        ]
+        # One run for all seeds tells nothing about other runs: its mean has no interval.
+        scores[trained[0][0]][name] = means if len(runs) > 1 else [sum(means) / len(means)]
     return scores
 
 
@@ -363,16 +309,3 @@ def _of_seed(name: str, runs: Sequence[SavedRun], seed: int) -> SavedRun:
             f"--baseline {name}: expected one run of seed {seed}, or one in all, got {len(found)}"
         )
     return found[0]
-
-
-def _over_seeds(group: Group, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
-    """Return the score of each baseline for each seed of a group, by team and name."""
-    seeds = [baseline_scores(run, baselines) for run in group.runs]
-    scores: dict[Team, dict[str, list[float]]] = {}
-    for team in TEAMS:
-        scores[team] = {name: [seed[team][name] for seed in seeds] for name in seeds[0][team]}
-        for name, values in scores[team].items():
-            # One run for all seeds tells nothing about other runs: its mean has no interval.
-            if len(baselines[name]) == 1:
-                scores[team][name] = [sum(values) / len(values)]
-    return scores

@@ -189,10 +189,8 @@ def test_the_command_on_a_run(race, tmp_path):
     assert "96 matches of evolution and 24 of evaluation" in told
     assert f"matrixworld replay {made}" in told
     files = {path: path.read_bytes() for path in made.iterdir()}
-    refused = matrixworld_command(*command, code=2).stderr
-    assert f"{job}: exists; --continue goes on with the response in it" in refused
+    assert matrixworld_command(*command).stdout == told
     assert {path: path.read_bytes() for path in made.iterdir()} == files
-    assert matrixworld_command(*command, "--continue").stdout == told
     matrixworld_command("replay", made)
 
 
@@ -225,9 +223,14 @@ def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
 
     monkeypatch.setattr(exploit, "best_responses", interrupted)
     stopped = matrixworld_command(*command, code=130)
-    assert f"--continue goes on with the runs in {out}." in stopped.stderr
+    assert "To start again:\n  matrixworld exploit " in stopped.stderr
     monkeypatch.undo()
-    assert "96 matches of evolution" in matrixworld_command(*command, "--continue").stdout
+    assert "96 matches of evolution" in matrixworld_command(*command).stdout
+    other = ["exploit", run, *COMMAND, "--seed", 3, "--out", out]
+    assert (
+        "expected the runs in its job.json, got others"
+        in matrixworld_command(*other, code=2).stderr
+    )
 
 
 @pytest.mark.parametrize(
@@ -236,14 +239,9 @@ def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
         ([], 2, "Missing option '--champion'"),
         (["--champion", "pursuer", "--matches", "47"], 2, "expected at least 48 (one epoch)"),
         (
-            ["--champion", "pursuer", "--out", "{race}", "--continue"],
+            ["--champion", "pursuer", "--out", "{race}"],
             1,
             "expected a new or empty directory for a new run",
-        ),
-        (
-            ["--champion", "pursuer", "--out", "new", "--continue"],
-            2,
-            "--continue: expected a response in new, which holds no run",
         ),
     ],
 )
