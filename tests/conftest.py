@@ -1,6 +1,10 @@
-"""The option for slow tests, settings of the random ones, and the two worlds of every case."""
+"""The option for slow tests, settings of random ones, quick jobs, and the worlds of each case."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -38,6 +42,15 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_configure(config: pytest.Config) -> None:
     if not config.getoption("--hypothesis-profile"):
         settings.load_profile("ci")
+
+
+@pytest.fixture(scope="module")
+def no_processes() -> Iterator[None]:
+    """Play jobs in threads: a worker process takes a second to start, and has tests of its own."""
+    with pytest.MonkeyPatch.context() as patch:
+        module = import_module("matrixworld.coevolution.jobs.evolve")
+        patch.setattr(module, "WorkerProcesses", ThreadPoolExecutor)
+        yield
 
 
 def start_engine(

@@ -17,6 +17,11 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
+@pytest.fixture(autouse=True, scope="module")
+def quick_jobs(no_processes: None) -> None:
+    """Play jobs without worker processes, but in commands that tests start as programs."""
+
+
 @pytest.fixture(scope="session")
 def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished race; not to be changed."""

@@ -260,8 +260,8 @@ def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
     monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
     monkeypatch.setattr(score_module, "score", counted("scored", score_module.score))
     matrixworld_command("evolve", "out", *words(JOB))
-    # Runs are played by worker processes, and only their files are read here.
-    assert counts == {"built": 0, "read": jobs, "scored": jobs}
+    # Who plays a run builds it, and afterwards only its files are read.
+    assert counts == {"built": jobs, "read": jobs, "scored": jobs}
 
 
 def test_the_commands_that_it_suggests_work(job, copy):

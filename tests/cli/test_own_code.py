@@ -91,10 +91,8 @@ def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-@pytest.mark.parametrize(
-    "killed_at",
-    [pytest.param(1, marks=pytest.mark.slow), 4, pytest.param(9, marks=pytest.mark.slow)],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("killed_at", [1, 4, 9])
 def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path, killed_at):
     options = words({**RUN_OPTIONS, **OWN})
     assert evolve(tmp_path, "run", *options, killed_at=killed_at) == -signal.SIGKILL

@@ -194,6 +194,7 @@ def test_interrupted_tasks_stop_and_continue(dask: DaskCluster, tmp_path: Path) 
     check_equal(place, settings, tmp_path / "alone")
 
 
+@pytest.mark.slow
 def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
     settings, place = races(3, **SLOW), tmp_path / "many"
     with dask_cluster(tmp_path / "dask", workers=2) as dask:

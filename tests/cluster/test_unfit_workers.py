@@ -90,7 +90,9 @@ def test_an_unfit_worker_is_refused(dask: DaskCluster, tmp_path: Path, kind: str
     assert not out.exists()
 
 
-@pytest.mark.parametrize("kind", ["another version", "no package"])
+@pytest.mark.parametrize(
+    "kind", ["another version", pytest.param("no package", marks=pytest.mark.slow)]
+)
 def test_an_unfit_worker_that_joins_later_gets_no_work(
     dask: DaskCluster, tmp_path: Path, kind: str
 ) -> None:

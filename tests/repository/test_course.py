@@ -16,8 +16,8 @@ from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
 LARGEST = 1_000_000  # bytes
-QUICK_CHAPTERS = (1, 4, 9)
-"""The notebooks that run without `--slow`: rules, a race and its analysis, and safety."""
+QUICK_CHAPTERS = (1, 4)
+"""The notebooks that run without `--slow`: the rules, and toys with their analysis."""
 
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])

@@ -32,6 +32,7 @@ from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.policy import Population
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
+pytestmark = pytest.mark.usefixtures("no_processes")
 BUDGET = 100  # matches: 2 epochs of 48
 EPISODES = 12
 CHOSEN = {"evaluation_episodes": EPISODES, "seed": 0}

@@ -201,6 +201,7 @@ def test_a_stop_of_an_earlier_start_does_not_stop_a_later_one(tmp_path):
             check_start(tmp_path, newest)
 
 
+@pytest.mark.slow
 def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(
     tmp_path, monkeypatch
 ):
@@ -369,6 +370,7 @@ def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
 
 
 @posix
+@pytest.mark.slow
 def test_processes_that_cannot_start_end_the_job(tmp_path):
     """Such as those of a script that plays a job whenever it is imported."""
     (tmp_path / "script.py").write_text(
