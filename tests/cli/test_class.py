@@ -12,7 +12,7 @@ from class_submissions import honest_programs, problem_here, write_genomes, writ
 from command_line import RACE, matrixworld_command, run_together, words
 from matrixworld.classroom.submissions import read_genome
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.storage.saved_run import run_directories
+from matrixworld.coevolution.storage import run_directories
 
 WORLD = ("--rows", 8, "--cols", 8, "--n-pursuers", 2, "--n-evaders", 2, "--steps", 5, "--no-open")
 

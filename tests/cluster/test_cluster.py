@@ -21,7 +21,8 @@ import pytest
 
 from dask_cluster import DaskCluster, dask_cluster, wait_until
 from matrixworld import coevolution
-from matrixworld.cluster import ClusterLostError, cluster, connection
+from matrixworld.cluster import ClusterLostError, cluster
+from matrixworld.cluster import executor as module
 from matrixworld.coevolution import (
     DamagedFileError,
     FailedRunsError,
@@ -213,7 +214,7 @@ def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
 
 
 def test_a_scheduler_that_does_not_answer_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(connection, "CONNECT_SECONDS", 1)
+    monkeypatch.setattr(module, "CONNECT_SECONDS", 1)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         answer = pytest.raises(

@@ -24,7 +24,7 @@ from matrixworld.cli import main
 from matrixworld.cli.figures import OF_GAME, OF_RUN
 from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
-from matrixworld.coevolution.storage.run_directory import COLUMNS
+from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.envs import INFO_KEYS
 from matrixworld.tutorial.course import Exercise, exercises
 from tiny_race import path_of, tiny_race

@@ -15,8 +15,7 @@ from matrixworld._util.memory import OutOfMemoryError
 from matrixworld.cli.console import command
 from matrixworld.coevolution.jobs.job import JOB
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.storage.run_directory import OtherVersionError
-from matrixworld.coevolution.storage.saved_run import run_directories
+from matrixworld.coevolution.storage import OtherVersionError, run_directories
 from matrixworld.version import MissingExtraError
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.

@@ -6,7 +6,6 @@ Only this package imports Dask (the extra ``cluster``). What hands out work know
 
 from __future__ import annotations
 
-from matrixworld.cluster.connection import check_where, cluster
-from matrixworld.cluster.executor import ClusterLostError, UnfitWorkerError
+from matrixworld.cluster.executor import ClusterLostError, UnfitWorkerError, check_where, cluster
 
 __all__ = ["ClusterLostError", "UnfitWorkerError", "check_where", "cluster"]

@@ -13,29 +13,8 @@ A race in a few lines::
 ``coevolution.evolve([settings, ...], "my-races")`` does so for many, side by side.
 ``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays an episode again.
 
-====================  ============================================================================
-package or module     contents
-====================  ============================================================================
-jobs                  runs that are asked for together, side by side or on other machines
-runs                  races and other runs: training, checkpoints, evaluation at the end
-evaluation            payoff matrices, and scores against held-out opponents
-storage               run directories, to write and to read
-settings              everything that defines a run, with help texts
-schedules             whom teams meet while they learn; opponent samplers by name
-sections              parts of settings: fields with help texts and limits, and their JSON
-learners              evolution strategy, genetic algorithm, CMA-ES; as DEAP toolboxes, too
-opponents             opponent samplers and archives
-fitness               from the results of matches to the fitness of candidates
-conformance           checks of a learner or sampler of your own
-own_code              learners and samplers from outside the package
-progress              progress bars
-payoff                `Payoff`: results of two archives against each other
-seeding               seeds of matches and random generators
-types                 teams, and names for arrays
-====================  ============================================================================
-
-All matches are played by one pure function with the arguments of `matrixworld.rollout`. Each
-package imports only from those below it in the table.
+All matches are played by one pure function with the arguments of `matrixworld.rollout`. `jobs` play
+many `runs`; these train, save what they learn (`storage`) and end with an `evaluation`.
 """
 
 from __future__ import annotations
@@ -104,8 +83,9 @@ from matrixworld.coevolution.settings import (
     PolicySettings,
     RaceSettings,
 )
-from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
-from matrixworld.coevolution.storage.saved_run import (
+from matrixworld.coevolution.storage import (
+    OtherVersionError,
+    RunDirectory,
     SavedRun,
     open_run,
     open_runs,

@@ -234,7 +234,7 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
 def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Population:
     # Co-evolution needs more packages and time to import than environments do.
     from matrixworld.coevolution import held_out
-    from matrixworld.coevolution.storage.saved_run import last_generation
+    from matrixworld.coevolution.storage import last_generation
 
     evolved = {
         each: policy

@@ -29,7 +29,7 @@ from matrixworld.coevolution.schedules import Against, HallOfFame
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
+from matrixworld.coevolution.storage import SavedRun, open_run
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page

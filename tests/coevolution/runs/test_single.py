@@ -9,7 +9,7 @@ import pytest
 
 from matrixworld import coevolution
 from matrixworld.coevolution import Race, SingleTeam, open_run
-from matrixworld.coevolution.storage.saved_run import last_generation
+from matrixworld.coevolution.storage import last_generation
 from matrixworld.world.policy import Network, Population
 from tiny_race import StopAt, results, tiny_race, tiny_single
 

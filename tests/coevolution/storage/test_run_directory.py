@@ -20,7 +20,7 @@ from matrixworld.coevolution import (
     open_run,
     start,
 )
-from matrixworld.coevolution.storage.run_directory import COLUMNS
+from matrixworld.coevolution.storage import COLUMNS
 from tiny_race import directory_in_memory, tiny_race, tiny_single
 
 SETTINGS = {

@@ -31,7 +31,7 @@ from matrixworld.coevolution.evaluation.tournament import (
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
-from matrixworld.coevolution.storage.saved_run import SavedRun
+from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
@@ -149,17 +149,10 @@ def score_population(
         the opponent, so that all genomes of all runs play the same episodes.
     seed : int, optional
         Seed of the episodes.
-    threads : int, optional
-        Threads that `play` may use. By default all cores. Results do not depend on it.
-    play : callable, optional
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
     on_row : callable, optional
         Called after each opponent, or each block, with the number of episodes played so far.
-    executor : concurrent.futures.Executor, optional
-        Plays blocks of the matches, each with `threads` threads, by default one. The result is the
-        same.
-    block_seconds : float, optional
-        About the work of a block.
+    threads, play, executor, block_seconds
+        As in `tournament`.
 
     Returns
     -------
@@ -232,19 +225,10 @@ def score(
         Maximum steps of an episode. By default as in the run's evaluation.
     seed : int, optional
         Seed of the episodes, by default the same for all runs.
-    threads : int, optional
-        Threads that `play` may use. By default all cores. Results do not depend on it.
-    play : callable, optional
-        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+    threads, play, executor
+        As in `tournament`.
     report : callable, optional
         Called with the progress, as in `Run.run`.
-    executor : concurrent.futures.Executor, optional
-        Plays blocks of the matches, as in `score_population`.
-
-    Returns
-    -------
-    dict of str to HeldOutScores
-        Scores of each team that learned.
 
     Raises
     ------
@@ -261,7 +245,11 @@ def score(
     unseen = {team: _unseen(run, team, world) for team in chosen}
     total = sum(len(chosen[team][1]) * len(unseen[team][0]) * episodes for team in chosen)
     scores: dict[Team, HeldOutScores] = {}
-    played = 0
+
+    def report_row(team: Team, done: int) -> None:
+        before = sum(each.matches for each in scores.values())
+        report(f"{team}s against held-out opponents", before + done, total)
+
     for team, (population, generations) in chosen.items():
         opponents, left_out = unseen[team]
         scores[team] = score_population(
@@ -275,15 +263,10 @@ def score(
             seed=seed,
             threads=threads,
             play=play,
-            on_row=partial(_report_from, report, played, total, f"{team}s"),
+            on_row=partial(report_row, team),
             executor=executor,
         )
-        played += scores[team].matches
     return scores
-
-
-def _report_from(report: Report, before: int, total: int, team: str, done: int) -> None:
-    report(f"{team} against held-out opponents", before + done, total)
 
 
 def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
@@ -341,12 +324,8 @@ def score_policy(
         views and actions.
     episodes : int, optional
         Episodes against each opponent, at least 2. The default is 100.
-    seed : int, optional
-        Seed of the episodes. The default is 0.
-    threads : int, optional
-        Threads of the engine. By default all cores. Results do not depend on it.
-    report : callable, optional
-        Called with the progress, as in `Run.run`.
+    seed, threads, report
+        As in `score`.
 
     Returns
     -------
@@ -445,11 +424,11 @@ def scores_in_race(
     settings = race.settings
     if not settings.is_race:
         raise ValueError(f"race: expected a race, got a run of one team: {race.files.path}")
-    rivals = race.teams[other(team)]
-    sides = (policy, rivals) if team == "pursuer" else (rivals, policy)
+    sides = {**race.teams, team: policy}
     payoff = tournament(
         settings.world,
-        *sides,
+        sides["pursuer"],
+        sides["evader"],
         seed=settings.seed,
         episodes=episodes or settings.evaluation_episodes,
         threads=threads,

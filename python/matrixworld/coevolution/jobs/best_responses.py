@@ -22,7 +22,7 @@ from matrixworld.coevolution.progress import JobReport, Report, silent
 from matrixworld.coevolution.runs.start import finish
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
-from matrixworld.coevolution.storage.saved_run import SavedRun
+from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
 from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import Population, TeamPolicy

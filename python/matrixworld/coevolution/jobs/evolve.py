@@ -14,15 +14,7 @@ from pathlib import Path
 from matrixworld._util.checks import check_instance, check_threads
 from matrixworld._util.files import DamagedFileError, is_temporary, locked
 from matrixworld._util.memory import check_memory
-from matrixworld.coevolution.jobs.job import (
-    ITSELF,
-    JOB,
-    Job,
-    group_of,
-    job_of,
-    open_job,
-    save_job,
-)
+from matrixworld.coevolution.jobs.job import ITSELF, JOB, Job, group_of, job_of, open_job, save_job
 from matrixworld.coevolution.jobs.worker import (
     Played,
     WorkerDiedError,
@@ -40,13 +32,14 @@ from matrixworld.coevolution.runs.race import DisengagementWarning
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
 from matrixworld.coevolution.settings import RaceSettings, run_memory
-from matrixworld.coevolution.storage.run_directory import (
+from matrixworld.coevolution.storage import (
     CONFIG,
     LOCK,
     OtherVersionError,
     RunDirectory,
+    SavedRun,
+    open_run,
 )
-from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 
 STOP_WAIT = 3.0
 """Seconds for which stopped tasks are waited for."""

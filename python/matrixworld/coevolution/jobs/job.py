@@ -17,7 +17,7 @@ from matrixworld._util.checks import shown
 from matrixworld._util.files import load_json, one_line, save_json
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.run_directory import OtherVersionError
+from matrixworld.coevolution.storage import OtherVersionError
 from matrixworld.version import __version__
 from matrixworld.world.policy import SCRIPTS
 

@@ -33,7 +33,7 @@ from matrixworld.coevolution.progress import Progress, Report
 from matrixworld.coevolution.runs.race import DisengagementWarning
 from matrixworld.coevolution.runs.start import finish
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
+from matrixworld.coevolution.storage import CONFIG, RunDirectory
 
 LOCK_WAIT = 120.0
 """Seconds for which a locked run directory is waited for. A worker that was declared lost may only

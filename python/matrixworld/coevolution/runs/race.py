@@ -16,7 +16,6 @@ import numpy as np
 
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.engagement import PATIENCE, Disengagement
-from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
@@ -31,7 +30,7 @@ from matrixworld.coevolution.schedules import (
     available,
 )
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
-from matrixworld.coevolution.storage.run_directory import SEVERAL
+from matrixworld.coevolution.storage import SEVERAL
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -44,7 +43,7 @@ from matrixworld.coevolution.types import (
     other,
 )
 from matrixworld.play.rollout import Matches
-from matrixworld.world.policy import Population
+from matrixworld.world.policy import Population, TeamPolicy
 
 EVEN = 0.5
 """Capture rate at which neither team wins."""
@@ -136,19 +135,9 @@ class Race(Run):
         if not self.training.keeps(team, generation, learner.genome, previous, opponents, episodes):
             learner.restore(before)
 
-    def evaluate(self) -> Payoff:
-        """Play every archived generation of one team against every one of the other team."""
-        settings, training = self.settings, self.training
-        return tournament(
-            settings.world,
-            training.population(self.genomes("pursuer")),
-            training.population(self.genomes("evader")),
-            seed=settings.seed,
-            episodes=settings.evaluation_episodes,
-            threads=training.threads,
-            play=training.rollout,
-            on_row=lambda played: self.report("tournament", played),
-        )
+    def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
+        """Return all archived generations of both teams."""
+        return {team: (self.training.population(self.genomes(team)), 0) for team in TEAMS}
 
     # How many episodes a race plays:
 
@@ -344,9 +333,7 @@ class HallOfFameRace(Race):
             int(pairs.group.max()) + 1,
         )[pairs.group]  # fmt: skip
         scores = self.training.play(
-            everyone["pursuer"],
-            everyone["evader"],
-            Matches.of(pairs.pursuer, pairs.evader, seeds),
+            everyone["pursuer"], everyone["evader"], Matches.of(pairs.pursuer, pairs.evader, seeds)
         )
         fitness: dict[Team, FloatArray] = {}
         met: dict[Team, Met] = {}
@@ -401,10 +388,7 @@ class Pairings(NamedTuple):
 
 
 def pairings(
-    seed_groups: Indices,
-    contemporaries: int,
-    hall: tuple[int, int],
-    rng: np.random.Generator,
+    seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: np.random.Generator
 ) -> Pairings:
     """Return the matches of two populations of n individuals.
 

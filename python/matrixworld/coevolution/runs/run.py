@@ -24,6 +24,7 @@ import numpy as np
 from matrixworld._util.checks import check_threads, shown
 from matrixworld._util.files import DamagedFileError
 from matrixworld._util.memory import check_memory
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import GradientLearner, Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
@@ -31,18 +32,9 @@ from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.schedules import Schedule
-from matrixworld.coevolution.seeding import (
-    Purpose,
-    keyed_generator,
-    learning_phase,
-    training_seeds,
-)
+from matrixworld.coevolution.seeding import Purpose, keyed_generator, learning_phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings, run_memory
-from matrixworld.coevolution.storage.run_directory import (
-    SEVERAL,
-    Restored,
-    RunDirectory,
-)
+from matrixworld.coevolution.storage import SEVERAL, Restored, RunDirectory
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -50,7 +42,6 @@ from matrixworld.coevolution.types import (
     Genomes,
     Indices,
     Seeds,
-    State,
     Stateful,
     Team,
 )
@@ -151,8 +142,8 @@ class Run(ABC):
         """Run one stage: improve learners, extend the archive, record each epoch."""
 
     @abstractmethod
-    def evaluate(self) -> Payoff:
-        """Return the payoff of the archive."""
+    def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
+        """Return who plays the evaluation for each team, and the generation of the first."""
 
     @abstractmethod
     def total_matches(self) -> int:
@@ -212,6 +203,22 @@ class Run(ABC):
             self.files.summary()  # only to raise an error if it is damaged
             return self.payoff()
 
+    def evaluate(self) -> Payoff:
+        """Play the finalists of one team against those of the other, on episodes of their own."""
+        settings = self.settings
+        (pursuers, g), (evaders, h) = (self.finalists()[team] for team in TEAMS)
+        return tournament(
+            settings.world,
+            pursuers,
+            evaders,
+            seed=settings.seed,
+            episodes=settings.evaluation_episodes,
+            threads=self.training.threads,
+            play=self.training.rollout,
+            first=(g, h),
+            on_row=lambda played: self.report("tournament", played),
+        )
+
     def payoff(self) -> Payoff:
         """Return the saved payoff; FileNotFoundError before the run has finished."""
         return Payoff.from_arrays(self.files.payoff())
@@ -227,13 +234,8 @@ class Run(ABC):
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
-        return {
-            "stages": self.stage,
-            "training_matches": self.training.matches,
-            "training_steps": self.training.steps,
-            "training_agent_steps": self.training.agent_steps,
-            "evaluation_matches": int(payoff.lengths.size),
-        }
+        counters = {f"training_{name}": n for name, n in self.training.counters().items()}
+        return {"stages": self.stage, **counters, "evaluation_matches": int(payoff.lengths.size)}
 
     def end_stage(self) -> None:
         """Count and save a finished stage."""
@@ -283,14 +285,10 @@ class Run(ABC):
             # In place, because other objects hold these lists.
             self.archive[team][:] = restored.archive[team]
         for part, stateful in self.stateful_parts().items():
-            stateful.restore(_state_of(part, restored.state))
-
-
-def _state_of(part: str, state: State) -> State:
-    """Return the arrays of one part, by their names in it."""
-    # "pursuer.x" belongs to the part "pursuer", "pursuer.sampler.x" to the part "pursuer.sampler".
-    keys = (key.rpartition(".") for key in state)
-    return {name: state[f"{part}.{name}"] for prefix, _, name in keys if prefix == part}
+            # "pursuer.sampler.x" belongs to the part "pursuer.sampler", not to "pursuer".
+            keys = (key.rpartition(".") for key in restored.state)
+            names = [name for prefix, _, name in keys if prefix == part]
+            stateful.restore({name: restored.state[f"{part}.{name}"] for name in names})
 
 
 # One team learns:

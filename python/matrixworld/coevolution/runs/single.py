@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import does_not_vary, t_ends
-from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import (
     MUTATION,
     GeneticAlgorithmSettings,
@@ -22,8 +21,13 @@ from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.run_directory import Restored, RunDirectory
-from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
+from matrixworld.coevolution.storage import (
+    Restored,
+    RunDirectory,
+    archive_network,
+    last_generation,
+    script_of,
+)
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
 from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
@@ -115,10 +119,7 @@ class SingleTeam(Run):
             return {"opponent_network": None}
         network = self.opponents.network
         return {
-            "opponent_network": {
-                "hidden": list(network.hidden),
-                "activation": network.activation,
-            }
+            "opponent_network": {"hidden": list(network.hidden), "activation": network.activation}
         }
 
     def learn(self, stage: int) -> None:
@@ -147,26 +148,11 @@ class SingleTeam(Run):
         training = per_run * settings.match_episodes
         return training + opponents * settings.evaluation_episodes
 
-    def evaluate(self) -> Payoff:
-        """Play the last genome against each opponent, on episodes not used in training."""
-        settings, training = self.settings, self.training
-        champion = training.population(self.archive[self.schedule.team][-1][np.newaxis])
-        sides: dict[Team, TeamPolicy] = {
-            self.schedule.team: champion,
-            other(self.schedule.team): self.opponents,
-        }
-        generations = {self.schedule.team: self.n_stages, other(self.schedule.team): 0}
-        return tournament(
-            settings.world,
-            sides["pursuer"],
-            sides["evader"],
-            seed=settings.seed,
-            episodes=settings.evaluation_episodes,
-            threads=training.threads,
-            play=training.rollout,
-            first=(generations["pursuer"], generations["evader"]),
-            on_row=lambda played: self.report("evaluation", played),
-        )
+    def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
+        """Return the last genome, and all opponents."""
+        team = self.schedule.team
+        champion = self.training.population(self.archive[team][-1][np.newaxis])
+        return {team: (champion, self.n_stages), other(team): (self.opponents, 0)}
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return counts, and the mean capture rate and length with intervals over the episodes."""

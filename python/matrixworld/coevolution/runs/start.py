@@ -11,8 +11,7 @@ from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.schedules import RaceSchedule
 from matrixworld.coevolution.sections import different_settings
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
-from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
+from matrixworld.coevolution.storage import CONFIG, RunDirectory, SavedRun, open_run
 from matrixworld.play.rollout import Rollout, rollout
 
 AnyRun = Race | HallOfFameRace | SingleTeam

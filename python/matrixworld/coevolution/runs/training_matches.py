@@ -29,7 +29,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
 from matrixworld.coevolution.learners.learner import GradientLearner, Learner
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage.run_directory import Row
+from matrixworld.coevolution.storage import Row
 from matrixworld.coevolution.types import (
     TEAMS,
     BoolArray,
@@ -103,12 +103,7 @@ class TrainingMatches:
         return scores
 
     def play_candidates(
-        self,
-        team: Team,
-        candidates: Genomes,
-        opponents: TeamPolicy,
-        indices: Indices,
-        seeds: Seeds,
+        self, team: Team, candidates: Genomes, opponents: TeamPolicy, indices: Indices, seeds: Seeds
     ) -> EpisodeStatistics:
         """Play each candidate (n, genes) of a team against the opponents of some indices (c,).
 
@@ -124,12 +119,7 @@ class TrainingMatches:
         return self.play(opponents, learning, Matches(met.ravel(), own, seeds.ravel()))
 
     def teach(
-        self,
-        learner: Learner,
-        team: Team,
-        opponents: TeamPolicy,
-        chosen: Indices,
-        seeds: Seeds,
+        self, learner: Learner, team: Team, opponents: TeamPolicy, chosen: Indices, seeds: Seeds
     ) -> None:
         """Let a learner by gradients learn from matches (M,) that have been played and counted.
 
@@ -220,12 +210,7 @@ class TrainingMatches:
     # The end of a generation:
 
     def choose_champion(
-        self,
-        learner: Learner,
-        team: Team,
-        generation: int,
-        opponents: TeamPolicy,
-        met: Indices,
+        self, learner: Learner, team: Team, generation: int, opponents: TeamPolicy, met: Indices
     ) -> None:
         """Make the best elite in new matches the champion of a genetic algorithm, if set so.
 
