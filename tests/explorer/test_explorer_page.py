@@ -147,7 +147,8 @@ def test_the_page_says_if_its_matches_differ(browser: Browser, job: Job, tmp_pat
 def test_keys(opened: Browser) -> None:
     select(opened, 0, 1, 1)
     opened.wait("window.matrixworldExplorer.step > 0")  # a click plays the match
-    assert opened.js("document.activeElement === document.body")  # Space is for the player, not a tab
+    # Space is for the player, not for a tab.
+    assert opened.js("document.activeElement === document.body")
     opened.press(" ", HOME)
     opened.wait("window.matrixworldExplorer.step === 0")
     opened.press(RIGHT, RIGHT)
