@@ -156,7 +156,7 @@ def test_resume_says_what_is_missing(straight):
         ),
         (
             {"learner": "mine:Learner", "learner.settings.sgima": 1},
-            "learner mine:Learner: expected its settings (sigma, shrink), got 'sgima'",
+            "learner mine:Learner: expected its settings (sigma, shrink), got {'sgima': 1}",
         ),
         (
             {"learner": "mine:Learner", "learner.sigma": 0.3},

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from matrixworld.coevolution import competitive_sharing, fitness, reduced_virulence
+from matrixworld.coevolution import competitive_sharing, reduced_virulence
+from matrixworld.coevolution.fitness import fitness
 from tiny_race import constant_scores
 
 

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import own_code
 from matrixworld.coevolution import (
     OwnLearnerSettings,
     OwnOpponents,
@@ -19,9 +18,8 @@ from matrixworld.coevolution import (
     check_learner,
     check_sampler,
 )
-from matrixworld.coevolution.own_code import LEARNER, OPPONENT, Interface, find, installed
+from matrixworld.coevolution.own_code import LEARNER, OPPONENT, Interface, OwnSettings, installed
 from matrixworld.coevolution.runs.start import check_own_code
-from matrixworld.coevolution.sections import OwnSettings
 from tiny_race import tiny_race
 
 
@@ -82,12 +80,6 @@ def test_a_name_that_cannot_be_one_is_refused(name):
         RaceSettings(learner=name)
     with pytest.raises(ValueError, match="pursuers_meet: expected one of drawn, .* or module:obj"):
         RaceSettings.of({"schedule.pursuers_meet": name})
-
-
-@pytest.mark.parametrize("name", [3, []])
-def test_what_is_no_text_is_refused(name):
-    with pytest.raises(TypeError, match="learner: expected EvolutionStrategySettings or "):
-        RaceSettings(learner=name)
 
 
 def test_settings_do_not_change_with_the_dictionary():
@@ -207,9 +199,7 @@ def test_inner_classes_and_functions(folder):
     )
     check_own_code(tiny_race(learner="mine:Box.Hill"))
     check_own_code(tiny_race(learner="mine:make", settings={"tries": 2}, evader_epochs=2))
-    with pytest.raises(
-        ValueError, match="learner mine:make: expected a value of the setting tries"
-    ):
+    with pytest.raises(ValueError, match=r"mine:make: .* \(tries\), got {} \(missing .* 'tries'\)"):
         check_own_code(tiny_race(learner="mine:make"))
 
 
@@ -220,5 +210,3 @@ def test_a_constructor_that_fails(folder):
     settings = tiny_race(schedule="alternating", evaders_meet="mine:make")
     with pytest.raises(PluginError, match="opponent sampler mine:make: IndexError: list index"):
         check_own_code(settings)
-    assert find("mine:make", OPPONENT).parameters.keys() == {"count", "n"}
-    assert own_code.ANSWER == 42

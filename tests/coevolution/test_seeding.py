@@ -7,8 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import training_seeds
-from matrixworld.coevolution.seeding import Phase, evaluation_seed
+from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
 
 LARGEST = 2**64 - 1
 

@@ -70,7 +70,7 @@ def settings_of(**values: Any) -> RaceSettings:
         # What no section has is a setting of the whole, or an unknown one, which is refused.
         section = next((each for each, names in known.items() if name in names), None)
         (plain if section is None else plain[section])[name] = value
-    return RaceSettings.from_json(plain, complete=False)
+    return RaceSettings.of(plain)
 
 
 def path_of(name: str) -> str:

@@ -128,7 +128,7 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
         put(changes, path, value)
     with usage_errors():
         return [
-            _with_runs(RaceSettings.from_json(merged(RaceSettings, file, each), complete=False))
+            _with_runs(RaceSettings.of(merged(RaceSettings, file, each)))
             for each in _by_schedule(changes, given.get("schedule", ()), file)
         ]
 

@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.conformance import check_learner, check_sampler
 from matrixworld.coevolution.evaluation.held_out import held_out
 from matrixworld.coevolution.evaluation.scores import (
     HeldOutScores,
@@ -30,11 +29,7 @@ from matrixworld.coevolution.evaluation.scores import (
     score_population,
 )
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.fitness import (
-    competitive_sharing,
-    fitness,
-    reduced_virulence,
-)
+from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.jobs.best_responses import (
     BestResponse,
     best_response,
@@ -56,10 +51,9 @@ from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
 from matrixworld.coevolution.learners.parts import NoiseTable
 from matrixworld.coevolution.learners.toolbox import (
     Candidates,
-    Individual,
     generate_update_toolbox,
 )
-from matrixworld.coevolution.own_code import PluginError
+from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Progress, ProgressBar
 from matrixworld.coevolution.runs.race import DisengagementWarning, HallOfFameRace, Race
@@ -76,7 +70,6 @@ from matrixworld.coevolution.schedules import (
     OwnOpponents,
     available,
 )
-from matrixworld.coevolution.seeding import training_seeds
 from matrixworld.coevolution.settings import (
     FitnessSettings,
     OwnLearnerSettings,
@@ -115,7 +108,6 @@ __all__ = [
     "HallOfFame",
     "HallOfFameRace",
     "HeldOutScores",
-    "Individual",
     "Learner",
     "LearnerSettings",
     "LockedError",
@@ -145,7 +137,6 @@ __all__ = [
     "competitive_sharing",
     "evolve",
     "finish",
-    "fitness",
     "generate_update_toolbox",
     "held_out",
     "open_run",
@@ -158,5 +149,4 @@ __all__ = [
     "score_population",
     "start",
     "tournament",
-    "training_seeds",
 ]

@@ -6,7 +6,6 @@ values, which become one fitness: their mean, competitive fitness sharing, or re
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,33 +17,10 @@ if TYPE_CHECKING:
     from matrixworld.play.rollout import EpisodeStatistics
 
 
-def captured_fraction(scores: EpisodeStatistics, team: Team) -> FloatArray:
-    """Return the share of evaders captured, averaged over the steps, in [0, 1].
-
-    Fast captures count more.
-    """
-    captured = np.asarray(scores.captured_fraction, dtype=np.float64)
-    return captured if team == "pursuer" else 1.0 - captured
-
-
-def capture_rate(scores: EpisodeStatistics, team: Team) -> FloatArray:
-    """Return the share of evaders captured at the end of the episode, in [0, 1]."""
-    captured = np.asarray(scores.capture_rate, dtype=np.float64)
-    return captured if team == "pursuer" else 1.0 - captured
-
-
-def rewards(scores: EpisodeStatistics, team: Team) -> FloatArray:
-    """Return the rewards summed over the team and the steps (not zero-sum)."""
-    returns = scores.pursuer_return if team == "pursuer" else scores.evader_return
-    return np.asarray(returns, dtype=np.float64)
-
-
-FITNESS: dict[str, Callable[[EpisodeStatistics, Team], FloatArray]] = {
-    "captured-fraction": captured_fraction,
-    "capture-rate": capture_rate,
-    "rewards": rewards,
-}
-"""Measures by name. The capture measures of the evaders are 1 minus those of the pursuers."""
+FITNESS = ("captured-fraction", "capture-rate", "rewards")
+"""Measures: of the captured evaders the share averaged over the steps, in which fast captures count
+more, or the share at the end, both in [0, 1] (of the evaders 1 minus those of the pursuers); and
+the rewards summed over the team and the steps (not zero-sum)."""
 
 SHARING = ("none", "competitive")
 """How the values of a candidate against several opponents become its fitness."""
@@ -53,33 +29,25 @@ LEAST_VIRULENCE = 0.5
 """Below it, a candidate with the most wins would have a fitness below 0."""
 
 
+def measured(scores: EpisodeStatistics, team: Team, measure: str) -> FloatArray:
+    """Return a measure of `FITNESS` for a team, (M, worlds) float64."""
+    if measure == "rewards":
+        returns = scores.pursuer_return if team == "pursuer" else scores.evader_return
+        return np.asarray(returns, dtype=np.float64)
+    captured = np.asarray(getattr(scores, measure.replace("-", "_")), dtype=np.float64)
+    return captured if team == "pursuer" else 1.0 - captured
+
+
 def fitness(
     scores: EpisodeStatistics, team: Team, *, measure: str, overlap_penalty: float
 ) -> FloatArray:
-    """Return the fitness of a team in each match, averaged over the worlds of the match.
+    """Return the fitness (M,) of a team in M matches, the mean over the worlds of each.
 
-    Parameters
-    ----------
-    scores : EpisodeStatistics
-        Statistics of M matches, arrays of shape (M, worlds).
-    team : {"pursuer", "evader"}
-        Team whose fitness is returned.
-    measure : str
-        Key of `FITNESS`.
-    overlap_penalty : float
-        Penalty on evaders that share cells, multiplied by their overlap in [0, 1].
-
-    Returns
-    -------
-    ndarray of float64, shape (M,)
-        Fitness; higher is better.
-
-    Notes
-    -----
-    Without the penalty, where teammates may share a cell, all evaders gather in one corner. Then
-    pursuers find either no evader or all of them at once, and evaders learn little from it.
+    The penalty on evaders that share cells is multiplied by their overlap in [0, 1]. Without it,
+    where teammates may share a cell, all evaders gather in one corner. Then pursuers find either no
+    evader or all of them at once, and evaders learn little from it.
     """
-    values = FITNESS[measure](scores, team)
+    values = measured(scores, team, measure)
     if team == "evader":
         values = values - overlap_penalty * np.asarray(scores.evader_overlap, dtype=np.float64)
     means: FloatArray = values.mean(axis=1)
@@ -113,7 +81,7 @@ def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
 
 def win_rates(scores: EpisodeStatistics, team: Team) -> FloatArray:
     """Return the payoff (M,) to `team`, in [0, 1], averaged over the worlds of each match."""
-    return np.asarray(capture_rate(scores, team).mean(axis=1))
+    return np.asarray(measured(scores, team, "capture-rate").mean(axis=1))
 
 
 def mean_over_opponents(values: FloatArray) -> FloatArray:
@@ -144,29 +112,16 @@ def shared_fitness(
 
 
 def competitive_sharing(wins: ArrayLike) -> FloatArray:
-    """Return the fitness by competitive fitness sharing.
+    """Return the fitness (n,) float64 by competitive fitness sharing.
 
     Each opponent is worth 1 in total, shared by the individuals that beat it. A rare win therefore
-    counts for more.
+    counts for more: ``f_i = sum_j w_ij / sum_k w_kj``, over the opponents j that at least one
+    individual beats, whose number is the sum of the fitness.
 
     Parameters
     ----------
     wins : array_like of float, shape (n, m)
-        How surely individual i beats opponent j, at least 0.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        Fitness. It sums to the number of opponents that at least one individual beats.
-
-    Raises
-    ------
-    ValueError
-        If `wins` has another shape, or holds a number that is negative or not finite.
-
-    Notes
-    -----
-    ``f_i = sum_j w_ij / sum_k w_kj``, over the opponents j that at least one individual beats.
+        How surely individual i beats opponent j; ValueError unless all are finite and at least 0.
 
     References
     ----------
@@ -183,32 +138,18 @@ def competitive_sharing(wins: ArrayLike) -> FloatArray:
 
 
 def reduced_virulence(wins: ArrayLike, virulence: float) -> FloatArray:
-    """Return the fitness by reduced virulence: the best share of the most wins is `virulence`.
+    """Return the fitness (n,) float64 by reduced virulence, at most 1; zeros if all wins are 0.
 
-    At virulence 1 more wins are always better. Below 1 a team that could win every match is held
-    back, so that the other team keeps something to learn from.
+    ``f = 2x/v - x^2/v^2`` with ``x = wins / max(wins)`` and virulence v: the best share of the most
+    wins is v. At virulence 1 more wins are always better. Below 1 a team that could win every match
+    is held back, so that the other team keeps something to learn from.
 
     Parameters
     ----------
     wins : array_like of float, shape (n,)
-        Wins of each individual, at least 0.
+        Wins of each individual; ValueError unless all are finite and at least 0.
     virulence : float
-        From 0.5 to 1.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        Fitness, at most 1; zeros if all wins are 0.
-
-    Raises
-    ------
-    ValueError
-        If `wins` has another shape, or holds a number that is negative or not finite; if
-        `virulence` is out of range.
-
-    Notes
-    -----
-    ``f = 2x/v - x^2/v^2`` with ``x = wins / max(wins)`` and virulence v.
+        From 0.5 to 1, or ValueError is raised.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Learners and opponent samplers from outside the package: by name, made, with checked results.
+"""Learners and opponent samplers from outside the package: by name, made, checked.
 
 Settings name one as an entry point of an installed package (`LEARNER`, `OPPONENT`) or as
 ``module:object``. The object is a class with the methods of the interface, or a function whose
@@ -6,31 +6,32 @@ return annotation is such a class. It is called with keyword arguments: those th
 far as its signature names them, and its own settings.
 
 In settings a name is data: they are checked, saved and read without an import. Only `find` imports,
-when a run starts or continues.
+when a run starts or continues. What it returns is checked in every call of a run; `check_learner`
+and `check_sampler` check more, before the first run.
 """
 
 from __future__ import annotations
 
 import inspect
+import io
+import math
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import contextmanager
+from copy import deepcopy
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.metadata import entry_points
-from typing import Any, get_type_hints
+from operator import attrgetter
+from typing import Any, TypeVar, get_type_hints
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike
+from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution.types import Genome, Genomes, Indices, State
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State
 
 PATH = re.compile(r"[^\W\d]\w*(\.[^\W\d]\w*)*:[^\W\d]\w*(\.[^\W\d]\w*)*")
 """``module:object``, both with dots or without."""
-
-ANY_NAME = inspect.Parameter.VAR_KEYWORD
-UNNAMED = (inspect.Parameter.VAR_POSITIONAL, ANY_NAME)
 
 
 class PluginError(RuntimeError):
@@ -40,31 +41,28 @@ class PluginError(RuntimeError):
     """
 
 
-# Names:
+# Names and settings, as data:
 
 
 @dataclass(frozen=True)
 class Interface:
     """What a class from outside the package has to be.
 
-    Entry points of `group` name such classes; of the `attributes` that it must have, methods are
-    last. Messages call it `what`.
+    Entry points of `group` name such classes, messages call one `what`. It has the `methods`; its
+    instances have the `attributes`, too.
     """
 
     what: str
     group: str
-    attributes: tuple[str, ...]
-
-    @property
-    def methods(self) -> tuple[str, ...]:
-        """The methods that the class must have."""
-        return self.attributes[-4:]
+    methods: tuple[str, ...]
+    attributes: tuple[str, ...] = ()
 
 
 LEARNER = Interface(
     "learner",
     "matrixworld.learners",
-    ("genome", "seed_groups", "ask", "tell", "state", "restore"),
+    ("ask", "tell", "state", "restore"),
+    ("genome", "seed_groups"),
 )
 OPPONENT = Interface(
     "opponent sampler", "matrixworld.opponents", ("sample", "tell", "state", "restore")
@@ -96,6 +94,46 @@ def check_known(field: str, name: str, kinds: Collection[str], interface: Interf
         raise ValueError(f"{field}: expected one of {names}, or module:object, got {shown(name)}")
 
 
+class OwnSettings(Mapping[str, Any]):
+    """Settings of code from outside the package, by name; they never change."""
+
+    def __init__(self, values: Mapping[str, Any] | None = None) -> None:
+        # The order of the names does not matter.
+        self._values = dict(sorted((values or {}).items()))
+
+    def __getitem__(self, name: str) -> Any:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __hash__(self) -> int:
+        return hash(tuple(self._values.items()))
+
+    def __repr__(self) -> str:
+        return repr(self._values)
+
+
+def own_settings(name: str, given: Any) -> OwnSettings:
+    """Return settings of own code; TypeError or ValueError if files cannot keep them."""
+    if not isinstance(given, Mapping):
+        raise TypeError(f"{name}: expected values by name, such as {{'sigma': 0.1}}, got {given!r}")
+    values = {key: v.item() if isinstance(v, np.generic) else v for key, v in given.items()}
+    for key, value in values.items():
+        if not isinstance(key, str) or not key.isidentifier():
+            raise ValueError(f"{name}: expected names such as sigma, got {key!r}")
+        if not isinstance(value, bool | int | float | str):
+            raise TypeError(
+                f"{name}: expected a number, text, True or False as {key}, got {value!r}"
+            )
+        if isinstance(value, float) and not math.isfinite(value):
+            raise ValueError(f"{name}: expected a finite number as {key}, got {value}")
+    return OwnSettings(values)
+
+
 # Classes and functions:
 
 
@@ -113,10 +151,10 @@ class Plugin:
         return f"{self.interface.what} {self.name}"
 
     @property
-    def parameters(self) -> Mapping[str, inspect.Parameter]:
-        """The parameters of the class or function."""
+    def signature(self) -> inspect.Signature:
+        """The signature of the class or function."""
         try:
-            return inspect.signature(self.factory).parameters
+            return inspect.signature(self.factory)
         except (TypeError, ValueError) as error:
             raise ValueError(
                 f"{self.title}: expected a class or function with a signature"
@@ -129,8 +167,19 @@ class Plugin:
         signature names; `own` are settings of its own. ValueError if it does not have these
         settings, or refuses their values; PluginError on any other error.
         """
-        self._check(run, own)
-        given = {name: run[name] for name in self.parameters if name in run}
+        parameters = self.signature.parameters
+        given = {name: run[name] for name in parameters if name in run}
+        try:
+            self.signature.bind(**given, **own)
+        except TypeError as error:
+            unnamed = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+            known = [
+                n for n, each in parameters.items() if n not in run and each.kind not in unnamed
+            ]
+            raise ValueError(
+                f"{self.title}: expected its settings ({', '.join(known) or 'it has none'}), got "
+                f"{own} ({error})"
+            ) from error
         try:
             made = self.factory(**given, **own)
         except ValueError as error:
@@ -138,33 +187,13 @@ class Plugin:
                 f"{self.title}: expected settings that it accepts, got {own} ({error})"
             ) from error
         except Exception as error:
-            raise PluginError(f"{self.title}: {_described(error)}") from error
-        for name in self.interface.attributes:
+            raise PluginError(f"{self.title}: {described(error)}") from error
+        expected = (*self.interface.attributes, *self.interface.methods)
+        for name in expected:
             # Not by hasattr, which would compute a property.
             if inspect.getattr_static(made, name, None) is None and not hasattr(made, name):
-                expected = ", ".join(self.interface.attributes)
-                raise PluginError(f"{self.title}: expected {expected}, got no {name}")
+                raise PluginError(f"{self.title}: expected {', '.join(expected)}, got no {name}")
         return made
-
-    def _check(self, run: Mapping[str, Any], own: Mapping[str, Any]) -> None:
-        """Raise ValueError unless the settings are those that the signature declares."""
-        parameters = self.parameters
-        named = {
-            name: parameter
-            for name, parameter in parameters.items()
-            if parameter.kind not in UNNAMED and name not in run
-        }
-        takes_any = any(parameter.kind is ANY_NAME for parameter in parameters.values())
-        for name in own:
-            if name not in named and (name in run or not takes_any):
-                known = ", ".join(named) or "it has none"
-                raise ValueError(f"{self.title}: expected its settings ({known}), got {name!r}")
-        for name, parameter in named.items():
-            if parameter.default is parameter.empty and name not in own:
-                raise ValueError(
-                    f"{self.title}: expected a value of the setting {name}, which has no default, "
-                    f"got none"
-                )
 
 
 def find(name: str, interface: Interface) -> Plugin:
@@ -174,10 +203,8 @@ def find(name: str, interface: Interface) -> Plugin:
     """
     path = name if PATH.fullmatch(name) else _path_of(name, interface)
     module, _, attribute = path.partition(":")
-    found: Any = _imported(name, module, interface)
     try:
-        for part in attribute.split("."):
-            found = getattr(found, part)
+        found = attrgetter(attribute)(_imported(name, module, interface))
     except AttributeError as error:
         raise ValueError(
             f"{interface.what}: expected the name of an object in {module}, got {attribute!r}"
@@ -202,16 +229,10 @@ def _returned(found: Any) -> Any:
 
 def _path_of(name: str, interface: Interface) -> str:
     paths = installed(interface).get(name, [])
-    if not paths:
-        known = "".join(f"{each}, " for each in installed(interface))
-        raise ValueError(
-            f"{interface.what}: expected {known}one of the package or module:object, got {name!r}; "
-            f"install the package of it"
-        )
-    if len(paths) > 1:
+    if len(paths) != 1:
         raise ValueError(
             f"{interface.what}: expected one installed package with {name!r}, got "
-            f"{', '.join(paths)}"
+            f"{', '.join(paths) or 'none; install the package of it'}"
         )
     return paths[0]
 
@@ -219,34 +240,23 @@ def _path_of(name: str, interface: Interface) -> str:
 def _imported(name: str, module: str, interface: Interface) -> Any:
     try:
         return import_module(module)
-    except ModuleNotFoundError as error:
+    except Exception as error:
         # A module that exists may fail to import another one: then the error names that one.
-        if error.name and f"{module}.".startswith(f"{error.name}."):
+        missing = isinstance(error, ModuleNotFoundError) and error.name
+        if missing and f"{module}.".startswith(f"{missing}."):
             raise ValueError(
                 f"{interface.what}: expected a module that can be imported, got {name!r} "
                 f"({error}); install the package that has it, or put its folder on PYTHONPATH"
             ) from error
-        raise PluginError(f"{interface.what} {name}: import: {_described(error)}") from error
-    except Exception as error:
-        raise PluginError(f"{interface.what} {name}: import: {_described(error)}") from error
+        raise PluginError(f"{interface.what} {name}: import: {described(error)}") from error
 
 
-# Instances whose results are checked:
-
-
-def _described(error: Exception) -> str:
+def described(error: Exception) -> str:
+    """Return an error as messages name it."""
     return f"{type(error).__name__}: {error}"
 
 
-@contextmanager
-def _errors_of(title: str, method: str) -> Iterator[None]:
-    """Turn errors of a plugin's method into `PluginError`, which names both."""
-    try:
-        yield
-    except PluginError:
-        raise
-    except Exception as error:
-        raise PluginError(f"{title}: {method}: {_described(error)}") from error
+# Instances whose results are checked:
 
 
 class Checked:
@@ -259,31 +269,37 @@ class Checked:
         self.title: str = plugin.title
         self.made: Any = made
 
+    def asked(self, name: str, *args: Any) -> Any:
+        """Return an attribute, or the result of a method."""
+        try:
+            found = getattr(self.made, name)
+            return found(*args) if callable(found) else found
+        except PluginError:
+            raise
+        except Exception as error:
+            raise PluginError(f"{self.title}: {name}: {described(error)}") from error
+
+    def refused(self, name: str, expected: str, got: Any) -> PluginError:
+        """Return the error for what an attribute or a method has given."""
+        return PluginError(f"{self.title}: {name}: expected {expected}, got {got}")
+
     def state(self) -> State:
         """Return its state."""
-        with _errors_of(self.title, "state"):
-            state = self.made.state()
+        state = self.asked("state")
         if not isinstance(state, dict):
-            got = type(state).__name__
-            raise PluginError(f"{self.title}: state: expected arrays by name, got {got}")
+            raise self.refused("state", "arrays by name", type(state).__name__)
         for name, value in state.items():
             # A checkpoint holds the arrays of all parts of a run, as part.name.
             if not isinstance(name, str) or not name.isidentifier():
-                raise PluginError(
-                    f"{self.title}: state: expected names such as sigma, got {name!r}"
-                )
+                raise self.refused("state", "names such as sigma", repr(name))
             if not isinstance(value, np.ndarray) or value.dtype.hasobject:
-                raise PluginError(
-                    f"{self.title}: state: expected an array of numbers or text as {name}, got "
-                    f"{value!r}"
-                )
+                raise self.refused("state", f"an array of numbers or text as {name}", repr(value))
         # Copies: a run may restore a state of before a generation, which must not have changed.
         return {name: value.copy() for name, value in state.items()}
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
-        with _errors_of(self.title, "restore"):
-            self.made.restore(state)
+        self.asked("restore", state)
 
 
 class CheckedLearner(Checked):
@@ -317,48 +333,38 @@ class CheckedLearner(Checked):
     @property
     def genome(self) -> Genome:
         """The genome of the learner."""
-        with _errors_of(self.title, "genome"):
-            genome = self.made.genome
-        self._check("genome", genome, (self.genes,), np.float32)
         # A copy: the archive keeps it, and the learner may change its own array in place.
-        return np.array(genome)
+        return np.array(self._checked("genome", self.asked("genome"), (self.genes,)))
 
     @property
     def seed_groups(self) -> Indices:
         """The groups of its candidates."""
-        with _errors_of(self.title, "seed_groups"):
-            groups = np.asarray(self.made.seed_groups)
+        groups = np.asarray(self.asked("seed_groups"))
         numbers = groups.shape == (self.samples,) and groups.dtype.kind in "iu"
         within = numbers and groups.min() >= 0 and groups.max() < self.samples
         if not within or len(set(np.bincount(groups).tolist())) != 1:
-            raise PluginError(
-                f"{self.title}: seed_groups: expected {self.samples} numbers of groups from 0, all "
-                f"of one size, got {groups.tolist()}"
-            )
+            expected = f"{self.samples} numbers of groups from 0, all of one size"
+            raise self.refused("seed_groups", expected, groups.tolist())
         return groups
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return its candidates."""
-        with _errors_of(self.title, "ask"):
-            candidates: Genomes = self.made.ask(rng)
-        self._check("ask", candidates, (self.samples, self.genes), np.float32)
-        return candidates
+        return self._checked("ask", self.asked("ask", rng), (self.samples, self.genes))
 
     def tell(self, fitness: ArrayLike) -> None:
         """Tell it the fitness of its candidates."""
-        with _errors_of(self.title, "tell"):
-            self.made.tell(fitness)
+        self.asked("tell", fitness)
 
-    def _check(self, what: str, found: Any, shape: tuple[int, ...], dtype: DTypeLike) -> None:
-        """Raise PluginError unless it returned an array of this shape and dtype, all finite."""
-        wanted, is_array = np.dtype(dtype), isinstance(found, np.ndarray)
-        if not is_array or (found.shape, found.dtype) != (shape, wanted):
+    def _checked(self, name: str, found: Any, shape: tuple[int, ...]) -> Genomes:
+        """Return what it gave; PluginError unless it is finite float32 of this shape."""
+        is_array = isinstance(found, np.ndarray)
+        if not is_array or (found.shape, found.dtype) != (shape, np.float32):
             got = f"{found.dtype} {found.shape}" if is_array else type(found).__name__
-            raise PluginError(
-                f"{self.title}: {what}: expected an array of {wanted} {shape}, got {got}"
-            )
+            raise self.refused(name, f"an array of float32 {shape}", got)
         if not np.isfinite(found).all():
-            raise PluginError(f"{self.title}: {what}: expected finite numbers, got NaN or infinity")
+            raise self.refused(name, "finite numbers", "NaN or infinity")
+        genomes: Genomes = found
+        return genomes
 
 
 class CheckedSampler(Checked):
@@ -370,22 +376,126 @@ class CheckedSampler(Checked):
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the opponents of an epoch."""
-        with _errors_of(self.title, "sample"):
-            found = np.asarray(self.made.sample(available, epoch, rng))
+        found = np.asarray(self.asked("sample", available, epoch, rng))
         most = min(self.count, available)
         numbers = found.dtype.kind in "iu" and found.ndim == 1 and 1 <= len(found) <= most
         within = numbers and found.min() >= 0 and found.max() < available
         if not within or len(np.unique(found)) < len(found):
-            raise PluginError(
-                f"{self.title}: sample: expected 1 to {most} different opponents from 0 to "
-                f"{available - 1}, got {found.tolist()}"
-            )
+            expected = f"1 to {most} different opponents from 0 to {available - 1}"
+            raise self.refused("sample", expected, found.tolist())
         return found.astype(np.intp)
 
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Tell it the scores of the candidates."""
-        with _errors_of(self.title, "tell"):
-            self.made.tell(opponents.copy(), scores)
+        self.asked("tell", opponents.copy(), scores)
+
+
+# Checks before the first race:
+
+Part = TypeVar("Part", CheckedLearner, CheckedSampler)
+Step = Callable[[Part, int], list[np.ndarray[Any, Any]]]
+"""Plays one epoch with a part of a run, and returns copies of what the part decided."""
+
+EPOCHS = 6
+"""Epochs of a check; states are restored at the end of each."""
+
+
+def check_learner(
+    learner: str | Callable[..., Any],
+    settings: Mapping[str, Any] | None = None,
+    *,
+    samples: int = 8,
+    genes: int = 20,
+    seed: int = 0,
+) -> None:
+    """Check that a learner of one's own has the interface `Learner` and keeps its promises.
+
+    Shapes, dtypes and names; equal results from equal generators; a state that, written to a file
+    and restored in a new or in a used learner, continues bit for bit. In some epochs all fitness
+    values are equal.
+
+    Parameters
+    ----------
+    learner : str or callable
+        A class, a function that returns a learner, or its name as in the settings.
+    settings : mapping of str to bool, int, float or str, optional
+        Settings of its own.
+    samples, genes : int, optional
+        Candidates per epoch, and genes of a candidate.
+    seed : int, optional
+        Seed of genomes, generators and fitness.
+
+    Raises
+    ------
+    PluginError
+        If a check fails; the message says which.
+    ValueError
+        If the learner cannot be imported, or refuses its settings.
+
+    Examples
+    --------
+    >>> from matrixworld import coevolution
+    >>> coevolution.check_learner(coevolution.CmaEs, {"sigma": 0.1})
+    """
+    plugin, own = plugin_of(learner, LEARNER), own_settings("settings", settings or {})
+    genomes, target = np.random.default_rng(seed).normal(size=(2, samples, genes))
+
+    def new() -> CheckedLearner:
+        rng, start = np.random.default_rng([seed, EPOCHS]), genomes.astype(np.float32)
+        return CheckedLearner(plugin, start, rng, samples=samples, epochs=EPOCHS, settings=own)
+
+    groups = new().seed_groups.copy()
+
+    def step(part: CheckedLearner, epoch: int) -> list[np.ndarray[Any, Any]]:
+        candidates = part.ask(np.random.default_rng([seed, epoch])).copy()
+        # Equal values are usual at the start of a race, and a learner may then take another path.
+        distance: FloatArray = ((candidates - target[0]) ** 2).mean(axis=1)
+        part.tell(np.zeros(samples) if epoch % 3 == 1 else -distance)
+        if not np.array_equal(part.seed_groups, groups):
+            raise part.refused("seed_groups", "equal groups in all epochs", f"others after {epoch}")
+        return [candidates, part.genome]
+
+    _check_part(new, step)
+
+
+def check_sampler(
+    sampler: str | Callable[..., Any],
+    settings: Mapping[str, Any] | None = None,
+    *,
+    count: int = 2,
+    seed: int = 0,
+) -> None:
+    """Check that a sampler of one's own has the interface `OpponentSampler` and keeps its promises.
+
+    Numbers in range and without repetition; equal results from equal generators; a state that
+    continues bit for bit. Raises as `check_learner` does.
+
+    Parameters
+    ----------
+    sampler : str or callable
+        A class, a function that returns a sampler, or its name as in the settings.
+    settings : mapping of str to bool, int, float or str, optional
+        Settings of its own.
+    count : int, optional
+        Opponents an epoch.
+    seed : int, optional
+        Seed of generators and scores.
+
+    Examples
+    --------
+    >>> from matrixworld import coevolution
+    >>> coevolution.check_sampler(coevolution.opponents.Prioritized, {"decay": 0.9})
+    """
+    plugin, own = plugin_of(sampler, OPPONENT), own_settings("settings", settings or {})
+
+    def step(part: CheckedSampler, epoch: int) -> list[np.ndarray[Any, Any]]:
+        rng = np.random.default_rng([seed, epoch])
+        # Several epochs with the same opponents, then one more, as in a race.
+        chosen = part.sample(1 + epoch // 2, epoch, rng)
+        part.tell(chosen, rng.random((4, len(chosen))))
+        return [chosen]
+
+    _check_part(lambda: CheckedSampler(plugin, count, own), step)
 
 
 def plugin_of(code: str | Callable[..., Any], interface: Interface) -> Plugin:
@@ -394,3 +504,44 @@ def plugin_of(code: str | Callable[..., Any], interface: Interface) -> Plugin:
         return find(code, interface)
     name = f"{code.__module__}:{getattr(code, '__qualname__', type(code).__qualname__)}"
     return Plugin(interface, name, code)
+
+
+def _check_part(new: Callable[[], Part], step: Step[Part]) -> None:
+    """Check that results repeat, and that states restore them."""
+    first = new()
+    expected, states = [], [_saved(first)]
+    for epoch in range(EPOCHS):
+        expected.append(step(first, epoch))
+        states.append(_saved(first))
+    _check_equal(step, new(), 0, expected, "from equal generators and results")
+    for epoch, state in enumerate(states):
+        # `first` has gone further: a run that is interrupted restores its learners in place.
+        for part, which in ((new(), "new"), (first, "used")):
+            part.restore(deepcopy(state))
+            when, saved = f"after restore in a {which} one", _saved(part)
+            if state.keys() != saved.keys() or not all(
+                np.array_equal(array, saved[name]) for name, array in state.items()
+            ):
+                raise part.refused("state", f"an equal one {when}", "another")
+            _check_equal(step, part, epoch, expected, when)
+
+
+def _check_equal(step: Step[Part], part: Part, start: int, expected: list[Any], when: str) -> None:
+    for epoch in range(start, EPOCHS):
+        found = step(part, epoch)
+        same = (np.array_equal(a, b) for a, b in zip(found, expected[epoch], strict=True))
+        if not all(same):
+            raise PluginError(
+                f"{part.title}: expected equal results {when}, got others in epoch {epoch}; random "
+                f"numbers must come from the generator that is passed, and state() must return "
+                f"all that changes"
+            )
+
+
+def _saved(part: CheckedLearner | CheckedSampler) -> State:
+    """Return the state of a part as it comes back from a file."""
+    buffer = io.BytesIO()
+    np.savez(buffer, **part.state())  # type: ignore[arg-type]
+    buffer.seek(0)
+    with np.load(buffer, allow_pickle=False) as arrays:
+        return {name: arrays[name] for name in arrays.files}

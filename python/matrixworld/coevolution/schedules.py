@@ -21,13 +21,14 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 
+from matrixworld._util.checks import check_integer
 from matrixworld.coevolution.opponents import (
     IPCA,
     LAPCA,
@@ -47,8 +48,8 @@ from matrixworld.coevolution.opponents import (
 from matrixworld.coevolution.opponents import (
     HallOfFame as HallOfFameSampler,
 )
-from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, check_code, check_known, find
-from matrixworld.coevolution.sections import OwnSettings, Section, documented, setting
+from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, Interface, find
+from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.policy import SCRIPTS
 
@@ -145,23 +146,10 @@ class ArchivedOpponents(Opponents):
 
 @documented
 @dataclass(frozen=True)
-class OwnOpponents(Opponents):
+class OwnOpponents(OwnCode, Opponents):
     """Opponents by a sampler of your own (see `OpponentSampler`)."""
 
-    kind: ClassVar[str] = "own"
-
-    code: str = setting("", "module:object, or the name of an installed one")
-    settings: OwnSettings = setting(OwnSettings(), "its settings: numbers, text, true or false")
-
-    def check(self) -> None:
-        """Raise ValueError unless a name is given."""
-        check_code("code", self.code)
-
-    @classmethod
-    def named(cls, field: str, text: str, kinds: Collection[str]) -> OwnOpponents:
-        """Return the settings that a text in a field stands for, beside those of other kinds."""
-        check_known(field, text, kinds, OPPONENT)
-        return cls(code=text)
+    interface: ClassVar[Interface] = OPPONENT
 
     def new(self, count: int) -> OpponentSampler:
         """Return a new sampler; imports its code."""
@@ -197,9 +185,9 @@ class Schedule(Section):
         return TEAMS
 
     @property
-    @abstractmethod
     def opponents_met(self) -> int:
         """Most opponents of a candidate in an epoch."""
+        return 1
 
     @property
     @abstractmethod
@@ -233,14 +221,19 @@ class RaceSchedule(Schedule):
     def sampled_opponents(self) -> int:
         """Most archived opponents of a candidate in an epoch."""
 
+    @abstractmethod
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation in which `team` learns."""
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return self.sampled_opponents
+
     @property
     def entries(self) -> int:
         """Genomes in the archive of a team at the end of a race."""
         return 1 + self.generations
-
-    @abstractmethod
-    def epochs(self, team: Team) -> int:
-        """Return the epochs of a generation in which `team` learns."""
 
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the whole run in which `team` learns."""
@@ -277,30 +270,18 @@ class Alternating(RaceSchedule):
 
     opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
     pursuer_epochs: int = setting(
-        60,
-        "epochs per generation in which the pursuers learn",
-        by={"actor-critic": 400},
-        least=1,
+        60, "epochs per generation in which pursuers learn", by={"actor-critic": 400}, least=1
     )
     evader_epochs: int = setting(
-        120,
-        "epochs per generation in which the evaders learn",
-        by={"actor-critic": 400},
-        least=1,
+        120, "epochs per generation in which evaders learn", by={"actor-critic": 400}, least=1
     )
 
     @property
     def name(self) -> str:
         """The name in the paper of a schedule that has one, else "alternating"."""
-        rules = {"pursuers_meet": self.pursuers_meet, "evaders_meet": self.evaders_meet}
-        found = {name: getattr(each, "rule", None) for name, each in rules.items()}
-        names = [name for name, each in PAPER.items() if each == found and self.opponents == 1]
-        return names[0] if names else self.kind
-
-    @property
-    def opponents_met(self) -> int:
-        """Most opponents of a candidate in an epoch."""
-        return self.opponents
+        rules = tuple(getattr(self.opponents_of(team), "rule", None) for team in TEAMS)
+        names = [name for name, each in PAPER.items() if rules == tuple(each.values())]
+        return names[0] if names and self.opponents == 1 else self.kind
 
     @property
     def sampled_opponents(self) -> int:
@@ -392,11 +373,6 @@ class Against(Schedule):
         return (self.team,)
 
     @property
-    def opponents_met(self) -> int:
-        """One opponent of a candidate in an epoch."""
-        return 1
-
-    @property
     def entries(self) -> int:
         """Genomes in the archive at the end of the run."""
         return 1 + -(-self.epochs // self.archive_every)
@@ -417,27 +393,16 @@ ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
 
 
 def available(team: Team, k: int) -> int:
-    """Return the number of opponents when a team learns one of its generations in alternation.
+    """Return how many generations of the other team are archived when a team learns, in turns.
 
     Parameters
     ----------
     team : {"pursuer", "evader"}
         The team that learns.
     k : int
-        Number of the generation that it learns, from 1.
-
-    Returns
-    -------
-    int
-        The archived generations of the other team.
-
-    Raises
-    ------
-    ValueError
-        If `k` is below 1.
+        The generation that it learns, at least 1, or ValueError is raised: generation 0 is
+        untrained.
     """
-    # Generation 0 is untrained.
-    if k < 1:
-        raise ValueError(f"generation: expected at least 1, got {k}")
+    check_integer("generation", k, 1)
     # The pursuers learn first, so the evaders can play against generation k already.
     return k if team == "pursuer" else k + 1

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import Field, dataclass, field, fields
 from functools import cache
 from inspect import cleandoc
@@ -27,12 +28,19 @@ from matrixworld._util.checks import (
     check_number,
     shown,
 )
+from matrixworld.coevolution.own_code import (
+    Interface,
+    OwnSettings,
+    check_code,
+    check_known,
+    own_settings,
+)
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import Rewards
+from matrixworld.world.rules import VARIANTS, Rewards, Rules
 
 AnySection = TypeVar("AnySection", bound="Section")
 
-REWARDS = {"paper": Rewards.paper, "published": Rewards.published}
+REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
 """Rewards by the names that files and options take."""
 
 WORLD_HELP = {
@@ -60,23 +68,10 @@ def setting(
     most: float = math.inf,
     positive: bool = False,
 ) -> Any:
-    """Return a field of a section.
+    """Return a field of a section: its default, what it means, and its legal texts or numbers.
 
-    Parameters
-    ----------
-    default : object
-        The default.
-    text : str
-        What the setting means, for help texts.
-    by : mapping of str to object, optional
-        Other defaults, by the kind of learner or schedule that has them. The field is then None
-        until `RaceSettings` knows the kinds.
-    choices : collection of str, optional
-        The legal texts.
-    least, most : float, optional
-        The smallest and the largest legal number.
-    positive : bool, optional
-        Whether 0 is refused.
+    `by` has other defaults, by the kind of learner or schedule that has them: the field is then
+    None until `RaceSettings` knows the kinds. With `positive`, 0 is refused.
     """
     metadata = {
         "help": text,
@@ -95,29 +90,6 @@ def documented(cls: type[AnySection]) -> type[AnySection]:
         lines += [f"{item.name} : {item.type}, optional", f"    {item.metadata['help']}"]
     cls.__doc__ = "\n".join(lines)
     return cls
-
-
-class OwnSettings(Mapping[str, Any]):
-    """Settings of code from outside the package, by name; they never change."""
-
-    def __init__(self, values: Mapping[str, Any] | None = None) -> None:
-        # The order of the names does not matter.
-        self._values = dict(sorted((values or {}).items()))
-
-    def __getitem__(self, name: str) -> Any:
-        return self._values[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._values)
-
-    def __len__(self) -> int:
-        return len(self._values)
-
-    def __hash__(self) -> int:
-        return hash(tuple(self._values.items()))
-
-    def __repr__(self) -> str:
-        return repr(self._values)
 
 
 @dataclass(frozen=True)
@@ -141,16 +113,22 @@ class Section:
         """Raise ValueError or TypeError unless the fields fit together."""
 
 
+@dataclass(frozen=True)
+class OwnCode(Section):
+    """Base of the settings of a class from outside the package."""
+
+    kind: ClassVar[str] = "own"
+    interface: ClassVar[Interface]
+
+    code: str = setting("", "module:object, or the name of an installed one")
+    settings: OwnSettings = setting(OwnSettings(), "its settings: numbers, text, true or false")
+
+    def check(self) -> None:
+        """Raise ValueError unless a name is given."""
+        check_code("code", self.code)
+
+
 # Fields:
-
-
-def unfilled(section: Section) -> list[Field[Any]]:
-    """Return the fields that wait for a default, which goes with learner and schedule."""
-    return [
-        item
-        for item in fields(section)
-        if item.metadata["by"] and getattr(section, item.name) is None
-    ]
 
 
 hints_of: Callable[[Any], dict[str, Any]] = cache(get_type_hints)
@@ -172,16 +150,30 @@ def kinds_in(hint: Any) -> list[str]:
     return [name for name in sections_in(hint) if name not in ("", "own")]
 
 
-def section_named(name: str, text: str, hint: Any) -> Section:
-    """Return the section that a text stands for; any other text is the name of own code."""
+def named(path: str, text: Any, hint: Any) -> tuple[type[Section], Mapping[str, Any]]:
+    """Return the section that a text stands for, and the fields that the text sets.
+
+    Where a section may be own code, any text that is no kind is the name of own code.
+    """
     known = sections_in(hint)
-    if text in kinds_in(hint):
-        return known[text](**known[text].shorthands.get(text, {}))
-    if "own" not in known:
-        raise ValueError(f"{name}: expected one of {', '.join(kinds_in(hint))}, got {shown(text)}")
+    if not isinstance(text, str) or (text not in known and "own" not in known):
+        raise ValueError(f"{path}: expected one of {', '.join(kinds_in(hint))}, got {shown(text)}")
+    if text in known:
+        return known[text], known[text].shorthands.get(text, {})
     own: Any = known["own"]
-    section: Section = own.named(name, text, kinds_in(hint))
-    return section
+    check_known(path, text, kinds_in(hint), own.interface)
+    return own, {"code": text}
+
+
+@contextmanager
+def inside(path: str) -> Iterator[None]:
+    """Begin the messages of errors with the path of the section that they speak of."""
+    try:
+        yield
+    except TypeError as error:
+        raise TypeError(f"{path}{error}") from error
+    except ValueError as error:
+        raise ValueError(f"{path}{error}") from error
 
 
 def _checked(item: Field[Any], hint: Any, value: Any) -> Any:
@@ -194,11 +186,14 @@ def _checked(item: Field[Any], hint: Any, value: Any) -> Any:
     if value is None and (NoneType in accepted or item.metadata["by"]):
         return None
     if sections := sections_in(hint):
-        found = section_named(name, value, hint) if isinstance(value, str) else value
-        if not isinstance(found, tuple(sections.values())):
+        if isinstance(value, str) and kinds_in(hint):
+            cls, given = named(name, value, hint)
+            with inside(f"{name}."):
+                return cls(**given)
+        if not isinstance(value, tuple(sections.values())):
             classes = " or ".join(dict.fromkeys(each.__name__ for each in sections.values()))
             raise TypeError(f"{name}: expected {classes}, got {shown(value)}")
-        return found
+        return value
     if hint is WorldConfig:
         check_instance(name, value, WorldConfig)
     elif hint is OwnSettings:
@@ -222,58 +217,16 @@ def _checked(item: Field[Any], hint: Any, value: Any) -> Any:
     return value
 
 
-def own_settings(name: str, given: Any) -> OwnSettings:
-    """Return settings of own code; TypeError or ValueError if files cannot keep them."""
-    if not isinstance(given, Mapping):
-        raise TypeError(f"{name}: expected values by name, such as {{'sigma': 0.1}}, got {given!r}")
-    values = {key: v.item() if isinstance(v, np.generic) else v for key, v in given.items()}
-    for key, value in values.items():
-        if not isinstance(key, str) or not key.isidentifier():
-            raise ValueError(f"{name}: expected names such as sigma, got {key!r}")
-        if not isinstance(value, bool | int | float | str):
-            raise TypeError(
-                f"{name}: expected a number, text, True or False as {key}, got {value!r}"
-            )
-        if isinstance(value, float) and not math.isfinite(value):
-            raise ValueError(f"{name}: expected a finite number as {key}, got {value}")
-    return OwnSettings(values)
-
-
 # Sections as values that JSON and TOML can hold:
-
-
-def to_plain(value: Any) -> Any:
-    """Return a section, or the value of a field, as values that JSON can hold."""
-    if isinstance(value, Section):
-        kind = {"kind": value.kind} if value.kind else {}
-        return kind | {item.name: to_plain(getattr(value, item.name)) for item in fields(value)}
-    if isinstance(value, WorldConfig):
-        return value.to_json()
-    if isinstance(value, OwnSettings):
-        return dict(value)
-    return list(value) if isinstance(value, tuple) else value
 
 
 def from_plain(
     cls: type[AnySection], plain: Mapping[str, Any], path: str = "", *, complete: bool = False
 ) -> AnySection:
-    """Return a section from what `to_plain` returned for it, or from a part of that.
+    """Return a section from nested values, which are all there if `complete`.
 
-    Parameters
-    ----------
-    cls : type
-        Class of the section.
-    plain : mapping of str to object
-        Values of its fields. Code is named only, and not imported.
-    path : str, optional
-        Where the section stands, for messages, such as ``"learner."``.
-    complete : bool, optional
-        Whether all fields must be there, as in the files of a run.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a field is missing, unknown or has a bad value; the message begins with its path.
+    Code is named only, and not imported. TypeError or ValueError if a field is missing, unknown or
+    has a bad value; the message begins with its path, `path` included.
     """
     items = {item.name: item for item in fields(cls)}
     check_names(plain, items, path)
@@ -282,15 +235,11 @@ def from_plain(
         raise ValueError(f"{path}{missing[0]}: expected a value, got none")
     hints = hints_of(cls)
     values = {
-        name: _restored(items[name], hints[name], value, path, complete=complete)
+        name: _restored(items[name], hints[name], value, f"{path}{name}", complete=complete)
         for name, value in plain.items()
     }
-    try:
+    with inside(path):
         return cls(**values)
-    except ValueError as error:
-        raise ValueError(f"{path}{error}") from error
-    except TypeError as error:
-        raise TypeError(f"{path}{error}") from error
 
 
 def check_names(given: Iterable[str], known: Collection[str], path: str) -> None:
@@ -301,60 +250,43 @@ def check_names(given: Iterable[str], known: Collection[str], path: str) -> None
 
 
 def _restored(item: Field[Any], hint: Any, plain: Any, path: str, *, complete: bool) -> Any:
-    """Return the value of a field from what `to_plain` returned for it."""
-    here = f"{path}{item.name}."
+    """Return the value of a field from nested values; the section checks what is none of them."""
     if not isinstance(plain, Mapping):
         return plain
     if hint is WorldConfig:
-        return WorldConfig.from_json(plain) if complete else _world(plain, here)
-    known = sections_in(hint)
-    if not known:
+        return WorldConfig.from_json(plain) if complete else _world(plain, path)
+    if not sections_in(hint):
         return plain
     values, default = dict(plain), item.metadata["default"]
     kind = values.pop("kind", None)
-    if kind is None:
-        if complete and kinds_in(hint):
-            raise ValueError(f"{here}kind: expected a value, got none")
+    if kind is not None:
+        cls, given = named(f"{path}.kind" if complete else path, kind, hint)
+    elif complete and kinds_in(hint):
+        raise ValueError(f"{path}.kind: expected a value, got none")
+    else:
         # A part of the default section: its other fields stay.
-        kept = {each.name: getattr(default, each.name) for each in fields(default)}
-        changed = from_plain(type(default), values, here, complete=complete)
-        return type(default)(**{**kept, **{name: getattr(changed, name) for name in values}})
-    if not complete and isinstance(kind, str) and kind not in known and "own" in known:
-        # The name of own code in place of a kind.
-        section_named(f"{path}{item.name}", kind, hint)
-        kind, values = "own", {"code": kind, **values}
-    if not isinstance(kind, str) or kind not in known:
-        raise ValueError(
-            f"{here}kind: expected one of {', '.join(kinds_in(hint))}, got {shown(kind)}"
-        )
-    return from_plain(
-        known[kind], {**known[kind].shorthands.get(kind, {}), **values}, here, complete=complete
-    )
+        cls, given = type(default), {} if complete else vars(default)
+    return from_plain(cls, {**given, **values}, f"{path}.", complete=complete)
 
 
 def _world(plain: Mapping[str, Any], path: str) -> WorldConfig:
-    """Return the world of some fields; the rules may be the name of a variant."""
+    """Return the world of some fields; rules and rewards may be names, or both given one by one."""
+    check_names(plain, WORLD_HELP, f"{path}.")
     values = dict(plain)
-    check_names(values, [item.name for item in fields(WorldConfig)], path)
-    rules, rewards = values.pop("rules", "O"), values.get("rewards", "paper")
-    # Rules and rewards one by one: those that are not given are as in the variant of that kind.
-    if isinstance(rules, Mapping):
-        parts = dict(rules)
-        base = WorldConfig(parts.pop("kind", "O")).to_json()
-        rules = WorldConfig.from_json({**base, "rules": {**base["rules"], **parts}}).rules
-    if "rewards" in values and not isinstance(rewards, Rewards):
-        parts = dict(rewards) if isinstance(rewards, Mapping) else {"kind": rewards}
-        kind = parts.pop("kind", "paper")
-        check_choice(f"{path}rewards", kind, REWARDS)
-        base = WorldConfig(rewards=REWARDS[kind]()).to_json()
-        world = WorldConfig.from_json({**base, "rewards": {**base["rewards"], **parts}})
-        values["rewards"] = world.rewards
-    try:
-        return WorldConfig(rules, **values)
-    except ValueError as error:
-        raise ValueError(f"{path}{error}") from error
-    except TypeError as error:
-        raise TypeError(f"{path}{error}") from error
+    rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
+    for name, kinds, usual in rows:
+        given = plain.get(name)
+        if given is None or isinstance(given, Rules | Rewards):
+            continue
+        parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
+        kind = parts.pop("kind", usual)
+        check_choice(f"{path}.{name}", kind, kinds)
+        # Those that are not given are as in the row of that kind.
+        base: Any = WorldConfig(**{name: kinds[kind]}).to_json()
+        world = WorldConfig.from_json({**base, name: {**base[name], **parts}})
+        values[name] = getattr(world, name)
+    with inside(f"{path}."):
+        return WorldConfig(**values)
 
 
 def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -368,14 +300,14 @@ def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
 def put(plain: dict[str, Any], path: str, value: Any) -> None:
     """Set the value of a path in nested settings; a text names the kind of a section."""
     first, dot, rest = path.partition(".")
-    inside = plain.get(first)
-    if dot:
-        # A text stands for a whole section, of which a part is now given, too.
-        inner = inside if isinstance(inside, dict) else {} if inside is None else {"kind": inside}
-        plain[first] = inner
-        put(inner, rest, value)
-    else:
-        plain[first] = {**inside, "kind": value} if isinstance(inside, dict) else value
+    before: Any = plain.get(first)
+    is_section = isinstance(before, Mapping)
+    if not dot:
+        plain[first] = {**before, "kind": value} if is_section else value
+        return
+    # A text stands for a whole section, of which a part is now given, too.
+    plain[first] = dict(before or {}) if is_section or before is None else {"kind": before}
+    put(plain[first], rest, value)
 
 
 def merged(cls: Any, plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -385,36 +317,30 @@ def merged(cls: Any, plain: Mapping[str, Any], changes: Mapping[str, Any]) -> di
     changed.
     """
     found = dict(plain)
-    hints = hints_of(cls) if cls else {}
-    for name, value in changes.items():
-        before, known = found.get(name), sections_in(hints.get(name))
-        change = {"kind": value} if known and isinstance(value, str) else value
-        if not isinstance(before, Mapping) or not isinstance(change, Mapping):
-            found[name] = change
-            continue
-        old = str(before.get("kind", ""))
-        new = str(change.get("kind", old))
-        inner = known.get(old)
-        if known.get(new) is inner:
-            shorthand = inner.shorthands.get(new, {}) if inner else {}
-            kind = {"kind": old} if old else {}
-            found[name] = merged(inner, {**before, **shorthand}, {**change, **kind})
-        else:
-            found[name] = change
+    items = {item.name: item for item in fields(cls)} if cls else {}
+    for name, change in changes.items():
+        known = sections_in(hints_of(cls)[name]) if name in items else {}
+        before, after = (
+            {"kind": each} if known and isinstance(each, str) else each
+            for each in (found.get(name), change)
+        )
+        found[name] = after
+        if isinstance(before, Mapping) and isinstance(after, Mapping):
+            usual = items[name].metadata["default"].kind if known else ""
+            old = str(before.get("kind", usual))
+            new = str(after.get("kind", old))
+            inner = known.get(new)
+            if new == old or (inner and inner is known.get(old)):
+                sets = inner.shorthands.get(new, {}) if inner else {}
+                kind = {"kind": old} if old else {}
+                found[name] = merged(inner, {**before, **sets}, {**after, **kind})
     return found
 
 
 class Leaf(NamedTuple):
-    """A single setting of a section and of those in it.
+    """A single setting: its path, its value as JSON holds it, and its help text.
 
-    Parameters
-    ----------
-    path : str
-        Where it stands, such as ``"learner.sigma"``; for a section its kind.
-    value : object
-        Its value, as JSON holds it.
-    help : str
-        What it means.
+    The leaf of a section has the path of the section and its kind.
     """
 
     path: str
@@ -434,7 +360,8 @@ def leaves(section: Section, path: str = "") -> Iterator[Leaf]:
             for name, plain in value.to_json().items():
                 yield Leaf(f"{here}.{name}", plain, WORLD_HELP[name])
         else:
-            yield Leaf(here, to_plain(value), text)
+            plain = dict(value) if isinstance(value, OwnSettings) else value
+            yield Leaf(here, list(plain) if isinstance(plain, tuple) else plain, text)
 
 
 def different_settings(one: Section, *others: Section) -> list[str]:

@@ -81,31 +81,10 @@ def training_seeds(
     epoch: int,
     count: int,
 ) -> Seeds:
-    """Return the seeds of the matches of one epoch of training.
+    """Return the seeds (count,) of the matches of one epoch of training.
 
-    Parameters
-    ----------
-    run_seed : int
-        Seed of the run.
-    pursuer_generation, evader_generation : int
-        Generations that meet.
-    phase : Phase
-        What the matches are for.
-    epoch : int
-        Epoch of the phase.
-    count : int
-        Number of seeds.
-
-    Returns
-    -------
-    ndarray of uint64, shape (count,)
-        The first words of ``numpy.random.SeedSequence`` of the other arguments. Seed `i` does not
-        depend on `count`.
-
-    Raises
-    ------
-    ValueError
-        If a number is negative.
+    They are the first words of ``numpy.random.SeedSequence`` of the other arguments: seed `i` does
+    not depend on `count`.
     """
     # One sequence for all matches: to make one for each takes a noticeable share of a run.
     key = (run_seed, pursuer_generation, evader_generation, int(phase), epoch)

@@ -5,8 +5,9 @@ The number of threads is not a setting, because results do not depend on it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import Field, dataclass, fields, replace
+from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
@@ -24,18 +25,18 @@ from matrixworld.coevolution.learners.masked_network import (
     mask_weights,
     masked_network,
 )
-from matrixworld.coevolution.own_code import LEARNER, CheckedLearner, check_code, check_known, find
+from matrixworld.coevolution.own_code import LEARNER, CheckedLearner, Interface, find
 from matrixworld.coevolution.schedules import SCHEDULES, Against, Alternating, HallOfFame
 from matrixworld.coevolution.sections import (
-    OwnSettings,
+    OwnCode,
     Section,
     by_path,
     documented,
     from_plain,
+    inside,
+    leaves,
     merged,
     setting,
-    to_plain,
-    unfilled,
 )
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
@@ -114,11 +115,11 @@ class FitnessSettings(Section):
     def check(self) -> None:
         """Raise ValueError for sharing and virulence together, or of rewards."""
         given = [name for name in ("pursuer_virulence", "evader_virulence") if getattr(self, name)]
-        if self.sharing != "none" and given:
-            raise ValueError(
-                f"{given[0]}: expected it with sharing 'none' only, got sharing {self.sharing!r}"
-            )
         if self.sharing != "none":
+            if given:
+                raise ValueError(
+                    f"{given[0]}: expected no value beside sharing, got sharing {self.sharing!r}"
+                )
             given = ["sharing"]
         if given and self.measure == "rewards":
             raise ValueError(f"{given[0]}: expected a measure from 0 to 1, got 'rewards'")
@@ -130,29 +131,17 @@ class FitnessSettings(Section):
 
 @documented
 @dataclass(frozen=True)
-class OwnLearnerSettings(LearnerSettings):
+class OwnLearnerSettings(OwnCode, LearnerSettings):
     """A learner of your own (see `Learner`)."""
 
-    kind: ClassVar[str] = "own"
     title: ClassVar[str] = "a learner of your own"
-
-    code: str = setting("", "module:object, or the name of an installed one")
-    settings: OwnSettings = setting(OwnSettings(), "its settings: numbers, text, true or false")
-
-    def check(self) -> None:
-        """Raise ValueError unless a name is given."""
-        check_code("code", self.code)
-
-    @classmethod
-    def named(cls, field: str, text: str, kinds: Collection[str]) -> OwnLearnerSettings:
-        """Return the settings that a text in a field stands for, beside those of other kinds."""
-        check_known(field, text, kinds, LEARNER)
-        return cls(code=text)
+    interface: ClassVar[Interface] = LEARNER
 
     @property
     def starting_genomes(self) -> int:
         """The population for a class that starts from `genomes`; imports its code."""
-        return self.population if "genomes" in find(self.code, LEARNER).parameters else 1
+        parameters = find(self.code, LEARNER).signature.parameters
+        return self.population if "genomes" in parameters else 1
 
     def new(
         self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
@@ -211,12 +200,14 @@ class RaceSettings(Section):
         """Fill in defaults, and raise ValueError unless all sections fit together."""
         for item in fields(self):
             value = getattr(self, item.name)
-            if isinstance(value, Section) and (missing := unfilled(value)):
-                values = {each.name: self._usual(each) for each in missing}
-                try:
-                    value = replace(value, **values)
-                except ValueError as error:
-                    raise ValueError(f"{item.name}.{error}") from error
+            if isinstance(value, Section):
+                unfilled = {
+                    each.name: self._usual(each)
+                    for each in fields(value)
+                    if each.metadata["by"] and getattr(value, each.name) is None
+                }
+                with inside(f"{item.name}."):
+                    value = replace(value, **unfilled)
             object.__setattr__(self, item.name, self._usual(item) if value is None else value)
         self._check_mask()
         self._check_idle()
@@ -337,13 +328,13 @@ class RaceSettings(Section):
     def untrained(self, team: Team, count: int) -> Genomes:
         """Return the first `count` untrained genomes (count, genes) of a team."""
         rng = keyed_generator(self.seed, Purpose.INITIAL, TEAMS.index(team))
-        weight, head = self.policy.initial_weight, self.policy.initial_head
+        network, head = self.network, self.policy.initial_head
+        new = partial(network.initial, rng, weight=self.policy.initial_weight, head=head)
         if self.learner.by_gradients:
             # Gradients vanish or explode from other beginnings.
-            sizes = self.network.sizes
-            return np.stack([orthogonal(sizes, rng, head=head) for _ in range(count)])
+            new = partial(orthogonal, network.sizes, rng, head=head)
         # One after the other from one generator: the first genomes do not depend on `count`.
-        return np.stack([self.network.initial(rng, weight=weight, head=head) for _ in range(count)])
+        return np.stack([new() for _ in range(count)])
 
     def new_learner(self, team: Team, genomes: Genomes) -> Learner:
         """Return a new learner of a team, from `learner.starting_genomes` genomes (n, genes).
@@ -360,16 +351,8 @@ class RaceSettings(Section):
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.
 
-        Parameters
-        ----------
-        changes : mapping of str to object
-            New values, such as ``{"learner.sigma": 0.2}``. A section of another kind starts from
-            its defaults.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a path is unknown or has a bad value.
+        A section of another kind starts from its defaults. TypeError or ValueError if a path is
+        unknown or has a bad value.
 
         Examples
         --------
@@ -378,41 +361,29 @@ class RaceSettings(Section):
         >>> settings.learner.kind, settings.schedule.generations
         ('ga', 5)
         """
-        return self.from_json(
-            merged(RaceSettings, self.to_json(), by_path(changes)), complete=False
-        )
+        return self.of(merged(RaceSettings, self.to_json(), by_path(changes)))
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> RaceSettings:
         """Return settings from values by their paths, such as ``{"learner.sigma": 0.2}``.
 
-        All other settings have their defaults. TypeError or ValueError as in `changed`.
+        All other settings have their defaults; sections may be nested mappings, or texts that name
+        their kinds, rules and rewards names. TypeError or ValueError as in `changed`.
         """
-        return cls.from_json(by_path(values), complete=False)
+        return from_plain(cls, by_path(values))
 
     def to_json(self) -> dict[str, Any]:
         """Return the settings as values that JSON can hold."""
-        plain: dict[str, Any] = to_plain(self)
-        return plain
+        return by_path({leaf.path: leaf.value for leaf in leaves(self)})
 
     @classmethod
-    def from_json(cls, plain: Mapping[str, Any], *, complete: bool = True) -> RaceSettings:
-        """Return settings from what `to_json` returned.
+    def from_json(cls, plain: Mapping[str, Any]) -> RaceSettings:
+        """Return settings from what `to_json` returned, all of it.
 
-        Parameters
-        ----------
-        plain : mapping of str to object
-            The settings. Learners and samplers of one's own are named only, and not imported.
-        complete : bool, optional
-            Whether all settings must be there. Otherwise those that are missing have their
-            defaults, and rules and rewards may be given by name.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a setting is missing, unknown or has a bad value; the message begins with its path.
+        Learners and samplers of one's own are named only, and not imported. TypeError or ValueError
+        if a setting is missing, unknown or has a bad value; the message begins with its path.
         """
-        return from_plain(cls, plain, complete=complete)
+        return from_plain(cls, plain, complete=True)
 
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:

@@ -319,7 +319,12 @@ class ActorCritic:
     @property
     def _torch(self) -> Any:
         # Not an attribute: a module cannot be pickled.
-        return _import_torch()
+        try:
+            import torch
+        except ImportError as error:
+            needed = "The learner actor-critic needs PyTorch"
+            raise MissingExtraError(f"{needed}: {install_hint('torch')}") from error
+        return torch
 
     @property
     def genome(self) -> Genome:
@@ -453,15 +458,6 @@ class ActorCritic:
         self.multiplier = float(state["multiplier"])
         for name, network in {"actor": self._actor, **self._critics}.items():
             network.restore({key: state[f"{name}_{key}"] for key in network.saved})
-
-
-def _import_torch() -> Any:
-    try:
-        import torch
-    except ImportError as error:
-        needed = "The learner actor-critic needs PyTorch"
-        raise MissingExtraError(f"{needed}: {install_hint('torch')}") from error
-    return torch
 
 
 def _usable_device(torch: Any, name: str) -> Any:

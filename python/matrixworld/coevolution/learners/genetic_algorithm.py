@@ -189,12 +189,9 @@ class GeneticAlgorithm(Saved):
         return self.population[self.elite]
 
     def choose_champion(self, fitness: ArrayLike) -> None:
-        """Make the best of the elite the champion until the next `tell`.
+        """Make the best of the elite the champion until the next `tell`, by its new fitness.
 
-        Parameters
-        ----------
-        fitness : array_like of float, shape (elites,)
-            New fitness of the elite, in the order of `elite_genomes`; of equals the first wins.
+        `fitness` (elites,) is in the order of `elite_genomes`; of equals the first wins.
         """
         best = int(np.argmax(checked_fitness(fitness, self.elites)))
         self.champion = int(self.elite[best])

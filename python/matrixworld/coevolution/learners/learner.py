@@ -99,8 +99,7 @@ class LearnerSettings(Section):
     """Base of the settings of a learner; each has a class in the file of its learner.
 
     `new` returns the learner of a team, from genomes (n, genes) with n as `starting_genomes` says,
-    and a generator for tables of noise. `check_run` raises ValueError if the learner cannot work
-    with the other settings of a run.
+    and a generator for tables of noise.
 
     Parameters
     ----------
@@ -132,7 +131,7 @@ class LearnerSettings(Section):
         return 0
 
     def check_run(self, run: RaceSettings) -> None:
-        """Accept every run."""
+        """Raise ValueError if the learner cannot work with the other settings of a run."""
 
     @abstractmethod
     def new(

@@ -26,13 +26,7 @@ class Maximize(base.Fitness):  # type: ignore[misc]
 
 
 class Individual:
-    """A DEAP individual: a genome and its fitness.
-
-    Parameters
-    ----------
-    genome : ndarray of float32, shape (genes,)
-        Weights of the policy network.
-    """
+    """A DEAP individual: a genome (genes,) and its fitness."""
 
     __slots__ = ("fitness", "genome")
 
@@ -69,10 +63,7 @@ Evaluate = Callable[[Candidates], ArrayLike]
 
 
 def evaluate_all(evaluate: Evaluate, population: Candidates) -> list[tuple[float]]:
-    """Return the fitness of a population, as DEAP's `map` does, from one call of `evaluate`.
-
-    Matches are played in bulk, not individual by individual.
-    """
+    """Return the fitness of a population, as DEAP's `map` does: matches are played in bulk."""
     return [(float(value),) for value in np.asarray(evaluate(population))]
 
 
@@ -80,6 +71,8 @@ def generate_update_toolbox(
     learner: Learner, evaluate: Evaluate, generators: Iterator[np.random.Generator]
 ) -> base.Toolbox:
     """Return a toolbox with which `deap.algorithms.eaGenerateUpdate` drives a learner.
+
+    It has `generate`, `evaluate`, `map` and `update`.
 
     Parameters
     ----------
@@ -89,11 +82,6 @@ def generate_update_toolbox(
         Scores all candidates in one call: `Candidates` -> fitness (n,).
     generators : iterator of numpy.random.Generator
         Yields the generator of each epoch in turn.
-
-    Returns
-    -------
-    deap.base.Toolbox
-        With `generate`, `evaluate`, `map` and `update`.
     """
 
     def generate() -> Candidates:

@@ -90,23 +90,14 @@ class Archive(ABC, Saved):
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and the tests to keep.
 
-        Parameters
-        ----------
-        payoffs : ndarray of float64, shape (n, m)
-            Payoffs of archived and new candidates on archived and new tests.
-        archived : tuple of int
-            Number of the first rows, and of the first columns, that are archived.
+        `payoffs` (n, m) are those of archived and new candidates on archived and new tests, of
+        which `archived` says how many of the first rows and of the first columns are archived.
         """
 
     def submit(self, candidates: ArrayLike, tests: ArrayLike, payoff: PayoffFunction) -> None:
-        """Submit new members; the archive keeps some of these and of its own.
+        """Submit new candidates (n, ...) and tests (m, ...), of which either may be empty.
 
-        Parameters
-        ----------
-        candidates, tests : array_like, shape (n, ...) and (m, ...)
-            New candidates and tests; either may be empty.
-        payoff : callable
-            See `PayoffFunction`.
+        The archive keeps some of these and of its own. For `payoff` see `PayoffFunction`.
         """
         new_candidates, new_tests = read_only(candidates), read_only(tests)
         known, old_tests = self.payoffs, self.tests
@@ -333,8 +324,6 @@ def maximally_different(payoffs: ArrayLike, count: int) -> Indices:
                of payoffs; of equals the first
     """
     values = np.asarray(payoffs, dtype=np.float64)
-    if values.ndim != 2:
-        raise ValueError(f"payoffs: expected shape (m, n), got {values.shape}")
     chosen: list[int] = []
     distance = values.mean(axis=1)
     for _ in range(min(count, len(values))):
@@ -440,15 +429,10 @@ class ArchiveSampler(Stateless):
         self.count: int = count
 
     def update(self, new: Members, opponents: Members, payoff: PayoffFunction) -> None:
-        """Submit new generations to the archive.
+        """Submit new generations (n,) of the team and (m,) of its opponents to the archive.
 
-        Parameters
-        ----------
-        new, opponents : ndarray of int, shape (n,) and (m,)
-            New generations of the team and of its opponents. An archive that needs all tests gets
-            all opponents up to the newest one.
-        payoff : callable
-            See `PayoffFunction`.
+        An archive that needs all tests gets all opponents up to the newest one. For `payoff` see
+        `PayoffFunction`.
         """
         if self.archive.needs_all_tests and len(opponents):
             # Generations are numbered without gaps.

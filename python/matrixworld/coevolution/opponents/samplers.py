@@ -316,8 +316,6 @@ def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Ind
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
     matrix = np.asarray(beats, dtype=np.float64)
-    if matrix.ndim != 2 or not ((matrix >= 0.0) & (matrix <= 1.0)).all():
-        raise ValueError(f"beats: expected (m, n) numbers in [0, 1], got shape {matrix.shape}")
     # argmax takes the first of equals, so a random order of the rows decides ties at random.
     order = rng.permutation(len(matrix))
     shuffled, covered = matrix[order], np.zeros(matrix.shape[1])
