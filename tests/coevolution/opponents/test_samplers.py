@@ -178,7 +178,6 @@ def test_swapped_teams_get_swapped_samples(make):
         (lambda: opponents.SharedSampling(0), "count: "),
         (lambda: opponents.SharedSampling().tell([0], [[2.0]]), "scores: expected numbers in"),
         (lambda: opponents.Prioritized().tell([0, 1], [[0.5]]), r"scores: expected shape \(n, 2\)"),
-        (lambda: shared_sample([[2.0]], 1, rng()), "beats: "),
         *((lambda make=make: make().sample(0, 0, rng()), "available: expected at least 1, got 0")
           for make in SAMPLERS.values()),
     ],
