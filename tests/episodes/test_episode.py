@@ -14,7 +14,6 @@ from matrixworld.episodes.episode import Episode
 from rows import random_walks
 
 EPISODE = random_walks()
-MARK = {"format": np.array("matrixworld episode 3")}
 ARRAYS = [
     each.name
     for each in dataclasses.fields(Episode)
@@ -73,58 +72,36 @@ def test_a_cut_file_is_refused_by_name(tmp_path: Path) -> None:
 
 
 def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
-    path = tmp_path / "altered.npz"
+    path, refused = tmp_path / "altered.npz", 0
     EPISODE.save(path)
     whole = path.read_bytes()
-    outcomes = []
-    for place in range(0, len(whole), 13):
+    places = range(0, len(whole), 13)
+    for place in places:
         path.write_bytes(whole[:place] + bytes([whole[place] ^ 0x81]) + whole[place + 1 :])
-        outcomes.append(_loaded(path))
-    refusals = [outcome for outcome in outcomes if isinstance(outcome, str)]
-    assert all("altered.npz" in refusal for refusal in refusals)
-    assert len(refusals) > len(outcomes) / 2
-    harmless = [outcome for outcome in outcomes if isinstance(outcome, Episode)]
-    assert all(same(outcome, EPISODE) for outcome in harmless)  # for example a date in the archive
-
-
-def _loaded(path: Path) -> Episode | str:
-    try:
-        return Episode.load(path)
-    except ValueError as error:
-        return str(error)
+        try:
+            assert same(Episode.load(path), EPISODE)  # for example a date in the archive
+        except ValueError as error:
+            assert "altered.npz" in str(error)  # noqa: PT017
+            refused += 1
+    assert refused > len(places) / 2
 
 
 @pytest.mark.parametrize(
-    ("entries", "says"),
+    ("changes", "says"),
     [
-        ({"payoff": np.zeros(3)}, "expected a file marked 'matrixworld episode 3'"),
-        ({**MARK, "map": np.zeros((2, 2), bool)}, r"expected entries .* got \['map'\]"),
-        ({**MARK, "map": np.array([{}], object)}, "cut, altered or not an npz file"),
+        ({"format": np.array("payoffs 1")}, "expected a file marked 'matrixworld episode 3'"),
+        ({"payoff": np.zeros(3)}, r"expected entries .* got .*'payoff'"),
+        ({"map": np.array([{}], object)}, "cut, altered or not an npz file"),
+        ({"alive": np.zeros((30, 12), bool)}, "not an episode .*alive: expected shape"),
     ],
 )
-def test_foreign_archives_are_refused(entries: dict[str, Any], says: str, tmp_path: Path) -> None:
+def test_foreign_archives_are_refused(changes: dict[str, Any], says: str, tmp_path: Path) -> None:
+    EPISODE.save(tmp_path / "foreign.npz")
+    with np.load(tmp_path / "foreign.npz") as stored:
+        entries = {**stored, **changes}
     np.savez(tmp_path / "foreign.npz", **entries)
     with pytest.raises(ValueError, match=f"foreign.npz: {says}"):
         Episode.load(tmp_path / "foreign.npz")
-
-
-def test_foreign_files_are_refused(tmp_path: Path) -> None:
-    path = tmp_path / "foreign.npy"
-    path.write_text("Dear Sir")
-    with pytest.raises(ValueError, match="foreign.npy: cut, altered or not an npz file"):
-        Episode.load(path)
-    np.save(path, np.zeros(3))
-    with pytest.raises(ValueError, match="foreign.npy: cut, altered or not an npz file"):
-        Episode.load(path)
-    EPISODE.save(path)
-    with np.load(path) as stored:
-        entries = {**stored, "alive": stored["alive"][1:]}
-    with path.open("wb") as file:
-        np.savez(file, **entries)
-    with pytest.raises(ValueError, match=r"foreign.npy: not an episode .*alive: expected shape"):
-        Episode.load(path)
-    with pytest.raises(FileNotFoundError):
-        Episode.load(tmp_path / "missing")
 
 
 def test_a_save_that_fails_leaves_the_old_file(tmp_path: Path) -> None:
@@ -139,10 +116,9 @@ def test_a_save_that_fails_leaves_the_old_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ARRAYS)
 def test_wrong_dtypes_and_shapes_are_refused(name: str) -> None:
     array = getattr(EPISODE, name)
-    with pytest.raises(TypeError, match=f"{name}: expected an array of {array.dtype}, got complex"):
-        dataclasses.replace(EPISODE, **{name: array.astype(complex)})
-    with pytest.raises(TypeError, match=f"{name}: expected an array of {array.dtype}, got list"):
-        dataclasses.replace(EPISODE, **{name: array.tolist()})
+    for wrong, got in ((array.astype(complex), "complex"), (array.tolist(), "list")):
+        with pytest.raises(TypeError, match=f"^{name}: expected an array of .*, got {got}"):
+            dataclasses.replace(EPISODE, **{name: wrong})
     with pytest.raises(ValueError, match="expected shape"):
         dataclasses.replace(EPISODE, **{name: array[None]})
 
@@ -171,7 +147,6 @@ def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("column", "value", "message"),
     [
-        (0, 0, "step: expected 1 to 30, got 0"),
         (0, 31, "step: expected 1 to 30, got 31"),
         (2, 3, "kind: expected 0 to 2, got 3"),
         (3, -1, "form: expected 0 to 2, got -1"),
@@ -184,10 +159,8 @@ def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
 def test_conflicts_out_of_range_are_refused(column: int, value: int, message: str) -> None:
     row = [4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0]
     row[column] = value
-    with pytest.raises(ValueError, match=f"conflict_table, {message}"):
+    with pytest.raises(ValueError, match=f"^conflict_table, {message}"):
         explained(tuple(row))
-    with pytest.raises(ValueError, match=r"conflict_table: expected shape \(2, 11\), got \(2, 4\)"):
-        dataclasses.replace(EPISODE, conflict_table=np.zeros((2, 4), np.int32))
 
 
 def test_unknown_actions_are_refused() -> None:

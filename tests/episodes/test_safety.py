@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from rows import config_of, random_actions
+from rows import by_name, config_of, random_actions
 
 NAMES = ["D", "SB", "SDB", "TO", "swarm-S"]
 
@@ -76,28 +76,19 @@ def test_all_sources_agree_with_plain_counts(name: str, max_steps: int) -> None:
         env.reset(seed=seed)
         for row in rows:
             if env.agents:
-                env.step({agent: int(row[i]) for i, agent in enumerate(env.possible_agents)})
+                env.step(by_name(env, row))
                 by_status.observe(env.status)
-        follow_turns(by_turn, config, seed)
+        turns = mw.aec_env(config)
+        turns.reset(seed=seed)
+        for agent in turns.agent_iter():
+            _, _, terminated, truncated, info = turns.last()
+            row = rows[min(info["step"], len(rows) - 1)]
+            action = int(row[turns.possible_agents.index(agent)])
+            turns.step(None if terminated or truncated else action)
+            by_turn.observe(turns.status)
     expected = counted(config, seeds)
-    assert_summary(by_status.summary(), expected)
-    assert_summary(by_record.summary(), expected)
-    assert_summary(by_turn.summary(), expected)
-
-
-def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -> None:
-    """Play the same episode in the AEC environment, observed after every call."""
-    env = mw.aec_env(config)
-    env.reset(seed=seed)
-    rows, taken = rows_of(config, seed), dict.fromkeys(env.possible_agents, 0)
-    for agent in env.agent_iter():
-        _, _, terminated, truncated, _ = env.last()
-        if terminated or truncated:
-            env.step(None)
-        else:
-            env.step(int(rows[taken[agent], env.possible_agents.index(agent)]))
-            taken[agent] += 1
-        monitor.observe(env.status)
+    for monitor in (by_status, by_record, by_turn):
+        assert_summary(monitor.summary(), expected)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -199,20 +190,15 @@ def test_intervals() -> None:
     assert (monitor.summary(seed=1).fault_interval[0, 1] != summary.fault_interval[0, 1]).any()
 
 
-def uneven_episodes(episodes: int, colliding: int) -> mw.SafetySummary:
-    """Return a summary in which some episodes have one, two, ... collisions of one kind."""
-    counts = np.zeros((episodes, 2, 3), int)
-    counts[:colliding, 0, 1] = 1 + np.arange(colliding)
-    monitor = mw.SafetyMonitor()
-    monitor.add(counts, counts, np.full((episodes, 2), 100), np.zeros(episodes))
-    return monitor.summary()
-
-
 @pytest.mark.parametrize(
     ("episodes", "colliding", "known"), [(20, 5, True), (19, 19, False), (50, 4, False)]
 )
 def test_too_few_episodes_have_no_interval(episodes: int, colliding: int, known: bool) -> None:
-    summary = uneven_episodes(episodes, colliding)
+    counts = np.zeros((episodes, 2, 3), int)
+    counts[:colliding, 0, 1] = 1 + np.arange(colliding)
+    monitor = mw.SafetyMonitor()
+    monitor.add(counts, counts, np.full((episodes, 2), 100), np.zeros(episodes))
+    summary = monitor.summary()
     assert np.isfinite(summary.fault_interval[0, 1]).all() == known
     assert np.isnan(summary.fault_interval[1]).all()
     plain = summary.to_json()
@@ -224,14 +210,10 @@ def test_too_few_episodes_have_no_interval(episodes: int, colliding: int, known:
 
 
 def test_monitors_add_up() -> None:
-    config = config_of("SB")
-    parts = []
-    for seeds in (range(3), range(3, 8), range(8)):
-        monitor = mw.SafetyMonitor()
-        scores = mw.rollout(config, "random", "fleer", mw.Matches.of(0, 0, seeds))
-        monitor.add_statistics(scores)
-        parts.append(monitor)
-    first, second, whole = parts
+    first, second, whole = (mw.SafetyMonitor() for _ in range(3))
+    for monitor, seeds in ((first, range(3)), (second, range(3, 8)), (whole, range(8))):
+        matches = mw.Matches.of(0, 0, seeds)
+        monitor.add_statistics(mw.rollout(config_of("SB"), "random", "fleer", matches))
     assert (first + second).summary().to_json() == whole.summary().to_json()
     assert (first.episodes, second.episodes) == (3, 5)
 
@@ -246,19 +228,13 @@ def test_what_it_prints() -> None:
 
 
 def test_arrays_are_copied() -> None:
-    monitor, expected = mw.SafetyMonitor(), mw.SafetyMonitor()
-    env = mw.VectorEnv(config_of("SB", max_steps=2), 2)
-    env.reset(seed=0)
-    told = env.infos["episode"]
-    names = ("collisions", "faults", "agent_steps", "capture_rate")
-    for _ in range(2):
-        env.step()
-    monitor.add(*(told[name] for name in names))
-    expected.add(*(told[name].copy() for name in names))
-    for name in names:
-        told[name].fill(0)
-    assert expected.summary().agent_steps.tolist() == [24, 8]
-    assert_same(monitor, expected)
+    monitor = mw.SafetyMonitor()
+    counts = np.ones((2, 2, 3), int), np.ones((2, 2, 3), int), np.ones((2, 2), int), np.ones(2)
+    monitor.add(*counts)
+    before = monitor.summary()
+    for array in counts:
+        array.fill(0)
+    assert_summary(monitor.summary(), vars(before))
 
 
 @pytest.mark.parametrize(
