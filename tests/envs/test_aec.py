@@ -104,17 +104,6 @@ def test_all_agents_observe_the_start_of_a_simultaneous_round() -> None:
     assert all(env.rewards.values())
 
 
-def test_order_of_turns() -> None:
-    config = config_of("TO", rows=9, cols=9, max_steps=3)
-    env = MatrixWorldAEC(config)
-    env.reset(
-        seed=0,
-        options={"pursuers": [[0, 0], [0, 4], [0, 8]], "evaders": [[8, 0], [8, 2], [8, 6], [8, 8]]},
-    )
-    _, order = play(env, np.zeros((3, config.n_agents), int))
-    assert order == env.possible_agents * 3
-
-
 def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     config = mw.WorldConfig("TO", rows=1, cols=6, n_pursuers=2, n_evaders=2)
     env = MatrixWorldAEC(config)

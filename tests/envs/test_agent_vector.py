@@ -38,38 +38,21 @@ def actions_of(env: mw.AgentVectorEnv, steps: int) -> np.ndarray:
 def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copied: bool) -> None:
     settings = {"autoreset_mode": mode, "flatten": True, "dtype": "float32", "action_mask": True}
     env = mw.AgentVectorEnv(worlds_of(copy=copied, **settings), team)
-    twin = worlds_of(**settings)
+    worlds, n = env.worlds, env.num_envs // 3
     agents = {None: slice(0, 7), "pursuer": slice(0, 3), "evader": slice(3, 7)}[team]
-
-    def assert_equal(flat: np.ndarray, whole: np.ndarray) -> None:
-        expected = whole[:, agents].reshape(env.num_envs, *whole.shape[2:])
-        np.testing.assert_array_equal(flat, expected)
-        assert flat.dtype == whole.dtype
-
-    def assert_infos(flat: dict[str, Any], whole: dict[str, Any]) -> None:
-        keys = {"alive", "acted", "positions", "involved", "fault", "cost", "action_mask"}
-        keys |= {"final_obs", "_final_obs", *(f"cost_{kind}" for kind in mw.COLLISION_KINDS)}
-        assert flat.keys() == keys
-        for key in flat.keys() - {"_final_obs"}:
-            assert_equal(flat[key], whole[key])
-        n = env.num_envs // 3
-        np.testing.assert_array_equal(flat["_final_obs"], whole["_final_obs"].repeat(n))
-
-    seen, infos = env.reset(seed=4)
-    whole_seen, whole_infos = twin.reset(seed=4)
-    assert_equal(seen, whole_seen)
-    assert_infos(infos, whole_infos)
-    for actions in actions_of(env, 12):
-        whole = np.zeros((3, 7), int)
-        whole[:, agents] = actions.reshape(3, -1)
-        seen, rewards, terminations, truncations, infos = env.step(actions)
-        results = twin.step(whole)
-        assert_equal(seen, results[0])
-        assert_equal(rewards, results[1])
-        ended = (results[4]["terminated"] | results[4]["truncated"])[:, None]
-        assert_equal(terminations, results[2] & ended)
-        assert_equal(truncations, results[3])
-        assert_infos(infos, results[4])
+    keys = {"alive", "acted", "positions", "involved", "fault", "cost", "action_mask"}
+    keys |= {"final_obs", *(f"cost_{kind}" for kind in mw.COLLISION_KINDS)}
+    for actions in [None, *actions_of(env, 12)]:
+        seen, *results, infos = env.reset(seed=4) if actions is None else env.step(actions)
+        ended = worlds.infos["terminated"] | worlds.infos["truncated"]
+        parts = [worlds.rewards, worlds.terminations & ended[:, None], worlds.truncations]
+        expected = [worlds.observations, *parts[: len(results)], *(worlds.infos[k] for k in keys)]
+        for flat, whole in zip([seen, *results, *map(infos.pop, keys)], expected, strict=True):
+            by_world = whole[:, agents].reshape(env.num_envs, *whole.shape[2:])
+            np.testing.assert_array_equal(flat, by_world)
+            assert flat.dtype == whole.dtype
+        np.testing.assert_array_equal(infos.pop("_final_obs"), worlds.infos["_final_obs"].repeat(n))
+        assert not infos
 
 
 @pytest.mark.parametrize("team", TEAMS)

@@ -76,11 +76,8 @@ def test_observations_are_in_their_spaces(name: str) -> None:
     env = mw.parallel_env(config_of(name, obstacles=0.1, diagonal=True))
     observations, _ = env.reset(seed=4)
     while env.agents:
-        assert env.state_space.contains(env.state())
         for agent, seen in observations.items():
             assert env.observation_space(agent).contains(seen)
-            assert env.observation_space(agent) is env.observation_space(agent)
-            assert env.observation_space(agent).sample().shape == seen.shape
         actions = {agent: env.action_space(agent).sample() for agent in env.agents}
         observations, *_ = env.step(actions)
 

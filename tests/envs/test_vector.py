@@ -18,111 +18,41 @@ from matrixworld.episodes.render import rgb
 from rows import config_of, random_actions
 
 MODES = list(AutoresetMode)
-NAME_IN_WORLD = {"step": "steps", "episode_number": "episode"}
 SETTINGS = {"num_envs": 3, "rows": 12, "n_evaders": 2, "autoreset_mode": "SameStep"}
 ENTRY_POINT = "vector_entry_point"
-SKIPPED = {"acted", "final_obs", "_final_obs", "episode", "_episode"}
 
 
 def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
     return mw.VectorEnv(config_of(name, max_steps=7), n_worlds, **settings)
 
 
-def assert_agrees(env: mw.VectorEnv, worlds: list[mw.World]) -> None:
-    for w, world in enumerate(worlds):
-        np.testing.assert_array_equal(env.observations[w], world.views())
-        np.testing.assert_array_equal(env.rewards[w], world.rewards)
-        np.testing.assert_array_equal(env.terminations[w], world.terminations)
-        np.testing.assert_array_equal(env.truncations[w], world.truncations)
-        for k, kind in enumerate(mw.COLLISION_KINDS):
-            np.testing.assert_array_equal(env.infos[f"cost_{kind}"][w], world.fault[:, k])
-        for key in set(env.infos) - SKIPPED - {f"cost_{kind}" for kind in mw.COLLISION_KINDS}:
-            name = NAME_IN_WORLD.get(key, key)
-            np.testing.assert_array_equal(env.infos[key][w], world.read(name)[name], key)
-
-
+@pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("name", ["O", "SDB", "TO", "D"])
-def test_each_world_is_a_single_world(name: str) -> None:
-    env = make(name, state=True, autoreset_mode="Disabled")
+def test_its_arrays_are_those_of_a_batch(name: str, mode: AutoresetMode) -> None:
+    env = make(name, state=True, autoreset_mode=mode)
+    specs = mw.array_specs(env.config) | mw.episode_specs(env.config)
+    written = {key: np.zeros((4, *shape), dtype) for key, (shape, dtype) in specs.items()}
+    batch = mw.Batch(4, env.config, autoreset=mw.Autoreset[mode.name], buffers=written)
+    final = "final_views" if mode is AutoresetMode.SAME_STEP else "views"
+    renamed = {"step": "steps", "episode_number": "episode", "final_obs": final}
+    renamed |= {"_final_obs": "ended", "_episode": "ended"}
     env.reset(seed=5)
-    worlds = [mw.World(env.config) for _ in range(4)]
-    for w, world in enumerate(worlds):
-        world.reset(5 + w)
-    assert_agrees(env, worlds)
-    for actions in random_actions(1, 5, 7, 4, env.config.n_agents):
-        ended = [world.terminated or world.truncated for world in worlds]
-        alive = np.array([world.alive for world in worlds])
-        env.step(actions)
-        np.testing.assert_array_equal(env.infos["acted"], alive & ~np.array(ended)[:, None])
-        if any(ended):
-            break
-        for world, chosen in zip(worlds, actions, strict=True):
-            world.step(chosen)
-        assert_agrees(env, worlds)
-    assert worlds[0].steps > 1
-
-
-# ---- Ends of episodes ------------------------------------------------------------------------
-
-
-def test_next_step_begins_the_next_episode() -> None:
-    env = make(autoreset_mode=AutoresetMode.NEXT_STEP)
-    env.reset(seed=3)
-    world = mw.World(env.config)
-    world.reset(3, episode=1)
-    actions = random_actions(2, 5, 8, 4, env.config.n_agents)
-    for step in range(7):
-        env.step(actions[step])
-        if env.infos["_episode"][0]:
-            break
-    assert (env.infos["terminated"] | env.infos["truncated"])[0]
-    assert env.infos["step"][0] == env.infos["episode"]["length"][0] > 0
-    np.testing.assert_array_equal(env.infos["final_obs"][0], env.observations[0])
-    observations, rewards, terminations, truncations, infos = env.step(actions[7])
-    assert not rewards[0].any()
-    assert not infos["acted"][0].any()
-    assert not (terminations[0] | truncations[0]).any()
-    assert infos["step"][0] == 0
-    assert infos["episode_number"][0] == 1
-    assert not infos["_episode"][0]
-    np.testing.assert_array_equal(observations[0], world.views())
-
-
-def test_same_step_begins_it_at_once() -> None:
-    env, twin = make(autoreset_mode="SameStep"), make(autoreset_mode="NextStep")
-    env.reset(seed=3)
-    twin.reset(seed=3)
-    world = mw.World(env.config)
-    for actions in random_actions(2, 5, 7, 4, env.config.n_agents):
-        env.step(actions)
-        twin.step(actions)
-        np.testing.assert_array_equal(env.infos["_final_obs"], twin.infos["_final_obs"])
-        for w in np.flatnonzero(env.infos["_episode"]):
-            np.testing.assert_array_equal(env.infos["final_obs"][w], twin.observations[w])
-            for part in ("rewards", "terminations", "truncations"):
-                np.testing.assert_array_equal(getattr(env, part)[w], getattr(twin, part)[w])
-            world.reset(3 + int(w), episode=1)
-            np.testing.assert_array_equal(env.observations[w], world.views())
-        if env.infos["_episode"].any():
-            return
-    pytest.fail("no episode ended")
-
-
-def test_disabled_waits_for_a_reset() -> None:
-    env = make(autoreset_mode="Disabled")
-    env.reset(seed=3)
-    actions = random_actions(2, 5, 8, 4, env.config.n_agents)
-    for step in range(7):
-        env.step(actions[step])
-    ended = env.infos["terminated"] | env.infos["truncated"]
-    assert ended.all()
-    env.step(actions[7])
-    assert not env.rewards.any()
-    assert not env.infos["_episode"].any()
-    first = np.array([True, False, False, False])
-    env.reset(options={"reset_mask": first})
-    np.testing.assert_array_equal(env.infos["step"] == 0, first)
-    np.testing.assert_array_equal(env.infos["episode_number"], first)
+    batch.reset(5)
+    for actions in random_actions(1, 5, 20, 4, env.config.n_agents):
+        *results, infos = env.step(actions)
+        batch.step(actions)
+        expected = [written[key] for key in ("views", "rewards", "terminations", "truncations")]
+        np.testing.assert_equal(results, expected)
+        for key, told in infos.pop("episode").items():
+            np.testing.assert_array_equal(told, written[f"episode_{key}"])
+        for k, kind in enumerate(mw.COLLISION_KINDS):
+            np.testing.assert_array_equal(infos.pop(f"cost_{kind}"), written["fault"][..., k])
+        for key, told in infos.items():
+            np.testing.assert_array_equal(told, written[renamed.get(key, key)], key)
+        if mode is AutoresetMode.DISABLED and written["ended"].any():
+            env.reset(options={"reset_mask": written["ended"]})
+            batch.reset(mask=written["ended"])
+    assert written["episode"].all()
 
 
 # ---- Arrays ------------------------------------------------------------------------------------
