@@ -13,7 +13,7 @@ from gymnasium.wrappers.vector import RecordEpisodeStatistics
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
 from matrixworld.coevolution.types import other
-from rows import config_of, random_actions, random_team
+from rows import by_name, config_of, random_actions, random_team
 
 MODES = list(AutoresetMode)
 
@@ -73,8 +73,7 @@ def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None
         seen, rewards, *_ = envs.step(actions)
         for world in np.flatnonzero(running):
             single = singles[world]
-            row = dict(zip(single.possible_agents, actions[world].tolist(), strict=True))
-            observations, paid, *_ = single.step({a: row[a] for a in single.agents})
+            observations, paid, *_ = single.step(by_name(single, actions[world]))
             for agent, reward in paid.items():
                 place = single.possible_agents.index(agent)
                 assert reward == rewards[world, place]

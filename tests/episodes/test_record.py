@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -30,14 +29,22 @@ def test_an_episode_is_what_a_world_does_with_its_actions(name: str) -> None:
     world = mw.World(config)
     world.reset(12, episode=3)
     np.testing.assert_array_equal(episode.map, world.map)
+    told = [[]]
     for step in range(episode.length + 1):
         for what in MOMENT_ARRAYS:
             np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
+        assert episode.explain(step) == told[-1]
         if step < episode.length:
-            world.step(episode.actions[step])
+            world.step(episode.actions[step], explain=True)
+            told.append(world.conflicts)
             for what in STEP_ARRAYS:
                 np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
     assert world.terminated or world.truncated
+    assert episode.explain() == told[-1]
+    assert any(told)
+    for step in (episode.length + 1, -episode.length - 2):
+        with pytest.raises(IndexError, match="^step:"):
+            episode.explain(step)
 
 
 def test_an_episode_from_given_positions() -> None:
@@ -52,7 +59,7 @@ def test_an_episode_from_given_positions() -> None:
 
 
 @pytest.mark.parametrize("name", ["D", "SD", "TO"])
-def test_an_environment_records_its_episode(name: str, tmp_path: Path) -> None:
+def test_an_environment_records_its_episode(name: str) -> None:
     config = config_of(name, obstacles=0.1)
     env = mw.parallel_env(config, record=True)
     env.reset(seed=12)
@@ -61,8 +68,6 @@ def test_an_environment_records_its_episode(name: str, tmp_path: Path) -> None:
         if env.agents:
             env.step(by_name(env, row))
     assert_same(env.recorded, mw.record_actions(config, rows, seed=12))
-    env.recorded.save(tmp_path / "kept.npz")
-    assert_same(mw.Episode.load(tmp_path / "kept.npz"), env.recorded)
     env.reset()
     assert env.recorded.length == 0
 
@@ -134,24 +139,6 @@ def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> 
         expected = dataclasses.replace(expected, title=shown.title)
         np.testing.assert_array_equal(render.rgb(shown, cell=12), render.rgb(expected, cell=12))
     assert world.steps > 2
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_a_recording_explains_every_step_as_the_world_does(name: str, tmp_path: Path) -> None:
-    config = config_of(name, obstacles=0.1)
-    episode = mw.record(config, "random", "fleer", seed=12, episode=3)
-    episode.save(tmp_path / "kept.npz")
-    world = mw.World(config)
-    world.reset(12, episode=3)
-    told = [list(world.step(row, explain=True)) and world.conflicts for row in episode.actions]
-    for recording in (episode, mw.Episode.load(tmp_path / "kept.npz")):
-        assert [recording.explain(step) for step in range(1, recording.length + 1)] == told
-        assert recording.explain() == told[-1]
-        assert recording.explain(0) == []
-        for step in (recording.length + 1, -recording.length - 2):
-            with pytest.raises(IndexError, match="^step:"):
-                recording.explain(step)
-    assert any(told)
 
 
 def test_a_copy_of_a_recorded_world_goes_on_with_its_recording() -> None:
