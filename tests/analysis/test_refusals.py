@@ -9,11 +9,9 @@ from functools import partial
 import numpy as np
 import pytest
 
-from matrices import ROCK_PAPER_SCISSORS, logistic, staircase
+from matrices import ROCK_PAPER_SCISSORS, logistic
 from matrixworld import analysis
-from matrixworld.analysis.cycles import cyclic_amplitude, strongest_checkerboards
 from matrixworld.analysis.payoffs import check_runs
-from matrixworld.analysis.strength import strength_change, strength_gain
 from rliable_numbers import ONE, TASK
 
 PENNIES = np.eye(2)
@@ -62,7 +60,6 @@ dominance, cross = analysis.dominance_tournament, analysis.global_progress
 alpha_rank = partial(analysis.alpha_rank, ROCK_PAPER_SCISSORS)
 elo = partial(analysis.elo, ROCK_PAPER_SCISSORS)
 boards = partial(analysis.checkerboards, PENNIES)
-strongest = partial(strongest_checkerboards, staircase(3))
 exploit = partial(analysis.exploitability, ROCK_PAPER_SCISSORS, evaders=[1 / 3] * 3)
 share_on_logits = partial(analysis.transitive_share, PENNIES, logits=True)
 
@@ -71,12 +68,8 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: boards(margin=-0.1), r"margin in \[0, 1\), got -0.1"),
     (lambda: boards(margin=math.nan), r"margin in \[0, 1\), got nan"),
     (lambda: boards(level=1.1), r"level in \[0, 1\] or None, got 1.1"),
-    (lambda: strongest(count=-1), "expected a count"),
-    (lambda: strongest(margin=1.0), "expected a margin"),
     (lambda: share_on_logits(shrinkage=0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
     (lambda: share_on_logits(shrinkage=0.5), r"shrinkage in \(0, 0.5\), got 0.5"),
-    (lambda: cyclic_amplitude(PENNIES, PENNIES), r"at least 3 x 3 generations, got \(2, 2\)"),
-    (lambda: cyclic_amplitude(np.eye(3), PENNIES), r"noise of shape \(3, 3\), got \(2, 2\)"),
     # Games
     (lambda: alpha_rank(alpha=0.0), "alpha above 0, got 0.0"),
     (lambda: alpha_rank(alpha=math.nan), "alpha above 0, got nan"),
@@ -109,9 +102,6 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: undecided([0.5]), "3 dimension"),
     (lambda: undecided([[0.5]], level=2), r"level in \[0, 1\], got 2"),
     # Strength, ratings
-    (lambda: strength_gain(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
-    (lambda: strength_gain(np.zeros(5), np.zeros(6)), "scores and noise of shape"),
-    (lambda: strength_change(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
     (lambda: analysis.forgetting(PENNIES, [[0.5]]), r"of shape \(2, 2\), got \(1, 1\)"),
     (lambda: elo(ridge=-1.0), "ridge of at least 0, got -1.0"),
     (lambda: elo(ridge=np.inf), "finite ridge"),

@@ -26,7 +26,6 @@ from matrixworld.analysis.payoffs import (
     SHRINKAGE,
     Rates,
     check_payoff,
-    check_rates,
     require,
 )
 from matrixworld.analysis.payoffs import logits as logits_of
@@ -40,8 +39,7 @@ MOST_GENERATIONS = 40
 """More generations of a team are thinned out evenly, which keeps a fit below a second."""
 SORTING = 1.5
 """Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
-ITERATIONS = 200
-"""Most iterations of a fit; 20 to 100 suffice."""
+_ITERATIONS = 200  # the most of a fit; 20 to 100 suffice
 _CONVERGED = 1e-4  # largest change of a cell in the last iteration
 _ROUNDING = 1e-12  # differences of capture rates below this are floating-point noise
 
@@ -207,7 +205,7 @@ def clear_checkerboards(matrix: Rates) -> Checkerboards:
 
 
 def strongest_checkerboards(
-    payoff: ArrayLike, *, count: int = 12, margin: float = 0.0
+    matrix: Rates, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
     """Return checkerboards with large margins, in descending order, that differ from each other.
 
@@ -215,9 +213,6 @@ def strongest_checkerboards(
     same. The largest of many margins is larger than the true one; `noise_reference` says how many
     checkerboards noise alone makes.
     """
-    matrix = check_payoff(payoff)
-    require(count >= 0, "a count of at least 0", count)
-    require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
     boards = []
     for p in range(len(matrix) - 1):
         for q, margins in enumerate(_margins(matrix, p), p + 1):
@@ -238,21 +233,20 @@ def _in_common(one: Checkerboard, other: Checkerboard) -> int:
     return len(pursuers) + len(set(one.evaders) & set(other.evaders))
 
 
-def transitive_fit(payoff: ArrayLike) -> Rates:
+def transitive_fit(matrix: Rates) -> Rates:
     """Return the transitive matrix that is nearest to a payoff matrix.
 
     The least-squares fit among the matrices that never fall along the pursuers and along the
     evaders, both sorted by their mean capture rate, which gives the place in the order. Isotonic
     regression in both directions by alternating projections (Dykstra and Robertson 1982).
     """
-    matrix = check_payoff(payoff)
     order = np.ix_(*(np.argsort(matrix.mean(axis=axis), kind="stable") for axis in (1, 0)))
     fit = np.empty_like(matrix)
     fit[order] = _monotone(matrix[order])
     return fit
 
 
-def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
+def cyclic_amplitude(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the mean square of what no order of strength explains, without episode noise.
 
     That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
@@ -268,10 +262,7 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVE
     The standard error is that of a sum of independent cells. Where generations hardly differ in
     strength their order is chance, and with it the small part of a cycle that lies along the order.
     """
-    matrix, variances = check_payoff(payoff), np.asarray(noise, dtype=np.float64)
-    require(min(matrix.shape) >= 3, "at least 3 x 3 generations", matrix.shape)
-    require(variances.shape == matrix.shape, f"noise of shape {matrix.shape}", variances.shape)
-    matrix, variances = thinned(matrix), thinned(variances)
+    matrix, variances = thinned(matrix), thinned(noise)
     fit = transitive_fit(matrix)
     excess = (matrix - fit) ** 2 - variances * (1.0 - _leverages(fit))
     value = float(excess.mean())
@@ -301,11 +292,9 @@ def noise_reference(
     cell's mean. The quantiles at the level help to read the two numbers; `cyclic_amplitude` decides
     whether a race cycles.
     """
-    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
-    episodes = array.shape[2]
-    require(episodes >= 2, "at least 2 episodes of each cell", episodes)
+    array = check_cells(scores, level)
     fit = transitive_fit(array.mean(axis=2))
-    error = array.std(axis=2, ddof=1) / np.sqrt(episodes)
+    error = array.std(axis=2, ddof=1) / np.sqrt(array.shape[2])
     generator = np.random.default_rng(rng)
     races = [
         np.clip(fit + error * generator.standard_normal(fit.shape), 0.0, 1.0)
@@ -338,7 +327,7 @@ def _monotone(matrix: Rates) -> Rates:
     """Return the least-squares fit that does not fall along rows and columns."""
     # Dykstra: each projection starts from the last one plus its own correction.
     fit, along_rows, along_columns = matrix, np.zeros_like(matrix), np.zeros_like(matrix)
-    for _ in range(ITERATIONS):
+    for _ in range(_ITERATIONS):
         start = fit + along_rows
         half = _isotonic_rows(start)
         along_rows = start - half
@@ -365,10 +354,8 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
 
     Parameters
     ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Scores in [0, 1] of independent episodes, at least two of each cell.
-    level : float, optional
-        Confidence level, in (0, 1).
+    scores, level
+        As for `linear_over_episodes`.
 
     Notes
     -----

@@ -34,18 +34,14 @@ class Disengagement:
     first: int
     last: int
 
-    @property
-    def loser(self) -> str:
-        """The other team, which needs more epochs."""
-        return "evaders" if self.winner == "pursuers" else "pursuers"
-
     def __len__(self) -> int:
         return self.last - self.first + 1
 
     def __str__(self) -> str:
+        loser = "evaders" if self.winner == "pursuers" else "pursuers"
         return (
             f"generations {self.first} to {self.last}: the {self.winner} win nearly all matches, "
-            f"so neither team has much to learn from; give the {self.loser} more epochs"
+            f"so neither team has much to learn from; give the {loser} more epochs"
         )
 
 

@@ -69,9 +69,14 @@ class Estimate:
     biased_high: float | None = None
 
     def __str__(self) -> str:
-        if self.low is None or self.high is None:
-            return _rounded(self.value)
-        return f"{_rounded(self.value)} ({_rounded(self.low)} to {_rounded(self.high)})"
+        return format(self)
+
+    def __format__(self, form: str) -> str:
+        """Return number and interval, each in a form as in an f-string; ".3f" by default."""
+        ends = (self.value, self.low, self.high)
+        # Adding 0.0 turns -0.0 into 0.0.
+        shown = [format(round(x, 3) + 0.0, form or ".3f") for x in ends if x is not None]
+        return f"{shown[0]} ({shown[1]} to {shown[2]})" if len(shown) == 3 else shown[0]
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -331,10 +336,8 @@ def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> 
 
     Parameters
     ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Capture rates in [0, 1] of independent episodes, at least two of each cell.
-    level : float, optional
-        Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
+    scores, level
+        As for `linear_over_episodes`. A whole curve leaves the band more often than a point.
     """
     array = check_cells(scores, level)
     captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
@@ -474,7 +477,3 @@ def _no_variation(values: Rates) -> str:
 
 def _check_values(values: ArrayLike) -> Rates:
     return check_finite(values, "values of runs", "of shape (k,), k >= 1", ndim=1)
-
-
-def _rounded(value: float) -> str:
-    return f"{round(value, 3) + 0.0:.3f}"  # adding 0.0 turns -0.0 into 0.0

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import check_choice
+from matrixworld.analysis import progress
 from matrixworld.analysis.cycles import (
     clear_checkerboards,
     cyclic_amplitude,
@@ -45,18 +46,7 @@ from matrixworld.analysis.payoffs import (
     require,
     swap_teams,
 )
-from matrixworld.analysis.progress import (
-    TeamProgress,
-    ciao,
-    dominance_tournament,
-    generalization,
-    global_progress,
-    historical_progress,
-    lag_rise,
-    local_progress,
-    swing,
-    team_phase_rates,
-)
+from matrixworld.analysis.progress import TeamProgress
 from matrixworld.analysis.ratings import elo, log_loss
 from matrixworld.analysis.strength import (
     late_forgetting,
@@ -73,10 +63,11 @@ NO_EPISODES = (
 
 Number = Callable[[Rates], float]
 """A number of the payoff matrix of a window, of at least 2 x 2 generations."""
-Estimator = Callable[[Payoffs, Window, float, Sequence[Estimate]], Estimate]
+Singles = Sequence[Estimate]
+"""The same number of each single run, if it is known already."""
+Estimator = Callable[[Payoffs, Window, float, Singles], Estimate]
 """Estimates a number of one run, with an interval over episodes if they are known, or of several,
-with an interval over runs: from the payoffs, the window, the level, and the estimates of the single
-runs if these are known already."""
+with an interval over runs."""
 
 
 @dataclass(frozen=True)
@@ -130,14 +121,11 @@ class Measure:
         """Return an estimate as text, with its interval in brackets."""
         if math.isnan(estimate.value):
             return "not known"
-        ends = (estimate.value, estimate.low, estimate.high)
-        value, low, high = (None if end is None else self._printed(end) for end in ends)
-        return f"{value}" if low is None or high is None else f"{value} ({low} to {high})"
-
-    def _printed(self, number: float) -> str:
-        # Noise is subtracted from a square, so it may be negative.
-        shown = max(0.0, number) ** 0.5 if self.squared else number
-        return format(round(shown, 3) + 0.0, self.form)  # adding 0.0 turns -0.0 into 0.0
+        if self.squared:
+            # Noise is subtracted from a square, so it may be negative.
+            low, high = (end and max(0.0, end) ** 0.5 for end in (estimate.low, estimate.high))
+            estimate = Estimate(max(0.0, estimate.value) ** 0.5, low, high)
+        return format(estimate, self.form)
 
     def __reduce__(self) -> str | tuple[Any, ...]:
         """Pickle a row of `MEASURES` by its name, because its functions may be closures."""
@@ -171,9 +159,7 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
 def _of_matrix(
     number: Number, bounds: Bounds, over_episodes: Callable[[Rates, float], Estimate]
 ) -> Estimator:
-    def estimate(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
-    ) -> Estimate:
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         # A single episode shows no variation.
         if len(payoffs) == 1 and payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
             return over_episodes(payoffs.scores[0][window.cells], level)
@@ -215,13 +201,11 @@ def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimat
 def _dominant(team: str) -> Estimator:
     """Return how the number of dominant generations of a team is estimated."""
 
-    def estimate(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
-    ) -> Estimate:
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         if payoffs.scores is None or payoffs.scores.shape[3] < 2:
             return Estimate(math.nan, note="it takes at least 2 single episodes of each pair")
         parts = (scores[window.cells] for scores in payoffs.scores)
-        lengths = (len(getattr(dominance_tournament(part), team)) for part in parts)
+        lengths = (len(getattr(progress.dominance_tournament(part), team)) for part in parts)
         return _over_runs(lengths, level, (0.0, math.inf))
 
     return estimate
@@ -230,14 +214,12 @@ def _dominant(team: str) -> Estimator:
 def _global(team: str) -> Estimator:
     """Return how the progress of a team against opponents of other runs is estimated."""
 
-    def estimate(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
-    ) -> Estimate:
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         if payoffs.cross is None:
             return Estimate(math.nan, note="it takes cross tests between runs")
         pursuers, evaders = window.cells
-        progress = getattr(global_progress(payoffs.cross[..., pursuers, evaders]), team)
-        return _over_runs(progress.gains.mean(axis=1), level, GAIN)
+        found = getattr(progress.global_progress(payoffs.cross[..., pursuers, evaders]), team)
+        return _over_runs(found.gains.mean(axis=1), level, GAIN)
 
     return estimate
 
@@ -255,9 +237,7 @@ def _deciding(of_run: OfRun, together: OfRun | None = None) -> Estimator:
     of all runs `together`, if that is given.
     """
 
-    def estimate(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
-    ) -> Estimate:
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         if window.generations < GENERATIONS_TO_JUDGE:
             return Estimate(math.nan, note=TOO_SHORT)
         if len(payoffs) == 1:
@@ -314,7 +294,7 @@ def _one_sidedness(payoffs: Payoffs, window: Window, level: float) -> Estimate:
     # Later generations of the longer side have no opponent of their own generation.
     start, stop = min(window.pursuers, window.evaders, key=lambda span: span[1])
     # Row k - 1 of the team phase rates belongs to generation k; generation 0 has none.
-    current = team_phase_rates(payoffs.matrices[0])[max(0, start - 1) : stop - 1]
+    current = progress.team_phase_rates(payoffs.matrices[0])[max(0, start - 1) : stop - 1]
     return one_sidedness(current, _effective_episodes(payoffs, window), level=level)
 
 
@@ -356,9 +336,7 @@ def _forgetting(team: str) -> Estimator:
 
     held_out = _deciding(of_run)
 
-    def estimate(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
-    ) -> Estimate:
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         long_enough = window.generations >= GENERATIONS_TO_JUDGE
         if payoffs.scores is not None and payoffs.shows_noise and long_enough:
             return held_out(payoffs, window, level, singles)
@@ -383,8 +361,8 @@ def _of_teams(
     ]
 
 
-def _mean_gain(progress: Callable[[Rates], ByTeam[TeamProgress]]) -> Callable[[str], Estimator]:
-    return lambda team: _linear(lambda m: getattr(progress(m), team).mean_gain, GAIN)
+def _mean_gain(kind: Callable[[Rates], ByTeam[TeamProgress]]) -> Callable[[str], Estimator]:
+    return lambda team: _linear(lambda m: getattr(kind(m), team).mean_gain, GAIN)
 
 
 def _log_loss(cycles: int) -> Estimator:
@@ -419,31 +397,32 @@ ROWS = (
     ),
     # Of the whole race.
     Measure("capture_rate", "mean capture rate", _linear(lambda m: float(m.mean()))),
-    Measure("swing", "swing between team phases", _biased(swing)),
-    Measure("lag_rise", "gain of later over earlier pursuers", _linear(lag_rise, GAIN)),
+    Measure("swing", "swing between team phases", _biased(progress.swing)),
+    Measure("lag_rise", "gain of later over earlier pursuers", _linear(progress.lag_rise, GAIN)),
     Measure(
         "pursuer_generalization", "last pursuers against all evaders, capture",
-        _linear(lambda m: float(generalization(m).pursuers[-1])),
+        _linear(lambda m: float(progress.generalization(m).pursuers[-1])),
     ),
     Measure(
         "evader_generalization", "last evaders against all pursuers, escape",
-        _linear(lambda m: float(generalization(m).evaders[-1])),
+        _linear(lambda m: float(progress.generalization(m).evaders[-1])),
     ),
     *_of_teams(
-        "local_gain", "local progress of the {team}s per generation", _mean_gain(local_progress)
+        "local_gain", "local progress of the {team}s per generation",
+        _mean_gain(progress.local_progress),
     ),
     *_of_teams(
         "historical_gain", "historical progress of the {team}s per generation",
-        _mean_gain(historical_progress),
+        _mean_gain(progress.historical_progress),
     ),
     *_of_teams("global_gain", "global progress of the {team}s per generation", _global),
     *_of_teams(
         "fading", "CIAO, fading of the {team}s",
-        lambda team: _linear(lambda m: getattr(ciao(m), team).fading, GAIN),
+        lambda team: _linear(lambda m: getattr(progress.ciao(m), team).fading, GAIN),
     ),
     *_of_teams(
         "stripes", "CIAO, stripes of the {team}s",
-        lambda team: _biased(lambda m: getattr(ciao(m), team).stripes),
+        lambda team: _biased(lambda m: getattr(progress.ciao(m), team).stripes),
     ),
     *_of_teams("rungs", "dominant {team} generations", _dominant, form=".1f"),
     Measure("game_value", "capture rate in the Nash equilibrium", _biased(game_value)),

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import csv
 import io
-import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -170,7 +169,14 @@ def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates"
     require(array.ndim == ndim and array.size > 0, expected, f"shape {array.shape}")
     # float32 rates are widened: sums over many cells would lose digits.
     rates = array.astype(np.float64, copy=False)
-    _require_unit_interval(rates, what)
+    with np.errstate(invalid="ignore"):
+        # The negated test also finds NaN, which compares as false with everything.
+        bad = np.argwhere(~((rates >= 0.0) & (rates <= 1.0)))
+    if len(bad):
+        where = tuple(int(i) for i in bad[0])
+        raise ValueError(
+            f"expected {what} with finite values in [0, 1], got {rates[where]} at index {where}"
+        )
     return rates
 
 
@@ -242,17 +248,6 @@ def _as_array(values: ArrayLike, what: str) -> NDArray[np.generic]:
         raise ValueError(f"expected {what} with rows of equal length, got: {error}") from error
 
 
-def _require_unit_interval(rates: Rates, what: str) -> None:
-    with np.errstate(invalid="ignore"):
-        # The negated test also finds NaN, which compares as false with everything.
-        bad = np.argwhere(~((rates >= 0.0) & (rates <= 1.0)))
-    if len(bad):
-        where = tuple(int(i) for i in bad[0])
-        raise ValueError(
-            f"expected {what} with finite values in [0, 1], got {rates[where]} at index {where}"
-        )
-
-
 # ---- Sources -------------------------------------------------------------------------------------
 
 Source: TypeAlias = (
@@ -311,11 +306,6 @@ def read_payoffs(
         expected = (len(payoffs), *payoffs.matrices.shape)
         require(np.shape(cross) == expected, f"cross tests of shape {expected}", np.shape(cross))
         payoffs = replace(payoffs, cross=np.asarray(cross))
-    return _counted(payoffs, episodes)
-
-
-def _counted(payoffs: Payoffs, episodes: int | None) -> Payoffs:
-    """Return the payoffs with the number of their episodes, if the user has given it."""
     if episodes is None:
         return payoffs
     check_integer("episodes", episodes, 1)
@@ -359,19 +349,15 @@ def _read_file(path: Path, per_episode: bool) -> Payoffs:
 
 def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
     arrays = read_npz(path)
-    name = _chosen(path, list(arrays))
-    return arrays[name], name == PER_EPISODE
-
-
-def _chosen(path: Path, names: list[str]) -> str:
     # Episodes first: the means follow from them.
-    for name in (PER_EPISODE, *MEANS):
-        if name in names:
-            return name
-    if len(names) == 1:
-        return names[0]
-    expected = ", ".join((PER_EPISODE, *MEANS))
-    raise ValueError(f"{path}: expected one array, or one named {expected}; got {names}")
+    known = (PER_EPISODE, *MEANS)
+    name = next((each for each in known if each in arrays), None)
+    if name is None:
+        if len(arrays) != 1:
+            names = ", ".join(known)
+            raise ValueError(f"{path}: expected one array, or one named {names}; got {[*arrays]}")
+        [name] = arrays
+    return arrays[name], name == PER_EPISODE
 
 
 def _payoffs(values: Any, per_episode: bool) -> Payoffs:
@@ -386,8 +372,8 @@ def _payoffs(values: Any, per_episode: bool) -> Payoffs:
 
 # ---- CSV files -----------------------------------------------------------------------------------
 
-Line = tuple[int, list[str]]
-"""Line number in the file, from 1, and cells."""
+Line = tuple[str, list[str]]
+"""Where it is, as errors say it, and its cells."""
 
 _LONG = ("pursuer", "evader", "capture_rate")
 _KEYS = ("run", "pursuer", "evader", "episode")
@@ -397,65 +383,48 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     """Return the capture rates of a CSV file, and whether their last dimension is episodes."""
     lines = _lines(path)
     names = [cell.lower() for cell in lines[0][1]]
-    if set(_LONG) <= set(names):
-        return _long(path, names, lines[1:])
-    return _matrix(path, lines), False
+    is_long = set(_LONG) <= set(names)
+    # A header is recognised by a cell that is not a number.
+    body = lines if all(map(_is_number, names)) else lines[1:]
+    if not body:
+        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+    width = len(names if is_long else body[0][1])
+    for where, row in body:
+        if len(row) != width:
+            before = "in the header" if is_long else "in the lines before"
+            raise ValueError(f"{where}: expected {width} cells as {before}, got {len(row)}")
+    if is_long:
+        return _long(path, names, body), "episode" in names
+    start = int(names[0] == "")  # labels
+    return np.array([[_number(at, cell) for cell in row[start:]] for at, row in body]), False
 
 
 def _lines(path: Path) -> list[Line]:
     # utf-8-sig: spreadsheets write a byte order mark.
     text = io.StringIO(read_text(path, "CSV", encoding="utf-8-sig"), newline="")
     try:
-        rows = [(i, [cell.strip() for cell in row]) for i, row in enumerate(csv.reader(text), 1)]
+        rows = [[cell.strip() for cell in row] for row in csv.reader(text)]
     except csv.Error as error:
         raise DamagedFileError(path, f"expected a CSV file of text, got: {error}") from error
-    # Line numbers of the file are kept for error messages.
-    kept = [(i, row) for i, row in rows if any(row) and not row[0].startswith("#")]
+    kept = [
+        (f"{path}, line {number}", row)
+        for number, row in enumerate(rows, 1)
+        if any(row) and not row[0].startswith("#")
+    ]
     if not kept:
         raise ValueError(f"{path}: expected a table of capture rates, got no lines")
     return kept
 
 
-def _matrix(path: Path, lines: list[Line]) -> Rates:
-    header = lines[0][1]
-    labelled = header[0] == ""
-    # A header is recognised by a cell that is not a number.
-    body = lines if all(_is_number(cell) for cell in header) else lines[1:]
-    if not body:
-        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
-    width = len(body[0][1])
-    for number, row in body:
-        if len(row) != width:
-            raise ValueError(
-                f"{path}, line {number}: expected {width} cells as in the lines before, "
-                f"got {len(row)}"
-            )
-    start = 1 if labelled else 0
-    return np.array([[_number(path, i, cell) for cell in row[start:]] for i, row in body])
-
-
-def _long(path: Path, names: list[str], lines: list[Line]) -> tuple[Rates, bool]:
+def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     keys = [key for key in _KEYS if key in names]
     places, place = [names.index(key) for key in keys], names.index("capture_rate")
     found: dict[tuple[int, ...], float] = {}
-    for number, row in lines:
-        if len(row) != len(names):
-            raise ValueError(
-                f"{path}, line {number}: expected {len(names)} cells as in the header, "
-                f"got {len(row)}"
-            )
-        key = tuple(_whole(path, number, row[i]) for i in places)
+    for where, row in lines:
+        key = tuple(_whole(where, row[i]) for i in places)
         if key in found:
-            raise ValueError(
-                f"{path}, line {number}: expected {_combination(keys, key)} once, got it twice"
-            )
-        found[key] = _number(path, number, row[place])
-    return _cube(path, keys, found), "episode" in keys
-
-
-def _cube(path: Path, keys: list[str], found: dict[tuple[int, ...], float]) -> Rates:
-    if not found:
-        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+            raise ValueError(f"{where}: expected {_combination(keys, key)} once, got it twice")
+        found[key] = _number(where, row[place])
     # Numbers of generations may start anywhere; their ranks are the indices.
     axes, inverse = zip(
         *(np.unique(column, return_inverse=True) for column in np.array(list(found)).T), strict=True
@@ -485,18 +454,15 @@ def _is_number(cell: str) -> bool:
     return True
 
 
-def _number(path: Path, line: int, cell: str) -> float:
-    if not _is_number(cell):
-        raise ValueError(f"{path}, line {line}: expected a capture rate, got {cell!r}")
+def _number(where: str, cell: str) -> float:
     # Checked here as well as in `check_rates`, where the line number is not known any more.
-    value = float(cell)
-    if math.isnan(value) or not 0.0 <= value <= 1.0:
-        raise ValueError(f"{path}, line {line}: expected a capture rate in [0, 1], got {cell}")
-    return value
+    if not (_is_number(cell) and 0.0 <= float(cell) <= 1.0):
+        raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")
+    return float(cell)
 
 
-def _whole(path: Path, line: int, cell: str) -> int:
+def _whole(where: str, cell: str) -> int:
     try:
         return int(cell)
     except ValueError:
-        raise ValueError(f"{path}, line {line}: expected a whole number, got {cell!r}") from None
+        raise ValueError(f"{where}: expected a whole number, got {cell!r}") from None

@@ -294,19 +294,12 @@ def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
 
 
 def _triangle(matrix: Rates) -> Triangle:
-    lower = _lower(matrix)
-    stripes, period = _first_peak(autocorrelation(lower))
-    return Triangle(lower, _by_age(lower), _fading(lower), stripes, period)
-
-
-def _lower(matrix: Rates) -> Rates:
-    return np.where(np.tri(*matrix.shape) > 0.0, matrix, np.nan)
-
-
-def _by_age(lower: Rates) -> Rates:
+    lower = np.where(np.tri(*matrix.shape) > 0.0, matrix, np.nan)
     # If the team has more generations than its opponents, some diagonals may be empty.
     diagonals = [np.diagonal(lower, offset=-age) for age in range(len(lower))]
-    return np.array([cells.mean() if len(cells) else np.nan for cells in diagonals])
+    by_age = np.array([cells.mean() if len(cells) else np.nan for cells in diagonals])
+    stripes, period = _first_peak(autocorrelation(lower))
+    return Triangle(lower, by_age, _fading(lower), stripes, period)
 
 
 def _fading(lower: Rates) -> float:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld.analysis import progress
 from matrixworld.analysis.cycles import MARGIN, clear_checkerboards, transitive_share
 from matrixworld.analysis.engagement import disengagements
 from matrixworld.analysis.games import alpha_rank, nash_averaging
@@ -17,20 +18,6 @@ from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, Finding, Ju
 from matrixworld.analysis.measures import MEASURES, measure_all
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, read_payoffs, require
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.analysis.progress import (
-    ciao,
-    dominance_tournament,
-    generalization,
-    global_progress,
-    historical_progress,
-    lag_profile,
-    lag_rise,
-    local_progress,
-    rise_lag,
-    swing,
-    swing_start,
-    team_phase_rates,
-)
 from matrixworld.analysis.ratings import elo
 from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import forgetting, late_forgetting
@@ -141,12 +128,10 @@ def report(
 
     Parameters
     ----------
-    source : array_like, path, list of paths or Payoffs
-        Payoffs of at least 2 x 2 generations.
+    source, level
+        As for `measure_all`.
     per_episode, episodes, cross : optional
         As for `read_payoffs`.
-    level : float, optional
-        Confidence level of the intervals, in (0, 1).
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes, cross=cross)
     table, judgement = measure_table(payoffs, level=level), judge(payoffs, level=level)
@@ -205,7 +190,7 @@ def _dominant(payoffs: Payoffs) -> list[str]:
     # Several runs have the mean number of dominant generations among the measures.
     if len(payoffs) > 1 or payoffs.scores is None or payoffs.scores.shape[3] < 2:
         return []
-    ladders = dominance_tournament(payoffs.scores[0])
+    ladders = progress.dominance_tournament(payoffs.scores[0])
     return [
         f"Dominant {team}: generations {', '.join(map(str, ladder.generations))}."
         for team, ladder in zip(("pursuers", "evaders"), ladders, strict=True)
@@ -217,10 +202,8 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
 
     Parameters
     ----------
-    source : array_like, path, list of paths or Payoffs
-        Payoffs of at least 2 x 2 generations.
-    level : float, optional
-        Confidence level of the intervals, in (0, 1).
+    source, level
+        As for `measure_all`.
 
     Returns
     -------
@@ -239,7 +222,7 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
         "runs": [_curves(run) for run in payoffs.runs],
     }
     if payoffs.cross is not None:
-        found["global_progress"] = global_progress(payoffs.cross)
+        found["global_progress"] = progress.global_progress(payoffs.cross)
     plain: dict[str, Any] = plain_values(found)
     return plain
 
@@ -247,7 +230,7 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
 def _curves(run: Payoffs) -> dict[str, Any]:
     curves = {name: of(run.matrices[0]) for name, of in CURVES.items()}
     if run.scores is not None and run.scores.shape[3] >= 2:
-        curves["dominance"] = dominance_tournament(run.scores[0])
+        curves["dominance"] = progress.dominance_tournament(run.scores[0])
     return {"payoff": run.matrices[0], **curves}
 
 
@@ -263,12 +246,12 @@ def _ranked(matrix: Rates) -> dict[str, Any]:
 
 
 CURVES: Mapping[str, Callable[[Rates], Any]] = {
-    "generalization": generalization,
+    "generalization": progress.generalization,
     "forgetting": forgetting,
-    "local_progress": local_progress,
-    "historical_progress": historical_progress,
-    "lag_profile": lag_profile,
-    "ciao": ciao,
+    "local_progress": progress.local_progress,
+    "historical_progress": progress.historical_progress,
+    "lag_profile": progress.lag_profile,
+    "ciao": progress.ciao,
     "ratings": lambda matrix: elo(matrix, cycles=1),
     "nash": nash_averaging,
     "alpha_rank": _ranked,
@@ -294,8 +277,8 @@ def describe(payoff: ArrayLike) -> str:
     first, other = window.pursuers[0], window.evaders[0]
     # The last half of a matrix that is not square starts at two different generations.
     when = f"From generation {first if first == other else f'{first} / {other}'} on"
-    late, scores = matrix[window.cells], generalization(matrix)
-    stretches = disengagements(team_phase_rates(matrix))
+    late, scores = matrix[window.cells], progress.generalization(matrix)
+    stretches = disengagements(progress.team_phase_rates(matrix))
     return "\n".join(
         [
             f"{when}, {_transitivity(late)}",
@@ -331,23 +314,23 @@ def _checkerboards(late: Rates) -> str:
 
 def _swing(matrix: Rates) -> str:
     return (
-        f"From generation {swing_start(min(matrix.shape))} on, the capture rate of the "
+        f"From generation {progress.swing_start(min(matrix.shape))} on, the capture rate of the "
         "same pursuers against the evaders of one generation and of the previous one differs by "
-        f"{swing(matrix):.2f} on average."
+        f"{progress.swing(matrix):.2f} on average."
     )
 
 
 def _lags(matrix: Rates) -> str:
-    profile = lag_profile(matrix)
+    profile = progress.lag_profile(matrix)
     # A short race does not contain all headline lags.
     inside = [lag for lag in HEADLINE_LAGS if profile.lags[0] <= lag <= profile.lags[-1]]
     means = ", ".join(f"{f'{lag:+d}' if lag else 0}: {profile.at(lag):.2f}" for lag in inside)
     # The lag is a third of the run, so it is 1 in short runs.
-    rise = rise_lag(min(matrix.shape))
+    rise = progress.rise_lag(min(matrix.shape))
     return (
         f"Capture rate by lag (pursuer minus evader generation): {means}. At a lag of "
         f"+{rise} generation{'' if rise == 1 else 's'} it differs from a lag of -{rise} by "
-        f"{lag_rise(matrix):+.2f}."
+        f"{progress.lag_rise(matrix):+.2f}."
     )
 
 

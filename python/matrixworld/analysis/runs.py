@@ -88,7 +88,9 @@ def interquartile_mean(
     check_integer("resamples", resamples, 100)
     check_integer("seed", seed, 0)
     value, runs = _middle_mean(array), len(array)
-    missing = _too_few(runs, level) or _all_equal(array)
+    missing = _too_few(runs, level)
+    if not missing and np.ptp(array, axis=0).max() == 0.0:
+        missing = f"no interval: all {runs} runs are equal"
     if missing:
         return Estimate(value, samples=runs, note=missing)
     rng = np.random.default_rng(seed)
@@ -120,12 +122,10 @@ def performance_profile(
 
     References
     ----------
-    Dolan and More (2002), "Benchmarking optimization software with performance profiles". Agarwal
-    et al. (2021), as for `interquartile_mean`.
+    Dolan and More (2002), "Benchmarking optimization software with performance profiles".
     """
-    array, places = _check_scores(scores), np.asarray(thresholds, dtype=np.float64)
-    require(places.ndim == 1 and places.size > 0, "thresholds of shape (k,)", places.shape)
-    require(bool(np.isfinite(places).all()), "finite thresholds", "others")
+    array = _check_scores(scores)
+    places = check_finite(thresholds, "thresholds", "of shape (k,)", ndim=1)
     require(bool((np.diff(places) > 0.0).all()), "ascending thresholds", "others")
     above = (array[:, :, np.newaxis] > places).mean(axis=1)
     shares = band_over_runs(above, places=places, level=level, bounds=UNIT)
@@ -156,7 +156,6 @@ def probability_of_improvement(
     References
     ----------
     Mann and Whitney (1947). Brunner and Munzel (2000), "The nonparametric Behrens-Fisher problem".
-    Agarwal et al. (2021), as for `interquartile_mean`.
     """
     first, second = _check_scores(one), _check_scores(other)
     opponents = first.shape[1]
@@ -196,12 +195,6 @@ def _too_few(runs: int, level: float) -> str:
     """Return why so few runs have no interval; empty if there are enough."""
     fewest = fewest_runs(level)
     return f"no interval below {fewest} runs" if runs < fewest else ""
-
-
-def _all_equal(scores: Rates) -> str:
-    if np.ptp(scores, axis=0).max() > 0.0:
-        return ""
-    return f"no interval: all {len(scores)} runs are equal"
 
 
 # ---- Mean curves ---------------------------------------------------------------------------------

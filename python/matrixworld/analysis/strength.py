@@ -28,14 +28,14 @@ _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
 
-def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
+def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return how much the strength of a team changes by its trend: ``k - 1`` times the drift.
 
-    The scores (k,) are the mean payoff of each generation against the same opponents, the noise is
-    the variance of their measurement errors; 0 if it is unknown, which widens the interval. It is
-    an equal-tailed credible interval. The model is a random walk with drift that is observed with
-    fluctuation and noise (the local level model with drift, Harvey 1989, "Forecasting, structural
-    time series models and the Kalman filter")::
+    The scores (k,), of at least 4 generations, are mean payoffs against the same opponents, the
+    noise (k,) is the variance of their measurement errors; 0 if it is unknown, which widens the
+    interval. It is an equal-tailed credible interval. The model is a random walk with drift that is
+    observed with fluctuation and noise (the local level model with drift, Harvey 1989,
+    "Forecasting, structural time series models and the Kalman filter")::
 
         score[g]        = strength[g] + fluctuation[g] + error[g]
         strength[g + 1] = strength[g] + drift + step[g]
@@ -48,9 +48,8 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
     hierarchical models") recommends for standard deviations of few observations. Given s and t the
     drift is normal; both are summed out on a grid.
     """
-    y, variances = _checked(scores, noise)
-    steps = len(y) - 1
-    drifts, deviations, weights = _posterior(np.diff(y), float(variances.mean()))
+    steps = len(scores) - 1
+    drifts, deviations, weights = _posterior(np.diff(scores), float(noise.mean()))
     tail = (1.0 - level) / 2.0
     low, middle, high = (
         steps * _quantile(p, drifts, deviations, weights) for p in (tail, 0.5, 1.0 - tail)
@@ -60,14 +59,13 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
     return Estimate(middle, low, high, "episodes")
 
 
-def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
+def strength_change(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the linear change of strength: ``k - 1`` times the slope of a regression line.
 
     Arguments are those of `strength_gain`. The interval is normal with the known noise. If all
     noise is 0, which means unknown, it is Student's t interval with the scatter about the line.
     """
-    y, variances = _checked(scores, noise)
-    steps = len(y) - 1
+    y, variances, steps = scores, noise, len(scores) - 1
     places = np.arange(len(y)) - steps / 2.0
     weights = steps * places / (places**2).sum()
     freedom = np.inf
@@ -78,13 +76,6 @@ def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL
     value = float(weights @ y)
     reach = float(t_quantile(level, freedom) * np.sqrt(weights**2 @ variances))
     return Estimate(value, value - reach, value + reach, "episodes")
-
-
-def _checked(scores: ArrayLike, noise: ArrayLike) -> tuple[Rates, Rates]:
-    y, variances = np.asarray(scores, dtype=np.float64), np.asarray(noise, dtype=np.float64)
-    require(y.ndim == 1 and y.shape == variances.shape, "scores and noise of shape (k,)", y.shape)
-    require(len(y) >= 4, "at least 4 generations", len(y))
-    return y, variances
 
 
 def _posterior(steps: Rates, noise: float) -> tuple[Rates, Rates, Rates]:

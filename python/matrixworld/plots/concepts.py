@@ -47,10 +47,8 @@ NOTES = (
     Note(8.3, 1.6, "automatic", "a rule chooses\nthe tasks"),
     Note(5.0, 4.5, "self-play,\nautocurriculum", "rivals set each\nother's tasks"),
     Note(5.0, 2.0, "adversarial learning", "one way to do it: rivals\nlearn in turns"),
+    Note(1.7, 0.42, "", "not co-evolution: only one side\nlearns against a fixed rival"),
 )
-OUTSIDE = Note(1.7, 0.42, "", "not co-evolution: only one side\nlearns against a fixed rival")
-ARROWS = ((4.25, 5.75, 3.03), (5.75, 4.25, 2.87))
-"""From x to x, at a height: each side adapts to the other."""
 
 
 def learning_concepts() -> Figure:
@@ -73,7 +71,7 @@ def learning_concepts() -> Figure:
         top = area.y + area.height - 0.28
         axes.text(x, top, area.name, ha=side, va="center", weight="bold", size=12)
     _draw_area(axes, SHARED, alpha=1.0)
-    for note in (*NOTES, OUTSIDE):
+    for note in NOTES:
         _draw_note(axes, note)
     _draw_arms_race(axes)
     return figure
@@ -100,7 +98,8 @@ def _draw_note(axes: Axes, note: Note) -> None:
 
 
 def _draw_arms_race(axes: Axes) -> None:
-    for begin, end, y in ARROWS:
+    # Each side adapts to the other.
+    for begin, end, y in ((4.25, 5.75, 3.03), (5.75, 4.25, 2.87)):
         axes.add_patch(
             FancyArrowPatch(
                 (begin, y), (end, y), arrowstyle="-|>", mutation_scale=12, color=colors.INK

@@ -15,7 +15,7 @@ J. K. Terry et al. (2021). PettingZoo: Gym for multi-agent reinforcement learnin
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -34,7 +34,7 @@ from matplotlib.patches import (
 from matplotlib.patheffects import withStroke
 
 from matrixworld._util import colors
-from matrixworld.plots.style import fitting, legend_below, new_figure
+from matrixworld.plots.style import legend_below, new_figure
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
@@ -157,15 +157,11 @@ def world_of(situation: Situation, outcome: Outcome) -> tuple[World, list[int]]:
 _MARK: dict[str, Any] = {"linestyle": "", "color": colors.COLLISION, "markersize": 9}
 
 
-def conflict_outcomes(*, title: str = "Conflicts and their outcomes") -> Figure:
+def conflict_outcomes() -> Figure:
     """Draw what happens in each situation under each outcome, as the engine resolves it.
 
     A row for each of `SITUATIONS`: the planned moves, then the result of the outcomes disappear,
     reach and bounce.
-
-    Parameters
-    ----------
-    title : str, optional
     """
     heights = [CELL * situation.rows + BELOW for situation in SITUATIONS]
     figure = new_figure(8.0, 1.1 + sum(heights))
@@ -182,15 +178,15 @@ def conflict_outcomes(*, title: str = "Conflicts and their outcomes") -> Figure:
         "had to stay": Line2D([], [], marker="o", markerfacecolor="none", **_MARK),
     }
     legend_below(figure, marks)
-    figure.suptitle(fitting(figure, title))
+    figure.suptitle("Conflicts and their outcomes")
     return figure
 
 
 def _draw_plan(axes: Axes, situation: Situation) -> None:
     _draw_world(axes, situation)
     for agent, (cell, action) in enumerate(situation.agents):
-        draw_agent(axes, cell, _name(situation, agent))
-        draw_move(axes, cell, action)
+        _draw_agent(axes, cell, _name(situation, agent))
+        _draw_move(axes, cell, action)
     label = f"$\\bf{{{situation.name}}}$\n{situation.text}"
     axes.annotate(
         label, (0, 0.5), xytext=(-10, 0), xycoords="axes fraction", textcoords="offset points",
@@ -203,23 +199,32 @@ def _draw_result(axes: Axes, situation: Situation, result: Resolution) -> None:
     living = [agent for agent, alive in enumerate(result.alive) if alive]
     taken = {result.cells[agent] for agent in living}
     for cell in {cell for cell, alive in zip(result.cells, result.alive, strict=True) if not alive}:
-        draw_removed(axes, cell, occupied=cell in taken)
+        _draw_removed(axes, cell, occupied=cell in taken)
     for agent in living:
         cell = result.cells[agent]
         beside = [other for other in living if result.cells[other] == cell]
-        draw_agent(
+        _draw_agent(
             axes, cell, _name(situation, agent), place=beside.index(agent), among=len(beside)
         )
         if agent in result.held:
-            draw_held(axes, cell)
+            _draw_held(axes, cell)
     axes.set_xlabel(result.text, size="small", color=colors.MUTED, labelpad=3)
 
 
 def _draw_world(axes: Axes, situation: Situation) -> None:
-    draw_board(axes, situation.rows, situation.cols, situation.obstacles)
-    # The same scale in all panels of the figure.
+    for row, col in np.ndindex(situation.rows, situation.cols):
+        filled = colors.OBSTACLE if (row, col) in situation.obstacles else colors.PAPER
+        axes.add_patch(
+            Rectangle(
+                (col - 0.5, row - 0.5), 1, 1, facecolor=filled, edgecolor=colors.MUTED,
+                linewidth=0.8,
+            )
+        )  # fmt: skip
+    # The same scale in all panels of the figure; row 0 is on top.
     middle = situation.cols / 2 - 0.5
-    axes.set_xlim(middle - 1.6, middle + 1.6)
+    axes.set(xlim=(middle - 1.6, middle + 1.6), ylim=(situation.rows - 0.45, -0.55))
+    axes.set(xticks=[], yticks=[], aspect="equal")
+    axes.spines[:].set_visible(False)
 
 
 def _name(situation: Situation, agent: int) -> str:
@@ -234,23 +239,7 @@ RADIUS = 0.33
 MOVES = {Action.NORTH: (-1, 0), Action.EAST: (0, 1), Action.SOUTH: (1, 0), Action.WEST: (0, -1)}
 
 
-def draw_board(axes: Axes, rows: int, cols: int, obstacles: Iterable[tuple[int, int]] = ()) -> None:
-    """Draw the cells of a world, row 0 on top, and obstacles; no axes."""
-    for row in range(rows):
-        for col in range(cols):
-            filled = colors.OBSTACLE if (row, col) in set(obstacles) else colors.PAPER
-            corner = col - 0.5, row - 0.5
-            axes.add_patch(
-                Rectangle(corner, 1, 1, facecolor=filled, edgecolor=colors.MUTED, linewidth=0.8)
-            )
-    axes.set(xlim=(-0.55, cols - 0.45), ylim=(rows - 0.45, -0.55), aspect="equal")
-    axes.set(xticks=[], yticks=[])
-    axes.spines[:].set_visible(False)
-
-
-def draw_agent(
-    axes: Axes, cell: tuple[int, int], name: str, *, place: int = 0, among: int = 1
-) -> None:
+def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int = 1) -> None:
     """Draw an agent: an orange triangle for a pursuer "P0", a blue disc for an evader "E0".
 
     The cell is row and column; several agents on it have a place `among` so many.
@@ -268,13 +257,10 @@ def draw_agent(
     else:
         axes.add_patch(Circle((x, y), radius, **look))
     size = 8 if among == 1 else 6
-    axes.text(
-        x, y + 0.02, name, ha="center", va="center", color=colors.PAPER, size=size,
-        fontweight="bold", zorder=4,
-    )  # fmt: skip
+    _write(axes, x, y + 0.02, name, color=colors.PAPER, size=size, fontweight="bold", zorder=4)
 
 
-def draw_move(axes: Axes, cell: tuple[int, int], action: Action) -> None:
+def _draw_move(axes: Axes, cell: Cell, action: Action) -> None:
     """Draw the planned move of an agent: an arrow over the edge of its cell."""
     (row, col), (down, right) = cell, MOVES[action]
     # On the left of the agent's way, so that the arrows of a swap are beside each other.
@@ -289,7 +275,7 @@ def draw_move(axes: Axes, cell: tuple[int, int], action: Action) -> None:
     )  # fmt: skip
 
 
-def draw_removed(axes: Axes, cell: tuple[int, int], *, occupied: bool = False) -> None:
+def _draw_removed(axes: Axes, cell: Cell, *, occupied: bool = False) -> None:
     """Draw a cross where an agent disappeared; in a corner if another agent is there."""
     row, col = cell
     aside, size = (0.33, 6) if occupied else (0, 13)
@@ -299,7 +285,7 @@ def draw_removed(axes: Axes, cell: tuple[int, int], *, occupied: bool = False) -
     )  # fmt: skip
 
 
-def draw_held(axes: Axes, cell: tuple[int, int]) -> None:
+def _draw_held(axes: Axes, cell: Cell) -> None:
     """Draw a ring around an agent that had to stay."""
     row, col = cell
     axes.add_patch(
@@ -337,16 +323,13 @@ FILLS = {
 """Colours of the outcomes: the ground and the text on it."""
 
 
-def rules_table(
-    rules: Mapping[str, Rules] = VARIANTS, *, title: str = "The rules of the variants"
-) -> Figure:
+def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
     """Draw rules as a table: which agents move together, what a collision does, what a capture is.
 
     Parameters
     ----------
     rules : mapping of str to Rules, optional
         The rows, by name. The default is the nine variants.
-    title : str, optional
     """
     if not rules:
         raise ValueError("rules: expected at least one row, got none")
@@ -357,7 +340,7 @@ def rules_table(
     _write_heads(axes)
     for row, (name, each) in enumerate(rules.items()):
         _write_row(axes, row, name, each)
-    axes.set_title(fitting(figure, title))
+    axes.set_title("The rules of the variants" if rules is VARIANTS else "The rules")
     return figure
 
 
@@ -403,9 +386,9 @@ def _write(axes: Axes, x: float, y: float, text: str, **look: Any) -> None:
 
 
 GAMES = {
-    Interaction.SIMULTANEOUS: "stochastic (Markov) game",
-    Interaction.SWARM_TURNS: "two-swarm turn-taking game",
-    Interaction.AGENT_TURNS: "agent environment cycle game",
+    Interaction.SIMULTANEOUS: "stochastic (Markov)\ngame",
+    Interaction.SWARM_TURNS: "two-swarm\nturn-taking game",
+    Interaction.AGENT_TURNS: "agent environment\ncycle game",
 }
 """What the theory of games calls each model."""
 
@@ -427,14 +410,10 @@ def turns_of(interaction: Interaction) -> list[range]:
     return turns
 
 
-def interaction_models(*, title: str = "One round of the three interaction models") -> Figure:
+def interaction_models() -> Figure:
     """Draw which agents observe and act together: all at once, team by team, one at a time.
 
     One panel for each `Interaction`. Time runs to the right, in turns.
-
-    Parameters
-    ----------
-    title : str, optional
     """
     models = list(Interaction)
     rounds = [turns_of(each) for each in models]
@@ -443,8 +422,7 @@ def interaction_models(*, title: str = "One round of the three interaction model
     for axes, interaction, turns in zip(panels, models, rounds, strict=True):
         _draw_round(axes, turns)
         axes.set_title(f"{INTERACTION_TEXTS[interaction]}\n", fontweight="bold")
-        name = GAMES[interaction].replace(" turn", "\nturn").replace(" cycle", "\ncycle")
-        axes.set_xlabel(name.replace(") game", ")\ngame"))
+        axes.set_xlabel(GAMES[interaction])
     _name_rows(panels[0])
     entries = {
         "observes the state": Line2D([], [], color=colors.MUTED, linewidth=0.9),
@@ -453,7 +431,7 @@ def interaction_models(*, title: str = "One round of the three interaction model
         "state between two turns": Patch(facecolor=colors.PAPER, edgecolor=colors.INK),
     }
     legend_below(figure, entries)
-    figure.suptitle(fitting(figure, title))
+    figure.suptitle("One round of the three interaction models")
     return figure
 
 

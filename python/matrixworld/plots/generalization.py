@@ -20,8 +20,7 @@ Baselines = Mapping[str, Mapping[str, ArrayLike]]
 TEAMS = ("pursuer", "evader")
 SCORES = ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)")
 OVER_SEEDS = "95% interval of the mean over seeds"
-NAME = 28
-"""Characters of a line of a race's name."""
+_NAME = 28  # characters of a line of a race's name
 
 
 def generalization_curves(
@@ -89,7 +88,7 @@ def generalization_over_seeds(
         style.unit_axis(axes)
         for team, color in zip(baselines, colors.TEAMS, strict=True):
             _draw_baselines(axes, team.get(name, {}), color)
-        axes.set_title(style.wrapped(name, NAME), size="medium", fontweight="bold")
+        axes.set_title(style.wrapped(name, _NAME), size="medium", fontweight="bold")
     panels[0].set_ylabel("mean score (0 to 1)")
     style.legend_below(figure, style.labelled(*panels))
     figure.suptitle(style.fitting(figure, title))

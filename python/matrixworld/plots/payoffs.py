@@ -30,8 +30,7 @@ COLUMNS = 4
 """The most races beside each other in `comparison`; further ones are in rows below."""
 WIDEST, WIDEST_NAME = 42, 32
 """Characters of a line of a judgement, and of a name, in `comparison`."""
-LINE = 14
-"""Height of a line above a heat map, in points."""
+_LINE = 14  # height of a line above a heat map, in points
 
 _SCALE = "capture rate (0 all escape, 1 all caught)"
 
@@ -183,9 +182,9 @@ def _write_heads(
     # The names of all races are at the same height.
     lines = 1 + max(map(len, verdicts.values()))
     for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
-        axes.set_title(style.wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + LINE * lines)
+        axes.set_title(style.wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + _LINE * lines)
         _write_above(axes, _numbers(payoff), 5, "small")
-        _write_above(axes, "\n".join(verdicts[name]), 5 + LINE, "medium")
+        _write_above(axes, "\n".join(verdicts[name]), 5 + _LINE, "medium")
 
 
 def _write_above(axes: Axes, text: str, points: float, size: str) -> None:

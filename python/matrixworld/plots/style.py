@@ -18,6 +18,7 @@ from matplotlib.ticker import MaxNLocator
 from matrixworld._util import colors
 from matrixworld._util.files import replacing
 from matrixworld.analysis import Band
+from matrixworld.analysis.payoffs import require
 
 DPI = 150
 """Resolution of saved figures."""
@@ -56,8 +57,7 @@ def fitting(figure: Figure, title: str) -> str:
 
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
     """Raise ValueError if there is nothing to draw."""
-    if not groups:
-        raise ValueError(f"expected at least one {what} to draw, got none")
+    require(bool(groups), f"at least one {what} to draw", "none")
 
 
 def rows_of(count: int, most: int) -> tuple[int, int]:

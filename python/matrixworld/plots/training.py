@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util import colors
-from matrixworld.analysis.payoffs import check_rates
+from matrixworld.analysis.payoffs import check_rates, require
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -86,11 +86,10 @@ def collision_rates(
     title : str, optional
     """
     values = np.asarray(rates, dtype=np.float64)
-    if values.ndim != 3 or values.shape[1:] != (2, 3) or not len(values):
-        raise ValueError(f"expected collision rates of shape (G, 2, 3), got {values.shape}")
+    is_table = values.ndim == 3 and values.shape[1:] == (2, 3) and len(values) > 0
+    require(is_table, "collision rates of shape (G, 2, 3)", values.shape)
     bad = values[~(np.isfinite(values) & (values >= 0))]
-    if len(bad):
-        raise ValueError(f"expected finite collision rates of at least 0, got {bad[0]}")
+    require(not len(bad), "finite collision rates of at least 0", bad[:1])
     figure = style.new_figure(8.4, 3.8)
     panels = figure.subplots(1, 2, sharey=True)
     for team, axes in enumerate(panels):
@@ -137,8 +136,7 @@ def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> 
 
 def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:
     """Return the centred mean of `window` points, and of fewer at both ends."""
-    if window < 1:
-        raise ValueError(f"expected a window of at least 1 point, got {window}")
+    require(window >= 1, "a window of at least 1 point", window)
     window = min(window, len(values))
     kernel = np.ones(window)
     # Dividing by the points inside the window keeps both ends from being drawn towards 0.
@@ -149,8 +147,7 @@ def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.floa
 
 def _generation_axis(axes: Axes, generations: NDArray[np.int64], length: int) -> None:
     """Add a second axis on top that shows where each generation begins."""
-    if generations.shape != (length,):
-        raise ValueError(f"expected generations of shape ({length},), got {generations.shape}")
+    require(generations.shape == (length,), f"generations of shape ({length},)", generations.shape)
     names, starts = np.unique(generations, return_index=True)
     every = max(1, round(len(names) / 10))
     top = axes.secondary_xaxis("top")
