@@ -162,7 +162,7 @@ def test_what_cannot_be_judged_is_refused(command, job):
     Path("empty").mkdir()
     assert "expected run directories, or .csv or .npz files, got 'empty'" in refused("empty")
     Path("bad.csv").write_text("0.5,2\n0.5,0.5\n")
-    assert "expected a capture rate in [0, 1], got 2" in refused("bad.csv")
+    assert "expected a capture rate in [0, 1], got '2'" in refused("bad.csv")
     np.save("other.npy", circular(31))
     assert "other.npy" in refused("other.npy")
     np.savez("small.npz", payoff=circular(12))
