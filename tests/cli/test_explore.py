@@ -84,7 +84,7 @@ def test_an_unfinished_run_is_refused(tmp_path: Path) -> None:
 
 def test_a_directory_without_a_run_is_refused(tmp_path: Path) -> None:
     result = matrixworld_command("explore", tmp_path, code=2)
-    assert "expected directories that hold runs" in result.output
+    assert "expected run directories, got" in result.output
 
 
 def test_a_machine_without_a_browser_gets_the_file(

@@ -112,7 +112,7 @@ def test_the_strip_has_the_verdict_on_each_seed(job, capsys):
     for line, (name, finding) in zip(lines[1:], judgement.headline.items(), strict=True):
         counts = ", ".join(str(finding.by_run.count(verdict)) for verdict in signs)
         cells = [*(signs[verdict] for verdict in finding.by_run), "."]
-        assert line == f"{name:18} {' '.join(cells)}  {finding.verdict} ({counts})"
+        assert line == f"{name:18}  {'  '.join(cells)}  {finding.verdict} ({counts})"
 
 
 def test_summary_json_keeps_each_seed_and_the_aggregate(job):

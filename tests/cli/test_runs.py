@@ -158,7 +158,7 @@ def test_replay_explains_every_step_or_one():
 
 def test_replay_cannot_explain_a_recording_without_conflicts():
     random_walks().save("walks.npz")
-    result = matrixworld_command("replay", "walks.npz", "--explain", code=1)
+    result = matrixworld_command("replay", "walks.npz", "--explain", code=2)
     assert "conflict_table: expected a recording with conflicts, got none" in result.stderr
 
 
@@ -179,7 +179,7 @@ def test_replay_plays_the_last_generations_by_default(job):
         (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --episode"),
         (["{job}/specialist-specialist", "--evader", "fleer"], 2, "a generation of the run, got"),
         (["{job}/specialist-specialist", "--seed", "1"], 2, "is a run: expected no --seed with it"),
-        (["O", "--pursuer", "3"], 2, "--pursuer: expected random, still, chaser, fleer, "),
+        (["O", "--pursuer", "3"], 2, "--pursuer: expected one of random, still, chaser, fleer, "),
         (["O", "--rows", "1", "--cols", "3"], 2, "n_pursuers: expected 1 to 3, got 8"),
         (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
         (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor
 from contextlib import contextmanager
 from pathlib import Path, PurePath
@@ -74,24 +74,6 @@ def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Pat
 def can_resume(path: Path) -> bool:
     """Return whether a directory holds a run, or runs that have been asked for."""
     return bool(find_runs(path)) or (path / JOB).exists()
-
-
-def all_of(
-    find: Callable[[Path], list[Path]], expected: str
-) -> Callable[[click.Context, click.Parameter, tuple[str, ...]], list[Path]]:
-    """Return a callback for an argument of several paths: what `find` finds in all of them."""
-
-    def callback(ctx: click.Context, param: click.Parameter, values: tuple[str, ...]) -> list[Path]:
-        found: list[Path] = []
-        for value in values:
-            here = find(Path(value))
-            if not here:
-                raise click.BadParameter(f"expected {expected}, got {value!r}")
-            found += here
-        # A run may be named twice: by itself, and by the directory that holds it.
-        return list(dict.fromkeys(found))
-
-    return callback
 
 
 def resume_command(root: Path) -> str:

@@ -20,7 +20,6 @@ from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
     force_option,
     json_option,
-    option_name,
     out_option,
     refuse_existing,
     seed_option,
@@ -29,7 +28,7 @@ from matrixworld.cli.options import (
     world_options,
     write_json,
 )
-from matrixworld.cli.setting_options import in_options
+from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.explorer.page import write_page
@@ -157,17 +156,11 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
     given = {name: value for name, value in options.items() if value is not None}
     size = {} if isinstance(given.get("obstacles"), str) else SIZE
     settings = {**size, **GAME, **given}
-    try:
+    with usage_errors():
         config = WorldConfig.of(
             settings.pop("variant"), max_steps=settings.pop("steps"), **settings
         )
-    except (OSError, TypeError, ValueError) as error:
-        raise click.UsageError(in_options(str(error))) from error
-    try:
         return config, Limits(**limits)
-    except ValueError as error:
-        name, _, rest = str(error).partition(":")
-        raise click.UsageError(f"{option_name(name)}:{rest}") from error
 
 
 def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
@@ -218,11 +211,10 @@ def export_command(run: Path, team: Team, generation: int, out: Path, force: boo
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {out}")
     refuse_existing(out, force=force)
     with failures():
-        try:
-            policy = open_run(run).policy(team, generation)
-        except IndexError as error:
-            raise click.UsageError(f"--generation: {str(error).partition(': ')[2]}") from error
-        except ValueError as error:
-            raise click.UsageError(f"--{error}") from error
+        with usage_errors():
+            try:
+                policy = open_run(run).policy(team, generation)
+            except IndexError as error:  # which begins with the team
+                raise IndexError(f"generation: {str(error).partition(': ')[2]}") from error
         save_genome(out, team, policy)
         click.echo(out)

@@ -17,14 +17,10 @@ import click
 import numpy as np
 
 from matrixworld._util.files import DamagedFileError, json_digest, load_json
-from matrixworld.analysis import (
-    Judgement,
-    judge,
-    read_payoffs,
-)
+from matrixworld.analysis import Judgement, judge, read_payoffs
 from matrixworld.analysis.cycles import MARGIN, NoiseReference, noise_reference
 from matrixworld.analysis.payoffs import Payoffs
-from matrixworld.cli.arguments import SEED, all_of, find_runs, resume_command
+from matrixworld.cli.arguments import SEED, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory
 from matrixworld.coevolution.jobs.job import JOB, open_job
@@ -184,27 +180,28 @@ def _is_payoff_file(path: Path) -> bool:
     return path.suffix.lower() in FILES and path.is_file()
 
 
-def _sources(path: Path) -> list[Path]:
-    """Return a payoff file as it is, else the runs that a directory is or holds."""
-    return [path] if _is_payoff_file(path) else find_runs(path)
+def runs_argument(*, files: bool = False, required: bool = True) -> Callable[[Any], Any]:
+    """Return the argument of directories of jobs or runs, perhaps of payoff files, too."""
+    metavar = "RUN|FILE..." if files else "RUN..."
+    expected = f"run directories, or {' or '.join(FILES)} files" if files else "run directories"
 
+    def found(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
+        paths: list[Path] = []
+        for value in values:
+            is_file = files and _is_payoff_file(Path(value))
+            here = [Path(value)] if is_file else find_runs(Path(value))
+            if not here:
+                raise click.BadParameter(f"expected {expected}, got {value!r}")
+            paths += here
+        # A run may be named twice: by itself, and by the directory that holds it.
+        return list(dict.fromkeys(paths))
 
-def races_argument(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the argument of races: directories of jobs or runs, or payoff files."""
-    expected = f"run directories, or {' or '.join(FILES)} files"
-    return click.argument(
-        "races", nargs=-1, required=True, metavar="RUN|FILE...", callback=all_of(_sources, expected)
-    )(function)
-
-
-def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
-    """Return the argument of directories of jobs or runs."""
     return click.argument(
         "runs",
         nargs=-1,
         required=required,
-        metavar="RUN..." if required else "[RUN...]",
-        callback=all_of(find_runs, "directories that hold runs"),
+        metavar=metavar if required else f"[{metavar}]",
+        callback=found,
     )
 
 
@@ -224,21 +221,15 @@ def groups_of(
     if unfinished and len(runs) == 1:
         runs = [Result(runs[0].files, runs[0].settings)]
     if runs and not any(run.finished for run in runs):
-        raise click.UsageError(
-            f"{runs[0].path}: expected a finished run; {_resume(runs[0].path)} continues it"
-        )
+        first = runs[0].path
+        again = resume_command(job_above(first) or first)
+        raise click.UsageError(f"{first}: expected a finished run; {again} continues it")
     groups = grouped([*runs, *_not_begun([run.path for run in runs])], episodes)
     for group in groups:
         if not group.runs:
             note(f"{group.name}: no seed is finished yet, and it is left out")
-    found = [group for group in groups if group.runs]
-    if files:
-        found.append(Group(files, episodes=episodes))
-    return found
-
-
-def _resume(path: Path) -> str:
-    return resume_command(job_above(path) or path)
+    of_files = [Group(files, episodes=episodes)] if files else []
+    return [*(group for group in groups if group.runs), *of_files]
 
 
 def grouped(runs: Iterable[Result], episodes: int | None = None) -> list[Group]:
@@ -254,20 +245,16 @@ def grouped(runs: Iterable[Result], episodes: int | None = None) -> list[Group]:
 
 def _group(members: Sequence[Result], episodes: int | None) -> Group:
     finished = tuple(run for run in members if run.finished)
-    _check_seeds(finished)
-    missing = {run.settings.seed for run in members} - {run.settings.seed for run in finished}
-    return Group(_paths(members), finished, tuple(sorted(missing)), episodes)
-
-
-def _check_seeds(runs: Sequence[Result]) -> None:
     seeds: dict[int, Path] = {}
-    for run in runs:
+    for run in finished:
         # Equal settings and seeds give equal runs, which are no independent observations.
         first = seeds.setdefault(run.settings.seed, run.path)
         if first != run.path:
             raise click.UsageError(
                 f"expected runs with different seeds, got the same run twice: {first}, {run.path}"
             )
+    missing = {run.settings.seed for run in members} - seeds.keys()
+    return Group(_paths(members), finished, tuple(sorted(missing)), episodes)
 
 
 def _paths(members: Sequence[Result]) -> tuple[Path, ...]:

@@ -13,21 +13,21 @@ from matrixworld.analysis.report import measure_table
 from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, print_wrapped
-from matrixworld.cli.groups import Group, groups_of, races_argument
+from matrixworld.cli.groups import Group, groups_of, runs_argument
 from matrixworld.cli.options import (
     force_option,
     json_option,
     refuse_existing,
     write_json,
 )
+from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import print_judged
-from matrixworld.coevolution import DamagedFileError
 
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
 
 
 @click.command("judge")
-@races_argument
+@runs_argument(files=True)
 @click.option("--all", "everything", is_flag=True, help="all measures, after the judgement")
 @click.option("--each", is_flag=True, help="judge each run and each file by itself")
 @click.option("--explain", "explained", is_flag=True, help="reasons and numbers in sentences, too")
@@ -40,7 +40,7 @@ SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ
 @json_option
 @force_option
 def judge_command(
-    races: list[Path],
+    runs: list[Path],
     everything: bool,
     each: bool,
     explained: bool,
@@ -60,7 +60,7 @@ def judge_command(
     """
     refuse_existing(json_file, force=force)
     with failures():
-        groups = groups_of(races, episodes=episodes)
+        groups = groups_of(runs, episodes=episodes)
         if each:
             groups = [single for group in groups for single in group.singles]
         for group in groups:
@@ -79,13 +79,8 @@ def _check(group: Group, everything: bool) -> None:
             raise click.UsageError(
                 f"{run.path}: expected a race, got a run in which one team evolved"
             )
-    try:
+    with usage_errors():
         shape = group.payoffs.matrices.shape[1:]
-    except DamagedFileError:
-        # A ValueError, too, but the fault of a file and not of an argument.
-        raise
-    except (TypeError, ValueError) as error:
-        raise click.UsageError(str(error)) from error
     if everything and min(shape) < 2:
         raise click.UsageError(
             f"--all: expected at least 2 x 2 generations, got {shape[0]} x {shape[1]}"

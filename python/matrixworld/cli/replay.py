@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import click
 
-from matrixworld._util.checks import INT_MAX, SEED_MAX
+from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld.cli.arguments import failures, find_runs, run_of
 from matrixworld.cli.options import (
     FiniteRange,
@@ -20,12 +20,13 @@ from matrixworld.cli.options import (
     steps_option,
     world_options,
 )
-from matrixworld.coevolution import open_run
+from matrixworld.cli.setting_options import usage_errors
+from matrixworld.coevolution import TEAMS, open_run
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, TeamPolicy
+from matrixworld.world.policy import SCRIPTS, Script
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
 LAST = "-1"
@@ -161,14 +162,17 @@ def replay_command(
     _check_pictures(out, step=step, numbers=numbers, view=view)
     refuse_existing(*out, force=force)
     with failures():
-        played = _episode(source, given_options(options))
-        if step is not None:
-            step = _moment(step, played)
+        with usage_errors():
+            played = _episode(source, given_options(options))
+            step = None if step is None else step_number(step, played.length)
+            explanation = _explanation(played, step) if explained else []
         _write(played, out, fps=fps, every=every, step=step, numbers=numbers, viewers=view)
-    if not out:
-        _show(played, step, explained, fps=fps, every=every)
-    if explained:
-        click.echo("\n".join(_explanation(played, step)))
+    if not out and step is not None:
+        replay.print_moment(played, step=step)
+    elif not (out or explained):
+        replay.animate_terminal(played, fps=fps, every=every)
+    for line in explanation:
+        click.echo(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
     written = ", ".join(map(str, out))
     click.echo(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
@@ -179,49 +183,19 @@ def _check_pictures(
 ) -> None:
     """Refuse options that no output of this command would follow."""
     suffixes = {path.suffix.lower() for path in out}
-    pictures = suffixes - {".npz"}
     # The terminal shows neither fields of view nor numbers.
     for option, given in (("--view", view), ("--numbers", numbers)):
-        if given and not pictures:
+        if given and not suffixes - {".npz"}:
             raise click.UsageError(f"{option}: expected a picture to --out together with it")
     if step is not None and out and ".png" not in suffixes:
         raise click.UsageError("--step: expected a .png to --out together with it, or no --out")
 
 
-def _moment(step: int, played: Episode) -> int:
-    try:
-        return step_number(step, played.length)
-    except IndexError as error:
-        raise click.UsageError(f"--{error}") from error
-
-
 def _explanation(played: Episode, step: int | None) -> list[str]:
     """Return a line for each conflict of a step, or of all steps."""
     steps = range(1, played.length + 1) if step is None else [step]
-    try:
-        lines = [f"step {now}  {conflict}" for now in steps for conflict in played.explain(now)]
-    except ValueError as error:  # a file that another program wrote
-        raise click.ClickException(str(error)) from error
+    lines = [f"step {now}  {conflict}" for now in steps for conflict in played.explain(now)]
     return lines or ["no conflicts" if step is None else f"step {step}  no conflicts"]
-
-
-def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
-    """Return the episode of a source; refuse options that say nothing about it."""
-    if isinstance(source, Rules):
-        return _scripted(source, **given)
-    if source.is_file():
-        _refuse(given, f"{source} is a single episode")
-        return _loaded(source)
-    _refuse(given.keys() - MATCH, f"{source} is a run")
-    return _of_run(source, **given)
-
-
-def _show(played: Episode, step: int | None, explained: bool, *, fps: float, every: int) -> None:
-    """Show an episode in the terminal: one moment, or all of them unless their text comes."""
-    if step is not None:
-        replay.print_moment(played, step=step)
-    elif not explained:
-        replay.animate_terminal(played, fps=fps, every=every)
 
 
 def _write(played: Episode, out: tuple[Path, ...], *, step: int | None, **look: Any) -> None:
@@ -236,19 +210,32 @@ def _write(played: Episode, out: tuple[Path, ...], *, step: int | None, **look: 
             raise click.ClickException(str(error)) from error
 
 
-def _of_run(run: Path, pursuer: str = LAST, evader: str = LAST, episode: int = 0) -> Episode:
-    generations = _generation("--pursuer", pursuer), _generation("--evader", evader)
-    try:
-        return open_run(run).record(*generations, episode)
-    except IndexError as error:
-        raise click.UsageError(str(error)) from error
+# The episode of a source:
 
 
-def _generation(option: str, who: str) -> int:
+def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
+    """Return the episode of a source; refuse options that say nothing about it."""
+    if isinstance(source, Rules):
+        return _scripted(source, **given)
+    if source.is_file():
+        _refuse(given, f"{source} is a single episode")
+        return Episode.load(source)
+    _refuse(given.keys() - MATCH, f"{source} is a run")
+    generations = {team: _generation(team, given.get(team, LAST)) for team in TEAMS}
+    return open_run(source).record(**generations, episode=given.get("episode", 0))
+
+
+def _refuse(names: Iterable[str], reason: str) -> None:
+    refused = ", ".join(map(option_name, sorted(names)))
+    if refused:
+        raise click.UsageError(f"{reason}: expected no {refused} with it")
+
+
+def _generation(team: str, who: str) -> int:
     try:
         return int(who)
     except ValueError:
-        raise click.UsageError(f"{option}: expected a generation of the run, got {who!r}") from None
+        raise ValueError(f"{team}: expected a generation of the run, got {who!r}") from None
 
 
 # The defaults here stand for options that the user has not given: a run and a variant have
@@ -262,32 +249,9 @@ def _scripted(
     steps: int | None = None,
     **world: Any,
 ) -> Episode:
-    teams = _script("--pursuer", pursuer), _script("--evader", evader)
+    for team, script in zip(TEAMS, (pursuer, evader), strict=True):
+        check_choice(team, script, SCRIPTS)
     # None is no number of steps: WorldConfig has its own default.
     limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
-    try:
-        config = WorldConfig(rules, **limit, **world)
-        return record(config, *teams, seed=seed, episode=episode)
-    except ValueError as error:
-        raise click.UsageError(str(error)) from error
-
-
-def _script(option: str, who: str) -> TeamPolicy:
-    # The loop, and not `in`: it makes a Literal of the name for the type checker.
-    for script in SCRIPTS:
-        if who == script:
-            return script
-    raise click.UsageError(f"{option}: expected {', '.join(SCRIPTS)}, got {who!r}")
-
-
-def _refuse(names: Iterable[str], reason: str) -> None:
-    refused = ", ".join(map(option_name, sorted(names)))
-    if refused:
-        raise click.UsageError(f"{reason}: expected no {refused} with it")
-
-
-def _loaded(file: Path) -> Episode:
-    try:
-        return Episode.load(file)
-    except ValueError as error:
-        raise click.ClickException(str(error)) from error
+    teams = cast(Script, pursuer), cast(Script, evader)
+    return record(WorldConfig(rules, **limit, **world), *teams, seed=seed, episode=episode)

@@ -37,6 +37,7 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
+from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import over_seeds, print_head, print_missing, shown
 from matrixworld.coevolution import HeldOutScores, Team, open_run, score
 from matrixworld.version import __version__
@@ -104,11 +105,8 @@ def score_command(
     with failures(), on_cluster(where, threads) as executor:
         groups = groups_of(runs, unfinished=True)
         paths = [run.path for group in groups for run in group.runs]
-        try:
+        with usage_errors():
             played = score_all(paths, threads=threads, executor=executor, **options)
-        except IndexError as error:
-            # The message begins with "generation", which is an option here.
-            raise click.UsageError(f"--{error}") from error
         plain = {}
         for group in groups:
             of_runs = [played[run.path] for run in group.runs]

@@ -17,7 +17,7 @@ from typing import Any, get_args
 
 import click
 
-from matrixworld._util.files import load_toml
+from matrixworld._util.files import DamagedFileError, load_toml
 from matrixworld.cli.arguments import run_in
 from matrixworld.cli.options import option_name
 from matrixworld.coevolution import SCHEDULES, Against, RaceSettings
@@ -185,14 +185,17 @@ def _with_runs(settings: RaceSettings) -> RaceSettings:
 
 @contextmanager
 def usage_errors() -> Iterator[None]:
-    """Tell of a bad setting without a traceback."""
+    """Tell of a bad argument without a traceback, by the option that gives it."""
     try:
         yield
-    except (OSError, TypeError, ValueError) as error:
-        raise click.UsageError(in_options(str(error))) from error
+    except DamagedFileError:
+        # A ValueError, too, but the fault of a file and not of an argument: see `failures`.
+        raise
+    except (FileNotFoundError, IndexError, TypeError, ValueError) as error:
+        raise click.UsageError(_in_options(str(error))) from error
 
 
-def in_options(message: str) -> str:
+def _in_options(message: str) -> str:
     """Return an error's message with the option in place of the setting that it begins with."""
     path, colon, rest = message.partition(":")
     context = click.get_current_context(silent=True)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import click
@@ -12,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import (
-    CONDITIONS,
     MEASURES,
     Estimate,
     Judgement,
@@ -58,24 +56,23 @@ def over_seeds(values: Any, bounds: tuple[float, float] = RATE) -> Estimate | No
 # Verdicts:
 
 
-LIMITS: tuple[tuple[Callable[[Judgement], bool], str], ...] = (
-    (
-        lambda judgement: judgement.episodes is None,
-        "The payoffs do not say how many episodes are behind each cell, and without their noise "
-        'some conditions have the verdict "cannot tell". Give the number with --episodes.',
-    ),
-    (
-        lambda judgement: judgement.episodes is not None and judgement.episodes < EPISODES_TO_JUDGE,
-        f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions from "
-        "noise; matrixworld tournament RUN --episodes NUMBER plays more.",
-    ),
-    (
-        lambda judgement: judgement.window == "whole",
-        f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, and "
-        f"{2 * GENERATIONS_TO_JUDGE} to judge its halves.",
-    ),
-)
-"""What limits a judgement: how to see it, and what to say of it."""
+def _limits(judgement: Judgement) -> Iterator[str]:
+    """Yield what limits a judgement."""
+    if judgement.episodes is None:
+        yield (
+            "The payoffs do not say how many episodes are behind each cell, and without their "
+            'noise some conditions have the verdict "cannot tell". Give the number with --episodes.'
+        )
+    elif judgement.episodes < EPISODES_TO_JUDGE:
+        yield (
+            f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
+            "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
+        )
+    if judgement.window == "whole":
+        yield (
+            f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
+            f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
+        )
 
 
 def print_judgement(judgement: Judgement) -> None:
@@ -88,9 +85,8 @@ def print_judgement(judgement: Judgement) -> None:
         cell = f"as for {owner}" if numbers and owner != condition else numbers
         rows.append((condition, verdict, cell.replace("), ", ")\n"), window))
     print_table(rows, "<<<<")
-    for applies, text in LIMITS:
-        if applies(judgement):
-            print_wrapped(text)
+    for text in _limits(judgement):
+        print_wrapped(text)
 
 
 def counts(judgement: Judgement) -> str:
@@ -132,29 +128,16 @@ def print_missing(group: Group) -> None:
 def print_strip(group: Group) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     seeds = sorted([*group.seeds, *group.missing])
-    width = max(len(str(seed)) for seed in seeds)
-    beside = max(1, (WIDEST - 50) // (width + 1))
+    beside = max(1, (WIDEST - 50) // (2 + max(len(str(seed)) for seed in seeds)))
     for first in range(0, len(seeds), beside):
-        part, last = seeds[first : first + beside], first + beside >= len(seeds)
-        rows = [("seed", *map(str, part), TOGETHER if last else "")]
-        rows += [_strip_row(group, name, part, last) for name in CONDITIONS]
-        _print_columns(rows, width)
-
-
-def _strip_row(group: Group, name: str, seeds: Sequence[int], last: bool) -> tuple[str, ...]:
-    finding = group.judgement.headline[name]
-    found = dict(zip(group.seeds, finding.by_run, strict=True))
-    signs = [SIGNS[found[seed]] if seed in found else NOT_FINISHED for seed in seeds]
-    numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
-    return name, *signs, f"{finding.verdict} ({numbers})" if last else ""
-
-
-def _print_columns(rows: Sequence[tuple[str, ...]], width: int) -> None:
-    """Print rows with narrow columns between the first and the last cell."""
-    first = max(len(name) for name in CONDITIONS)
-    for number, (name, *cells, together) in enumerate(rows):
-        line = " ".join([f"{name:{first}}", *(f"{cell:>{width}}" for cell in cells)])
-        click.secho(f"{line}  {together}".rstrip(), bold=number == 0)
+        part, is_last = seeds[first : first + beside], first + beside >= len(seeds)
+        rows = [("seed", *map(str, part), TOGETHER if is_last else "")]
+        for name, finding in group.judgement.headline.items():
+            found = dict(zip(group.seeds, finding.by_run, strict=True))
+            signs = [SIGNS[found[seed]] if seed in found else NOT_FINISHED for seed in part]
+            numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
+            rows.append((name, *signs, f"{finding.verdict} ({numbers})" if is_last else ""))
+        print_table(rows, "<" + ">" * len(part) + "<")
 
 
 def verdict_counts(group: Group) -> dict[str, dict[str, Any]]:
@@ -172,57 +155,45 @@ def verdict_counts(group: Group) -> dict[str, dict[str, Any]]:
 # Measures side by side:
 
 
-@dataclass(frozen=True)
-class Row:
-    """A row of the table of groups: its name, how numbers are printed, and the number of a group.
+ROWS: Mapping[str, tuple[str, str]] = {
+    "pursuer_gain": ("gain of the pursuers", "+.2f"),
+    "evader_gain": ("gain of the evaders", "+.2f"),
+    "transitive_share": ("transitive share", ".2f"),
+    "checkerboards": ("checkerboards", ".1%"),
+    "pursuer_held_out": ("held-out, pursuers", ".2f"),
+    "pursuer_held_out_iqm": ("  interquartile mean", ".2f"),
+    "evader_held_out": ("held-out, evaders", ".2f"),
+    "evader_held_out_iqm": ("  interquartile mean", ".2f"),
+    "training_matches": ("training matches", ",.0f"),
+    "training_agent_steps": ("training agent-steps", ",.0f"),
+    "evaluation_matches": ("evaluation matches", ",.0f"),
+}
+"""Rows of the table of groups by their names in summary.json: label and form of the numbers."""
+PLAYED = list(ROWS)[-3:]
+OF_SEEDS = ("pursuer_held_out_iqm", "evader_held_out_iqm")
+"""Rows that are shown only where several seeds were asked for."""
+NOISY = ("transitive_share", "checkerboards")
+"""Rows in which the entry of `NoiseReference` stands beside the number of a single run."""
 
-    `noise` is the entry of `NoiseReference` that stands beside the number of a single run. Rows
-    `of_seeds` are shown only where several seeds were asked for.
-    """
 
-    label: str
-    form: str
-    of: Callable[[Group], Estimate | None]
-    noise: str = ""
-    of_seeds: bool = False
-
-    def cell(self, group: Group, estimate: Estimate | None) -> str:
-        """Return what the table shows of a group."""
-        noise = getattr(group.noise, self.noise) if self.noise and group.noise else None
-        return shown(estimate, self.form) + (f" (noise: {noise:{self.form}})" if noise else "")
-
-
-def _gain(team: Team) -> Row:
+def measured(group: Group) -> dict[str, Estimate | None]:
+    """Return the numbers of a group of races by their names in `ROWS`."""
+    gains = group.judgement.headline["arms race"].estimates
     # A window that is too short has no gains.
-    return Row(
-        f"gain of the {team}s", "+.2f",
-        lambda group: group.judgement.headline["arms race"].estimates.get(f"{team}_gain"),
-    )  # fmt: skip
-
-
-def _measure(label: str, name: str, form: str) -> Row:
-    def of(group: Group) -> Estimate | None:
-        found = MEASURES[name].of(group.payoffs)
-        return None if math.isnan(found.value) else found
-
-    return Row(label, form, of, noise=name)
-
-
-def _held_out(team: Team) -> tuple[Row, Row]:
-    return (
-        Row(f"held-out, {team}s", ".2f", lambda group: _held_out_mean(group, team)),
-        Row(
-            "  interquartile mean", ".2f", of_seeds=True,
-            of=lambda group: interquartile_mean(held_out(group, team)),
-        ),
-    )  # fmt: skip
-
-
-def _held_out_mean(group: Group, team: Team) -> Estimate | None:
-    if len(group.runs) > 1:
-        return over_seeds(held_out(group, team).mean(axis=1))
-    [mean] = group.runs[0].held_out[f"{team}s"]["mean"]
-    return Estimate(**mean, across="episodes", samples=SCORED_EPISODES)
+    found = {f"{team}_gain": gains.get(f"{team}_gain") for team in TEAMS}
+    for name in NOISY:
+        estimate = MEASURES[name].of(group.payoffs)
+        found[name] = None if math.isnan(estimate.value) else estimate
+    for team in TEAMS:
+        scores = held_out(group, team)
+        found[f"{team}_held_out"] = over_seeds(scores.mean(axis=1))
+        if len(group.runs) == 1:
+            [mean] = group.runs[0].held_out[f"{team}s"]["mean"]
+            found[f"{team}_held_out"] = Estimate(**mean, across="episodes", samples=SCORED_EPISODES)
+        found[f"{team}_held_out_iqm"] = interquartile_mean(scores)
+    for name in PLAYED:
+        found[name] = over_seeds([run.numbers[name] for run in group.runs], (0.0, math.inf))
+    return found
 
 
 def held_out(group: Group, team: Team) -> NDArray[np.float64]:
@@ -230,29 +201,6 @@ def held_out(group: Group, team: Team) -> NDArray[np.float64]:
     of_runs = [run.held_out[f"{team}s"]["against"].values() for run in group.runs]
     return np.array([[last["value"] for [last] in against] for against in of_runs])
 
-
-def _played(label: str, entry: str) -> Row:
-    return Row(
-        label, ",.0f",
-        lambda group: over_seeds([run.numbers[entry] for run in group.runs], (0.0, math.inf)),
-    )  # fmt: skip
-
-
-ROWS: Mapping[str, Row] = {
-    "pursuer_gain": _gain("pursuer"),
-    "evader_gain": _gain("evader"),
-    "transitive_share": _measure("transitive share", "transitive_share", ".2f"),
-    "checkerboards": _measure("checkerboards", "checkerboards", ".1%"),
-    **{
-        f"{team}_{name}": row
-        for team in TEAMS
-        for name, row in zip(("held_out", "held_out_iqm"), _held_out(team), strict=True)
-    },
-    "training_matches": _played("training matches", "training_matches"),
-    "training_agent_steps": _played("training agent-steps", "training_agent_steps"),
-    "evaluation_matches": _played("evaluation matches", "evaluation_matches"),
-}
-"""Rows of the table by their names in summary.json."""
 
 LEGEND = (
     f"{INTERVALS} Gain: change of a team's mean payoff against all opponents of its race. "
@@ -269,19 +217,14 @@ SEEDS_LEGEND = (
 )
 
 
-def measured(group: Group) -> dict[str, Estimate | None]:
-    """Return the numbers of a group of races by their names in `ROWS`."""
-    return {name: row.of(group) for name, row in ROWS.items()}
-
-
 def print_comparison(
     groups: Sequence[Group], estimates: Mapping[str, Mapping[str, Estimate | None]]
 ) -> None:
     """Print the table of measures: a column for each group of races."""
     several = any(group.several for group in groups)
-    rows = {name: row for name, row in ROWS.items() if several or not row.of_seeds}
+    names = [name for name in ROWS if several or name not in OF_SEEDS]
     labels = ["", *(["seeds finished"] if several else []), "present"]
-    labels += [row.label for row in rows.values()]
+    labels += [ROWS[name][0] for name in names]
     for first in range(0, len(groups), BESIDE):
         part = groups[first : first + BESIDE]
         columns = [
@@ -289,13 +232,19 @@ def print_comparison(
                 group.name,
                 *([group.finished_of_asked()] if several else []),
                 headline(group.judgement).replace(", ", ",\n"),
-                *(row.cell(group, estimates[group.name][name]) for name, row in rows.items()),
+                *(_cell(group, name, estimates[group.name][name]) for name in names),
             ]
             for group in part
         ]
         click.echo()
         print_table([*zip(labels, *columns, strict=True)], "<" * (1 + len(part)))
     print_wrapped(LEGEND + (SEEDS_LEGEND if several else NOISE_LEGEND))
+
+
+def _cell(group: Group, name: str, estimate: Estimate | None) -> str:
+    form = ROWS[name][1]
+    noise = getattr(group.noise, name) if name in NOISY and group.noise else None
+    return shown(estimate, form) + (f" (noise: {noise:{form}})" if noise else "")
 
 
 # What the paper reports:
