@@ -16,7 +16,6 @@ from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 from dask_cluster import DaskCluster, dask_cluster, wait_until
@@ -30,7 +29,6 @@ from matrixworld.coevolution import (
     WorkerDiedError,
     evolve,
     finish,
-    tournament,
 )
 from tiny_race import results, tiny_race
 
@@ -74,30 +72,6 @@ def in_background(play: Callable[[], Any]) -> Future[Any]:
 def have_begun(directory: Path, count: int) -> Callable[[], bool]:
     """Whether so many races have begun to learn."""
     return lambda: len(list(directory.glob("*/stage-0001.npz"))) >= count
-
-
-def test_races_equal_those_of_one_process(dask: DaskCluster, tmp_path: Path) -> None:
-    dask.workers(2)
-    settings = races(4)
-    with cluster(str(dask.file), directory=tmp_path / "many") as executor:
-        runs = evolve(settings, tmp_path / "many", executor=executor)
-    assert [run.files.path.name for run in runs] == list(settings)
-    check_equal(tmp_path / "many", settings, tmp_path / "alone")
-    assert not list((tmp_path / "many").glob(".*.tmp"))
-
-
-def test_a_tournament_equals_that_of_one_process(dask: DaskCluster, tmp_path: Path) -> None:
-    dask.workers(2)
-    run = finish(tiny_race(generations=5), tmp_path / "run", threads=1)
-    world = run.settings.world
-    sides = run.teams["pursuer"], run.teams["evader"]
-    alone = tournament(world, *sides, seed=3, episodes=4, threads=1)
-    with cluster(dask.address) as executor:
-        shared = tournament(
-            world, *sides, seed=3, episodes=4, executor=executor, block_seconds=1e-9
-        )
-    for name, array in alone.arrays().items():
-        np.testing.assert_array_equal(array, shared.arrays()[name], strict=True)
 
 
 def test_errors_of_the_work_come_back(dask: DaskCluster) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import subprocess
@@ -11,18 +10,18 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
 from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
 from matrixworld.cli import options
-from matrixworld.coevolution import RaceSettings, evolve, finish, open_run
+from matrixworld.coevolution import evolve, finish, open_run
 from tiny_race import results, tiny_race
 
 pytest.importorskip("distributed")
 
-SCHEDULE = {"schedule": "generalist-generalist"}
+SCHEDULE = ("--schedule", "generalist-generalist")
+OPTIONS = (*SCHEDULE, *words({name: value for name, value in RACE.items() if name != "seed"}))
 
 
 @pytest.fixture(scope="module")
@@ -42,19 +41,30 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("arguments", "problem"),
     [
         (
-            ("--cluster", "nowhere"),
+            ("evolve", "{out}", "--cluster", "nowhere"),
             "expected auto, an address such as tcp://HOST:8786 or",
         ),
-        (("--cluster", "auto"), "--cluster: expected several runs, such as --seeds 0-9, got one"),
-        (("--cluster", "auto", "--seeds", "0-1", "--threads", "2"), "--threads: expected "),
+        (
+            ("evolve", "{out}", *SCHEDULE, "--cluster", "auto"),
+            "--cluster: expected several runs, such as --seeds 0-9, got one",
+        ),
+        (
+            ("evolve", "{out}", "--cluster", "auto", "--seeds", "0-1", "--threads", "2"),
+            "--threads: expected ",
+        ),
+        (
+            ("exploit", "{run}", "--champion", "evader", "--out", "{out}", "--cluster", "auto"),
+            "--cluster: expected several runs, got one",
+        ),
     ],
 )
-def test_bad_use_is_refused(tmp_path: Path, arguments: tuple[str, ...], problem: str) -> None:
-    settings = words({**RACE, **SCHEDULE})
-    settings = settings[: settings.index("--seed")] + settings[settings.index("--seed") + 2 :]
-    done = matrixworld_command("evolve", tmp_path / "out", *settings, *arguments, code=2)
-    assert problem in run_together(done.output)
-    assert not (tmp_path / "out").exists()
+def test_bad_use_is_refused(
+    run: Path, tmp_path: Path, arguments: tuple[str, ...], problem: str
+) -> None:
+    out = tmp_path / "out"
+    command = [each.format(run=run, out=out) for each in arguments]
+    assert problem in run_together(matrixworld_command(*command, code=2).output)
+    assert not out.exists()
 
 
 def test_without_dask_the_extra_is_named(
@@ -65,52 +75,50 @@ def test_without_dask_the_extra_is_named(
     assert "pip install 'matrixworld-pursuit[cluster]'" in done.output
 
 
-def test_a_tournament_is_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> None:
-    files = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
-    for file, where in zip(files, ((), ("--cluster", dask.file)), strict=True):
-        matrixworld_command("tournament", run, "--episodes", 4, "--out", file, *where)
-    with np.load(files[0]) as alone, np.load(files[1]) as shared:
-        assert alone.files == shared.files
-        for name in alone.files:
-            np.testing.assert_array_equal(alone[name], shared[name], strict=True)
+COMMANDS = {
+    "evolve": ("--seeds", "0-3", *OPTIONS),
+    "exploit": ("{job}", "--champion", "evader", "--matches", 100, "--episodes", 5),
+    "score": ("{job}", "--episodes", 5, "--generation", "all"),
+    "tournament": ("{run}", "--episodes", 4),
+}
+"""Commands that a cluster plays, and their arguments."""
 
 
-def test_scores_are_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> None:
-    files = [tmp_path / "alone.json", tmp_path / "shared.json"]
-    for file, where in zip(files, ((), ("--cluster", dask.address)), strict=True):
-        options = ("--episodes", 5, "--generation", "all", "--json", file)
-        matrixworld_command("score", run, *options, *where)
-    assert json.loads(files[0].read_text()) == json.loads(files[1].read_text())
-
-
-def test_responses_are_the_same(dask: DaskCluster, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_cluster_gives_the_same_files(
+    name: str, run: Path, dask: DaskCluster, tmp_path: Path
+) -> None:
     job = tmp_path / "job"
-    evolve([tiny_race(**SCHEDULE, seed=seed) for seed in (0, 1)], job, threads=1)
-    command = ("exploit", job, "--champion", "evader", "--matches", 100, "--episodes", 5)
-    outs = [tmp_path / "alone", tmp_path / "shared"]
-    for out, where in zip(outs, ((), ("--cluster", dask.address)), strict=True):
-        matrixworld_command(*command, "--out", out, *where)
-    for seed in (0, 1):
-        alone, shared = (results(out / SCHEDULE["schedule"] / f"seed-{seed}") for out in outs)
-        assert alone == shared
+    if "{job}" in COMMANDS[name]:
+        evolve([tiny_race(seed=seed) for seed in (0, 1)], job, threads=1)
+    arguments = [str(each).format(job=job, run=run) for each in COMMANDS[name]]
+    out = {"evolve": "", "exploit": "--out", "score": "--json", "tournament": "--out"}[name]
+    made = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
+    for target, where in zip(made, ((), ("--cluster", dask.file)), strict=True):
+        matrixworld_command(name, *arguments, *filter(None, [out]), target, *where)
+    alone, shared = (_files_in(target) for target in made)
+    assert alone
+    assert alone == shared
 
 
-def test_one_response_takes_no_cluster(run: Path, tmp_path: Path) -> None:
-    command = ("exploit", run, "--champion", "evader", "--out", tmp_path / "out")
-    done = matrixworld_command(*command, "--cluster", "auto", code=2)
-    assert "--cluster: expected several runs, got one" in run_together(done.output)
-    assert not (tmp_path / "out").exists()
+def _files_in(target: Path) -> dict[str, bytes]:
+    """Return the content of a file, or of all run directories in a directory."""
+    if target.is_file():
+        return {"": target.read_bytes()}
+    return {
+        f"{config.parent.relative_to(target)}/{name}": content
+        for config in target.rglob("config.json")
+        for name, content in results(config.parent).items()
+    }
 
 
 @pytest.mark.slow
 def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path) -> None:
     out = tmp_path / "out"
     # Several seconds: it is stopped in its middle.
-    long = {"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250}
-    settings = {**RACE, **SCHEDULE, **long}
-    del settings["seed"]
-    command = [sys.executable, "-m", "matrixworld", "evolve"]
-    begin = [*command, str(out), "--seeds", "0-1", "--cluster", "auto", *words(settings)]
+    long = words({"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250})
+    command = [sys.executable, "-m", "matrixworld", "evolve", str(out), "--seeds", "0-1"]
+    begin = [*command, "--cluster", "auto", *OPTIONS, *long]
     process = subprocess.Popen(
         begin,
         stderr=subprocess.PIPE,
@@ -132,9 +140,7 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
     matrixworld_command("evolve", "--resume", out)
     for seed in (0, 1):
         path = out / "generalist-generalist" / f"seed-{seed}"
-        settings_of = open_run(path).settings
-        assert isinstance(settings_of, RaceSettings)
-        finish(settings_of, tmp_path / f"{seed}", threads=1)
+        finish(open_run(path).settings, tmp_path / f"{seed}", threads=1)
         assert results(path) == results(tmp_path / f"{seed}")
 
 

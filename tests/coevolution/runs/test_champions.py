@@ -11,27 +11,12 @@ from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution.fitness import fitness
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from tiny_race import alternating, tiny_race
+from tiny_race import alternating
 
 LONGER = {"generations": 3, "train_steps": 20}
 ELITE: dict[str, Any] = {
     "learner": "ga", "elites": 3, "elite_episodes": 2, "population": 8, **LONGER,
 }  # fmt: skip
-
-
-def test_the_price_by_hand(tmp_path):
-    changes = {"generations": 2, "pursuer_epochs": 1, "evader_epochs": 1, "population": 4}
-    plain = tiny_race(**changes)
-    prices = {
-        # In each generation 2 elites of both teams, 1 opponent, 5 episodes.
-        tiny_race(**changes, learner="ga", elite_episodes=5): 2 * 2 * 2 * 5,
-        # 2 genomes against all archived opponents: 1 and 2 for pursuers, 2 and 3 for evaders.
-        tiny_race(**changes, retention_episodes=5): 2 * 5 * (1 + 2 + 2 + 3),
-    }
-    before = coevolution.start(plain, tmp_path / "plain").training_matches()
-    for number, (settings, price) in enumerate(prices.items()):
-        race = coevolution.start(settings, tmp_path / str(number))
-        assert race.training_matches() - before == price
 
 
 def mean_fitness(race, team, genomes, opponents, seeds):

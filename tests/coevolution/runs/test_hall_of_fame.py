@@ -78,13 +78,6 @@ def test_race(tmp_path):
         assert not np.array_equal(race.genomes(team)[0], race.genomes(team)[-1])
 
 
-def test_hall_alone_or_contemporaries_alone(tmp_path):
-    for number, changes in enumerate(({"hall_sample": 0}, {"contemporaries": 0})):
-        race = coevolution.start(hall_of_fame(**changes), tmp_path / str(number))
-        race.run()
-        assert race.training.matches == race.training_matches()
-
-
 def test_default_budget_is_that_of_the_other_schedules(tmp_path):
     small = {"world.fov": 3, "policy.hidden": (2,), "evaluation_episodes": 1}
     matches = [

@@ -75,29 +75,6 @@ def test_archives_hold_the_results_of_the_matches(tmp_path, name):
     assert held
 
 
-def test_generalist_learns_from_opponents_that_differ(tmp_path):
-    race = coevolution.start(alternating("generalist"), tmp_path / "run")
-    race.run()
-    for team in coevolution.TEAMS:
-        archive = race.samplers[team].archive
-        assert len(set(archive.tests.tolist())) == len(archive.tests) == 3
-        assert set(archive.tests) <= set(range(5))
-
-
-def test_prioritized_samplers_remember_results(tmp_path):
-    """The state in the checkpoint holds the results that the sampler was told."""
-    race = coevolution.start(alternating("prioritized-hard"), tmp_path / "run")
-    race.run()
-    state = race.files.restore().state
-    games = state["pursuer.sampler.games"]
-    assert games.shape == (4,)
-    assert (games > 0).all()
-    rates = state["pursuer.sampler.wins"] / games
-    assert ((rates >= 0) & (rates <= 1)).all()
-    again = coevolution.resume(tmp_path / "run")
-    assert np.array_equal(again.samplers["pursuer"].win_rates(4), rates)
-
-
 def test_sharing_by_hand():
     nan = np.nan
     payoff = np.array([[1.0, 0.0, nan], [1.0, nan, 0.5], [0.0, 0.0, nan]])

@@ -37,6 +37,8 @@ RUNS: dict[str, tuple[coevolution.RaceSettings, Any]] = {
     "hall of fame": (hall_of_fame(), [0, 3, 7]),
     "hall of fame of ga": (hall_of_fame(learner="ga"), [0, 3, 7]),
     "hall of fame of cma": (hall_of_fame(learner="cma"), [3]),
+    "hall of fame alone": (hall_of_fame(contemporaries=0), [3]),
+    "contemporaries alone": (hall_of_fame(hall_sample=0), [3]),
     "alone": (tiny_single(team="evader", learner="ga"), range(6)),
     **{f"in turns: {name}": (alternating(name), [7]) for name in SAMPLERS},
     **{f"joint: {name}": (hall_of_fame(name, generations=4), [7]) for name in SAMPLERS},

@@ -15,7 +15,6 @@ from matrixworld._util import files
 from matrixworld.cli import report
 from matrixworld.cli.console import INTERRUPTED
 from matrixworld.coevolution import (
-    DamagedFileError,
     OtherVersionError,
     Race,
     RunDirectory,

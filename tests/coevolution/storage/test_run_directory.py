@@ -80,16 +80,13 @@ def alter(path):
     path.write_bytes(bytes(content))
 
 
-def test_new_run_wants_an_empty_directory(tmp_path):
+def test_a_new_run_wants_an_empty_directory_and_an_old_one_a_run(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"holds no run, expected a file config.json"):
+        RunDirectory.open(tmp_path)
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(FileExistsError, match=r"expected a new or empty directory.*notes.txt"):
         RunDirectory.create(tmp_path, {})
     assert [item.name for item in tmp_path.iterdir()] == ["notes.txt"]
-
-
-def test_directory_without_a_run_is_refused(tmp_path):
-    with pytest.raises(FileNotFoundError, match=r"holds no run, expected a file config.json"):
-        RunDirectory.open(tmp_path)
 
 
 def test_stages_come_back(run):
@@ -118,12 +115,9 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage
         assert len(RunDirectory.open(run.path).restore().stages) == 3
     assert len(run.archive()["evader"]) == 3
     assert (run.path / f"{name}.damaged").exists()
-
-
-def test_an_error_is_raised_if_both_checkpoints_are_damaged(run):
-    cut(run.path / "checkpoint-0002.npz")
-    alter(run.path / "checkpoint-0001.npz")
-    with pytest.raises(DamagedFileError, match=r"checkpoint-0002.npz: cut.*checkpoint-0001.npz"):
+    damage(run.path / "checkpoint-0002.npz")
+    cut(run.path / "checkpoint-0001.npz")
+    with pytest.raises(DamagedFileError, match=r"checkpoint-0002.npz: .*checkpoint-0001.npz: cut"):
         RunDirectory.open(run.path).restore()
 
 
@@ -136,25 +130,6 @@ def test_an_early_stage_that_is_damaged_is_named(run, damage):
         with pytest.raises(DamagedFileError, match=r"stage-0000\.npz: (cut|altered|missing)"):
             read()
     assert {path.name for path in run.path.iterdir()} == names
-
-
-@pytest.mark.parametrize("name", ["stage-0000.npz", "stage-0002.npz"])
-def test_readers_refuse_altered_bytes_and_other_lengths(run, name):
-    path = run.path / name
-    whole = path.read_bytes()
-
-    def refused(content):
-        path.write_bytes(content)
-        with pytest.raises(DamagedFileError, match=rf"{name}: "):
-            run.archive()
-
-    for place in range(0, len(whole), 3):
-        refused(whole[:place] + bytes([whole[place] ^ (1 << place % 8)]) + whole[place + 1 :])
-        refused(whole[:place])
-    for more in (b"\0", b"2", whole):
-        refused(whole + more)
-    path.write_bytes(whole)
-    assert len(run.archive()["evader"]) == 3
 
 
 def test_a_team_that_a_script_plays_has_no_genomes(tmp_path):
