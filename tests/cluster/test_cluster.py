@@ -34,7 +34,7 @@ from tiny_race import results, tiny_race
 
 pytest.importorskip("distributed")
 
-SLOW = {"learner": "worker_code:Slow", "generations": 4}
+SLOW = {"learner": "dying:Slow", "generations": 4}
 
 
 @pytest.fixture(scope="module")
@@ -135,7 +135,7 @@ def test_a_race_that_kills_workers_is_named(dask: DaskCluster, tmp_path: Path) -
     dask.workers(3)
     place = tmp_path / "many"
     good = races(4, **SLOW)
-    settings = {"deadly": tiny_race(learner="worker_code:Deadly"), **good}
+    settings = {"deadly": tiny_race(learner="dying:Deadly"), **good}
     with (
         cluster(dask.address, directory=place) as executor,
         pytest.raises(FailedRunsError, match="deadly: 2 workers died") as error,

@@ -13,15 +13,18 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.envs import MatrixWorldAEC
-from pettingzoo_tests import (
-    api_test,
-    max_cycles_test,
-    parallel_api_test,
-    parallel_seed_test,
-    render_test,
-    seed_test,
-)
 from rows import NAMES, config_of
+
+with warnings.catch_warnings():  # with pygame installed, PettingZoo imports outdated environments
+    warnings.simplefilter("ignore", DeprecationWarning)
+    from pettingzoo.test import (
+        api_test,
+        max_cycles_test,
+        parallel_api_test,
+        parallel_seed_test,
+        render_test,
+        seed_test,
+    )
 
 pytestmark = [
     # PettingZoo's tests warn of it, but it is right here: an agent that is gone, or alone in the

@@ -1,9 +1,10 @@
-"""Tasks and learners that kill their own process."""
+"""Tasks and learners that kill their own process, or take their time."""
 
 from __future__ import annotations
 
 import os
 import signal
+import sys
 import time
 from pathlib import Path
 
@@ -58,3 +59,31 @@ class DiesOnce(HillClimber):
             self.marker.touch()
             os.kill(os.getpid(), signal.SIGKILL)
         super().tell(fitness)
+
+
+# Learners on a worker of a cluster
+
+EPOCH_SECONDS = 0.1
+
+
+def on_worker() -> bool:
+    """Return whether this process is a worker of the tests' cluster."""
+    return "dask_worker" in " ".join(sys.orig_argv)
+
+
+class Slow(HillClimber):
+    """Takes its time on a worker, and learns the same."""
+
+    def ask(self, rng):
+        if on_worker():
+            time.sleep(EPOCH_SECONDS)
+        return super().ask(rng)
+
+
+class Deadly(HillClimber):
+    """Kills its worker."""
+
+    def ask(self, rng):
+        if on_worker():
+            os._exit(1)
+        return super().ask(rng)

@@ -26,17 +26,16 @@ CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(["killed"])
 
 HALL = {"schedule": "hall-of-fame", "contemporaries": 1, "hall_sample": 1}
-SHORT = {"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1}
-SHORT_HALL = {**HALL, "generations": 1, "joint_epochs": 1}
+SINGLE = {"team": "evader", "learner": "ga", "archive_every": 1}
 RUNS: dict[str, Any] = {
     "race": tiny_race(),
     "hall-of-fame": tiny_race(**HALL),
-    "single": tiny_single(team="evader", learner="ga", archive_every=1),
+    "single": tiny_single(**SINGLE),
 }
 SHORT_RUNS: dict[str, Any] = {
-    "short race": tiny_race(**SHORT),
-    "short hall-of-fame": tiny_race(**SHORT_HALL),
-    "short single": tiny_single(team="evader", learner="ga", archive_every=1, epochs=2),
+    "short race": tiny_race(generations=1, pursuer_epochs=1, evader_epochs=1),
+    "short hall-of-fame": tiny_race(**HALL, generations=1, joint_epochs=1),
+    "short single": tiny_single(**SINGLE, epochs=2),
 }
 
 
@@ -140,30 +139,24 @@ REFUSED = 3
 """Exit code of a process that could not write a file."""
 
 
-def run_with_small_files(kind: str, directory: Path, limit: int, message: Path) -> None:
-    """As `start_or_resume`, but no file may exceed `limit` bytes; write the error to `message`."""
-    import resource
-
-    with message.open("w") as file:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
-        try:
-            start_or_resume(kind, directory)
-        except OSError as error:
-            resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
-            file.write(str(error))
-            raise SystemExit(REFUSED) from error
-
-
 NOBODY = 65534
 
 
-def run_without_rights(kind: str, directory: Path, message: Path) -> None:
-    """As `start_or_resume`, but as a user without rights; write the error to `message`."""
-    if os.getuid() == 0:
+def run_until_refused(kind: str, directory: Path, message: Path, limit: int | None = None) -> None:
+    """As `start_or_resume`, but files are refused; write the error to `message`.
+
+    No file may exceed `limit` bytes; without a limit the process is one of a user without rights.
+    """
+    import resource
+
+    if limit is not None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
+    elif os.getuid() == 0:
         os.setuid(NOBODY)
     try:
         start_or_resume(kind, directory)
     except OSError as error:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
         message.write_text(str(error))
         raise SystemExit(REFUSED) from error
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import FitnessSettings, PolicySettings, RaceSettings, resume, start
+from matrixworld.coevolution import PolicySettings, RaceSettings, resume, start
 from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.play.rollout import rollout
@@ -47,32 +47,12 @@ STAGES = ("stage-*.npz", "checkpoint-*.npz")
 
 
 def settings_of(**values: Any) -> RaceSettings:
-    """Return settings from values by the names of their fields, wherever these stand.
-
-    `learner` and `schedule` are texts such as "ga", or whole sections.
-    """
-    hints = hints_of(RaceSettings)
-    plain: dict[str, Any] = {"world": {}, "policy": {}, "fitness": {}}
-    known: dict[str, set[str]] = {
-        "world": {item.name for item in fields(WorldConfig)},
-        "policy": {item.name for item in fields(PolicySettings)},
-    }
-    for name, usual in (("learner", "es"), ("schedule", "generalist-generalist")):
-        given = values.pop(name, usual)
-        if not isinstance(given, str):
-            plain[name] = given
-            continue
-        cls = sections_in(hints[name]).get(given) or sections_in(hints[name])["own"]
-        plain[name] = {"kind": given}
-        known[name] = {item.name for item in fields(cls)}
-    known["fitness"] = {item.name for item in fields(FitnessSettings)}
-    for name, value in values.items():
-        # What no section has is a setting of the whole, or an unknown one, which is refused.
-        section = next((each for each, names in known.items() if name in names), None)
-        (plain if section is None else plain[section])[name] = value
-    return RaceSettings.of(plain)
+    """Return settings from values by the names of their fields, wherever these stand."""
+    usual = {"learner": "es", "schedule": "generalist-generalist"}
+    return RaceSettings.of({path_of(name): value for name, value in {**usual, **values}.items()})
 
 
+@cache
 def path_of(name: str) -> str:
     """Return the path of a setting by the name of its field, such as "learner.sigma"."""
     sections: dict[str, Any] = {"world": [WorldConfig], "policy": [PolicySettings]}

@@ -155,7 +155,7 @@ def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path)
 def test_files_that_the_system_limits(kind, tmp_path, limit):
     """The operating system refuses files that exceed some number of bytes."""
     directory = tmp_path / "run"
-    child = process(killed.run_with_small_files, kind, directory, limit, tmp_path / "message")
+    child = process(killed.run_until_refused, kind, directory, tmp_path / "message", limit)
     child.join()
     assert child.exitcode == killed.REFUSED
     message = (tmp_path / "message").read_text()

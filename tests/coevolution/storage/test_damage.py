@@ -230,7 +230,7 @@ def test_read_only_directory(stopped, straight, made):
         message.touch(0o666)
         os.chmod(message, 0o666)
         os.chmod(directory, 0o555)
-        child = killed.process(killed.run_without_rights, "race", directory, message)
+        child = killed.process(killed.run_until_refused, "race", directory, message)
         child.join()
         assert child.exitcode == killed.REFUSED
         assert f"Permission denied: '{directory}" in message.read_text()
