@@ -1,70 +1,45 @@
 """What the course replies to wrong answers, word for word, and answers that are right, too.
 
 The replies stand in ``__snapshots__``; ``pytest --snapshot-update`` writes them anew. An answer is
-named by its mistake; a reply helps, and does not give the answer away.
+named by its mistake; a reply helps, and does not give the answer away. So do the hints.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import re
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
+import student_functions as student
 from matrixworld import Action, analysis
 from matrixworld.coevolution import reduced_virulence
-from matrixworld.tutorial import check
+from matrixworld.tutorial import check, hint
 from matrixworld.tutorial.chapter_1 import BUMPER_CARS
 from matrixworld.tutorial.chapter_2 import JAM_ACTIONS
 from matrixworld.tutorial.chapter_5 import ENDINGS
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from matrixworld.tutorial.chapter_8 import CASES, verdict_on
 from matrixworld.tutorial.chapter_9 import GREEDY, break_even, everything
-from student_functions import (
-    STEPS,
-    Climber,
-    all_occupied,
-    at_once,
-    both_rise,
-    by_index,
-    careless,
-    climber,
-    conflicts,
-    each_square_four_times,
-    free_cells,
-    hall,
-    interval_of_gains,
-    last_beats_first,
-    mean_twice,
-    neighbours_only,
-    of_the_largest,
-    of_wins_only,
-    one_link_only,
-    pairs,
-    share_of_living,
-    shared_without_zeros,
-    still,
-    swaps_pass,
-    unpaired,
-    with_priority,
-    without_chains,
-    without_stayers,
-)
+from matrixworld.tutorial.course import Prediction, exercises
+from notebooks import NOTEBOOKS, cells, source
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 
 
 # ---- Answers -------------------------------------------------------------------------------------
 
+bumper_cars = partial(dataclasses.replace, BUMPER_CARS)
 LAGS = 0.1 * (np.arange(4)[:, None] - np.arange(4)[None, :])
 ONE_TEAM = np.array(
     [[0.5, 0.1, 0.1, 0.1], [0.2, 0.5, 0.2, 0.2], [0.3, 0.3, 0.5, 0.3], [0.4, 0.6, 0.6, 0.5]]
 )
 BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
-GAINS = interval_of_gains("generalist_generalist")
+GAINS = student.interval_of_gains("generalist_generalist")
 LOST = WELL.copy()
 LOST[3] = 0.0
 OTHER_WELL = WELL.copy()
@@ -86,29 +61,19 @@ WRONG: dict[str, dict[str, Any]] = {
         "one cell": [EAST, STAY, NORTH, STAY],
         "into the border": [WEST, EAST, WEST, EAST],
         "all stay": [STAY] * 4,
-        "too many": [EAST, SOUTH, NORTH, WEST, STAY],
-        "nothing": None,
     },
     "1.3": {
-        "simultaneous": dataclasses.replace(
-            BUMPER_CARS, interaction=mw.Interaction.SIMULTANEOUS
-        ),
-        "agents take turns": dataclasses.replace(
-            BUMPER_CARS, interaction=mw.Interaction.AGENT_TURNS
-        ),
-        "two fields": dataclasses.replace(
-            BUMPER_CARS, pursuer=mw.Outcome.REACH, captured_disappear=True
-        ),
-        "occupation": dataclasses.replace(BUMPER_CARS, capture=mw.Capture.OCCUPATION),
+        "simultaneous": bumper_cars(interaction=mw.Interaction.SIMULTANEOUS),
+        "agents take turns": bumper_cars(interaction=mw.Interaction.AGENT_TURNS),
+        "two fields": bumper_cars(pursuer=mw.Outcome.REACH, captured_disappear=True),
+        "occupation": bumper_cars(capture=mw.Capture.OCCUPATION),
         "the name of a variant": "SB",
-        "the class": mw.Rules,
-        "nothing": None,
     },
     "1.4": {
-        "no edge conflicts": lambda cells, targets: conflicts(cells, targets, edge=False),
-        "no vertex conflicts": lambda cells, targets: conflicts(cells, targets, vertex=False),
-        "without those that stay": without_stayers,
-        "every occupied target": all_occupied,
+        "no edge conflicts": partial(student.conflicts, edge=False),
+        "no vertex conflicts": partial(student.conflicts, vertex=False),
+        "without those that stay": student.without_stayers,
+        "every occupied target": student.all_occupied,
         "nobody": lambda cells, targets: set(),
         "no return": lambda cells, targets: None,
         "cells": lambda cells, targets: [(0, 1)],
@@ -122,8 +87,6 @@ WRONG: dict[str, dict[str, Any]] = {
         "still one cell": [EAST, STAY, WEST, EAST, SOUTH],
         "a swap": [EAST, WEST, WEST, EAST, SOUTH],
         "still a chain": [EAST, EAST, WEST, STAY, SOUTH],
-        "too few": [EAST, EAST, STAY],
-        "a dict": {"pursuer_2": STAY},
     },
     "2.2": {
         "no reward of the step": [-12, -12, 10, -10, -12],
@@ -149,44 +112,37 @@ WRONG: dict[str, dict[str, Any]] = {
         "True": True,
     },
     "2.4": {
-        "by index": by_index,
-        "no chains": without_chains,
-        "one link of a chain": one_link_only,
-        "swaps pass": swaps_pass,
+        "by index": student.by_index,
+        "no chains": student.without_chains,
+        "one link of a chain": student.one_link_only,
+        "swaps pass": student.swaps_pass,
         "all stay": lambda cells, targets: cells,
-        "no return": lambda cells, targets: None,
         "numbers": lambda cells, targets: {0, 1},
         "one cell": lambda cells, targets: targets[:1],
-        "the result": [(0, 0)],
     },
     "3.1": {
         "no biases": lambda side, hidden, moves: 3 * side**2 * hidden + hidden * moves,
         "one layer": lambda side, hidden, moves: (side**2 + 1) * hidden + (hidden + 1) * moves,
         "one right number": lambda side, hidden, moves: 653,
-        "a number": 653,
-        "nothing": None,
     },
     "3.2": {
         "no square": lambda spread, error: spread / error,
         "rounded down": lambda spread, error: int((spread / error) ** 2),
-        "no return": lambda spread, error: None,
-        "text": "text",
     },
     "3.3": {
         "all on shared cells": lambda cells, n: sum(cells.count(cell) > 1 for cell in cells) / n,
-        "share of the living": share_of_living,
+        "share of the living": student.share_of_living,
         "different cells": lambda cells, n: len({*cells}) / n,
-        "a list": [1, 2],
     },
     "3.4": {
-        "large steps": climber(sigma=2.0),
-        "never moves": climber(tell=lambda self, fitness: None),
-        "to the worst": climber(tell=Climber.tell_the_worst),
-        "one candidate": climber(ask=lambda self, rng: self.genome),
-        "float64": climber(ask=lambda self, rng: np.zeros((4, 60))),
-        "a list": climber(ask=lambda self, rng: [1.0]),
-        "no ask": climber(ask=None),
-        "no genome": climber(__init__=lambda self, genome, rng: None),
+        "large steps": student.climber(sigma=2.0),
+        "never moves": student.climber(tell=lambda self, fitness: None),
+        "to the worst": student.climber(tell=student.Climber.tell_the_worst),
+        "one candidate": student.climber(ask=lambda self, rng: self.genome),
+        "float64": student.climber(ask=lambda self, rng: np.zeros((4, 60))),
+        "a list": student.climber(ask=lambda self, rng: [1.0]),
+        "no ask": student.climber(ask=None),
+        "no genome": student.climber(__init__=lambda self, genome, rng: None),
         "no class": np.zeros(3),
     },
     "4.1": {
@@ -196,7 +152,6 @@ WRONG: dict[str, dict[str, Any]] = {
         "another diagonal": [0.6 + LAGS] * 2,
         "beyond 1": [0.5 + 3 * LAGS] * 2,
         "too small": [np.full((3, 3), 0.5)] * 2,
-        "text": [[["a"] * 4] * 4] * 2,
         "one matrix": np.zeros((4, 4)),
         "two numbers": [1, 2],
     },
@@ -206,23 +161,18 @@ WRONG: dict[str, dict[str, Any]] = {
         "later evaders": lambda payoff, g: payoff[g].mean(),
         "a square": lambda payoff, g: payoff[:g, :g].mean() + 1,
         "no mean": lambda payoff, g: payoff[g, :g],
-        "a number": 0.5,
     },
     "4.3": {
         "the most captured": lambda m: (m.mean(axis=1).argmax(), m.mean(axis=0).argmax()),
         "the other axis": lambda m: (m.mean(axis=0).argmax(), m.mean(axis=1).argmin()),
         "the last ones": lambda m: (len(m) - 1, m.shape[1] - 1),
         "beyond the last": lambda m: (len(m), 0),
-        "pursuers only": lambda m: m.mean(axis=1).argmax(),
-        "nothing": None,
     },
     "4.4": {
-        "the opponents win": lambda beats, a, b: beats(*pairs(a, b)[::-1]).mean(),
+        "the opponents win": lambda beats, a, b: beats(*student.pairs(a, b)[::-1]).mean(),
         "one opponent each": lambda beats, a, b: beats(a[: len(b)], b).mean(),
-        "a sum": lambda beats, a, b: beats(*pairs(a, b)).sum(),
-        "no mean": lambda beats, a, b: beats(*pairs(a, b)),
+        "a sum": lambda beats, a, b: beats(*student.pairs(a, b)).sum(),
         "a guess": lambda beats, a, b: 0.5,
-        "text": "text",
     },
     "5.1": {
         "text": "arms race",
@@ -231,17 +181,15 @@ WRONG: dict[str, dict[str, Any]] = {
         "two swapped": {**ENDINGS, "A": "cycle", "B": "one side only"},
     },
     "5.2": {
-        "a number": 3,
         "rule of the pursuers": lambda k, i: i % k,
         "the newest": lambda k, i: k,
         "the first": lambda k, i: 0,
         "a float": lambda k, i: i / (k + 1),
-        "no return": lambda k, i: None,
     },
     "5.3": {
         "the mean": GAINS.value,
         "the other sign": [-GAINS.high, -GAINS.low],
-        "specialists": interval_of_gains("specialist_specialist"),
+        "specialists": student.interval_of_gains("specialist_specialist"),
         "too narrow": np.add(GAINS.value, [-0.001, 0.001]),
         "another one": (0.0, 0.05),
         "a word": "wide",
@@ -251,26 +199,21 @@ WRONG: dict[str, dict[str, Any]] = {
         "a number": lambda scores: 0.7,
         "always": lambda scores: True,
         "never": lambda scores: False,
-        "last beats first": last_beats_first,
+        "last beats first": student.last_beats_first,
         "the diagonal": lambda scores: bool(np.diag(scores.mean(axis=2))[-1] > 0.5),
     },
     "6.1": {
-        "a number": 3,
-        "no return": lambda matrix: None,
-        "each four times": each_square_four_times,
+        "each four times": student.each_square_four_times,
         "none": lambda matrix: 0,
-        "neighbours only": neighbours_only,
+        "neighbours only": student.neighbours_only,
         "all squares": lambda matrix: analysis.checkerboards(matrix).possible,
     },
     "6.2": {
-        "a number": 0.5,
-        "a matrix": lambda matrix: matrix,
         "the rest": lambda matrix: 1 - analysis.transitive_share(matrix),
-        "the mean twice": mean_twice,
+        "the mean twice": student.mean_twice,
         "the mean": lambda matrix: matrix.mean(),
     },
     "6.3": {
-        "text": "well",
         "ragged": [[1, 2], [3]],
         "without the well": ROCK_PAPER_SCISSORS,
         "it beats the other ones": OTHER_WELL,
@@ -278,32 +221,28 @@ WRONG: dict[str, dict[str, Any]] = {
         "another order": WELL[::-1],
     },
     "6.4": {
-        "a number": 5,
         "one opponent": lambda available, rng: available - 1,
         "no such opponent": lambda available, rng: [available],
         "without the newest": lambda available, rng: [0],
-        "with repetition": hall(4, repeat=True),
-        "too few": hall(3),
+        "with repetition": student.hall(4, repeat=True),
+        "too few": student.hall(3),
         "never the oldest": lambda available, rng: [*range(available)][::-1][:5],
     },
     "7.1": {
-        "a number": 3,
-        "of wins": of_wins_only,
-        "of five matches": lambda wins, v: of_wins_only(wins / 5, v),
-        "without a zero": of_the_largest,
+        "of wins": student.of_wins_only,
+        "of five matches": lambda wins, v: student.of_wins_only(wins / 5, v),
+        "without a zero": student.of_the_largest,
         "the wins": lambda wins, v: wins,
         "the sum": lambda wins, v: wins.sum(),
     },
     "7.2": {"text": "0.8", "best": 0.8, "below": 0.75, "above": 0.95, "nine": 9},
     "7.3": {
-        "a list": [1, 2],
         "the wins": lambda wins: wins.sum(axis=1),
         "by individual": lambda wins: (wins / wins.sum(axis=1, keepdims=True)).sum(axis=1),
         "by opponent": lambda wins: wins.sum(axis=0),
-        "divided by zero": shared_without_zeros,
+        "divided by zero": student.shared_without_zeros,
     },
     "7.4": {
-        "nothing": None,
         "a percentage": 84.0,
         "of the others": 0.25,
         "the right ones": 0.16,
@@ -311,52 +250,38 @@ WRONG: dict[str, dict[str, Any]] = {
         "a guess": 0.5,
     },
     "7.5": {
-        "a number": 0.75,
         "the wins": lambda wins: wins,
         "zeros": lambda wins: 0 * wins,
         "the most": lambda wins: wins.max(),
     },
     "8.1": {
-        "a number": 2,
         "always up": lambda stage, escaped: stage + 1,
         "no limits": lambda s, e: s + (e > 0.6) - (e < 0.2),
         "at the limit": lambda s, e: min(max(s + int(e >= 0.6) - int(e < 0.2), 0), 3),
-        "text": lambda stage, escaped: "hunter",
     },
     "8.2": {
-        "one number": 32000,
-        "text": "32000, 250",
-        "nothing": (None, 250),
         "both teams": (64000, 250),
         "epochs": (1000, 250),
         "the whole curriculum": (32000, 1000),
         "a generation": (32000, 50),
     },
     "8.3": {
-        "a number": 0.5,
         "with the own": lambda rates: rates.mean(axis=1),
         "the own": np.diag,
         "divided by 6": lambda r: (r * (1 - np.eye(len(r)))).mean(axis=1),
         "columns": lambda r: (r.sum(axis=0) - np.diag(r)) / 5,
-        "one mean": lambda rates: rates.mean(),
     },
     "8.4": {
-        "text": "autocurriculum",
-        "no such word": {**CASES, "A": "self play"},
         "one wrong": {**CASES, "D": "autocurriculum"},
         "another one": {**CASES, "A": "co-evolution"},
     },
     "8.5": {
-        "a word": "better",
         "True": lambda one, other: True,
         "by the means": lambda one, other: "better" if one.mean() > other.mean() else "worse",
-        "unpaired": unpaired,
+        "unpaired": student.unpaired,
         "swapped": lambda one, other: verdict_on(other, one),
     },
     "9.1": {
-        "text": "greedy",
-        "three weights": [6, 20, 0],
-        "not a number": [6, 20, 0, 0, 0, float("nan")],
         "greedy": GREEDY,
         "fast": [6, 20, -10, -10, -2, 0],
         "careful": [3, 10, -10, -10, -6, 0],
@@ -365,29 +290,28 @@ WRONG: dict[str, dict[str, Any]] = {
     "9.3": {"few": 100, "one less": 298, "many": 1000, "a float": 298.07, "none": 0},
     "9.4": {
         "True": True,
-        "a mask": np.ones((2, 5)),
         "of one view": lambda views: np.ones(5, bool),
         "nothing": lambda views: np.zeros((len(views), 5), bool),
         "everything": everything,
-        "no walls": lambda views: free_cells(views, slice(1, 2)),
-        "free cells": free_cells,
-        "no moves": still,
+        "no walls": lambda views: student.free_cells(views, slice(1, 2)),
+        "free cells": student.free_cells,
+        "no moves": student.still,
     },
 }  # fmt: skip
 
 RIGHT: dict[str, list[Any]] = {
     "1.1": [np.array([2, 2, 3, 3, 2, 2, 3])],
     "1.2": [[EAST, SOUTH, NORTH, WEST], [SOUTH, WEST, EAST, NORTH]],
-    "1.4": [careless],
+    "1.4": [student.careless],
     "2.3": [np.int64(202)],
-    "2.4": [at_once],
+    "2.4": [student.at_once],
     "3.3": [lambda cells, n: (len(cells) - len({*cells})) / n],
-    "3.4": [Climber],
+    "3.4": [student.Climber],
     "4.1": [((0.5 + 0.5 * LAGS).tolist(), (0.5 - LAGS).tolist()), (BELOW_DIAGONAL, 0.5 - LAGS)],
     "5.3": [GAINS],
-    "5.4": [both_rise],
+    "5.4": [student.both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
-    "6.4": [hall(4), lambda available, rng: np.array(hall(4)(available, rng))],
+    "6.4": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
     "7.5": [
         lambda wins: np.minimum(wins, 4),
         lambda wins: -abs(wins - 3),
@@ -395,8 +319,8 @@ RIGHT: dict[str, list[Any]] = {
     ],
     "9.2": [-break_even(), np.float32(break_even())],
     "9.4": [
-        with_priority([(0, 1), (1, 0), (0, -1), (-1, 0)]),
-        with_priority(STEPS[1:], for_all=True),
+        student.with_priority([(0, 1), (1, 0), (0, -1), (-1, 0)]),
+        student.with_priority(student.STEPS[1:], for_all=True),
     ],
 }
 
@@ -427,3 +351,23 @@ def test_replies_do_not_give_numbers_away() -> None:
     answers = {"2.3": "202 ", "7.2": "0.9 ", "9.2": f"{break_even():.1f}", "9.3": "299"}
     for name, answer in answers.items():
         assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())
+
+
+@pytest.mark.parametrize("chapter", [1, 2])
+def test_options_are_written_out(chapter: int) -> None:
+    texts = [source(cell) for cell in cells(NOTEBOOKS[chapter - 1])]
+    places = [at for at, text in enumerate(texts) if text.startswith("prediction = ...")]
+    offered = [
+        (re.findall(r'^- `"(\w)"`:', texts[at - 1], re.MULTILINE), re.findall(r'"(\w)"', texts[at]))
+        for at in places
+    ]
+    known = [each for each in exercises(chapter).values() if isinstance(each, Prediction)]
+    assert offered == [(list(each.options), list(each.options)) for each in known]
+
+
+@pytest.mark.parametrize("name", ["1.4", "3.1"])
+def test_hints_get_more_explicit(name: str) -> None:
+    *hints, again = (hint(name).text for _ in range(4))
+    assert [text[:13] for text in hints] == [f"Hint {number} of 3: " for number in (1, 2, 3)]
+    assert len(set(hints)) == 3
+    assert again == hints[-1]

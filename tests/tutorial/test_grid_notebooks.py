@@ -1,0 +1,262 @@
+"""Notebooks 1 and 2: what their texts say is true, and their small worlds do what they say."""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+from itertools import product
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import matrixworld as mw
+from matrixworld import Action, World
+from matrixworld.explorer.scenes import drawn_world
+from matrixworld.tutorial import check
+from matrixworld.tutorial.boards import (
+    Picture,
+    actions_to,
+    before_and_after,
+    pack,
+    plan,
+    random_pack,
+    target,
+)
+from matrixworld.tutorial.chapter_1 import MAZE, SHORTEST, true_conflicts
+from matrixworld.tutorial.chapter_2 import JAM, JAM_ACTIONS, MARKET, true_cells
+from notebooks import NOTEBOOKS, cells
+from student_functions import by_index, conflicts
+
+STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
+
+# ---- Small worlds --------------------------------------------------------------------------------
+
+DRAWING = ". . . . / . A . B / . . . ."
+
+
+def world_of_three() -> World:
+    return drawn_world("SB", DRAWING + " / . . . a")
+
+
+def test_a_plan_leaves_the_world_as_it_is_and_shows_the_moves() -> None:
+    world = world_of_three()
+    before = world.positions.tolist()
+    pictures = [plan(world, [action, STAY, STAY]).pixels.tobytes() for action in list(Action)[:5]]
+    assert len(set(pictures)) == 5, "every move looks different"
+    assert world.positions.tolist() == before
+    assert world.steps == 0
+
+
+def test_a_step_is_played_and_can_be_explained() -> None:
+    world = world_of_three()
+    picture = before_and_after(world, [EAST, WEST, STAY])
+    assert world.steps == 1
+    assert [str(each) for each in world.conflicts] == [
+        "pursuer_0 and pursuer_1 both headed for (1, 2): both bounce"
+    ]
+    before = plan(world_of_three(), [EAST, WEST, STAY]).pixels
+    assert np.array_equal(picture.pixels[:, : before.shape[1]], before)
+    assert picture.pixels.shape[1] == 2 * before.shape[1]
+
+
+def test_agents_that_are_gone_have_no_arrow() -> None:
+    world = drawn_world("D", ". A . B / . . . . / C . . a")
+    before_and_after(world, [EAST, WEST, STAY, STAY])
+    assert world.alive.tolist() == [False, False, True, True]
+    one, other = (plan(world, [move, move, STAY, STAY]).pixels for move in (NORTH, STAY))
+    assert np.array_equal(one, other)
+
+
+@pytest.mark.parametrize(
+    ("actions", "message"),
+    [
+        ([EAST, WEST], r"actions: expected 3 \(agents\), got shape \(2,\)"),
+        ([EAST, WEST, 5], "actions: expected 0 to 4, got 5"),
+        ([EAST, WEST, -1], "actions: expected 0 to 4, got -1"),
+    ],
+)
+def test_wrong_actions_play_no_step(actions: list[int], message: str) -> None:
+    world = world_of_three()
+    with pytest.raises(ValueError, match=message):
+        before_and_after(world, actions)
+    assert world.steps == 0
+
+
+def test_notebooks_show_a_picture_as_png() -> None:
+    pixels = np.zeros((3, 5, 3), np.uint8)
+    with Image.open(io.BytesIO(Picture(pixels)._repr_png_())) as image:
+        assert (image.format, image.size) == ("PNG", (5, 3))
+    assert repr(Picture(pixels)) == "<Picture: 5 x 3 pixels>"
+
+
+@pytest.mark.parametrize("count", [1, 7, 25])
+def test_random_packs(count: int) -> None:
+    cells, targets = random_pack(np.random.default_rng(count), 5, count)
+    assert len(set(cells)) == count
+    assert all(0 <= part < 5 for cell in [*cells, *targets] for part in cell)
+    actions = actions_to(cells, targets)
+    assert [target(cell, action) for cell, action in zip(cells, actions, strict=True)] == targets
+
+
+def test_a_pack_stands_where_it_was_put() -> None:
+    world = pack([(0, 0), (2, 1)], 3)
+    assert world.positions.tolist() == [[0, 0], [2, 1], [0, 4]]
+    assert world.map[:, 3].all()
+    assert not world.map[:, :3].any()
+
+
+# ---- Notebook 1 ----------------------------------------------------------------------------------
+
+
+def test_there_is_one_shortest_way() -> None:
+    """All ways of at most 7 moves are walked."""
+    walls = np.pad(drawn_world("O", MAZE).map, 1, constant_values=True)
+    ways = np.zeros(walls.shape, int)
+    ways[1, 1] = 1
+    for moves in range(1, SHORTEST + 1):
+        ways = sum(np.roll(ways, by, axis) for by in (1, -1) for axis in (0, 1)) * ~walls
+        assert bool(ways[4, 5]) is (moves == SHORTEST)
+    assert ways[4, 5] == 1
+
+
+def test_the_engine_and_an_independent_function_find_the_same_conflicts() -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(200):
+        cells, targets = random_pack(rng, 5, 9)
+        assert true_conflicts(cells, targets, 5) == conflicts(cells, targets)
+
+
+def test_outcomes_of_the_predictions_of_notebook_1() -> None:
+    world = drawn_world("SB", ". . . . . / . A . B . / . . . . . / . . a . .")
+    world.step([EAST, WEST, STAY])
+    assert world.positions[:2].tolist() == [[1, 1], [1, 3]]  # 1.a
+    world = drawn_world("SB", ". . . . . . / A B C . . . / . . . . . a")
+    world.step([EAST, EAST, EAST, STAY])
+    assert world.positions[:3].tolist() == [[1, 1], [1, 2], [1, 3]]  # 1.b
+    world = drawn_world("S", ". . . . . / . A a . . / . . . . .")
+    world.step([EAST, STAY])
+    assert world.positions.tolist() == [[1, 1], [1, 2]]  # 1.c
+    for name, captured in (("O", False), ("TO", True)):
+        world = drawn_world(name, "# # # # # # / A a . . . . / # # # # # #")
+        world.step([EAST, EAST])
+        assert bool(world.captured[0]) is captured  # 1.d
+
+
+@pytest.mark.parametrize("first", [0, 1000, 2000])
+def test_fragile_chasers_catch_less_in_other_worlds_too(first: int) -> None:
+    """1.e, with the number of worlds of a quick run."""
+    rules = mw.VARIANTS["O"], dataclasses.replace(mw.VARIANTS["O"], teammate=mw.Outcome.DISAPPEAR)
+    matches = mw.Matches.of(0, 0, np.arange(first, first + 100))
+    usual, fragile = (
+        mw.rollout(
+            mw.WorldConfig(each, rows=16, cols=16, n_pursuers=4, n_evaders=8, max_steps=100),
+            "chaser", "fleer", matches,
+        )
+        for each in rules
+    )  # fmt: skip
+    assert fragile.capture_rate.mean() < 0.5 * usual.capture_rate.mean()
+    assert fragile.pursuer_survivors.mean() < 2 < usual.pursuer_survivors.mean()
+
+
+@pytest.mark.parametrize("agents", [1, 16])
+def test_packs_have_no_room_outside_their_square(agents: int) -> None:
+    world = pack([divmod(place, 4) for place in range(agents)], 4)
+    for _ in range(20):
+        world.step([*np.random.default_rng(0).integers(5, size=agents), WEST])
+    assert (world.positions[:-1] < 4).all()
+    assert world.positions[-1].tolist() == [0, 5]
+
+
+# ---- Notebook 2 ----------------------------------------------------------------------------------
+
+
+def test_every_single_change_that_frees_pursuer_0_is_right() -> None:
+    """The engine decides; the answers are those that the solution sheet names."""
+    free = []
+    for agent, action in product(range(1, 5), list(Action)[:5]):
+        actions = list(JAM_ACTIONS)
+        if actions[agent] == action:
+            continue
+        actions[agent] = action
+        world = drawn_world("SB", JAM)
+        world.step(actions)
+        right = world.positions[0].tolist() == [1, 1]
+        assert check("2.1", actions).right is right
+        if right:
+            free.append((agent, action))
+    assert free == [(1, NORTH), (1, SOUTH), (2, STAY), (2, NORTH), (2, EAST), (2, SOUTH)]
+
+
+def test_rewards_of_the_market_are_sums_of_the_rows_of_the_table() -> None:
+    world = drawn_world("O", MARKET)
+    rewards = world.step([EAST, WEST, EAST, STAY, EAST])
+    assert rewards.tolist() == pytest.approx([-12.05, -12.05, 9.95, -10.05, -12.05])
+
+
+def test_rewards_of_a_captured_and_of_a_surviving_evader() -> None:
+    world = mw.World("O", rows=1, cols=9, n_pursuers=1, n_evaders=2)
+    world.reset(0, pursuers=[[0, 0]], evaders=[[0, 1], [0, 8]])
+    captured, survivor = world.step([EAST, STAY, STAY])[1:]
+    assert captured == pytest.approx(-10.05)
+    assert 201 * survivor == pytest.approx(captured, abs=1e-4)
+    assert check("2.3", np.int64(202)).right is True
+
+
+def test_outcomes_of_the_first_predictions_of_notebook_2() -> None:
+    world = drawn_world("SB", JAM)
+    world.step(JAM_ACTIONS, explain=True)
+    assert world.positions[0].tolist() == [1, 0]  # 2.a
+    assert [c.form for c in world.conflicts if 0 in c.agents] == ["chain"]
+    world = drawn_world("SB", "a . . . . . . . . . / . A B C D E F G H # / . . . . . . . . . .")
+    world.step([*[EAST] * 8, STAY])
+    assert world.fault[:8].any(axis=1).all()  # 2.b
+    world = drawn_world("SB", ". . . . / A B . . / . . . a")
+    world.step([EAST, STAY, STAY])
+    assert world.fault.any(axis=1).tolist() == [True, True, False]  # 2.c
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_renumbering_changes_most_steps_by_index_and_none_of_the_world(seed: int) -> None:
+    """2.e and 2.f, in crowds that the notebook does not draw."""
+    rng = np.random.default_rng([7, seed])
+    changed = {by_index: 0, at_once_on_ten: 0}
+    for _ in range(60):
+        here, there = random_pack(rng, 10, 30)
+        order = rng.permutation(30)
+        for resolver in changed:
+            result = resolver(here, there)
+            again = resolver([here[a] for a in order], [there[a] for a in order])
+            changed[resolver] += again != [result[a] for a in order]
+    assert changed[by_index] > 40
+    assert changed[at_once_on_ten] == 0
+
+
+def at_once_on_ten(cells: list, targets: list) -> list:
+    return true_cells(cells, targets, 10)
+
+
+def test_the_text_says_what_the_outputs_show() -> None:
+    """Under index order low numbers win contests and high numbers queues; in the world, neither."""
+    text = printed("share that enters")
+    parts = text.split("all_at_once")
+    rates = [
+        {line[2:39].strip(): line[40:45] for line in part.splitlines()[1:] if line.strip()}
+        for part in parts
+    ]
+    by_number, world = rates
+    assert by_number["contest, higher number than the rival"] == "0.000"
+    assert float(by_number["contest, lower number than the rival"]) > 0.9
+    assert by_number["queue, lower number than the leader"] == "0.000"
+    assert float(by_number["queue, higher number than the leader"]) > 0.5
+    assert {value for name, value in world.items() if "contest" in name} == {"0.000"}
+    assert "all at once: 0 of 3000 steps change" in printed("all at once: ")
+
+
+def printed(part: str) -> str:
+    """Return what the cell of the kept notebook printed that printed this text."""
+    outputs = [
+        "".join("".join(output.get("text", "")) for output in cell["outputs"])
+        for cell in cells(NOTEBOOKS[1], "code")
+    ]
+    return next(text for text in outputs if part in text)

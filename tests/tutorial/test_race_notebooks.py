@@ -1,0 +1,355 @@
+"""Notebooks 3 to 8: what their texts say of learning, races and results that are kept is true."""
+
+from __future__ import annotations
+
+import runpy
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld import analysis, coevolution, plots, toys
+from matrixworld.coevolution import competitive_sharing, reduced_virulence
+from matrixworld.toys import play_episodes
+from matrixworld.tutorial import check, kept
+from matrixworld.tutorial.chapter_5 import four_races, noisy_race
+from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
+from matrixworld.tutorial.chapter_7 import (
+    UNKNOWN,
+    is_disengaged,
+    reveal,
+    unknown_races,
+    verdict_of,
+)
+from matrixworld.tutorial.chapter_8 import verdict_on
+from notebooks import NOTEBOOKS, TUTORIALS, cells, source
+from student_functions import gains, last_beats_first
+
+# ---- Notebook 3: its match in plain Python -------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "size", [{}, {"rows": 5, "cols": 5, "max_steps": 30}, {"n_pursuers": 1, "n_evaders": 9}]
+)
+def test_the_python_match_is_that_of_rollout(seed: int, size: dict) -> None:
+    """For other networks and other worlds than those of the notebook."""
+    fields = {"rows": 12, "cols": 12, "n_pursuers": 3, "n_evaders": 6, "fov": 5, "max_steps": 60}
+    world = mw.WorldConfig("O", **{**fields, **size})
+    network = mw.Network.for_config(world, (8,), sampled=False)
+    names = {"world": world, "network": network, "np": np}
+    for text in map(source, cells(NOTEBOOKS[2], "code")):
+        if text.startswith(("SIDE", "def play(")):
+            exec(text, names)
+    genome = network.initial(np.random.default_rng(seed), 0.3, 0.5)
+    team = mw.Population(genome, network)
+    matches = mw.Matches.of(0, 0, np.arange(12))
+    statistics = mw.rollout(world, team, "random", matches)
+    captures = np.rint(statistics.capture_rate[:, 0] * world.n_evaders)
+    for match in range(12):
+        episode = mw.record(world, team, "random", seed=match)
+        starts = [tuple(cell) for cell in episode.positions[0].tolist()]
+        moves = episode.actions[:, world.n_pursuers :].tolist()
+        found = names["play"](genome, starts, moves)
+        assert found == (captures[match], statistics.length[match, 0])
+
+
+# ---- Notebook 4 ----------------------------------------------------------------------------------
+
+
+def test_the_red_queen_in_the_kept_races() -> None:
+    saved = kept("chapter_4")
+    races = saved["captured"] / saved["evaders_met"]
+    when = saved["generations"].tolist()
+    assert races.shape == (10, 25, 25)
+    assert (races.min(), races.max()) >= (0, 0)
+    assert races.max() <= 1
+    diagonal = np.array([np.diag(race) for race in races])[:, when]
+
+    def change(scores: np.ndarray, begin: int, end: int) -> analysis.Estimate:
+        found = scores[:, when.index(end)] - scores[:, when.index(begin)]
+        return analysis.interval_over_runs(found.astype(float))
+
+    whole = change(diagonal, 0, 24)
+    assert whole.low < 0 < whole.high
+    assert change(diagonal, 0, 6).high < 0 < change(diagonal, 6, 24).low
+    assert change(saved["pursuer"], 0, 24).low > 0
+    assert change(saved["evader"], 0, 24).low > 0
+    assert change(saved["evader"], 0, 6).low > 0
+    later = change(saved["evader"], 6, 24)
+    assert later.low < 0 < later.high
+    assert change(saved["pursuer"], 6, 24).low > 0
+    assert (saved["evader"][:, -1] > saved["evader"][:, 0]).all()
+
+
+# ---- Notebook 5 ----------------------------------------------------------------------------------
+
+SCHEDULES = ("specialist_specialist", "generalist_specialist", "generalist_generalist")
+
+
+@pytest.fixture(scope="module")
+def scores() -> dict[str, np.ndarray]:
+    races = kept("paper_races")
+    return {name: races[name] / int(races["evaders"]) for name in SCHEDULES}
+
+
+def test_the_four_races_are_what_the_solution_says() -> None:
+    rises = {
+        letter: [curve[-6:].mean() - curve[-15:-9].mean() > 0.05 for curve in curves]
+        for letter, race in four_races().items()
+        if (curves := analysis.generalization(race.mean(axis=2)))
+    }
+    assert rises == {
+        "A": [False, True], "B": [False, False], "C": [True, True], "D": [False, False]
+    }  # fmt: skip
+
+
+def test_generalists_of_the_package_meet_these_opponents() -> None:
+    sampler = coevolution.SCHEDULES["generalist-generalist"].new_sampler("evader")
+    rng = np.random.default_rng(0)
+
+    def met(k: int, i: int) -> int:
+        return int(sampler.sample(coevolution.available("evader", k), i, rng)[0])
+
+    assert check("5.2", met).right
+
+
+def verdict(scores: np.ndarray, condition: str) -> str:
+    return analysis.judge(scores, per_episode=True).headline[condition].verdict
+
+
+def test_specialists_beat_the_newest_evaders_and_forget() -> None:
+    lost = gains("specialist_specialist")
+    assert np.count_nonzero(lost < -0.04) == 8
+    assert np.count_nonzero(np.abs(lost) < 0.01) == 2
+    assert (gains("generalist_generalist") > 0.0).all()
+
+
+@pytest.mark.parametrize(
+    ("schedule", "race", "cycling"),
+    [
+        ("specialist_specialist", "cannot tell", "present"),
+        ("generalist_specialist", "present", "cannot tell"),
+        ("generalist_generalist", "present", "absent"),
+    ],
+)
+def test_verdicts_on_ten_seeds(
+    scores: dict[str, np.ndarray], schedule: str, race: str, cycling: str
+) -> None:
+    found = analysis.judge(scores[schedule], per_episode=True).headline
+    assert (found["arms race"].verdict, found["cycling"].verdict) == (race, cycling)
+    if schedule == "generalist_specialist":
+        assert found["arms race"].by_run.count("present") == 1
+        assert found["arms race"].by_run.count("cannot tell") == 9
+    if schedule == "specialist_specialist":
+        assert found["cycling"].by_run.count("present") == 9
+        assert found["forgetting"].by_run.count("present") == 10
+
+
+def test_three_seeds_could_not_tell(scores: dict[str, np.ndarray]) -> None:
+    assert verdict(scores["generalist_generalist"][:3], "arms race") == "cannot tell"
+    assert verdict(scores["generalist_generalist"][:5], "arms race") == "present"
+    assert verdict(scores["generalist_generalist"][:5], "cycling") == "cannot tell"
+
+
+@pytest.mark.parametrize("count", [40, 200])
+def test_the_simple_rule_is_fooled_by_one_race_of_four(count: int) -> None:
+    alarms = [last_beats_first(noisy_race("noise only, .5", seed)) for seed in range(count)]
+    assert 0.15 < np.mean(alarms) < 0.35
+
+
+def test_specialists_have_more_checkerboards(scores: dict[str, np.ndarray]) -> None:
+    measure = analysis.MEASURES["checkerboards"].of
+    specialists, mixed = (
+        [measure(matrix).value for matrix in scores[name].mean(axis=3)] for name in SCHEDULES[:2]
+    )
+    difference = analysis.difference_of_runs(mixed, specialists)
+    assert difference.high < 0.0
+
+
+# ---- Notebook 6 ----------------------------------------------------------------------------------
+
+
+def test_a_perfect_order_of_clear_wins_has_two_thirds() -> None:
+    staircase = np.greater.outer(np.arange(16), np.arange(16)).astype(float)
+    assert analysis.transitive_share(staircase) == pytest.approx(2 / 3, abs=0.01)
+    assert analysis.checkerboards(staircase).count == 0
+
+
+def test_noise_lowers_the_transitive_share_and_the_correction_removes_the_bias() -> None:
+    strength = np.linspace(-1, 1, 16)
+    truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
+    shares = []
+    for seed in range(20):
+        race = play_episodes(truth, 1, np.random.default_rng(seed))
+        shares.append(analysis.transitive_share(race.mean(axis=2)))
+    assert np.mean(shares) < 0.4
+    corrected = [
+        analysis.transitive_share_over_episodes(
+            play_episodes(truth, 10, np.random.default_rng(seed))
+        ).value
+        for seed in range(20)
+    ]
+    assert np.mean(corrected) == pytest.approx(1.0, abs=0.06)
+
+
+def test_alpha_rank_looks_at_directions_and_nash_at_stakes() -> None:
+    weighted = ROCK_PAPER_SCISSORS.copy()
+    weighted[2, 1], weighted[1, 2] = 0.6, 0.4
+    assert analysis.alpha_rank(weighted).pursuers == pytest.approx(np.full(3, 1 / 3), abs=1e-3)
+    assert analysis.nash_averaging(weighted).pursuers[0] < 0.1
+    assert analysis.nash_averaging(WELL).pursuers[0] == pytest.approx(0.0, abs=1e-6)
+    assert analysis.alpha_rank(WELL).pursuers[0] > 0.1
+
+
+def test_what_halls_of_fame_changed() -> None:
+    ends = {
+        name: analysis.difference_of_runs(with_halls, without, paired=True)
+        for name, (without, with_halls) in kept("halls").items()
+    }
+    for name in ("pursuer_forgetting", "evader_forgetting", "checkerboards"):
+        assert ends[name].high < 0.0
+    assert ends["pursuer_score"].low > 0.0
+    assert ends["evader_score"].low < 0.0 < ends["evader_score"].high
+
+
+def test_the_numbers_game_shows_no_help() -> None:
+    living, with_hall = kept("numbers_game")["ones"]
+    difference = analysis.difference_of_runs(with_hall, living)
+    assert difference.low < 0.0 < difference.high
+
+
+def test_what_the_small_races_show() -> None:
+    cures = kept("cures")
+    names = [str(name) for name in cures["samplers"]]
+    rates = dict(zip(names, cures["captured"] / int(cures["evaders"]), strict=True))
+    specialists = analysis.judge(rates["latest"], per_episode=True).headline
+    assert specialists["forgetting"].verdict == "present"
+    assert specialists["cycling"].verdict == "cannot tell"
+    generalists = analysis.judge(rates["round-robin"], per_episode=True).headline
+    assert generalists["cycling"].verdict == "absent"
+    extra = cures["matches"].mean(axis=1) / 38_400 - 1
+    assert (extra[:3] == 0.0).all()
+    assert (extra[3:] > 0.01).all()
+    assert (extra[3:] < 0.04).all()
+
+
+def test_the_specialists_evaders_escape_most_often() -> None:
+    cures = kept("cures")
+    cross = cures["cross_play"] / int(cures["cross_evaders"])
+    others = ~np.eye(len(cross), dtype=bool)
+    escape = [1 - cross[others[i], :, i].mean(axis=(0, 1)) for i in range(len(cross))]
+    ends = [analysis.interval_over_runs(each) for each in escape]
+    assert np.argmax([each.value for each in ends]) == 0
+    assert all(ends[i].high < ends[0].low for i in (1, 2))
+
+
+# ---- Notebook 7 ----------------------------------------------------------------------------------
+
+
+def test_four_of_five_wins_are_as_good_as_five_up_to_nine_tenths() -> None:
+    four, five = reduced_virulence([4, 5], 0.9)
+    assert four == pytest.approx(five)
+    same = [toys.hosts_and_parasites(v, 0, generations=60).ones for v in (1.0, 0.95)]
+    assert np.array_equal(*same)
+
+
+def test_hosts_and_parasites_do_what_the_predictions_say() -> None:
+    """Also in the short races of a quick run."""
+    greedy, restrained = (
+        np.array(
+            [toys.hosts_and_parasites(v, s, generations=150).final_objective for s in range(3)]
+        )
+        for v in (1.0, 0.75)
+    )
+    assert (abs(greedy[:, 0] - 50) < 10).all()
+    assert (restrained[:, 0] > 85).all()
+    assert (restrained[:, 1] > greedy[:, 1]).all()
+
+
+def test_a_rare_winner_is_rarely_a_parent() -> None:
+    wins = np.zeros((20, 10))
+    wins[:19, :9], wins[19, 9] = 1.0, 1.0
+    for fitness, chance in ((wins.sum(axis=1), 0.11), (competitive_sharing(wins), 0.88)):
+        assert 1 - (1 - fitness[19] / fitness.sum()) ** 20 == pytest.approx(chance, abs=0.005)
+
+
+def test_the_races_to_judge_are_of_both_sorts_and_need_many_episodes() -> None:
+    truths = [is_disengaged(*each) for each in UNKNOWN]
+    assert sum(truths) == 4
+    few, many = ([verdict_of(race) for race in unknown_races(episodes)] for episodes in (10, 50))
+    assert "present" not in few
+    assert [verdict == "present" for verdict in many] == truths
+
+
+def test_the_truth_is_shown_beside_the_verdicts() -> None:
+    races = unknown_races(episodes=4)
+    right = ["yes" if is_disengaged(*each) else "no" for each in UNKNOWN]
+    assert "0 false alarms" in reveal(right, races)
+    assert "and 0 of 4 disengaged ones missed" in reveal(right, races)
+    swapped = ["no" if each == "yes" else "yes" for each in right]
+    assert "4 false alarms" in reveal(swapped, races)
+    assert "and 4 of 4" in reveal(swapped, races)
+    for wrong in (..., "yes", ["yes"], ["maybe"] * 8):
+        assert "truth" not in reveal(wrong, races)
+
+
+def test_the_kept_races_show_what_the_notebook_says() -> None:
+    stored = kept("chapter_7")
+    shape = (10, 15, 15, 30)
+    kinds = ("even", "few evader epochs", "no overlap penalty", "restrained pursuers")
+    assert all(stored[f"captured: {kind}"].shape == shape for kind in kinds)
+    present = {}
+    for kind in kinds:
+        found = analysis.judge(stored[f"captured: {kind}"] / stored["evaders"], per_episode=True)
+        verdicts = found.windows["last half"]["disengagement"].by_run
+        present[kind] = verdicts.count("present")
+    assert present["few evader epochs"] >= 7
+    assert 5 <= present["restrained pursuers"] <= 8
+    assert max(present["even"], present["no overlap penalty"]) <= 2
+    assert stored["has not: disengagement"][0] == 0
+
+
+# ---- Notebook 8 ----------------------------------------------------------------------------------
+
+
+def test_the_numbers_of_the_paper_are_those_of_the_results() -> None:
+    """Run ``tutorials/make/chapter_8_paper.py`` and ``tutorials/run.py 08`` if it fails."""
+    derived = runpy.run_path(str(TUTORIALS / "make" / "chapter_8_paper.py"))["derived"]()
+    stored = kept("chapter_8_paper")
+    assert set(stored) == set(derived)
+    for name, values in derived.items():
+        assert np.array_equal(stored[name], values), name
+
+
+def test_one_seed_decides_nothing() -> None:
+    assert verdict_on([0.9], [0.1]) == "cannot tell"
+
+
+def test_the_kept_teams_show_what_the_predictions_say() -> None:
+    stored = kept("chapter_8")
+    kinds = list(stored["evaders: kinds"])
+    hunter = list(stored["evaders: opponents"]).index("hunter")
+    against_hunters = dict(zip(kinds, stored["evaders: scores"][..., hunter] / 1000, strict=True))
+    for other in ("easy to hard", "hard to easy", "random only"):
+        assert verdict_on(against_hunters["hardest only"], against_hunters[other]) == "better"
+    against_walkers = stored["pursuers: ladder"][:, :, 0] / 1000
+    assert verdict_on(against_walkers[:, 4], against_walkers[:, 1]) == "worse"
+
+
+def test_who_is_better_depends_on_the_examiner() -> None:
+    stored = kept("chapter_8")
+    one, other = (list(stored["evaders: kinds"]).index(n) for n in ("co-evolution", "easy to hard"))
+    scripts = stored["evaders: scores"][..., :4].mean(axis=2) / 1000
+    races = stored["evaders: against races"] / 1000
+    others = ~np.eye(races.shape[1], dtype=bool)
+    strangers = np.array(
+        [[row[own].mean() for row, own in zip(r, others, strict=True)] for r in races]
+    )
+    assert verdict_on(scripts[one], scripts[other]) == "worse"
+    assert verdict_on(strangers[one], strangers[other]) == "better"
+
+
+def test_the_concepts_are_drawn() -> None:
+    texts = {text.get_text() for text in plots.learning_concepts().axes[0].texts}
+    assert {"co-evolution", "curriculum learning", "arms race", "adversarial learning"} <= texts
