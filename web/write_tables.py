@@ -8,7 +8,6 @@ A test compares the file with what this writes.
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 from typing import Any
 
@@ -22,16 +21,6 @@ TABLES = Path(__file__).parent / "src/engine/tables.ts"
 def numbers(enumeration: Any) -> dict[str, int]:
     """Return the numbers that the engine has for the names of an enumeration."""
     return {member.name: member.value for member in enumeration}
-
-
-def scripts() -> dict[str, str]:
-    """Return what each script does, from the table in the documentation of `SCRIPTS`."""
-    table = (
-        Path(policy.__file__).read_text(encoding="utf-8").split('"""Names of the scripted', 1)[1]
-    )
-    rows = re.split(r"^=+ +=+$", table, flags=re.MULTILINE)[1].strip("\n")
-    texts = re.sub(r"\n +", " ", rows).replace("``", "").splitlines()
-    return dict(re.split(r" {2,}", text, maxsplit=1) for text in texts)
 
 
 def tables() -> dict[str, Any]:
@@ -49,7 +38,7 @@ def tables() -> dict[str, Any]:
         "CONFLICT_EVENTS": conflicts.EVENTS,
         "CONFLICT_OUTCOMES": conflicts.OUTCOMES,
         "CONFLICT_SENTENCE": conflicts.SENTENCE,
-        "SCRIPTS": scripts(),
+        "SCRIPTS": policy.SCRIPT_TEXTS,
         "MAP_CHARACTERS": {"free": maps.FREE, "blocked": maps.BLOCKED},
     }
 

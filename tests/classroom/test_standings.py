@@ -52,16 +52,13 @@ def test_ranges_rarely_miss_the_true_ranks() -> None:
 
 
 def result(rates: np.ndarray) -> ClassResult:
+    names = {"pursuer": ("ann", "bo", "random"), "evader": ("cy", "random")}
     entries = {
-        "pursuer": (
-            Entry("ann", "pursuer", "program", "ann.py", b""),
-            Entry("bo", "pursuer", "program", "bo.py", b""),
-            Entry("random", "pursuer", "script", "", "random"),
-        ),
-        "evader": (
-            Entry("cy", "evader", "program", "cy.py", b""),
-            Entry("random", "evader", "script", "", "random"),
-        ),
+        team: tuple(
+            Entry(name, team, "script" if name == "random" else "program", "", name)
+            for name in names[team]
+        )
+        for team in names
     }
     return ClassResult(WorldConfig("O"), 0, entries, (), rates, np.ones(rates.shape, int), {})
 

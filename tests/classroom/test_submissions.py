@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import os
 import signal
-import socket
 import struct
 import sys
 import tracemalloc
@@ -74,21 +73,11 @@ def test_another_team_is_refused_before_a_file_is_made(tmp_path: Path) -> None:
 # Files that are no regular ones, or too large:
 
 
-def listening_socket(path: Path) -> None:
-    # A relative name, because the length of a socket's name is limited.
-    here = os.getcwd()
-    os.chdir(path.parent)
-    with socket.socket(socket.AF_UNIX) as made:
-        made.bind(path.name)
-    os.chdir(here)
-
-
 NOT_FILES: dict[str, Callable[[Path], Path | None]] = {
     "a FIFO": os.mkfifo,
     "a directory": Path.mkdir,
     "a symbolic link": lambda path: path.symlink_to("/dev/zero"),
     "a device": lambda path: Path("/dev/zero"),
-    "a socket": listening_socket,
 }
 """Makes one under a name, or returns the path of one."""
 

@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
+import matrixworld as mw
 from browser import DESKTOP, LAPTOP, PHONE, Browser
-from matrixworld.explorer.scenes import GALLERY
-from playground_page import PlaygroundPage
+from matrixworld.explorer.scenes import GALLERY, Example, drawn_world, scene_link
+from playground_page import PlaygroundPage, decided, state_of
 
 SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"
 AXIS = 28  # pixels for the numbers of rows and columns
@@ -291,3 +292,65 @@ def test_readers_of_the_page_hear_what_happened(page: PlaygroundPage) -> None:
         ".filter((each) => !each.textContent && !each.ariaLabel && !each.labels?.length).length"
     )
     assert unnamed == 0
+
+
+# The same as in the package:
+
+
+@pytest.fixture(scope="module")
+def still(opened: PlaygroundPage) -> PlaygroundPage:
+    """The page without motion, whose pictures take time."""
+    opened.browser.prefer(prefers_reduced_motion="reduce")
+    opened.browser.reload()
+    return opened
+
+
+def play(
+    still: PlaygroundPage, commands: list[int | str] | list[int], *worlds: mw.World
+) -> list[int | str]:
+    """Play a step in the page and in worlds, compare all, and return what agents do next."""
+    for world in worlds:
+        if not world.terminated:
+            world.step(decided(world, commands), explain=True)
+    for world, shown in zip(worlds, still.play(commands, len(worlds)), strict=True):
+        assert shown == state_of(world)
+    return [each if isinstance(each, str) else 0 for each in commands]
+
+
+@pytest.mark.parametrize("example", GALLERY, ids=[example.title for example in GALLERY])
+def test_examples(still: PlaygroundPage, example: Example) -> None:
+    world = drawn_world(example.rules, example.drawing)
+    still.browser.js(
+        "[...document.querySelectorAll('.gallery button')]"
+        ".find((each) => each.textContent === arguments[0]).click()",
+        example.title,
+    )
+    others = [drawn_world(rules, example.drawing) for rules in [example.compare] if rules]
+    commands = example.commands
+    for _ in range(4):
+        if not world.terminated:
+            commands = play(still, commands, world, *others)
+    assert still.browser.errors() == []
+
+
+OWN = mw.Rules(mw.Interaction.AGENT_TURNS, teammate=mw.Outcome.DISAPPEAR)
+"""Rules without a name, which a link spells out."""
+
+
+@pytest.mark.parametrize("rules", [*mw.VARIANTS, OWN], ids=str)
+def test_a_world_goes_on_in_the_page(still: PlaygroundPage, rules: str | mw.Rules) -> None:
+    """Agents are gone or share cells, evaders are captured, and scripts draw random numbers."""
+    config = mw.WorldConfig(
+        rules, rows=7, cols=6, n_pursuers=6, n_evaders=4, fov=5, obstacles=0.1, diagonal=True
+    )
+    world = mw.World(config)
+    world.reset(5, episode=3)
+    commands = ["random"] * 3 + ["clumsy-chaser"] * 3 + ["clumsy-fleer", "dodger", "random", 5]
+    for _ in range(8):
+        if not world.terminated:
+            world.step(decided(world, commands))
+    still.load(scene_link(world, commands))
+    for _ in range(6):
+        if not world.terminated:
+            commands = play(still, commands, world)
+    assert still.browser.errors() == []

@@ -57,10 +57,10 @@ export const SCRIPTS = {
   "chaser": "moves to where the nearest adversary in view is nearest",
   "fleer": "moves to where the nearest adversary in view is farthest",
   "clumsy-chaser": "a chaser that takes any action in half of the steps",
-  "clumsy-fleer": "a fleer that takes any action in half of the steps",
   "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
-  "surrounder": "a chaser of the nearest free cell beside an adversary in view without a teammate",
-  "dodger": "moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"
+  "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
+  "clumsy-fleer": "a fleer that takes any action in half of the steps",
+  "dodger": "moves to where all adversaries in view together are farthest"
 } as const;
 
 /** Characters of passable and of impassable cells in a map. */

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4dd90db7e0414bd988c4e9cd6e0b85ed9e491e29d9ad42fe1656c6b6de270ba5 */
+/* built from web/ by "npm run build"; sources b97d147f7526c1b2506c76387666e9660bb5bd11eafe9363efcb93d2fb35fe34 */
 "use strict";(()=>{var sr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},W=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#s=0;#a=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#o=r.still??!1,this.#r=r.clock??sr}get step(){return this.#n}get time(){return this.#o?this.#n:this.#s}get arrived(){return this.#s===
 this.#n}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get speed(){return this.#t}set speed(e){
@@ -16,9 +16,9 @@ ursuer_{number}","evader_{number}"],Ge={obstacle:"{first} ran into the obstacle 
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},B={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},ze="{event}: {outcome}",be={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
-haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a fleer that takes any action in half of the steps",hunter:"a chaser of the nearest\
- adversary in view to which no teammate in view is nearer",surrounder:"a chaser of the nearest free cell beside an adversary in view without a teammate",dodger:"\
-moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"},je={free:".GS",blocked:"#@OTW"};var P=1+He.length;function H(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function ge(t,e){return t<e?H(ye[0],{number:t}):H(ye[1],{number:t-e})}function ar(t,e){
+haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
+a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
+here all adversaries in view together are farthest"},je={free:".GS",blocked:"#@OTW"};var P=1+He.length;function H(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function ge(t,e){return t<e?H(ye[0],{number:t}):H(ye[1],{number:t-e})}function ar(t,e){
 let[r,n,o,s,a,i,l,...c]=Array.from(t),d=a<0?[s]:[s,a],[m,h,p]=c.map(_=>d.filter((R,N)=>_>>N&1)),y=d.map(_=>ge(_,e)),f=H(Ge[a<0?"obstacle":fe[o]],{first:y[0],second:y[y.
 length-1],cell:`(${i}, ${l})`}),v=H(ze,{event:f,outcome:ir(d.length,h,p,e)});return{kind:Be[n],form:fe[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:r,
 text:v}}function ir(t,e,r,n){if(t===2&&e.length===2)return B["both held"];if(t===2&&r.length===2)return B["both doomed"];let o=s=>a=>H(B[s],{agent:ge(a,n)});return[

@@ -1,12 +1,12 @@
-/* built from web/ by "npm run build"; sources 4dd90db7e0414bd988c4e9cd6e0b85ed9e491e29d9ad42fe1656c6b6de270ba5 */
+/* built from web/ by "npm run build"; sources b97d147f7526c1b2506c76387666e9660bb5bd11eafe9363efcb93d2fb35fe34 */
 "use strict";(()=>{var Mt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Et={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Ct=["obstacle","teammate","adversary"],Ye=["vertex","edge","chain"],Tt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Xe=["p\
 ursuer_{number}","evader_{number}"],_t={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Rt="{event}: {outcome}",Je={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
-haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a fleer that takes any action in half of the steps",hunter:"a chaser of the nearest\
- adversary in view to which no teammate in view is nearer",surrounder:"a chaser of the nearest free cell beside an adversary in view without a teammate",dodger:"\
-moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"},kt={free:".GS",blocked:"#@OTW"};var G=1+Tt.length;function ne(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Ze(e,t){return e<t?ne(Xe[0],{number:e}):ne(Xe[1],{number:e-t})}function vr(e,t){
+haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
+a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
+here all adversaries in view together are farthest"},kt={free:".GS",blocked:"#@OTW"};var G=1+Tt.length;function ne(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Ze(e,t){return e<t?ne(Xe[0],{number:e}):ne(Xe[1],{number:e-t})}function vr(e,t){
 let[n,r,o,s,a,i,l,...c]=Array.from(e),u=a<0?[s]:[s,a],[m,p,f]=c.map(w=>u.filter((S,v)=>w>>v&1)),g=u.map(w=>Ze(w,t)),h=ne(_t[a<0?"obstacle":Ye[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),b=ne(Rt,{event:h,outcome:wr(u.length,p,f,t)});return{kind:Ct[r],form:Ye[o],agents:u,cell:[i,l],at_fault:m,held:p,doomed:f,turn:n,
 text:b}}function wr(e,t,n,r){if(e===2&&t.length===2)return te["both held"];if(e===2&&n.length===2)return te["both doomed"];let o=s=>a=>ne(te[s],{agent:Ze(a,r)});

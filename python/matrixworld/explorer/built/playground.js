@@ -1,12 +1,12 @@
-/* built from web/ by "npm run build"; sources 4dd90db7e0414bd988c4e9cd6e0b85ed9e491e29d9ad42fe1656c6b6de270ba5 */
+/* built from web/ by "npm run build"; sources b97d147f7526c1b2506c76387666e9660bb5bd11eafe9363efcb93d2fb35fe34 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},mt={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},gt="{event}: {outcome}",$e={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
-haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a fleer that takes any action in half of the steps",hunter:"a chaser of the nearest\
- adversary in view to which no teammate in view is nearer",surrounder:"a chaser of the nearest free cell beside an adversary in view without a teammate",dodger:"\
-moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"},bt={free:".GS",blocked:"#@OTW"};var B=1+ht.length;function Z(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Ue(e,t){return e<t?Z(Pe[0],{number:e}):Z(Pe[1],{number:e-t})}function cr(e,t){
+haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
+a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
+here all adversaries in view together are farthest"},bt={free:".GS",blocked:"#@OTW"};var B=1+ht.length;function Z(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function Ue(e,t){return e<t?Z(Pe[0],{number:e}):Z(Pe[1],{number:e-t})}function cr(e,t){
 let[n,r,o,s,a,i,l,...d]=Array.from(e),u=a<0?[s]:[s,a],[m,h,p]=d.map(M=>u.filter((U,D)=>M>>D&1)),g=u.map(M=>Ue(M,t)),f=Z(ft[a<0?"obstacle":Ie[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),w=Z(gt,{event:f,outcome:dr(u.length,h,p,t)});return{kind:pt[r],form:Ie[o],agents:u,cell:[i,l],at_fault:m,held:h,doomed:p,turn:n,
 text:w}}function dr(e,t,n,r){if(e===2&&t.length===2)return X["both held"];if(e===2&&n.length===2)return X["both doomed"];let o=s=>a=>Z(X[s],{agent:Ue(a,r)});return[
