@@ -61,13 +61,13 @@ RUN = {
 }  # fmt: skip
 """Pages whose examples run, one after the other, and patterns of lines that are not shown."""
 ELSEWHERE = {
-    "docs/class.md": "tests/classroom/test_class_page.py",
+    "docs/class.md": "tests/classroom/test_class.py",
     "docs/cluster.md": "needs a cluster; tests/cluster/test_cluster.py",
-    "docs/explorer.md": "needs a run; tests/explorer/test_explore.py",
+    "docs/explorer.md": "needs a run; tests/explorer/test_pages.py",
     "docs/files.md": "one line for a run of the reader's",
     "docs/held_out.md": "needs a run; tests/coevolution/evaluation",
     "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
-    "docs/playground.md": "tests/explorer/test_links.py",
+    "docs/playground.md": "tests/explorer/test_pages.py",
 }
 CLIENTS = sorted((DOCS / "clients").glob("*.md"))
 NOTEBOOKS = sorted((ROOT / "tutorials").glob("[0-9]*.ipynb"))
