@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-from pathlib import Path
 from typing import Any
 
 import gymnasium
@@ -206,18 +205,6 @@ def test_pictures_outline_the_agent_s_view() -> None:
     assert len(pictures) == env.num_envs
     assert len({picture.tobytes() for picture in pictures}) == env.num_envs
     assert mw.AgentVectorEnv(worlds_of()).render() is None
-
-
-@pytest.mark.filterwarnings("ignore")  # of MoviePy
-def test_record_video(tmp_path: Path) -> None:
-    pytest.importorskip("moviepy")
-    env = mw.AgentVectorEnv(worlds_of(n_worlds=2, render_mode="rgb_array"), "pursuer")
-    video = wrappers.RecordVideo(env, str(tmp_path), episode_trigger=lambda number: number == 0)
-    video.reset(seed=1)
-    for actions in actions_of(env, 12):
-        video.step(actions)
-    video.close()
-    assert [path.suffix for path in tmp_path.iterdir()] == [".mp4"]
 
 
 # ---- Bad input ---------------------------------------------------------------------------------

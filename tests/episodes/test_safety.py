@@ -221,7 +221,6 @@ def test_what_it_prints() -> None:
     assert len(lines) == 9
     assert lines[3].split()[:3] == ["pursuers", "obstacle", "20.0"]
     assert len({len(line) for line in lines[2:]}) == 1
-    assert json.loads(json.dumps(two_episodes().summary().to_json()))["episodes"] == 2
 
 
 def test_arrays_are_copied() -> None:

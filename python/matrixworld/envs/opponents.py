@@ -35,7 +35,6 @@ actions (n,)."""
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
 
-
 _PURPOSE = 2**32
 """What opponents' random numbers are drawn for; the engine's own purposes are small numbers."""
 

@@ -658,8 +658,6 @@ def _copied(results: Results) -> Results:
 
 
 def _mode(given: AutoresetMode | str) -> AutoresetMode:
-    for mode in AutoresetMode:
-        if given in (mode, mode.value):
-            return mode
-    expected = ", ".join(mode.value for mode in AutoresetMode)
-    raise ValueError(f"autoreset_mode: expected one of {expected}, got {given!r}")
+    names = [mode.value for mode in AutoresetMode]
+    check_choice("autoreset_mode", getattr(given, "value", given), names)
+    return AutoresetMode(given)

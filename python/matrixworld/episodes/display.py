@@ -16,14 +16,7 @@ from numpy.typing import NDArray
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Recorder
 from matrixworld.episodes.render import Scene, ansi, png, rgb
-from matrixworld.episodes.render.terminal import (
-    CLEAR,
-    WRAP_OFF,
-    WRAP_ON,
-    color_mode,
-    draw,
-    fits,
-)
+from matrixworld.episodes.render.terminal import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
 from matrixworld.world.world import World
 
 FPS = 10.0
@@ -181,10 +174,9 @@ class Text(Place):
         if not self.watched:
             self._stream.write(ansi(scene, color="none") + "\n\n")
             return
-        mode = color_mode(self._stream)
-        compact = mode != "none" and not fits(scene.shape, self._stream)
+        drawn = ansi(scene, **text_look(scene.shape, self._stream))
         self._stream.write(self._start)
-        draw(ansi(scene, color=mode, compact=compact), self._stream)
+        draw(drawn, self._stream)
         self._stream.write(WRAP_ON + "\n")
         self._stream.flush()
         self._start = WRAP_OFF

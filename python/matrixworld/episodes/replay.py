@@ -30,7 +30,7 @@ from matrixworld.episodes.render.canvas import (
     fitting_cell,
 )
 from matrixworld.episodes.render.film import check_timing, write_gif, write_mp4
-from matrixworld.episodes.render.terminal import color_mode, fits, play
+from matrixworld.episodes.render.terminal import play, text_look
 
 __all__ = [
     "Animation",
@@ -70,19 +70,14 @@ def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> 
     if not sys.stdout.isatty():
         print_moment(episode)
         return
-    look = _text_look(episode)
+    look = text_look(episode.map.shape, sys.stdout)
     play((ansi(scene(episode, t), **look) for t in times), sys.stdout, fps=fps)
 
 
 def print_moment(episode: Episode, *, step: int = -1) -> None:
     """Print one moment of an episode, as `scene` counts them, in the colors of the output."""
-    sys.stdout.write(ansi(scene(episode, step), **_text_look(episode)) + "\n")
-
-
-def _text_look(episode: Episode) -> dict[str, Any]:
-    """Return the keyword arguments of `render.ansi` that suit the output."""
-    mode = color_mode(sys.stdout)
-    return {"color": mode, "compact": mode != "none" and not fits(episode.map.shape, sys.stdout)}
+    look = text_look(episode.map.shape, sys.stdout)
+    sys.stdout.write(ansi(scene(episode, step), **look) + "\n")
 
 
 def save(

@@ -25,7 +25,6 @@ LARGEST_SIDE = 8192  # of a picture
 MOST_PIXELS = 2**26  # of a picture: 200 MB
 MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
 
-
 Point = tuple[float, float]
 
 

@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from itertools import groupby
-from typing import NamedTuple, TextIO
+from typing import Any, NamedTuple, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -277,8 +277,8 @@ def terminal_size(stream: TextIO) -> os.terminal_size:
         return shutil.get_terminal_size()
 
 
-def fits(shape: tuple[int, ...], stream: TextIO) -> bool:
-    """Return whether rows x cols cells of two characters, below a title, fit the terminal."""
-    columns, lines = terminal_size(stream)
-    rows, cols = shape
-    return 2 * cols <= columns and rows + 2 <= lines
+def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
+    """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit."""
+    mode, (columns, lines), (rows, cols) = color_mode(stream), terminal_size(stream), shape
+    fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
+    return {"color": mode, "compact": mode != "none" and not fits}
