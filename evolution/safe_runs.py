@@ -126,35 +126,14 @@ FULL = Plan(
     seeds=5,
     episodes=200,
 )
+TINY: Changes = {
+    "world.rows": 5, "world.cols": 5, "world.n_pursuers": 3, "world.fov": 5, "world.max_steps": 12,
+    "policy.hidden": (8,), "train_steps": 10, "learner.population": 4, "schedule.epochs": 4,
+    "schedule.archive_every": 2,
+}  # fmt: skip
 QUICK = Plan(
-    FULL.gradients.changed(
-        {
-            "world.rows": 5,
-            "world.cols": 5,
-            "world.n_pursuers": 3,
-            "world.fov": 5,
-            "policy.hidden": (8,),
-            "train_steps": 10,
-            "world.max_steps": 12,
-            "learner.population": 4,
-            "schedule.epochs": 4,
-            "schedule.archive_every": 2,
-        }
-    ),
-    FULL.evolution.changed(
-        {
-            "world.rows": 5,
-            "world.cols": 5,
-            "world.n_pursuers": 3,
-            "world.fov": 5,
-            "policy.hidden": (8,),
-            "train_steps": 10,
-            "world.max_steps": 12,
-            "learner.population": 4,
-            "schedule.epochs": 4,
-            "schedule.archive_every": 2,
-        }
-    ),
+    FULL.gradients.changed(TINY),
+    FULL.evolution.changed(TINY),
     variants=("SB",),
     seeds=2,
     episodes=5,

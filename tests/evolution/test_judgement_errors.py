@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable
+from operator import itemgetter
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -71,12 +72,8 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
     assert told.startswith(read(tmp_path / "errors.md"))
     assert follows(tmp_path)
     counts = tables.read_counts(tmp_path / "counts.csv")
-    assert {row["sample"] for row in counts} == {
-        "development",
-        "held back",
-        "toy game",
-        "real race",
-    }
+    samples = {row["sample"] for row in counts}
+    assert samples == {"development", "held back", "toy game", "real race"}
     # The opinion is always the same, and has none of the first half.
     for window in WINDOWS:
         for condition in CONDITIONS:
@@ -147,6 +144,7 @@ def test_races_for_power_curves_are_single_and_show_all_episodes() -> None:
 
 
 def test_sizes_by_hand() -> None:
+    place = itemgetter("condition", "from", "to")
     found = [
         ["last half", "cycling", True, 0.09, "present"],
         ["last half", "disengagement", False, 0.5, "absent"],
@@ -154,14 +152,10 @@ def test_sizes_by_hand() -> None:
         ["whole", "arms race", True, 0.9, "present"],
     ]
     rows = tables.count_by_size([judgement("cycle", found)])
-    assert [(row["condition"], row["from"], row["to"]) for row in rows] == [
-        ("cycling", "0.08", "0.14")
-    ]
+    assert [*map(place, rows)] == [("cycling", "0.08", "0.14")]
     found[0][2] = False
     rows = tables.count_by_size([judgement("cycle", found)])
-    assert [(row["condition"], row["from"], row["to"]) for row in rows] == [
-        ("stagnation", "0.2", "0.4")
-    ]
+    assert [*map(place, rows)] == [("stagnation", "0.2", "0.4")]
 
 
 def test_learners_that_cannot_learn_and_opponents_in_random_order() -> None:

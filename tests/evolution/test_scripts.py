@@ -44,15 +44,8 @@ def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_generalization_compares_at_equal_matches_and_reuses_its_runs(tmp_path: Path) -> None:
     told = quick("generalization", tmp_path)
-    assert {path.name for path in tmp_path.iterdir()} == {"generalization.png", "runs"}
     table = rows(told)
-    assert [row[:2] for row in table] == [
-        ["pursuers", "in the race"],
-        ["pursuers", "against random evaders"],
-        ["evaders", "in the race"],
-        ["evaders", "against random pursuers"],
-        ["evaders", "against trained pursuers"],
-    ]
+    assert [row[0] for row in table] == ["pursuers"] * 2 + ["evaders"] * 3
     for team in ("pursuers", "evaders"):
         assert len({row[2] for row in table if row[0] == team}) == 1
     for row in table:
@@ -86,7 +79,7 @@ def test_generalization_compares_at_equal_matches_and_reuses_its_runs(tmp_path: 
 
 def test_generalization_refuses_runs_of_other_settings(tmp_path: Path) -> None:
     coevolution.start(generalization.QUICK, tmp_path / "race")
-    with pytest.raises(ValueError, match="race: expected a run of"):
+    with pytest.raises(ValueError, match="race: holds a run with other settings"):
         generalization.played(generalization.FULL, tmp_path / "race")
 
 

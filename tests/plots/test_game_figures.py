@@ -145,11 +145,8 @@ def test_the_turns_are_those_of_the_engine() -> None:
     figure = plots.interaction_models()
     for axes, (interaction, found) in zip(figure.axes, turns.items(), strict=True):
         assert axes.get_title().strip() == INTERACTION_TEXTS[interaction]
-        drawn = [
-            (float(line.get_xdata()[0]), int(line.get_ydata()[0]))
-            for line in axes.lines
-            if line.get_marker() in ("o", "^")
-        ]
+        marks = [line for line in axes.lines if line.get_marker() in ("o", "^")]
+        drawn = [(float(line.get_xdata()[0]), int(line.get_ydata()[0])) for line in marks]
         assert drawn == [(turn + 0.5, agent) for turn, each in enumerate(found) for agent in each]
 
 

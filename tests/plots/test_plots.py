@@ -336,10 +336,7 @@ over_seeds = plots.generalization_over_seeds
     [
         (lambda: training([0.5, 2.0], [0, 1]), r"values in \[0, 1\], got 2.0"),
         (lambda: training([[0.5]], [0]), r"1 dimension.*got shape \(1, 1\)"),
-        (
-            lambda: training([0.5, 0.6], [0, 2]),
-            r"shape \(2,\), 0 for pursuers.*values \[0, 2\]",
-        ),
+        (lambda: training([0.5, 0.6], [0, 2]), r"shape \(2,\), 0 for pursuers.*values \[0, 2\]"),
         (lambda: training([0.5, 0.6], [0]), r"learners of shape \(2,\).*got shape \(1,\)"),
         (lambda: training([0.5], [0], window=0), "window of at least 1 point, got 0"),
         (
