@@ -78,27 +78,25 @@ def test_centred_ranks(fitness, ranks):
     assert centred_ranks(np.array(fitness)).tolist() == ranks
 
 
+GRADIENTS = np.array([[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]], dtype=np.float32)
+RATES = [0.02, 0.02, 0.01, 0.005]
+
+
 def test_adam_is_the_textbook_algorithm():
-    gradients = [[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]]
     adam = Adam(2)
-    for t, gradient in enumerate(gradients, start=1):
-        got = adam.step(np.array(gradient, dtype=np.float32), 0.02)
-        for gene in range(2):
-            m = sum(0.1 * 0.9 ** (t - 1 - s) * gradients[s][gene] for s in range(t))
-            v = sum(0.001 * 0.999 ** (t - 1 - s) * gradients[s][gene] ** 2 for s in range(t))
-            expected = 0.02 * (m / (1 - 0.9**t)) / (math.sqrt(v / (1 - 0.999**t)) + 1e-8)
-            assert got[gene] == pytest.approx(expected, rel=1e-4)
+    for t, (gradient, rate) in enumerate(zip(GRADIENTS, RATES, strict=True), start=1):
+        past = GRADIENTS[:t][::-1].T.astype(np.float64)
+        m, v = past @ (0.1 * 0.9 ** np.arange(t)), past**2 @ (0.001 * 0.999 ** np.arange(t))
+        expected = rate * (m / (1 - 0.9**t)) / (np.sqrt(v / (1 - 0.999**t)) + 1e-8)
+        assert adam.step(gradient, rate) == pytest.approx(expected, rel=1e-4)
 
 
 def test_momentum_is_the_textbook_algorithm():
     """Sutskever et al. 2013: v = mu v + rate g, written out as a sum over all gradients so far."""
-    gradients = np.array([[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]], dtype=np.float32)
-    rates = [0.02, 0.02, 0.01, 0.005]
     optimizer = Momentum(2, momentum=0.8)
-    for t in range(4):
-        got = optimizer.step(gradients[t], rates[t])
-        expected = sum(0.8 ** (t - s) * rates[s] * gradients[s] for s in range(t + 1))
-        assert got == pytest.approx(expected, rel=1e-5)
+    for t, (gradient, rate) in enumerate(zip(GRADIENTS, RATES, strict=True)):
+        expected = sum(0.8 ** (t - s) * RATES[s] * GRADIENTS[s] for s in range(t + 1))
+        assert optimizer.step(gradient, rate) == pytest.approx(expected, rel=1e-5)
     assert optimizer.updates == 4
 
 
@@ -145,23 +143,14 @@ def test_evolution_strategies_follow_the_published_update():
 
 
 @pytest.mark.parametrize("make", [strategy, momentum])
-def test_evolution_strategies_find_the_target(make):
-    learner = teach(make(anneal_over=400), 400)
+def test_annealed_strategies_find_the_target_and_their_rate_falls_to_a_tenth(make):
+    learner = make(anneal_over=400)
+    first = learner.rate
+    assert teach(learner, 200).rate == pytest.approx(0.55 * first)
+    assert teach(learner, 200, first=200).rate == pytest.approx(0.1 * first)
     assert closeness(learner.genome) > -0.01 > closeness(np.zeros(SIZE))
-
-
-@pytest.mark.parametrize("make", [strategy, momentum])
-def test_annealed_rate_falls_to_a_tenth(make):
-    learner = make(anneal_over=10, learning_rate=1.0)
-    rates = []
-    for epoch in range(12):
-        rates.append(learner.rate)
-        teach(learner, 1, first=epoch)
-    assert rates[0] == 1.0
-    assert rates[5] == pytest.approx(0.55)
-    assert rates[10:] == pytest.approx([0.1, 0.1])
-    constant = make(learning_rate=0.05)
-    assert constant.rate == teach(constant, 3).rate == 0.05
+    assert teach(learner, 1).rate == pytest.approx(0.1 * first)
+    assert teach(make(), 3).rate == first
 
 
 def ellipsoid(size, condition):
@@ -299,21 +288,10 @@ def test_genetic_algorithm_improves(options):
     assert closeness(learner.genome) > best_at_first / 10
 
 
-def test_elites_are_kept_unchanged():
-    learner = algorithm(elites=3)
-    first = learner.ask(generator())
-    learner.tell(closeness(first))
-    best = first[np.argsort(-closeness(first))[:3]]
-    assert np.array_equal(learner.ask(generator(1))[:3], best)
-    assert np.array_equal(learner.genome, best[0])
-
-
 @pytest.mark.parametrize("make", LEARNERS)
 def test_learners_work_with_deap_algorithms(make):
     toolbox = generate_update_toolbox(
-        make(),
-        lambda candidates: closeness(candidates.genomes),
-        (generator(epoch) for epoch in count()),
+        make(), lambda candidates: closeness(candidates.genomes), map(generator, count())
     )
     best = tools.HallOfFame(1)
     statistics = tools.Statistics(lambda individual: individual.fitness.values[0])
@@ -321,11 +299,8 @@ def test_learners_work_with_deap_algorithms(make):
     population, logbook = algorithms.eaGenerateUpdate(
         toolbox, ngen=30, halloffame=best, stats=statistics, verbose=False
     )
-    by_hand = teach(make(), 30)
     assert len(logbook) == 30
     assert logbook[-1]["max"] > logbook[0]["max"]
     assert best[0].fitness.values[0] == closeness(best[0].genome) == max(logbook.select("max"))
     last = np.array([individual.genome for individual in population])
-    again = make()
-    assert np.array_equal(last, teach(again, 29).ask(generator(29)))
-    assert not np.array_equal(by_hand.genome, make().genome)
+    assert np.array_equal(last, teach(make(), 29).ask(generator(29)))
