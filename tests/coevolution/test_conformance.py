@@ -46,6 +46,7 @@ def tell_in_place(self, fitness):
         (CmaEs, {"sigma": 0.1}),
         (strategy, {}),
         (strategy, {"momentum": 0.9}),
+        (lambda genome, samples, **own: HillClimber(genome, samples, **own), {"sigma": 1}),
         (algorithm, {"elites": 1}),
     ],
 )
@@ -163,10 +164,6 @@ def test_a_broken_promise_of_a_sampler_is_named(sampler, message):
 def test_settings_are_those_of_the_signature(learner, settings, message):
     with pytest.raises(ValueError, match=f":{learner.__name__}: {message}"):
         check_learner(learner, settings)
-
-
-def test_a_function_may_take_any_settings():
-    check_learner(lambda genome, samples, **own: HillClimber(genome, samples, **own), {"sigma": 1})
 
 
 def test_nothing_is_drawn_from_the_global_generator():

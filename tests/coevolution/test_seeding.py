@@ -30,8 +30,3 @@ def test_seeds_of_all_matches_differ():
     seeds = [seed for key in keys for seed in training_seeds(*key, 5).tolist()]
     seeds += [evaluation_seed(*key) for key in itertools.product(range(3), repeat=3)]
     assert len(set(seeds)) == len(seeds) == 3**4 * len(Phase) * 5 + 3**3
-
-
-def test_a_negative_key_is_refused():
-    with pytest.raises(ValueError, match="expected non-negative integer"):
-        training_seeds(0, -1, 2, Phase.ARCHIVE, 3, 4)

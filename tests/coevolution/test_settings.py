@@ -21,7 +21,7 @@ from matrixworld.coevolution import (
     HallOfFame,
     RaceSettings,
 )
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
+from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from matrixworld.coevolution.sections import different_settings, hints_of, leaves, sections_in
 from matrixworld.coevolution.settings import MOST_SEED
 from tiny_race import settings_of, tiny_race, tiny_single
@@ -76,6 +76,8 @@ def test_defaults_of_the_actor_critic_are_those_of_the_published_code():
     assert joint.schedule.joint_epochs == 400
     alone = RaceSettings(learner="actor-critic", schedule=Against(team="evader"))
     assert (alone.schedule.epochs, alone.train_steps) == (1200, 500)
+    # They have a limit of their own.
+    assert RaceSettings(learner=ActorCriticSettings(cost_limit=5.0)).fitness == FitnessSettings()
 
 
 def test_overlap_is_penalised_where_teammates_may_share_a_cell():
@@ -210,26 +212,6 @@ def test_what_has_no_effect_beside_other_sections_is_refused(changes, path):
         RaceSettings.of(changes)
 
 
-# Each setting has an effect: a value of every kind of field, in a run that reads it
-
-
-@pytest.mark.parametrize("name", SAMPLERS)
-def test_every_sampler_can_be_named(name):
-    settings = tiny_race(schedule="alternating", pursuers_meet=name, opponents=2)
-    sampler = settings.schedule.new_sampler("pursuer")
-    assert 1 <= len(sampler.sample(3, 0, np.random.default_rng(0))) <= 2
-
-
-@pytest.mark.parametrize(("name", "count"), [("es", 1), ("ga", 4), ("cma", 1)])
-def test_new_learner(name, count):
-    settings = tiny_race(learner=name, hidden=())
-    assert settings.learner.starting_genomes == count
-    genomes = settings.untrained("evader", count)
-    learner = settings.new_learner("evader", genomes)
-    assert np.array_equal(learner.genome, genomes[0])
-    assert learner.ask(np.random.default_rng(0)).shape == (4, settings.network.genome_size)
-
-
 # JSON
 
 EVERY = [
@@ -333,7 +315,3 @@ def test_every_setting_has_a_help_text():
     for kinds in map(sections_in, hints_of(RaceSettings).values()):
         for cls in kinds.values():
             assert all(item.metadata["help"] in cls.__doc__ for item in fields(cls))
-
-
-def test_settings_of_gradients_have_their_own_limit():
-    assert RaceSettings(learner=ActorCriticSettings(cost_limit=5.0)).fitness == FitnessSettings()

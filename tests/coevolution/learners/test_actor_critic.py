@@ -48,15 +48,13 @@ def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -
 
 def slow_advantages(acted, rewards, values, discount, trace):
     """Sum the series of Schulman et al. 2016, equation 16, for each agent and step."""
-    _, worlds, agents = acted.shape
     found = np.zeros(acted.shape)
-    for w in range(worlds):
-        for a in range(agents):
-            n = int(acted[:, w, a].sum())
-            for t in range(n):
-                for k in range(t, n):
-                    delta = rewards[k, w, a] + discount * values[k + 1, w, a] - values[k, w, a]
-                    found[t, w, a] += (discount * trace) ** (k - t) * delta
+    for w, a in np.ndindex(acted.shape[1:]):
+        n = int(acted[:, w, a].sum())
+        for t in range(n):
+            for k in range(t, n):
+                delta = rewards[k, w, a] + discount * values[k + 1, w, a] - values[k, w, a]
+                found[t, w, a] += (discount * trace) ** (k - t) * delta
     return found
 
 
@@ -76,92 +74,67 @@ def test_advantages_are_the_sums_of_their_definition(trace: float) -> None:
     assert not found[~acted].any()
 
 
-def test_returns_are_rewards_to_go() -> None:
-    rewards = np.array([1, 2, 4], np.float32).reshape(3, 1, 1)
-    acted, values = np.ones((3, 1, 1), bool), np.zeros((4, 1, 1), np.float32)
-    values[3] = 8
-    found = advantages(acted, rewards, values, 0.5, 1.0) + values[:-1]
-    np.testing.assert_allclose(found.ravel(), [1 + 1 + 1 + 1, 2 + 2 + 2, 4 + 4])
+SMOOTH = replace(NETWORK, activation="tanh")  # the corners of ReLU have no derivative
 
 
-def numeric_gradient(value, weights: np.ndarray, places: np.ndarray) -> np.ndarray:
-    found = []
+def slow_outputs(weights: np.ndarray, n_out: int, views: np.ndarray) -> np.ndarray:
+    """Return the outputs of a network with six hidden units of tanh, in float64."""
+    hidden, head = np.split(weights.astype(np.float64), [-7 * n_out])
+    first, last = hidden.reshape(-1, 6), head.reshape(7, n_out)
+    return np.tanh(views @ first[:-1] + first[-1]) @ last[:-1] + last[-1]
+
+
+def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
+    """Compare the gradient of a value with finite differences, at some weights and at the last."""
+    places = np.append(rng().choice(len(weights), 40, replace=False), len(weights) - 1)
+    expected = []
     for place in places:
-        ends = []
-        for change in (-1e-3, 1e-3):
-            moved = weights.astype(np.float64)
-            moved[place] += change
-            ends.append(value(moved))
-        found.append((ends[1] - ends[0]) / 2e-3)
-    return np.array(found)
-
-
-def smooth(network: Network) -> Network:
-    # The corners of ReLU have no derivative.
-    return replace(network, activation="tanh")
+        step = np.where(np.arange(len(weights)) == place, 1e-3, 0.0)
+        expected.append((value(weights + step) - value(weights - step)) / 2e-3)
+    np.testing.assert_allclose(gradient[places], expected, rtol=2e-3, atol=2e-6)
 
 
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.0), (0.0, 0.1), (0.2, 0.05)])
 def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy: float) -> None:
     pytest.importorskip("torch")
-    network, draw = smooth(NETWORK), rng()
-    genome = orthogonal(network.sizes, draw)
-    one = ActorCritic(genome, network, draw, ActorCriticSettings(clip=clip, entropy=entropy))
+    genome, draw = orthogonal(SMOOTH.sizes, rng()), rng()
+    one = ActorCritic(genome, SMOOTH, draw, ActorCriticSettings(clip=clip, entropy=entropy))
     seen = played(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
     given: list[np.ndarray] = []
     one._actor.ascend = given.append  # type: ignore[method-assign]
     one._improve(seen, weight)
+    taken = np.arange(len(seen)), seen.actions
 
     def logs(weights: np.ndarray) -> np.ndarray:
-        rows = seen.views.astype(np.float64)
-        start = 0
-        for number, (n_in, n_out) in enumerate(zip(network.sizes, network.sizes[1:], strict=False)):
-            end = start + (n_in + 1) * n_out
-            matrix = weights[start : end - n_out].reshape(n_in, n_out)
-            rows = rows @ matrix + weights[end - n_out : end]
-            rows = np.tanh(rows) if number == 0 else rows
-            start = end
-        return rows - np.log(np.exp(rows).sum(axis=1, keepdims=True))
+        outputs = slow_outputs(weights, 5, seen.views)
+        return outputs - np.log(np.exp(outputs).sum(axis=1, keepdims=True))
 
-    old = logs(genome.astype(np.float64))[np.arange(len(seen)), seen.actions]
+    old = logs(genome)[taken]
 
     def value(weights: np.ndarray) -> float:
         log = logs(weights)
-        taken = log[np.arange(len(seen)), seen.actions]
         # At the old weights the clipped ratio of PPO is 1, and its slope that of the ratio.
-        gain = np.exp(taken - old) * weight if clip else taken * weight
+        gain = (np.exp(log[taken] - old) if clip else log[taken]) * weight
         return float((gain - entropy * (np.exp(log) * log).sum(axis=1)).mean())
 
-    places = np.concatenate([draw.choice(len(genome), 40, replace=False), [len(genome) - 1]])
-    expected = numeric_gradient(value, genome, places)
-    np.testing.assert_allclose(given[0][places], expected, rtol=2e-3, atol=2e-6)
+    check_gradient(given[0], value, genome)
 
 
 def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
     pytest.importorskip("torch")
-    network, draw = smooth(NETWORK), rng()
-    one = ActorCritic(orthogonal(network.sizes, draw), network, draw)
+    one = ActorCritic(orthogonal(SMOOTH.sizes, rng()), SMOOTH, rng())
     seen = played(one)
-    target = draw.normal(size=len(seen)).astype(np.float32)
-    critic = one._critics["critic"]
-    weights = critic.weights
-    given: list[np.ndarray] = []
+    target = rng().normal(size=len(seen)).astype(np.float32)
+    critic, given = one._critics["critic"], []
     critic.ascend = given.append  # type: ignore[method-assign]
     one._fit(critic, seen.views, target)
     assert len(given) == 5
-    inputs = seen.views.shape[1]
 
-    def value(moved: np.ndarray) -> float:
-        hidden = np.tanh(
-            seen.views @ moved[: inputs * 6].reshape(inputs, 6) + moved[inputs * 6 :][:6]
-        )
-        values = hidden @ moved[-7:-1] + moved[-1]
-        return float(-((values - target) ** 2).mean())
+    def value(weights: np.ndarray) -> float:
+        return float(-((slow_outputs(weights, 1, seen.views)[:, 0] - target) ** 2).mean())
 
-    places = np.concatenate([draw.choice(len(weights) - 8, 30, replace=False), [len(weights) - 3]])
-    expected = numeric_gradient(value, weights, places)
-    np.testing.assert_allclose(given[0][places], expected, rtol=2e-3, atol=2e-6)
+    check_gradient(given[0], value, critic.weights)
 
 
 def test_chunks_do_not_change_the_gradient(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -202,25 +175,15 @@ def test_a_restored_learner_continues_bit_for_bit(changes: dict[str, Any]) -> No
     straight, stopped = learner(**changes), learner(**changes)
     for epoch in range(4):
         straight.learn(played(straight, seed=4 * epoch))
-        if epoch < 2:
-            stopped.learn(played(stopped, seed=4 * epoch))
-    state = {name: value.copy() for name, value in stopped.state().items()}
-    restored = learner(**changes)
-    restored.restore(state)
-    for epoch in (2, 3):
-        restored.learn(played(restored, seed=4 * epoch))
-    assert restored.multiplier == straight.multiplier
-    for name, value in straight.state().items():
-        np.testing.assert_array_equal(restored.state()[name], value, err_msg=name)
-
-
-def test_a_pickled_learner_continues_bit_for_bit() -> None:
-    one = learner(cost_limit=5.0)
-    one.learn(played(one))
-    other = pickle.loads(pickle.dumps(one))  # noqa: S301
-    for each in (one, other):
-        each.learn(played(one, seed=8))
-    np.testing.assert_array_equal(one.genome, other.genome)
+    for epoch in range(2):
+        stopped.learn(played(stopped, seed=4 * epoch))
+    copied, restored = pickle.loads(pickle.dumps(stopped)), learner(**changes)  # noqa: S301
+    restored.restore(stopped.state())
+    for one in (restored, copied):
+        for epoch in (2, 3):
+            one.learn(played(one, seed=4 * epoch))
+        for name, value in straight.state().items():
+            np.testing.assert_array_equal(one.state()[name], value, err_msg=name)
 
 
 def test_an_archived_genome_does_not_change() -> None:

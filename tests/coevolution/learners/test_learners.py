@@ -162,23 +162,6 @@ def ellipsoid(size, condition):
     )
 
 
-def test_cma_solves_an_ellipsoid_that_the_evolution_strategies_do_not():
-    score = ellipsoid(10, 1e4)
-    start, noise = np.zeros(10), noise_table(10)
-    made = {
-        "cma": CmaEs(start, sigma=0.3, samples=16),
-        "adam": EvolutionStrategy(start, noise, samples=16, anneal_over=400),
-        "momentum": EvolutionStrategy(start, noise, samples=16, anneal_over=400, momentum=0.9),
-    }
-    for learner in made.values():
-        for epoch in range(400):
-            learner.tell(score(learner.ask(generator(epoch))))
-    left = {name: -score(learner.genome) for name, learner in made.items()}
-    assert left["cma"] < 1e-6
-    assert left["adam"] > 1e-3
-    assert left["momentum"] > 1e-3
-
-
 def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
     """DEAP's strategy, driven as its documentation does, on the same normal numbers."""
 

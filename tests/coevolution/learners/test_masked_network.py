@@ -27,7 +27,7 @@ EVADERS, PURSUERS, OBSTACLES = range(3)
 def forbidden(views: np.ndarray, mask: str, team: Team, n_actions: int) -> np.ndarray:
     """Return which actions (n, n_actions) run into what the views (n, 3, fov, fov) show."""
     own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
-    channels = {"none": [], "obstacles": [OBSTACLES], "occupied": [OBSTACLES, own, foreign]}[mask]
+    channels = [OBSTACLES] if mask == "obstacles" else [OBSTACLES, own, foreign]
     found = np.zeros((len(views), n_actions), bool)
     middle = views.shape[-1] // 2
     for action, (row, col) in enumerate(MOVES[1:n_actions], start=1):
@@ -71,12 +71,6 @@ def test_the_engine_never_plays_a_forbidden_move(
     assert len(np.unique(played.actions)) == config.n_actions
 
 
-def test_without_a_mask_the_network_is_the_same() -> None:
-    network = Network((6, 5), fov=5)
-    assert masked_network(network, "none") == network
-    assert mask_weights(network, "none", "pursuer") is None
-
-
 @pytest.mark.parametrize("learner", ["es", "ga", "actor-critic"])
 def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
     if learner == "actor-critic":
@@ -100,7 +94,3 @@ def test_a_run_with_a_mask_starts_from_one_with_another_mask(tmp_path: Path) -> 
     weights, genomes = second.mask_weights("pursuer"), run.teams["pursuer"].genomes
     assert weights is not None
     np.testing.assert_array_equal(weights.write(genomes), genomes)
-
-
-def test_evaders_may_mask_pursuers_where_contact_is_capture() -> None:
-    assert tiny_single(team="evader", mask="occupied").policy.mask == "occupied"

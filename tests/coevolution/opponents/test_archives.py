@@ -272,33 +272,22 @@ def test_generalist_never_gets_worse_against_all(history):
 BATCHES = [(np.arange(b, 12, 4), np.arange(b, 12, 4)) for b in range(4)]
 
 
-def on_the_line(candidates, tests):
-    """Genomes of one gene: the greater beats the smaller."""
-    return (candidates[:, :1] > tests[:, :1].T).astype(float)
-
-
 @every_archive
 def test_an_archived_genome_never_changes(make):
-    candidates = np.array([[0.3, 7.0], [0.9, 8.0]], dtype=np.float32)
-    tests = np.array([[0.2, 5.0], [0.5, 6.0], [0.8, 6.5]], dtype=np.float32)
-    archive = make()
-    if isinstance(archive, Generalist):
-        archive = Generalist(candidates, sample_size=2)
-    archive.submit(candidates, tests, on_the_line)
-    before = {name: values.copy() for name, values in archive.state().items()}
+    """Neither by whoever submits it nor by a payoff function; genomes of one gene play here."""
+    genomes = np.array([[0.3], [0.9], [0.2], [0.5], [0.8]], dtype=np.float32)
+    archive = (
+        make() if make is not ARCHIVES["Generalist"] else Generalist(genomes[:2], sample_size=2)
+    )
+    archive.submit(genomes[:2], genomes[2:], lambda own, tests: 1.0 * (own > tests.T))
+    before = archive.state()
     assert len(archive.candidates)
-    candidates[:], tests[:] = 0.0, 0.0
-    for name, values in archive.state().items():
-        assert np.array_equal(values, before[name])
+    genomes[:] = 0.0
     for members in (archive.candidates, archive.tests):
         with pytest.raises(ValueError, match="read-only"):
             members[...] = 1.0
-
-    def writing(candidates, tests):
-        candidates[...] = 1.0
-
     with pytest.raises(ValueError, match="read-only"):
-        archive.submit(candidates, np.ones((1, 2), dtype=np.float32), writing)
+        archive.submit(genomes[:2], genomes[:1], lambda own, tests: own.fill(1.0))
     for name, values in archive.state().items():
         assert np.array_equal(values, before[name])
 
