@@ -39,7 +39,8 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import over_seeds, print_head, print_missing, shown
-from matrixworld.coevolution import HeldOutScores, Team, open_run, score
+from matrixworld.coevolution import Team, open_run, score
+from matrixworld.coevolution.evaluation.scores import HeldOutScores
 from matrixworld.version import __version__
 
 ALL = "all"

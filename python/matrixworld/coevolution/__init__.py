@@ -23,7 +23,6 @@ from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.held_out import held_out
 from matrixworld.coevolution.evaluation.scores import (
-    HeldOutScores,
     score,
     score_policy,
     score_population,
@@ -31,7 +30,6 @@ from matrixworld.coevolution.evaluation.scores import (
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.jobs.best_responses import (
-    BestResponse,
     best_response,
     best_responses,
 )
@@ -56,7 +54,7 @@ from matrixworld.coevolution.learners.toolbox import (
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Progress, ProgressBar
-from matrixworld.coevolution.runs.race import DisengagementWarning, HallOfFameRace, Race
+from matrixworld.coevolution.runs.race import DisengagementWarning, Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import finish, resume, start
@@ -92,7 +90,6 @@ __all__ = [
     "Against",
     "Alternating",
     "ArchivedOpponents",
-    "BestResponse",
     "Candidates",
     "CmaEs",
     "CmaEsSettings",
@@ -106,8 +103,6 @@ __all__ = [
     "GeneticAlgorithm",
     "GeneticAlgorithmSettings",
     "HallOfFame",
-    "HallOfFameRace",
-    "HeldOutScores",
     "Learner",
     "LearnerSettings",
     "LockedError",

@@ -10,11 +10,11 @@ import pytest
 from matrixworld import coevolution
 from matrixworld.coevolution import (
     DisengagementWarning,
-    HallOfFameRace,
     Race,
     RunDirectory,
     open_run,
 )
+from matrixworld.coevolution.runs.race import HallOfFameRace
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.policy import Population

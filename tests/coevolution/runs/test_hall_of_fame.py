@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution
-from matrixworld.coevolution import HallOfFameRace
-from matrixworld.coevolution.runs.race import pairings, table_of_individuals
+from matrixworld.coevolution.runs.race import HallOfFameRace, pairings, table_of_individuals
 from tiny_race import hall_of_fame
 
 

@@ -46,27 +46,15 @@ RATE = 8
 
 @dataclass(frozen=True)
 class HeldOutScores:
-    """Scores of one team's genomes against held-out opponents.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team of the genomes.
-    generations : tuple of int, length G
-        Generations of the genomes.
-    opponents : tuple of str, length N
-        Names of the opponents.
-    rates : ndarray of float64, shape (G, N, episodes)
-        Share of evaders captured, or for evaders 1 minus it.
-    left_out : str, optional
-        Which opponents of the variant are left out, and why; empty if none is.
-    """
+    """Scores of G genomes of a team against N held-out opponents, by their names."""
 
     team: Team
     generations: tuple[int, ...]
     opponents: tuple[str, ...]
     rates: NDArray[np.float64]
+    """Share of evaders captured, or for evaders 1 minus it, shape (G, N, episodes)."""
     left_out: str = ""
+    """Which opponents of the variant are left out, and why; empty if none is."""
 
     __repr__ = short_repr
 

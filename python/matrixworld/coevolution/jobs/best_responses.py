@@ -35,28 +35,18 @@ POPULATION = 48
 
 @dataclass(frozen=True)
 class BestResponse:
-    """Result of a best response to a champion.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team of the champion.
-    before : ndarray of float64, shape (episodes,)
-        Score of the champion's last opponent in its own run: the capture rate, or for evaders 1
-        minus it.
-    after : ndarray of float64, shape (episodes,)
-        Score of the response, in episodes that were not used in its training.
-    gain : ResponseGain
-        Difference of the two means, with an interval and the budget in matches.
-    directory : Path
-        Run directory of the response.
-    """
+    """Result of a best response to the champion of `team`."""
 
     team: Team
     before: FloatArray
+    """Score (episodes,) of the champion's last opponent in its own run: the capture rate, or for
+    evaders 1 minus it."""
     after: FloatArray
+    """Score (episodes,) of the response, in episodes that were not used in its training."""
     gain: ResponseGain
+    """Difference of the two means, with an interval and the budget in matches."""
     directory: Path
+    """Run directory of the response."""
 
     __repr__ = short_repr
 

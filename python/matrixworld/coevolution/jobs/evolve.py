@@ -50,15 +50,7 @@ BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
 
 
 class FailedRunsError(RuntimeError):
-    """Some runs of a job have failed; all others are finished.
-
-    Parameters
-    ----------
-    failures : mapping of Path to Exception
-        The error of each failed run, by its directory.
-    finished : list of SavedRun
-        The other runs.
-    """
+    """Some runs of a job have failed (`failures`, by directory); the others are `finished`."""
 
     def __init__(
         self, failures: Mapping[Path, BaseException], finished: Sequence[SavedRun] = ()
@@ -92,9 +84,9 @@ def evolve(
     Parameters
     ----------
     settings : RaceSettings, or a sequence or mapping of them
-        Settings of each run. In `directory` a race gets the directory ``<schedule>/seed-<n>`` and a
-        run of one team ``<team>-against-<opponent>/seed-<n>``; or give a mapping from names, such
-        as ``sigma-0.1/seed-3``.
+        Settings of each run, by the names of the directories that they get, such as
+        ``sigma-0.1/seed-3``. Without names these are ``<schedule>/seed-<n>``, and
+        ``<team>-against-<opponent>/seed-<n>`` for one team alone.
     directory : str or Path
         A new or empty directory, or that of the same runs, which are continued.
     executor : concurrent.futures.Executor, optional
@@ -112,11 +104,9 @@ def evolve(
 
     Raises
     ------
-    TypeError, ValueError
+    FileExistsError, TypeError, ValueError
         If settings are bad, two runs have the same name, an executor and `threads` are given, or
-        the directory holds other runs.
-    FileExistsError
-        If the directory holds something else.
+        the directory holds something else, such as other runs.
     OutOfMemoryError
         If the runs that play at one time need more memory than this machine has available.
     LockedError

@@ -14,6 +14,7 @@ import json
 import multiprocessing
 import os
 import secrets
+import shutil
 import signal
 import sys
 import threading
@@ -202,11 +203,7 @@ def read_progress(directory: Path) -> dict[str, Progress]:
 
 def remove_progress(directory: Path) -> None:
     """Remove the files of all runs, and their directory."""
-    folder = directory / PROGRESS
-    if folder.is_dir():
-        for file in folder.iterdir():
-            file.unlink(missing_ok=True)
-        folder.rmdir()
+    shutil.rmtree(directory / PROGRESS, ignore_errors=True)
 
 
 # Worker processes of this machine:

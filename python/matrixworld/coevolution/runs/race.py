@@ -266,19 +266,8 @@ class HallOfFameRace(Race):
 
     The halls of fame are the archive, so that payoff and analysis are those of `Race`. A stage is
     a generation. Any learner can take part: the individuals of an evolution strategy are its
-    samples, and its mean is the champion.
-
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of the race, with the schedule "hall-of-fame".
-    directory, threads, play
-        As in `Run`.
-
-    References
-    ----------
-    Rosin, C. D. and Belew, R. K. (1997). New methods for competitive coevolution. Evolutionary
-    Computation 5(1).
+    samples, and its mean is the champion. See Rosin & Belew (1997), "New methods for competitive
+    coevolution", Evolutionary Computation 5(1).
     """
 
     schedule: HallOfFame
