@@ -155,13 +155,9 @@ class Pairs:
 
     def play(self, threads: int | None) -> EpisodeStatistics:
         """Play all matches, wherever this is called."""
+        sides = self.pursuers, self.evaders
         return self.rollout(
-            self.config,
-            self.pursuers,
-            self.evaders,
-            self.matches,
-            episodes=self.episodes,
-            threads=threads,
+            self.config, *sides, self.matches, episodes=self.episodes, threads=threads
         )
 
     def seconds(self) -> float:

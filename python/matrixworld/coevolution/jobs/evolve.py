@@ -259,7 +259,7 @@ class JobPlay:
         for name in self._job.runs:
             counts[group_of(name)] += 1
             order[name] = counts[group_of(name)]
-        return sorted((name for name in order if not self._ended(name)), key=order.__getitem__)
+        return sorted(filter(lambda name: not self._ended(name), order), key=order.__getitem__)
 
     def _ended(self, name: str) -> bool:
         return name in self.finished or name in self.failures
@@ -357,20 +357,14 @@ class JobPlay:
             self._totals[name] = each.total
         done = sum(self._totals[name] for name in self.finished)
         done += sum(each.done for each in work.values())
-        total, before = max(sum(self._estimates()), 1), sum(self._before.values())
+        # Runs that have not begun count as the mean of the others.
+        known = [*self._totals.values()]
+        total = sum(known) * len(self._job.runs) // max(len(known), 1)
         failed = f", {len(self.failures)} failed" if self.failures else ""
         what = f"{len(self.finished)} of {len(self._job.runs)} runs{failed}"
         if len(self._job.runs) == 1 and work:
             what, work = next(iter(work.values())).what, {}
-        self._report(Progress(what, done, total, before, work))
-
-    def _estimates(self) -> list[int]:
-        """Return the episodes of each run: known, or as of the last known run of its group."""
-        known = self._totals
-        by_group = {group_of(name): total for name, total in known.items()}
-        mean = sum(by_group.values()) // max(len(by_group), 1)
-        names = self._job.runs
-        return [known.get(name, by_group.get(group_of(name), mean)) for name in names]
+        self._report(Progress(what, done, max(total, 1), sum(self._before.values()), work))
 
 
 def _finished(root: Path, name: str) -> bool:

@@ -20,7 +20,7 @@ from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import (
     Alternating,
     HallOfFame,
@@ -107,16 +107,9 @@ class Race(Run):
         n_before = available(team, generation - 1) if generation > 1 else 0
         self.admit(team, generation, range(n_before, available(team, generation)))
         before = self.learners[team].state()
-        team_phase = TeamPhase(
-            self.training,
-            self.learners[team],
-            team,
-            generation,
-            opponents=self.training.population(self.genomes(other(team))),
-            sampler=self.samplers[team],
-            on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
-        )
-        team_phase.run(range(self.schedule.epochs(team)))
+        opponents = self.training.population(self.genomes(other(team)))
+        epochs, activity = range(self.schedule.epochs(team)), f"generation {generation}: {team}s"
+        self.learn_alone(team, generation, opponents, self.samplers[team], epochs, activity)
         self.retain(team, generation, before)
         self.archive[team].append(self.learners[team].genome)
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
@@ -171,6 +171,20 @@ class Run(ABC):
         return {}
 
     # The following methods are the same for all kinds:
+
+    def learn_alone(
+        self,
+        team: Team,
+        generation: int,
+        opponents: TeamPolicy,
+        sampler: OpponentSampler,
+        epochs: range,
+        activity: str,
+    ) -> None:
+        """Let one team learn a generation for some epochs, against opponents that do not learn."""
+        learner, report = self.learners[team], partial(self.report, activity)
+        phase = TeamPhase(self.training, learner, team, generation, opponents, sampler, report)
+        phase.run(epochs)
 
     def check_settings(self) -> None:
         """Raise TypeError or ValueError if this kind of run cannot have these settings."""

@@ -17,7 +17,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
 )
 from matrixworld.coevolution.opponents import RoundRobin
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.settings import RaceSettings
@@ -125,17 +125,10 @@ class SingleTeam(Run):
     def learn(self, stage: int) -> None:
         """Let the team learn until the next entry of the archive."""
         team, schedule = self.schedule.team, self.schedule
-        team_phase = TeamPhase(
-            self.training,
-            self.learners[team],
-            team,
-            generation=1 + stage,
-            opponents=self.opponents,
-            sampler=RoundRobin(),
-            on_epoch=lambda: self.report(f"{team}s against {schedule.opponent}"),
-        )
         first = stage * schedule.archive_every
-        team_phase.run(range(first, min(first + schedule.archive_every, schedule.epochs)))
+        epochs = range(first, min(first + schedule.archive_every, schedule.epochs))
+        activity = f"{team}s against {schedule.opponent}"
+        self.learn_alone(team, 1 + stage, self.opponents, RoundRobin(), epochs, activity)
         self.archive[team].append(self.learners[team].genome)
 
     def total_matches(self) -> int:
@@ -212,21 +205,15 @@ def _opponents(settings: RaceSettings, given: Population | None) -> TeamPolicy:
 
 def _start(settings: RaceSettings, given: ArrayLike | None) -> Genome | None:
     """Return the genome to start from: that given, the last one of a run, or None."""
-    schedule = cast(Against, settings.schedule)
-    if given is None and schedule.start is None:
-        return None
-    size = settings.network.genome_size
-    if given is not None:
-        genome = np.asarray(given, dtype=np.float32)
-    else:
-        population = last_generation(str(schedule.start), schedule.team)
-        if population.network != settings.network:
-            raise ValueError(
-                f"start: expected a genome of {settings.network}, got one of {population.network}"
-            )
-        genome = population.genomes[0]
+    schedule, network = cast(Against, settings.schedule), settings.network
+    if given is None:
+        if schedule.start is None:
+            return None
+        population = last_generation(schedule.start, schedule.team)
+        if population.network != network:
+            raise ValueError(f"start: expected a genome of {network}, got {population.network}")
+        given = population.genomes[0]
+    genome, size = np.asarray(given, dtype=np.float32), network.genome_size
     if genome.shape != (size,) or not np.isfinite(genome).all():
-        raise ValueError(
-            f"start: expected {size} finite genes, got an array of shape {genome.shape}"
-        )
+        raise ValueError(f"start: expected {size} finite genes, got shape {genome.shape}")
     return genome
