@@ -7,7 +7,6 @@ import os
 import re
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -99,9 +98,9 @@ class Browser:
         file.write_bytes(self.driver.get_screenshot_as_png())
 
 
-@contextmanager
-def started_browser() -> Iterator[Browser]:
-    """Start a browser; the test is skipped where there is none."""
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """A browser for the tests of one file, which are skipped where there is none."""
     webdriver = pytest.importorskip("selenium.webdriver")
     program, driver = (next(filter(None, map(shutil.which, n)), None) for n in (NAMES, DRIVERS))
     if program is None or driver is None:
@@ -121,10 +120,3 @@ def started_browser() -> Iterator[Browser]:
         yield Browser(chrome)
     finally:
         chrome.quit()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """A browser for the tests of one file."""
-    with started_browser() as started:
-        yield started

@@ -175,7 +175,10 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
     network = Network(hidden=(4,), fov=11)
     genome = network.initial(np.random.default_rng(0))
 
-    def save(name: str, **changes: object) -> None:
+    reasons: dict[str, str] = {}
+
+    def save(name: str, reason: str, **changes: object) -> None:
+        reasons[name] = reason
         arrays: dict[str, object] = {
             "genome": genome, "hidden": np.array([4]), "activation": "relu", "fov": 11,
             "n_actions": 5, "sampled": True, "team": "pursuer",
@@ -184,44 +187,38 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
             directory / name, **{k: v for k, v in {**arrays, **changes}.items() if v is not None}
         )
 
-    save("other size.npz", genome=genome[:-1])
-    save("other dtype.npz", genome=genome.astype(np.float64))
-    save("not finite.npz", genome=genome * np.nan)
-    save("other view.npz", genome=Network((4,), fov=3).initial(np.random.default_rng(0)), fov=3)
-    save("other team.npz", team="referee")
-    save("no team.npz", team=None)
-    save("many layers.npz", hidden=np.ones(1000, int))
+    def write(name: str, reason: str, content: bytes) -> None:
+        reasons[name] = reason
+        (directory / name).write_bytes(content)
+
+    save("other size.npz", "genomes: expected shape", genome=genome[:-1])
+    double = genome.astype(np.float64)
+    save("other dtype.npz", "genomes: expected dtype float32, got float64", genome=double)
+    save("not finite.npz", "expected finite numbers", genome=genome * np.nan)
+    narrow = Network((4,), fov=3).initial(np.random.default_rng(0))
+    view = "expected a network for fov 11 and 5 actions, got fov 3"
+    save("other view.npz", view, genome=narrow, fov=3)
+    team = "team: expected one of pursuer, evader, got 'referee'"
+    save("other team.npz", team, team="referee")
+    save("no team.npz", "expected an array 'team'", team=None)
+    layers = "hidden: expected at most 16 layers, got 1000"
+    save("many layers.npz", layers, hidden=np.ones(1000, int))
+    kind = "expected dtype of kind f and 1 dimensions, got dtype object"
+    save("pickle.npz", kind, genome=np.array([{}, []], object))
     whole = io.BytesIO()
     np.savez(whole, genome=genome)
-    (directory / "cut.npz").write_bytes(whole.getvalue()[:-100])
-    np.savez(directory / "pickle.npz", genome=np.array([{}, []], object))
-    (directory / "large.npz").write_bytes(bytes(9 << 20))
-    (directory / "long.py").write_bytes(b"#" * (300 << 10))
-    (directory / "notes.txt").write_text("hello")
-    (directory / "linked.py").symlink_to("/etc/passwd")
-    (directory / "linked directory").symlink_to("/etc")
+    write("cut.npz", "cut, altered or not an npz file", whole.getvalue()[:-100])
+    write("large.npz", "expected at most 8,388,608 bytes", bytes(9 << 20))
+    write("long.py", "expected at most 262,144 bytes", b"#" * (300 << 10))
+    write("notes.txt", r"expected a file that ends in \.py or \.npz", b"hello")
+    for name in ("twice", "TWICE"):
+        twice = f"expected one policy for the pursuers of {name}, got 2: TWICE.py, twice.py"
+        write(f"{name}.py", twice, ACTS.encode() + b"return 0")
+    for name, target in (("linked.py", "/etc/passwd"), ("linked directory", "/etc")):
+        reasons[name] = "expected a file, got a symbolic link"
+        (directory / name).symlink_to(target)
     os.mkfifo(directory / "pipe.py")
-    (directory / "twice.py").write_text(ACTS + "return 0")
-    (directory / "TWICE.py").write_text(ACTS + "return 1")
-    return {
-        "other size.npz": "genomes: expected shape",
-        "other dtype.npz": "genomes: expected dtype float32, got float64",
-        "not finite.npz": "expected finite numbers",
-        "other view.npz": "expected a network for fov 11 and 5 actions, got fov 3",
-        "other team.npz": "team: expected one of pursuer, evader, got 'referee'",
-        "no team.npz": "expected an array 'team'",
-        "many layers.npz": "hidden: expected at most 16 layers, got 1000",
-        "cut.npz": "cut, altered or not an npz file",
-        "pickle.npz": "expected dtype of kind f and 1 dimensions, got dtype object",
-        "large.npz": "expected at most 8,388,608 bytes",
-        "long.py": "expected at most 262,144 bytes",
-        "notes.txt": r"expected a file that ends in \.py or \.npz",
-        "linked.py": "expected a file, got a symbolic link",
-        "linked directory": "expected a file, got a symbolic link",
-        "pipe.py": "expected a file, got a FIFO",
-        "twice.py": "expected one policy for the pursuers of twice, got 2: TWICE.py, twice.py",
-        "TWICE.py": "expected one policy for the pursuers of TWICE, got 2: TWICE.py, twice.py",
-    }
+    return {**reasons, "pipe.py": "expected a file, got a FIFO"}
 
 
 def write_programs(directory: Path, programs: dict[str, str]) -> None:

@@ -18,8 +18,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from reference import ReferenceWorld, records
-from reference_stages import KINDS
+from reference import KINDS, ReferenceWorld, records
 
 Cell = tuple[int, int]
 Cells = Sequence[Sequence[int]]

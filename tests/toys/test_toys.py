@@ -175,11 +175,7 @@ def test_scores_of_a_history_by_hand() -> None:
     # 3 against 1 and 2; 2 against 1 and 2.
     assert scores.mean(axis=2).tolist() == [[1.0, 1.0], [1.0, 0.5]]
     assert history.objective.tolist() == [[[3, 3], [1, 1]], [[2, 2], [2, 2]]]
-
-
-def test_scores_draw_individuals_at_random() -> None:
-    ones = np.array([[[[0], [2]], [[1], [1]]]])  # one of two wins
-    history = History(toys.GAMES["scalar"], ones, np.zeros((0, 2, 2)))
+    history.ones[0, 0] = [[0], [2]]  # one of two individuals wins, and each is drawn as often
     scores = history.scores([0], 2000, np.random.default_rng(0))
     assert scores.mean() == pytest.approx(0.5, abs=0.05)
 
