@@ -90,12 +90,10 @@ def test_episodes_follow_each_other() -> None:
 
 
 def test_an_environment_without_a_seed_draws_one() -> None:
-    seeds = []
-    for _ in range(3):
-        env = mw.parallel_env("O")
+    envs = [mw.parallel_env("O") for _ in range(3)]
+    for env in envs:
         env.reset()
-        seeds.append(env.world.seed)
-    assert len(set(seeds)) == 3
+    assert len({env.world.seed for env in envs}) == 3
 
 
 def test_options() -> None:
