@@ -24,7 +24,7 @@ from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Recorder, record, record_actions
 from matrixworld.episodes.safety import SafetyMonitor, SafetySummary
 from matrixworld.play import NetworkPolicy
-from matrixworld.play.rollout import EpisodeStatistics, Matches, match_seed, rollout
+from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.version import __version__ as __version__
 from matrixworld.world.arrays import array_specs, episode_specs
 from matrixworld.world.batch import Batch
@@ -69,7 +69,6 @@ __all__ = [
     "array_specs",
     "colors",
     "episode_specs",
-    "match_seed",
     "parallel_env",
     "read_map",
     "record",

@@ -17,6 +17,7 @@ from matrixworld import coevolution
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.sections import Section
 from matrixworld.episodes import replay
+from matrixworld.play.rollout import match_seed
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
 from tiny_race import tiny_race, tiny_single
@@ -94,7 +95,7 @@ CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
         {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
         | {"seed": 0, "pursuer": 0, "evader": 0, "episode": 0},
     ),
-    "match_seed": (lambda run_seed: mw.match_seed(run_seed, 1), {"run_seed": 0}),
+    "match_seed": (lambda run_seed: match_seed(run_seed, 1), {"run_seed": 0}),
     "Episode": (mw.Episode, dict(vars(EPISODE))),
     "SafetyMonitor.summary": (MONITOR.summary, {"seed": 0}),
     "RaceSettings": (coevolution.RaceSettings, vars(tiny_race())),

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.play.rollout import match_seed
 from refusals import CONFIG, GENOME, NETWORK, SMALL, assert_refuses, kind, table, value
 
 TEAM = mw.Population(np.stack([GENOME, GENOME]), NETWORK)
@@ -129,7 +130,7 @@ MATCHES = [
     value(lambda: record(TEAM, TEAM, seed=0, evader=2), "0 to 1 | evader: expected 0 to 1, got 2"),
     value(lambda: record(TEAM, TEAM, seed=0, pursuer=-1), "at least 0 | got -1"),
     value(lambda: record(TEAM, TEAM, seed=1, episode=-1), "0 to 1844 | got -1"),
-    value(lambda: mw.match_seed(1, -2), "0 to 1844 | got -2"),
+    value(lambda: match_seed(1, -2), "0 to 1844 | got -2"),
 ]
 
 

@@ -25,7 +25,7 @@ from class_submissions import (
     write_hostile_files,
     write_programs,
 )
-from matrixworld import Matches, WorldConfig, match_seed, record_actions, rollout
+from matrixworld import Matches, WorldConfig, record_actions, rollout
 from matrixworld.classroom import Limits, play_class, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
 from matrixworld.classroom.policy_server import MODULES
@@ -34,6 +34,7 @@ from matrixworld.classroom.submissions import MOST_BYTES
 from matrixworld.classroom.tournament import SCRIPTS, ClassResult
 from matrixworld.cli.classroom import play_command
 from matrixworld.coevolution.types import TEAMS
+from matrixworld.play.rollout import match_seed
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 

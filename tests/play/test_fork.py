@@ -104,28 +104,35 @@ assert os.waitstatus_to_exitcode(os.waitpid(number, 0)[1]) == 7
 """)
 
 
+FORK_OFTEN = """
+def fork_often(busy, play, times):
+    done = threading.Event()
+
+    def be_busy():
+        while not done.is_set():
+            busy()
+
+    thread = threading.Thread(target=be_busy)
+    thread.start()
+    codes = [in_child(play) for _ in range(times)]
+    done.set()
+    thread.join()
+    assert codes == [0] * times
+"""
+
+
 @pytest.mark.slow
 def test_a_child_plays_matches_while_its_parent_does() -> None:
     """The child is forked in the middle of a rollout of another thread."""
-    forked("""
+    forked(f"""
+{FORK_OFTEN}
 matches = mw.Matches.of(0, 0, np.arange(40))
-expected = mw.rollout("O", "hunter", "dodger", matches, threads=1)
-done = threading.Event()
 
-def play_for_ever():
-    while not done.is_set():
-        mw.rollout("O", "hunter", "dodger", matches, threads=3)
+def rollout():
+    return mw.rollout("O", "hunter", "dodger", matches, threads=3).length
 
-def play():
-    got = mw.rollout("O", "hunter", "dodger", matches, threads=3)
-    np.testing.assert_array_equal(got.length, expected.length)
-
-thread = threading.Thread(target=play_for_ever)
-thread.start()
-codes = [in_child(play) for _ in range(10)]
-done.set()
-thread.join()
-assert codes == [0] * 10
+expected = rollout()
+fork_often(rollout, lambda: np.testing.assert_array_equal(rollout(), expected), 10)
 """)
 
 
@@ -134,12 +141,8 @@ def test_forks_in_the_middle_of_steps() -> None:
     """The batch of a step in progress is refused in the child, and can be deleted and replaced."""
     output = forked(f"""
 {EXPECTED}
+{FORK_OFTEN}
 batch = mw.Batch(100, threads=3)
-done = threading.Event()
-
-def step_for_ever():
-    while not done.is_set():
-        batch.step(actions[0])
 
 def play():
     global batch
@@ -150,12 +153,7 @@ def play():
     batch = mw.Batch(100, threads=3)
     np.testing.assert_array_equal(play_on(batch), expected)
 
-thread = threading.Thread(target=step_for_ever)
-thread.start()
-codes = [in_child(play) for _ in range(100)]
-done.set()
-thread.join()
-assert codes == [0] * 100
+fork_often(lambda: batch.step(actions[0]), play, 100)
 batch.step(actions[0])
 """)
     message = "expected no call in progress when the process was forked"

@@ -90,15 +90,6 @@ def test_a_policy_owns_its_genome_and_can_be_copied() -> None:
         assert np.array_equal(twin(VIEWS), expected)
 
 
-def test_layers_are_the_function_in_numpy() -> None:
-    policy = policy_of(activation="relu")
-    x = VIEWS.reshape(200, -1).astype(np.float32)
-    *hidden, (last, bias) = policy.layers()
-    for weights, biases in hidden:
-        x = np.maximum(x @ weights + biases, 0)
-    assert np.allclose(x @ last + bias, policy.logits(VIEWS), atol=1e-6)
-
-
 @pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
 @pytest.mark.parametrize("activation", ["relu", "tanh"])
 def test_pytorch_has_the_same_probabilities(hidden: tuple[int, ...], activation: str) -> None:

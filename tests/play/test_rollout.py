@@ -79,45 +79,18 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
 
 
 def test_shapes_and_types() -> None:
-    config = config_of("O")
-    statistics = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), episodes=4)
-    types = {
-        "capture_rate": "f4",
-        "ever_capture_rate": "f4",
-        "captured_fraction": "f4",
-        "length": "i4",
-        "pursuer_return": "f8",
-        "evader_return": "f8",
-        "pursuer_survivors": "i4",
-        "evader_survivors": "i4",
-        "pursuer_overlap": "f4",
-        "evader_overlap": "f4",
-        "collisions": "i4",
-        "faults": "i4",
-        "agent_steps": "i8",
-    }
-    assert list(types) == FIELDS
-    for name, dtype in types.items():
-        array = getattr(statistics, name)
-        assert array.dtype == dtype
-        rest = {"collisions": (2, 3), "faults": (2, 3), "agent_steps": (2,)}
+    statistics = mw.rollout("O", "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), episodes=4)
+    rest = {"collisions": (2, 3), "faults": (2, 3), "agent_steps": (2,)}
+    types = {"pursuer_return": "f8", "evader_return": "f8", "agent_steps": "i8"}
+    counts = ("length", "pursuer_survivors", "evader_survivors", "collisions", "faults")
+    for name, array in vars(statistics).items():
         assert array.shape == (3, 4, *rest.get(name, ()))
+        assert array.dtype == types.get(name, "i4" if name in counts else "f4")
 
 
 def test_no_matches() -> None:
     statistics = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), episodes=2)
     assert statistics.length.shape == (0, 2)
-
-
-def test_episodes_end_early_or_at_max_steps() -> None:
-    config = config_of("O", max_steps=60)
-    statistics = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), episodes=40)
-    early = statistics.length < 60
-    assert early.any()
-    assert (statistics.length <= 60).all()
-    assert (statistics.capture_rate[early] == 1).all()
-    assert (statistics.evader_survivors[early] == 0).all()
-    assert (statistics.captured_fraction <= statistics.capture_rate).all()
 
 
 # ---- A pure function -------------------------------------------------------------------------
@@ -143,15 +116,6 @@ def test_other_matches_and_order_change_nothing(race: Any) -> None:
     for rows in ([8, 3, 0, 5, 1, 2, 7, 6, 4], [4], [2, 2, 2], [7, 1]):
         some = mw.Matches(*(column[rows] for column in matches))
         assert_same_bits(whole, mw.rollout(config, team, team, some, episodes=3), rows)
-
-
-def test_worlds_are_the_episodes_of_a_seed(race: Any) -> None:
-    config, team, matches = race
-    few = mw.rollout(config, team, team, matches, episodes=2)
-    many = mw.rollout(config, team, team, matches, episodes=18)
-    for name in FIELDS:
-        np.testing.assert_array_equal(getattr(few, name), getattr(many, name)[:, :2])
-    assert len(np.unique(many.pursuer_return)) > 18
 
 
 def test_a_candidate_depends_on_its_genome_alone(race: Any) -> None:

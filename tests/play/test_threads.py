@@ -53,6 +53,7 @@ print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_
 @pytest.mark.parametrize(
     ("own", "limits", "cores"),
     [
+        (None, {}, 1024),
         ("0::/\n", {}, 1024),
         ("0::/\n", {".": "max 100000\n"}, 1024),
         ("0::/\n", {".": "150000 100000\n"}, 1.5),
@@ -62,9 +63,10 @@ print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_
     ],
 )
 def test_control_groups_limit_cores(
-    own: str, limits: dict[str, str], cores: float, tmp_path: Path
+    own: str | None, limits: dict[str, str], cores: float, tmp_path: Path
 ) -> None:
-    (tmp_path / "own").write_text(own)
+    if own is not None:
+        (tmp_path / "own").write_text(own)
     for folder, limit in limits.items():
         (tmp_path / "groups" / folder).mkdir(parents=True, exist_ok=True)
         (tmp_path / "groups" / folder / "cpu.max").write_text(limit)
@@ -75,7 +77,3 @@ def test_a_limited_group_gives_fewer_threads(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(checks, "control_group_cores", lambda: 0.5)
     assert checks.usable_cores() == 1
     assert mw.Batch(3).n_worlds == 3
-
-
-def test_a_file_that_is_missing_limits_nothing(tmp_path: Path) -> None:
-    assert checks.control_group_cores(tmp_path / "none", tmp_path) == 1024

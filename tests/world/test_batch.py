@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import threading
-import time
 import weakref
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -242,62 +239,6 @@ def test_any_integers_are_actions(dtype: type) -> None:
     one.step(actions)
     other.step(np.asfortranarray(actions.astype(dtype)))
     np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
-
-
-# ---- Python's other threads ------------------------------------------------------------------
-
-
-def test_other_threads_run_during_a_step() -> None:
-    """A thread that keeps noting the time notes some in the middle of a step."""
-    config = mw.WorldConfig(fov=61)
-    n_worlds = 40
-    batch = mw.Batch(
-        n_worlds,
-        config,
-        threads=1,
-        autoreset=mw.Autoreset.SAME_STEP,
-        buffers={"views": np.zeros((n_worlds, 38, 3, 61, 61), np.uint8)},
-    )
-    actions = np.zeros((n_worlds, 38), np.uint8)
-    noted: list[float] = []
-    done = threading.Event()
-
-    def note() -> None:
-        while not done.is_set():
-            noted.append(time.perf_counter())
-            time.sleep(1e-5)
-
-    thread = threading.Thread(target=note)
-    thread.start()
-    try:
-        for _ in range(2000):
-            start = time.perf_counter()
-            batch.step(actions)
-            quarter = (time.perf_counter() - start) / 4
-            if any(start + quarter < moment < start + 3 * quarter for moment in noted):
-                break
-            noted.clear()
-        else:
-            pytest.fail("no other thread ran during 2000 steps")
-    finally:
-        done.set()
-        thread.join()
-
-
-def test_batches_in_several_python_threads() -> None:
-    config = config_of("O")
-    actions = random_actions(8, 5, 30, 20, config.n_agents)
-
-    def play(_: int) -> np.ndarray:
-        batch = mw.Batch(20, config, threads=2, autoreset=mw.Autoreset.SAME_STEP)
-        for row in actions:
-            batch.step(row)
-        return batch.buffers["positions"]
-
-    with ThreadPoolExecutor(4) as threads:
-        first, *others = threads.map(play, range(4))
-    for positions in others:
-        np.testing.assert_array_equal(positions, first)
 
 
 def test_a_batch_keeps_its_arrays_alive() -> None:

@@ -171,27 +171,6 @@ def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: s
     assert set(np.unique(actions)) == taken
 
 
-def test_the_largest_output_is_taken_without_sampling() -> None:
-    config = mw.WorldConfig("D", rows=12, cols=12, fov=7, max_steps=30, obstacles=0.1)
-    network = mw.Network.for_config(config, (16,), sampled=False)
-    genome = random_genome(network, 2)
-    team = mw.Population(genome, network)
-    episode = mw.record(config, team, team, seed=4)
-    world = mw.World(config)
-    world.reset(4)
-    sure = 0
-    for step in range(episode.length):
-        alive = world.alive
-        logits = network.logits(genome, world.views()[alive])
-        best, second = np.sort(logits, axis=1)[:, [-1, -2]].T
-        clear = best - second > 1e-4
-        chosen = episode.actions[step][alive]
-        np.testing.assert_array_equal(chosen[clear], logits.argmax(axis=1)[clear])
-        sure += clear.sum()
-        world.step(episode.actions[step])
-    assert sure > 50
-
-
 # ---- Instruction sets ------------------------------------------------------------------------
 
 

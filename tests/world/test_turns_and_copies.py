@@ -122,27 +122,6 @@ def snapshot_of(world: mw.World) -> dict[str, Any]:
     return world._core.snapshot()
 
 
-def test_fields_and_types() -> None:
-    world = mw.World(CONFIG)
-    world.reset(2**64 - 1, episode=3)
-    snapshot = snapshot_of(world)
-    assert (snapshot["seed"], snapshot["episode"]) == (2**64 - 1, 3)
-    arrays = {
-        name: value.shape for name, value in snapshot.items() if isinstance(value, np.ndarray)
-    }
-    assert arrays == {
-        "map": (20,),
-        **dict.fromkeys(("cells", "last_cells", "rewards", "report"), (5,)),
-        **dict.fromkeys(("captured", "ever_captured", "capture_paid", "captors"), (3,)),
-        "participants": (0,),
-    }
-    plain = {name: type(value) for name, value in snapshot.items() if name not in arrays}
-    assert plain == {
-        **dict.fromkeys(("seed", "episode", "steps", "turn"), int),
-        **dict.fromkeys(("first_turn", "terminated", "truncated"), bool),
-    }
-
-
 @pytest.mark.parametrize(
     ("name", "value", "expected"),
     [

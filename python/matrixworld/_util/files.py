@@ -14,6 +14,7 @@ import io
 import json
 import os
 import secrets
+import stat
 import sys
 import zipfile
 import zlib
@@ -59,10 +60,16 @@ NO_MATCH = "altered or from another run, its checksum does not match its content
 
 NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 """Flag to open a file, but not through a symbolic link, where the system has it."""
-PERMISSIONS = 0o777
-"""Bits of a file's mode that are its permissions."""
 LONGEST = 1000
 """Most characters of a message: it may quote what a file holds."""
+
+NOT_REGULAR = {
+    stat.S_IFDIR: "a directory",
+    stat.S_IFLNK: "a symbolic link",
+    stat.S_IFIFO: "a FIFO",
+    stat.S_IFSOCK: "a socket",
+}
+"""Kinds of files by their modes; all others are devices."""
 
 UNREADABLE = (
     AttributeError,  # another format of NumPy, up to Python 3.10
@@ -121,10 +128,20 @@ def one_line(text: object) -> str:
 # Reading:
 
 
+def kind_of_file(mode: int) -> str:
+    """Return what a file of a mode is, such as "a FIFO"; empty for a regular one."""
+    return "" if stat.S_ISREG(mode) else NOT_REGULAR.get(stat.S_IFMT(mode), "a device")
+
+
+def check_regular(path: Path, mode: int) -> None:
+    """Raise DamagedFileError unless a mode is that of a regular file."""
+    if kind := kind_of_file(mode):
+        raise DamagedFileError(path, f"expected a file, got {kind}")
+
+
 def read_content(path: Path) -> bytes:
     """Return the content of a file; DamagedFileError for a directory, FIFO or device."""
-    if path.exists() and not path.is_file():
-        raise DamagedFileError(path, f"expected a regular file, got {_kind_of(path)}")
+    check_regular(path, path.stat().st_mode)
     return path.read_bytes()
 
 
@@ -180,18 +197,8 @@ def check_replaceable(path: Path) -> None:
     A directory, symbolic link, FIFO or device is neither replaced nor written to: in a directory by
     others a link may point to any file of the user.
     """
-    if path.is_symlink() or (path.exists() and not path.is_file()):
-        raise FileExistsError(f"{path}: expected a file, got {_kind_of(path)}")
-
-
-def _kind_of(path: Path) -> str:
-    kinds = {
-        "a symbolic link": path.is_symlink(),
-        "a directory": path.is_dir(),
-        "a FIFO": path.is_fifo(),
-        "a socket": path.is_socket(),
-    }
-    return next((kind for kind, found in kinds.items() if found), "a device")
+    if os.path.lexists(path) and (kind := kind_of_file(path.lstat().st_mode)):
+        raise FileExistsError(f"{path}: expected a file, got {kind}")
 
 
 @contextmanager
@@ -206,34 +213,29 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     # In the same directory, because a rename is atomic within one file system only. The name is
     # random, so that writers do not share it, and nobody can put a link there before.
     temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
-    with _named(target, temporary):
-        # x: a file that must not exist, not even as a link. Its mode is 0o666 without the umask.
-        made = open(temporary, "xb")  # noqa: SIM115, closed below, but not removed if it exists
-        try:
-            with made as file:
-                if target.exists():
-                    os.chmod(temporary, target.stat().st_mode & PERMISSIONS)
-                yield file
-                # The content must be on the disk before the name is: a rename may survive a power
-                # cut that the content does not.
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(temporary, target)
-        finally:
-            temporary.unlink(missing_ok=True)
-        _sync_directory(target.parent)
-
-
-@contextmanager
-def _named(path: Path, temporary: Path) -> Iterator[None]:
-    """Add the file's name to system errors that lack it, such as that of a full disk."""
+    made = False
     try:
-        yield
+        # x: a file that must not exist, not even as a link. Its mode is 0o666 without the umask.
+        with open(temporary, "xb") as file:
+            made = True
+            if target.exists():
+                os.chmod(temporary, stat.S_IMODE(target.stat().st_mode))
+            yield file
+            # The content must be on the disk before the name is: a rename may survive a power
+            # cut that the content does not.
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, target)
+        _sync_directory(target.parent)
     except OSError as error:
-        # An error without a number has a message of the package, which names the file.
+        # System errors may lack the name, such as that of a full disk. An error without a number
+        # has a message of the package, which names the file.
         if error.errno is not None and error.filename in (None, str(temporary)):
             error.filename, error.filename2 = str(path), None
         raise
+    finally:
+        if made:
+            temporary.unlink(missing_ok=True)
 
 
 def _sync_directory(path: Path) -> None:

@@ -12,11 +12,9 @@ import hashlib
 import io
 import math
 import os
-import stat
 import sys
 import unicodedata
 import zipfile
-import zlib
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -27,7 +25,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
-from matrixworld._util.files import DamagedFileError, one_line, save_arrays
+from matrixworld._util.files import (
+    UNREADABLE,
+    DamagedFileError,
+    check_regular,
+    one_line,
+    save_arrays,
+)
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network, Population, TeamPolicy
@@ -171,15 +175,6 @@ def _student_and_team(entry: Entry) -> tuple[str, Team]:
 
 # ---- Reading a file ------------------------------------------------------------------------------
 
-_NOT_REGULAR = {
-    stat.S_IFDIR: "a directory",
-    stat.S_IFLNK: "a symbolic link",
-    stat.S_IFIFO: "a FIFO",
-    stat.S_IFSOCK: "a socket",
-    stat.S_IFCHR: "a device",
-    stat.S_IFBLK: "a device",
-}
-
 
 def read_file(path: Path) -> tuple[FileKind, bytes]:
     """Return kind and content of a submission.
@@ -188,7 +183,7 @@ def read_file(path: Path) -> tuple[FileKind, bytes]:
     opened.
     """
     # Before it is opened, too: a socket cannot be opened, and opening a device can have effects.
-    _check_regular(path, path.lstat())
+    check_regular(path, path.lstat().st_mode)
     if path.suffix.lower() not in FILE_KINDS:
         expected = f"expected a file that ends in {' or '.join(FILE_KINDS)}"
         raise DamagedFileError(path, expected)
@@ -198,17 +193,11 @@ def read_file(path: Path) -> tuple[FileKind, bytes]:
     handle = os.open(path, os.O_RDONLY | sum(getattr(os, flag, 0) for flag in flags))
     with open(handle, "rb") as file:
         status = os.fstat(handle)
-        _check_regular(path, status)
+        check_regular(path, status.st_mode)
         if status.st_size > MOST_BYTES[kind]:
             expected = f"expected at most {MOST_BYTES[kind]:,} bytes ({kind})"
             raise DamagedFileError(path, f"{expected}, got {status.st_size:,}")
         return kind, file.read(status.st_size)
-
-
-def _check_regular(path: Path, status: os.stat_result) -> None:
-    if not stat.S_ISREG(status.st_mode):
-        found = _NOT_REGULAR.get(stat.S_IFMT(status.st_mode), "something else")
-        raise DamagedFileError(path, f"expected a file, got {found}")
 
 
 # ---- A genome as a file --------------------------------------------------------------------------
@@ -236,21 +225,6 @@ _HEADERS: dict[tuple[int, int], Any] = {
     (1, 0): np.lib.format.read_array_header_1_0,
     (2, 0): np.lib.format.read_array_header_2_0,
 }
-_UNREADABLE = (
-    AttributeError,  # another format of NumPy, up to Python 3.10
-    EOFError,
-    KeyError,
-    NotImplementedError,  # another version of the zip format
-    OSError,
-    OverflowError,
-    RecursionError,
-    RuntimeError,  # an altered flag of the zip archive
-    TypeError,  # another format of NumPy, from Python 3.11 on
-    ValueError,
-    zipfile.BadZipFile,
-    zlib.error,
-)
-"""What zipfile and NumPy raise while they read a damaged file."""
 
 
 def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy) -> None:
@@ -290,7 +264,7 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
     """
     try:
         arrays = _arrays(content)
-    except _UNREADABLE as error:
+    except UNREADABLE as error:
         raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
     team, layers = str(arrays["team"]), len(arrays["hidden"])
     if layers > MOST_LAYERS:

@@ -36,12 +36,7 @@ class Matches(NamedTuple):
 
     @classmethod
     def of(cls, pursuer: ArrayLike, evader: ArrayLike, seed: ArrayLike) -> Matches:
-        """Return matches of integers, each of shape (M,), (1,) or ().
-
-        Parameters
-        ----------
-        pursuer, evader, seed : array_like of int
-            The columns, which broadcast against each other to one axis.
+        """Return matches of integers, each (M,), (1,) or (), which broadcast against each other.
 
         Raises
         ------
@@ -178,26 +173,9 @@ def rollout(
 
 
 def match_seed(run_seed: int, *key: int) -> int:
-    """Return the seed of a match.
+    """Return the seed of a match, 64 bits, from the run's seed and numbers that tell it apart.
 
-    Parameters
-    ----------
-    run_seed : int
-        The seed of the run.
-    *key : int
-        Numbers that distinguish the match from others of the run, for example epoch and pair.
-
-    Returns
-    -------
-    int
-        A 64-bit seed from `numpy.random.SeedSequence`, the same on every machine and version.
-
-    Raises
-    ------
-    ValueError
-        If a number is below 0.
-    TypeError
-        If a number is not an integer.
+    The same on every machine and version. ValueError below 0, TypeError if one is no integer.
     """
     # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
     entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]

@@ -61,10 +61,6 @@ class Batch:
 
     Attributes
     ----------
-    config : WorldConfig
-        The configuration.
-    n_worlds : int
-        W.
     buffers : dict of str to ndarray
         The arrays that `reset` and `step` write into.
 

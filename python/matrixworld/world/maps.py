@@ -41,7 +41,7 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
         If `source` has another type.
     ValueError
         If the map is empty, its rows differ in length, or a character is unknown. Of a path also
-        (as DamagedFileError) if it is not a regular file, or a file of more than 16 MiB.
+        (as DamagedFileError) if it is not a regular file.
     FileNotFoundError
         If the path does not exist.
 

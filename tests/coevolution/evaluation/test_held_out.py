@@ -20,6 +20,7 @@ from matrixworld.coevolution.evaluation.held_out import (
     opponents_of,
 )
 from matrixworld.coevolution.types import other
+from matrixworld.play.rollout import match_seed
 from tiny_race import tiny_race, tiny_single
 
 SCRIPTED = {
@@ -110,7 +111,7 @@ def test_scores_are_those_of_the_matches(race):
         assert found.matches == 4 * len(against)
         assert found.left_out == ""
         for number, opponent in enumerate(against.values()):
-            seed = mw.match_seed(0, TEAMS.index(team), number, 4)
+            seed = match_seed(0, TEAMS.index(team), number, 4)
             own = mw.Population(run.teams[team].genomes[2], run.settings.network)
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
             config = run.settings.world
