@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -81,13 +80,6 @@ def test_the_file_holds_the_figures():
         assert (line["over_one_thread"] is None) == (line["threads"] == 1)
     assert lines[-1]["matches_per_second"] > 0
     assert written["evolve"]["hidden"] == [4]
-
-
-def test_one_thread_has_no_speedup():
-    matrixworld_command(*QUICK, "TO", "--threads", 1, "--json", "a.json")
-    lines = json.loads(Path("a.json").read_text())["lines"]
-    assert len(lines) == 9
-    assert {line["over_one_thread"] for line in lines} == {None}
 
 
 # The figures

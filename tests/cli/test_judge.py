@@ -144,20 +144,18 @@ def test_several_files_are_one_group():
     assert found == judge(means, episodes=30).to_json()
 
 
-@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
-def test_another_number_of_episodes_than_the_held_one_is_refused(command, job):
+def test_another_number_of_episodes_than_the_held_one_is_refused(job):
     np.savez("scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
     for source, held in ((job / "1", 4), ("scores.npz", 5)):
-        error = matrixworld_command(*command, source, "--episodes", 6, code=2).stderr
+        error = matrixworld_command("judge", source, "--episodes", 6, code=2).stderr
         expected = f"expected the {held} episodes of each cell that the payoffs hold, got 6"
         assert expected in run_together(error)
-        matrixworld_command(*command, source, "--episodes", held)
+        matrixworld_command("judge", source, "--episodes", held)
 
 
-@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
-def test_what_cannot_be_judged_is_refused(command, job):
+def test_what_cannot_be_judged_is_refused(job):
     def refused(*sources: object) -> str:
-        return run_together(matrixworld_command(*command, *sources, code=2).stderr)
+        return run_together(matrixworld_command("judge", *sources, code=2).stderr)
 
     Path("empty").mkdir()
     assert "expected run directories, or .csv or .npz files, got 'empty'" in refused("empty")
@@ -176,24 +174,22 @@ def test_what_cannot_be_judged_is_refused(command, job):
     assert not Path("x.json").exists()
 
 
-@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
-def test_unfinished_and_damaged_runs_are_named(command, job):
+def test_unfinished_and_damaged_runs_are_named(job):
     race = start(tiny_race(), "stopped", threads=1, play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    refused = matrixworld_command(*command, "stopped", code=2).stderr
+    refused = matrixworld_command("judge", "stopped", code=2).stderr
     assert "expected a finished run; matrixworld evolve --resume stopped" in run_together(refused)
     shutil.copytree(job / "1", "copy")
     content = Path("copy/payoff.npz").read_bytes()
     Path("copy/payoff.npz").write_bytes(content[: len(content) // 2])
-    assert "payoff.npz" in matrixworld_command(*command, "copy", code=1).stderr
+    assert "payoff.npz" in matrixworld_command("judge", "copy", code=1).stderr
 
 
-@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
-def test_a_race_that_is_too_small_says_what_it_takes(command):
+def test_a_race_that_is_too_small_says_what_it_takes():
     np.savez("small.npz", capture_rates=np.random.default_rng(0).random((4, 4, 2)))
-    said = run_together(matrixworld_command(*command, "small.npz").stdout)
-    assert set(judged_in(matrixworld_command(*command, "small.npz").stdout).values()) == {
+    said = run_together(matrixworld_command("judge", "small.npz").stdout)
+    assert set(judged_in(matrixworld_command("judge", "small.npz").stdout).values()) == {
         "cannot tell"
     }
     assert "It takes at least 4 episodes of each cell" in said
@@ -216,12 +212,6 @@ def test_all_measures_come_after_the_judgement():
     [found] = load_json(Path("found.json"))["groups"].values()
     assert found["judgement"] == judge(means_of("circle"), episodes=30).to_json()
     assert found["measures"]["transitive_share"]["value"] == pytest.approx(share)
-
-
-def test_all_measures_of_runs_of_the_same_settings(job):
-    result = matrixworld_command("judge", "--all", job / "1", job / "2").stdout
-    assert "2 runs, 13 pursuer and 13 evader generations, 4 episodes of each pair" in result
-    assert "interval over runs" in result
 
 
 def test_all_measures_need_two_generations_of_each_team():

@@ -11,7 +11,7 @@ import click
 import numpy as np
 import pytest
 
-from command_line import JOB, matrixworld_command, words
+from command_line import matrixworld_command
 from matrixworld.cli import main
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings import MOST_SEED
@@ -48,16 +48,6 @@ def test_options_of_one_name_are_equal_in_all_commands():
 def test_summaries_fit_into_the_list_of_commands():
     summaries = {name: each.get_short_help_str(200) for name, each in main.commands.items()}
     assert {name: text for name, text in summaries.items() if len(text) > 45} == {}
-
-
-@pytest.mark.parametrize("option", ["--seed", "--episodes", "--steps", "--threads", "--json"])
-def test_shared_options_are_shared(option):
-    names = [
-        name
-        for name, command in commands().items()
-        if any(option in param.opts for param in command.params)
-    ]
-    assert len(names) >= 3
 
 
 def test_every_command_that_names_an_output_file_has_force():
@@ -135,14 +125,6 @@ def test_a_directory_is_never_replaced(run, force):
 def test_a_payoff_goes_to_an_npz_file(run):
     said = matrixworld_command("tournament", "run", "--out", "payoff.png", code=2).stderr
     assert "--out: expected a name that ends in .npz, got payoff.png" in said
-
-
-def test_evolve_refuses_a_directory_with_a_run_and_names_resume(run):
-    before = {path: path.read_bytes() for path in run.iterdir()}
-    said = matrixworld_command("evolve", "run", *words(JOB), code=2).stderr
-    assert "expected a new or empty directory, got 'run'" in said
-    assert "matrixworld evolve --resume run continues the run in it" in said
-    assert {path: path.read_bytes() for path in run.iterdir()} == before
 
 
 # Ctrl-C

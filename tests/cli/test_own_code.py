@@ -137,23 +137,10 @@ def test_resume_says_what_is_missing(straight):
     assert {path: path.read_bytes() for path in Path("run").iterdir()} == before
 
 
-@pytest.mark.parametrize("job", [RACE, JOB], ids=["one race", "three races"])
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (
-            {"learner": "nowhere:Learner"},
-            "learner: expected a module that can be imported, got '",
-        ),
-        ({"learner": "mine:Lerner"}, "learner: expected the name of an object in mine, got 'Ler"),
-        (
-            {"learner": "hill"},
-            "learner: expected one of es, ga, cma, actor-critic, or module:object, got 'hil",
-        ),
-        (
-            {"learner": "mine:Learner", "learner.settings.sigma": -1},
-            "learner mine:Learner: expected settings that it accepts, got {'sigma': -1} (sigma: ex",
-        ),
+        ({"learner": "nowhere:Learner"}, "learner: expected a module that can be imported, got '"),
         (
             {"learner": "mine:Learner", "learner.settings.sgima": 1},
             "learner mine:Learner: expected its settings (sigma, shrink), got {'sgima': 1}",
@@ -162,19 +149,10 @@ def test_resume_says_what_is_missing(straight):
             {"learner": "mine:Learner", "learner.sigma": 0.3},
             "learner.sigma: expected one of the settings population, code, settings",
         ),
-        (
-            {"learner": "mine:Learner", "learner.settings": "sigma"},
-            "learner.settings: expected values by name, such as {'sigma': 0.1}, got 'sigma'",
-        ),
-        (
-            {"learner": "mine:Learner", "learner.settings.sigma": "NaN"},
-            "learner.settings: expected a finite number as sigma, got nan",
-        ),
     ],
 )
-def test_bad_options_are_refused_before_anything_is_written(mine, job, options, message):
-    schedule = {"schedule": MAIN_JOB[0]} if job is RACE else {}
-    said = matrixworld_command("evolve", "out", *words({**job, **schedule, **options}), code=2)
+def test_bad_options_are_refused_before_anything_is_written(mine, options, message):
+    said = matrixworld_command("evolve", "out", *words({**JOB, **options}), code=2)
     assert message in run_together(said.stderr)
     assert not Path("out").exists()
 

@@ -203,19 +203,6 @@ def test_all_figures_are_drawn_and_races_side_by_side(copy):
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 
-def test_races_side_by_side_in_a_file_of_another_name(copy):
-    runs = map(copy.joinpath, MAIN_JOB)
-    options = ["--figure", "comparison", "--out", "both.png"]
-    assert matrixworld_command("explore", *runs, *options).stdout == "both.png\n"
-    assert Path("both.png").read_bytes().startswith(PNG)
-
-
-def test_figures_need_a_finished_run():
-    start(tiny_race(), "begun")
-    said = matrixworld_command("explore", "--figures", "begun", code=2).stderr
-    assert "begun: expected a finished run" in said
-
-
 def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
     payoff = open_run(job / MAIN_JOB[0]).payoff()
     rates = collisions_per_1000(payoff)
