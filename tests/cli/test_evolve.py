@@ -172,20 +172,15 @@ def test_the_default_directory_is_named_after_variant_and_seeds(options, name):
 ALONE = ["--schedule", "against"]
 BAD = [
     (["--rows", "many"], "'--rows': 'many' is not a valid integer"),
-    (["--set", "schedule.pursuer_epochs=0"], "schedule.pursuer_epochs: expected at least 1, got 0"),
     (["--n-pursuers", "30", *words(WORLD)[:4]], "agents"),
     (["--set", "learner.population=7"], "learner.population: expected an even number for es, got"),
     (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB"),
-    (["--set", "policy.hidden=4,x"], "policy.hidden: expected a sequence of ints, got '4,x'"),
-    (["--set", "world.obstacles=2"], "expected a number in [0, 1), got 2"),
     (["--set", "world.obstacles=no.map"], "No such file or directory: 'no.map'"),
     (["--set", "learner.sigma"], "'--set': expected PATH=VALUE, such as learner.sigma=0.1, got 'l"),
-    (["--set", "sigma=1"], "; did you mean learner.sigma?"),
     (["--set", "learner.sigmma=1"], "; did you mean learner.sigma?"),
     (["--learner", "gaa"], "learner: expected one of es, ga, cma, actor-critic, or module:object"),
     (["--config", "no.toml"], "File 'no.toml' does not exist"),
     (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
-    (["--set", "learner.mutation=0.1"], "learner.mutation: expected one of the settings populat"),
     (["--set", "learner.mutation=0.1"], "; it is a setting of learner=ga"),
     (["--set", "schedule.team=evader"], "; it is a setting of schedule=against"),
     ([*ALONE, "--generations", "3"], "--generations: expected one of the settings te"),
@@ -195,7 +190,6 @@ BAD = [
         "surrounder, clumsy-fleer, dodger or a run directory, got 'nobody'",
     ),
     ([*ALONE, "--set", "schedule.start=nobody"], "schedule.start: expected a directory that holds"),
-    (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
     (["--seeds", "0-3", "--seed", "1"], "--seeds: expected it without --seed, got both"),
     *((["--seeds", bad], "expected seeds such as 0-9 or 0,3,5-7") for bad in ["", "a", "1-", "-1"]),
@@ -204,7 +198,6 @@ BAD = [
     (["--seeds", "0-3,7,2"], "expected each seed once, got 2 several times"),
     (["--seeds", "9223372036854775808"], "expected seeds from 0 to 9223372036854775807, got 922"),
     (["--seeds", "0-9223372036854775807"], "expected at most 100,000 seeds, got 9,223,372,036,8"),
-    (["--seeds", "0-2", "--rows", "0"], "--rows: expected 1 to 4096, got 0"),
 ]
 
 

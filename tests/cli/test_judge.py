@@ -74,19 +74,6 @@ def test_reasons_and_numbers_come_after_explain(job):
     assert run_together(describe(open_run(job / "1").payoff().capture_rate)) in said
 
 
-def test_runs_that_differ_in_the_seed_only_are_judged_together(job):
-    runs = [job / "1", job / "2"]
-    result = matrixworld_command("judge", *runs, "--json", "found.json", "--explain")
-    scores = [open_run(run).payoff().capture_rates for run in runs]
-    [found] = load_json(Path("found.json"))["groups"].values()
-    assert found == judge(np.array(scores), per_episode=True).to_json()
-    said = run_together(result.stdout)
-    assert "2 runs, 13 pursuer and 13 evader generations, 4 episodes of each pair" in said
-    assert "The intervals are about this run." not in said
-    assert "Of the single runs: " in said
-    assert "From generation" not in said
-
-
 def test_runs_of_other_settings_and_files_are_groups_of_their_own(job):
     np.savez("file.npz", payoff=circular(31))
     sources = [job, "file.npz"]
@@ -109,12 +96,6 @@ def test_each_judges_every_run_and_every_file(job):
     sources = [job / "1", job / "2", "a.npz", "b.npz"]
     matrixworld_command("judge", *sources, "--each", "--json", "found.json")
     assert list(load_json(Path("found.json"))["groups"]) == [str(source) for source in sources]
-
-
-def test_the_same_run_twice_is_refused(job):
-    shutil.copytree(job / "1", "copy")
-    error = run_together(matrixworld_command("judge", job / "1", "copy", code=2).stderr)
-    assert f"expected runs with different seeds, got the same run twice: {job / '1'}, copy" in error
 
 
 def test_files_of_means_need_their_number_of_episodes():
@@ -144,46 +125,41 @@ def test_several_files_are_one_group():
     assert found == judge(means, episodes=30).to_json()
 
 
-def test_another_number_of_episodes_than_the_held_one_is_refused(job):
-    np.savez("scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
-    for source, held in ((job / "1", 4), ("scores.npz", 5)):
-        error = matrixworld_command("judge", source, "--episodes", 6, code=2).stderr
-        expected = f"expected the {held} episodes of each cell that the payoffs hold, got 6"
-        assert expected in run_together(error)
-        matrixworld_command("judge", source, "--episodes", held)
+BAD = [
+    (["empty"], "expected run directories, or .csv or .npz files, got 'empty'"),
+    (["bad.csv"], "expected a capture rate in [0, 1], got '2'"),
+    (["small.npz", "large.npz"], "expected the shape of small.npz, (12, 12), got (14, 14)"),
+    (["small.npz", "--all"], "", 0),
+    (["one.npz", "--all"], "--all: expected at least 2 x 2 generations, got 1 x 3"),
+    (["scores.npz", "--episodes", 6], "expected the 5 episodes of each cell that the payoffs hold"),
+    (["scores.npz", "--episodes", 5], "", 0),
+    (["race", "--episodes", 6], "expected the 4 episodes of each cell that the payoffs hold"),
+    (["race", "copy"], "expected runs with different seeds, got the same run twice: race, copy"),
+    (["alone"], "alone: expected a race, got a run in which one team evolved"),
+    (["stopped"], "expected a finished run; matrixworld evolve --resume stopped"),
+    (["damaged"], "payoff.npz: cut or altered", 1),
+]
 
 
 def test_what_cannot_be_judged_is_refused(job):
-    def refused(*sources: object) -> str:
-        return run_together(matrixworld_command("judge", *sources, code=2).stderr)
-
     Path("empty").mkdir()
-    assert "expected run directories, or .csv or .npz files, got 'empty'" in refused("empty")
     Path("bad.csv").write_text("0.5,2\n0.5,0.5\n")
-    assert "expected a capture rate in [0, 1], got '2'" in refused("bad.csv")
-    np.save("other.npy", circular(31))
-    assert "other.npy" in refused("other.npy")
-    np.savez("small.npz", payoff=circular(12))
-    np.savez("large.npz", payoff=circular(14))
-    assert "expected the shape of small.npz, (12, 12), got (14, 14)" in refused(
-        "small.npz", "large.npz"
-    )
+    for name, size in (("small", 12), ("large", 14)):
+        np.savez(f"{name}.npz", payoff=circular(size))
+    np.savez("one.npz", payoff=np.full((1, 3), 0.5))
+    np.savez("scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
     start(tiny_single(), "alone", threads=1).run()
-    said = refused("alone", "--json", "x.json")
-    assert "alone: expected a race, got a run in which one team evolved" in said
-    assert not Path("x.json").exists()
-
-
-def test_unfinished_and_damaged_runs_are_named(job):
-    race = start(tiny_race(), "stopped", threads=1, play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
-        race.run()
-    refused = matrixworld_command("judge", "stopped", code=2).stderr
-    assert "expected a finished run; matrixworld evolve --resume stopped" in run_together(refused)
-    shutil.copytree(job / "1", "copy")
-    content = Path("copy/payoff.npz").read_bytes()
-    Path("copy/payoff.npz").write_bytes(content[: len(content) // 2])
-    assert "payoff.npz" in matrixworld_command("judge", "copy", code=1).stderr
+        start(tiny_race(), "stopped", threads=1, play=StopAt(2)).run()
+    for name in ("race", "copy", "damaged"):
+        shutil.copytree(job / "1", name)
+    Path("damaged/payoff.npz").write_bytes(Path("race/payoff.npz").read_bytes()[:99])
+    for arguments, message, *code in BAD:
+        [expected] = code or [2]
+        refused = matrixworld_command("judge", *arguments, "--json", "x.json", code=expected)
+        assert message in run_together(refused.stderr)
+        assert Path("x.json").exists() == (expected == 0)
+        Path("x.json").unlink(missing_ok=True)
 
 
 def test_a_race_that_is_too_small_says_what_it_takes():
@@ -212,12 +188,6 @@ def test_all_measures_come_after_the_judgement():
     [found] = load_json(Path("found.json"))["groups"].values()
     assert found["judgement"] == judge(means_of("circle"), episodes=30).to_json()
     assert found["measures"]["transitive_share"]["value"] == pytest.approx(share)
-
-
-def test_all_measures_need_two_generations_of_each_team():
-    np.savez("one.npz", payoff=np.full((1, 3), 0.5))
-    error = matrixworld_command("judge", "--all", "one.npz", code=2).stderr
-    assert "--all: expected at least 2 x 2 generations, got 1 x 3" in error
 
 
 # One judgement of one run
