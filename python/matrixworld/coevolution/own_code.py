@@ -196,11 +196,15 @@ class Plugin:
         return made
 
 
-def find(name: str, interface: Interface) -> Plugin:
-    """Import a class or function.
+def find(code: str | Callable[..., Any], interface: Interface) -> Plugin:
+    """Return a class or function; import it if `code` is its name.
 
     Raises ValueError if there is no such module or object, PluginError if the module itself fails.
     """
+    if not isinstance(code, str):
+        name = f"{code.__module__}:{getattr(code, '__qualname__', type(code).__qualname__)}"
+        return Plugin(interface, name, code)
+    name = code
     path = name if PATH.fullmatch(name) else _path_of(name, interface)
     module, _, attribute = path.partition(":")
     try:
@@ -437,7 +441,7 @@ def check_learner(
     >>> from matrixworld import coevolution
     >>> coevolution.check_learner(coevolution.CmaEs, {"sigma": 0.1})
     """
-    plugin, own = plugin_of(learner, LEARNER), own_settings("settings", settings or {})
+    plugin, own = find(learner, LEARNER), own_settings("settings", settings or {})
     genomes, target = np.random.default_rng(seed).normal(size=(2, samples, genes))
 
     def new() -> CheckedLearner:
@@ -486,7 +490,7 @@ def check_sampler(
     >>> from matrixworld import coevolution
     >>> coevolution.check_sampler(coevolution.opponents.Prioritized, {"decay": 0.9})
     """
-    plugin, own = plugin_of(sampler, OPPONENT), own_settings("settings", settings or {})
+    plugin, own = find(sampler, OPPONENT), own_settings("settings", settings or {})
 
     def step(part: CheckedSampler, epoch: int) -> list[np.ndarray[Any, Any]]:
         rng = np.random.default_rng([seed, epoch])
@@ -496,14 +500,6 @@ def check_sampler(
         return [chosen]
 
     _check_part(lambda: CheckedSampler(plugin, count, own), step)
-
-
-def plugin_of(code: str | Callable[..., Any], interface: Interface) -> Plugin:
-    """Return the plugin of a name, or of a class or function itself."""
-    if isinstance(code, str):
-        return find(code, interface)
-    name = f"{code.__module__}:{getattr(code, '__qualname__', type(code).__qualname__)}"
-    return Plugin(interface, name, code)
 
 
 def _check_part(new: Callable[[], Part], step: Step[Part]) -> None:

@@ -29,25 +29,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_integer
-from matrixworld.coevolution.opponents import (
-    IPCA,
-    LAPCA,
-    Archive,
-    ArchiveSampler,
-    Generalist,
-    Latest,
-    MaxSolve,
-    OpponentSampler,
-    Prioritized,
-    RoundRobin,
-    SharedSampling,
-    Uniform,
-    even,
-    hard,
-)
-from matrixworld.coevolution.opponents import (
-    HallOfFame as HallOfFameSampler,
-)
+from matrixworld.coevolution import opponents
 from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, Interface, find
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import TEAMS, Team
@@ -55,26 +37,28 @@ from matrixworld.world.policy import SCRIPTS
 
 # Opponents of a team:
 
-DRAWN: dict[str, Callable[[int], OpponentSampler]] = {
-    "latest": Latest,
-    "uniform": Uniform,
-    "round-robin": RoundRobin,
-    "hall-of-fame": lambda n: HallOfFameSampler(newest=n // 2, sampled=n - n // 2),
-    "prioritized-hard": lambda n: Prioritized(hard(), count=n),
-    "prioritized-even": lambda n: Prioritized(even, count=n),
-    "shared-sampling": SharedSampling,
+DRAWN: dict[str, Callable[[int], opponents.OpponentSampler]] = {
+    "latest": opponents.Latest,
+    "uniform": opponents.Uniform,
+    "round-robin": opponents.RoundRobin,
+    "hall-of-fame": lambda n: opponents.HallOfFame(newest=n // 2, sampled=n - n // 2),
+    "prioritized-hard": lambda n: opponents.Prioritized(opponents.hard(), count=n),
+    "prioritized-even": lambda n: opponents.Prioritized(opponents.even, count=n),
+    "shared-sampling": opponents.SharedSampling,
 }
 """Name -> factory: opponents an epoch -> a new sampler.
 
 Half of the opponents of `hall-of-fame` are the newest; the other half, or one more, are drawn from
 the older ones. With one opponent it draws from all, as `uniform` does.
 """
-ARCHIVES: dict[str, Callable[[int], Archive]] = {
-    "maxsolve": MaxSolve,
-    "ipca": lambda size: IPCA(),
-    "lapca": LAPCA,
+ARCHIVES: dict[str, Callable[[int], opponents.Archive]] = {
+    "maxsolve": opponents.MaxSolve,
+    "ipca": lambda size: opponents.IPCA(),
+    "lapca": opponents.LAPCA,
     # All members are generation 0 at the start.
-    "generalist": lambda size: Generalist(np.zeros(size, dtype=np.intp), sample_size=size),
+    "generalist": lambda size: opponents.Generalist(
+        np.zeros(size, dtype=np.intp), sample_size=size
+    ),
 }
 """Name -> factory: size -> a new archive."""
 ARCHIVE_SIZE, ARCHIVE_EPISODES = 10, 3
@@ -91,7 +75,7 @@ class Opponents(Section):
     """Matches of each pair that an archive compares."""
 
     @abstractmethod
-    def new(self, count: int) -> OpponentSampler:
+    def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler of up to `count` opponents an epoch."""
 
 
@@ -105,7 +89,7 @@ class DrawnOpponents(Opponents):
 
     rule: str = setting("uniform", f"how: {', '.join(DRAWN)}", choices=DRAWN)
 
-    def new(self, count: int) -> OpponentSampler:
+    def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler."""
         return DRAWN[self.rule](count)
 
@@ -139,9 +123,9 @@ class ArchivedOpponents(Opponents):
         """Matches of each pair that the archive compares."""
         return self.episodes
 
-    def new(self, count: int) -> OpponentSampler:
+    def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler."""
-        return ArchiveSampler(ARCHIVES[self.archive](self.size or ARCHIVE_SIZE), count)
+        return opponents.ArchiveSampler(ARCHIVES[self.archive](self.size or ARCHIVE_SIZE), count)
 
 
 @documented
@@ -151,15 +135,15 @@ class OwnOpponents(OwnCode, Opponents):
 
     interface: ClassVar[Interface] = OPPONENT
 
-    def new(self, count: int) -> OpponentSampler:
+    def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler; imports its code."""
         return CheckedSampler(find(self.code, OPPONENT), count, self.settings)
 
 
-def archive_of(sampler: OpponentSampler) -> ArchiveSampler | None:
+def archive_of(sampler: opponents.OpponentSampler) -> opponents.ArchiveSampler | None:
     """Return the archive sampler that a sampler is, inside its checks or without; None if not."""
     inner = sampler.made if isinstance(sampler, CheckedSampler) else sampler
-    return inner if isinstance(inner, ArchiveSampler) else None
+    return inner if isinstance(inner, opponents.ArchiveSampler) else None
 
 
 # Schedules:
@@ -243,7 +227,7 @@ class RaceSchedule(Schedule):
         """Return which opponents `team` meets."""
         return self.pursuers_meet if team == "pursuer" else self.evaders_meet
 
-    def new_sampler(self, team: Team) -> OpponentSampler:
+    def new_sampler(self, team: Team) -> opponents.OpponentSampler:
         """Return a new opponent sampler of a team.
 
         Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it

@@ -134,7 +134,6 @@ class FitnessSettings(Section):
 class OwnLearnerSettings(OwnCode, LearnerSettings):
     """A learner of your own (see `Learner`)."""
 
-    title: ClassVar[str] = "a learner of your own"
     interface: ClassVar[Interface] = LEARNER
 
     @property

@@ -31,10 +31,16 @@ class Stateful(Protocol):
     """A part of a run that a checkpoint saves and restores: a learner or an opponent sampler."""
 
     def state(self) -> State:
-        """Return everything that changes during a run, as plain arrays by name."""
+        """Return all that changes, as arrays of numbers or text; names are identifiers.
+
+        Called at the end of an epoch: of a learner between `tell` and `ask`.
+        """
 
     def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
+        """Restore a state returned by `state()`, of this or of an equal one.
+
+        It may have gone further, and a learner may have been interrupted after `ask`.
+        """
 
 
 class Saved:

@@ -42,7 +42,14 @@ def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -
     seeds = np.arange(seed, seed + matches, dtype=np.uint64)
     own = Population(by.genome, NETWORK)
     return experience(
-        config, "pursuer", own, "random", np.zeros(matches, int), seeds, states=True, threads=1
+        config,
+        "pursuer",
+        own,
+        "random",
+        np.zeros(matches, int),
+        seeds,
+        states=by.sees_states,
+        threads=1,
     )
 
 

@@ -26,7 +26,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats, shown
-from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.learners.learner import LearnerSettings
 from matrixworld.coevolution.learners.parts import Adam
 from matrixworld.coevolution.sections import documented, setting
@@ -83,11 +82,9 @@ class Experience:
     last_views: Views
     """(m, 3 * fov * fov): what these saw after that step, in the same order."""
     states: Views | None = None
-    """(T, W, 3 * rows * cols): the worlds before each step, if they were asked for."""
+    """(T, W, 3 * rows * cols): the worlds before each step, for a central critic only."""
     last_states: Views | None = None
     """(W, 3 * rows * cols): the worlds after the last step."""
-
-    __repr__ = short_repr
 
     def __len__(self) -> int:
         return len(self.actions)
@@ -116,19 +113,17 @@ def advantages(
     return found
 
 
-def critic_rows(e: Experience, *, central: bool) -> tuple[Views, Views]:
-    """Return what a critic sees before steps, and after the last ones: views, or all states."""
-    if not central:
-        return e.views, e.last_views
+def critic_rows(e: Experience) -> tuple[Views, Views]:
+    """Return what a critic sees before steps and after the last ones: all states, or views."""
     if e.states is None or e.last_states is None:
-        raise ValueError("experience: expected states for a central critic, got none")
+        return e.views, e.last_views
     return e.states.reshape(-1, e.states.shape[-1]), e.last_states
 
 
-def dense_values(e: Experience, before: Reals, after: Reals, *, central: bool) -> Reals:
+def dense_values(e: Experience, before: Reals, after: Reals) -> Reals:
     """Return a critic's values of its rows as (T + 1, W, A)."""
     steps, worlds, agents = e.acted.shape
-    if central:
+    if e.states is not None:
         # The value of a state is that of all agents in it.
         before = before.reshape(steps, worlds)[np.nonzero(e.acted)[:2]]
         after = after[np.nonzero(e.last)[1]]
@@ -139,9 +134,9 @@ def dense_values(e: Experience, before: Reals, after: Reals, *, central: bool) -
     return dense
 
 
-def lessons(e: Experience, rows: Views, returns: Reals, *, central: bool) -> tuple[Views, Reals]:
+def lessons(e: Experience, rows: Views, returns: Reals) -> tuple[Views, Reals]:
     """Return the rows (k, inputs) that a critic learns from, and its targets (k,)."""
-    if not central:
+    if e.states is None:
         return rows, returns[e.acted]
     # One value for all agents of the team: the mean of what they earn.
     going, agents = e.acted.any(axis=2), np.maximum(e.acted.sum(axis=2), 1)
@@ -213,7 +208,6 @@ class ActorCriticSettings(LearnerSettings):
     """Settings of `ActorCritic`. The defaults are those of the published implementation."""
 
     kind: ClassVar[str] = "actor-critic"
-    title: ClassVar[str] = "policy gradients, needs PyTorch"
     by_gradients: ClassVar[bool] = True
     rounds_by_processor: ClassVar[bool] = True
     keeps_fixed_genes: ClassVar[bool] = True
@@ -360,18 +354,18 @@ class ActorCritic:
             self._torch.set_num_threads(before)
 
     def _learn(self, experience: Experience) -> None:
-        chosen, acted, central = self.chosen, experience.acted, self.chosen.central_critic
-        before, after = critic_rows(experience, central=central)
+        chosen, acted = self.chosen, experience.acted
+        before, after = critic_rows(experience)
         estimates = {}
         for name, critic in self._critics.items():
             values = self._values(critic, np.concatenate([before, after]))
-            dense = dense_values(experience, *np.split(values, [len(before)]), central=central)
+            dense = dense_values(experience, *np.split(values, [len(before)]))
             signal = np.zeros(acted.shape, np.float32)
             signal[acted] = experience.rewards if name == "critic" else experience.costs
             estimate = partial(advantages, acted, signal, dense, chosen.discount)
             estimates[name] = normalised(estimate(chosen.trace)[acted])
             returns = estimate(1.0) + dense[:-1]
-            self._fit(critic, *lessons(experience, before, returns, central=central))
+            self._fit(critic, *lessons(experience, before, returns))
         advantage: Any = estimates["critic"]
         if chosen.cost_limit is not None:
             self._weigh(1000.0 * float(experience.costs.mean()))

@@ -42,27 +42,6 @@ class ScoredSample(np.ndarray[Any, np.dtype[np.float64]]):
     fitness: float
 
 
-class SeededStrategy(cma.Strategy, Saved):  # type: ignore[misc]
-    """DEAP's strategy with random numbers from a generator instead of NumPy's global one."""
-
-    saved = ("centroid", "sigma", "pc", "ps", "C", "B", "diagD", "update_count")
-
-    B: FloatArray
-
-    def sample(self, rng: np.random.Generator) -> FloatArray:
-        """Return the samples of `generate` as one array (samples, genes) float64."""
-        normal = rng.standard_normal((self.lambda_, self.dim))
-        samples: FloatArray = self.centroid + self.sigma * np.dot(normal, self.BD.T)
-        return samples
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        super().restore(state)
-        # Column by column, as LAPACK returned it: BLAS rounds differently in another order.
-        self.B = np.asfortranarray(self.B)
-        self.BD = self.B * self.diagD
-
-
 # Once for all calls: to search the loaded libraries takes milliseconds.
 blas = cache(ThreadpoolController)
 
@@ -72,16 +51,17 @@ def one_thread() -> Any:
     return blas().limit(limits=1, user_api="blas")
 
 
-class CmaEs:
-    """Evolution strategy with covariance matrix adaptation, by `deap.cma.Strategy`.
+class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
+    """Evolution strategy with covariance matrix adaptation: `deap.cma.Strategy`, asked and told.
 
     ::
 
         ask:   z_i ~ N(0, I);  candidates  m + s B D z_i,  with  C = B D^2 B^T
         tell:  m = weighted mean of the better half;  adapt the step size s and the covariance C
 
-    Weights and rates are DEAP's defaults. Only the order of the fitness counts. All candidates of
-    an epoch are scored on the same match seed.
+    Weights and rates are DEAP's defaults; random numbers come from the generator of `ask`, not from
+    NumPy's global one. Only the order of the fitness counts. All candidates of an epoch are scored
+    on the same match seed.
 
     Parameters
     ----------
@@ -105,6 +85,9 @@ class CmaEs:
     Evolutionary Computation 9(2).
     """
 
+    saved = ("centroid", "sigma", "pc", "ps", "C", "B", "diagD", "update_count")
+    B: FloatArray
+
     def __init__(self, genome: ArrayLike, *, sigma: float, samples: int = 48) -> None:
         start = check_floats("genome", genome, np.float64)
         if start.ndim != 1 or not start.size:
@@ -113,32 +96,33 @@ class CmaEs:
         check_number("sigma", sigma, least=0.0, positive=True)
         check_integer("samples", samples, 2)
         with one_thread():
-            self._strategy = SeededStrategy(start, sigma, lambda_=samples)
+            super().__init__(start, sigma, lambda_=samples)
         self._samples: FloatArray | None = None
 
     @property
     def genome(self) -> Genome:
         """Mean of the distribution, (genes,) float32."""
-        genome: Genome = self._strategy.centroid.astype(np.float32)
+        genome: Genome = self.centroid.astype(np.float32)
         return genome
 
     @property
     def seed_groups(self) -> Indices:
         """Zeros (samples,): all candidates are scored on one match seed."""
-        return np.zeros(self._strategy.lambda_, dtype=np.intp)
+        return np.zeros(self.lambda_, dtype=np.intp)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the samples; ArithmeticError if they exceed the range of float32."""
         with one_thread():
-            samples = self._strategy.sample(rng)
+            normal = rng.standard_normal((self.lambda_, self.dim))
+            samples: FloatArray = self.centroid + self.sigma * np.dot(normal, self.BD.T)
         # Numbers too large for float32 become infinite, which is reported with its cause below.
         with np.errstate(over="ignore"):
             candidates: Genomes = samples.astype(np.float32)
         if not np.isfinite(candidates).all():
             raise ArithmeticError(
-                f"candidates: expected finite genes, got a step size of {self._strategy.sigma:g} "
-                f"and deviations along the axes from {self._strategy.diagD[0]:g} to "
-                f"{self._strategy.diagD[-1]:g}; start with a smaller sigma, or stop earlier"
+                f"candidates: expected finite genes, got a step size of {self.sigma:g} "
+                f"and deviations along the axes from {self.diagD[0]:g} to "
+                f"{self.diagD[-1]:g}; start with a smaller sigma, or stop earlier"
             )
         # In float64: the covariance adapts to the samples as drawn, not as rounded for the match.
         self._samples = samples
@@ -155,16 +139,15 @@ class CmaEs:
             sample.fitness = float(value)
         # The next `ask` reports a matrix that overflows or is no longer positive.
         with one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            self._strategy.update(population)
+            self.update(population)
         self._samples = None
 
-    def state(self) -> State:
-        """Return what `deap.cma.Strategy` adapts: C and B (genes, genes), and a few vectors."""
-        return self._strategy.state()
-
     def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        self._strategy.restore(state)
+        """Restore a state returned by `state()`: C and B (genes, genes), and a few vectors."""
+        super().restore(state)
+        # Column by column, as LAPACK returned it: BLAS rounds differently in another order.
+        self.B = np.asfortranarray(self.B)
+        self.BD = self.B * self.diagD
 
 
 def check_genes(genes: int) -> None:
@@ -183,7 +166,6 @@ class CmaEsSettings(LearnerSettings):
     """Settings of `CmaEs`."""
 
     kind: ClassVar[str] = "cma"
-    title: ClassVar[str] = f"CMA-ES, for at most {MOST_GENES} genes"
     rounds_by_processor: ClassVar[bool] = True  # by way of the linear algebra
 
     sigma: float = setting(

@@ -45,9 +45,9 @@ class EvolutionStrategy:
         tell:  u = centred ranks of the fitness
                m = m + step( sum_i (u_i+ - u_i-) e_i / (n s) )
 
-    Both candidates of a pair are scored on the same match seed, so that the luck of the match
-    cancels out. One standard deviation s, that of the noise table, serves all genes. There is no
-    weight decay.
+    The genome is the mean m. Both candidates of a pair are scored on the same match seed, so that
+    the luck of the match cancels out. One standard deviation s, that of the noise table, serves all
+    genes. There is no weight decay.
 
     Parameters
     ----------
@@ -65,13 +65,6 @@ class EvolutionStrategy:
     momentum : float, optional
         Share of its last step that classical momentum keeps, in [0, 1). By default a gradient
         becomes a step by Adam (Kingma & Ba 2015).
-
-    Attributes
-    ----------
-    genome : ndarray of float32, shape (genes,)
-        The mean.
-    seed_groups : ndarray of int, shape (samples,)
-        Pair of each candidate.
 
     References
     ----------
@@ -163,7 +156,6 @@ class EvolutionStrategySettings(LearnerSettings):
     """Settings of `EvolutionStrategy`."""
 
     kind: ClassVar[str] = "es"
-    title: ClassVar[str] = "evolution strategy"
     keeps_fixed_genes: ClassVar[bool] = True
 
     sigma: float = setting(

@@ -79,16 +79,8 @@ def mate_uniform(
     return genomes
 
 
-def mutate_gaussian(genomes: Genomes, rng: np.random.Generator, *, sigma: float) -> Genomes:
-    """Add Gaussian noise to genomes, in place, and return them."""
-    noise = rng.standard_normal(genomes.shape, dtype=np.float32)
-    noise *= np.float32(sigma)
-    genomes += noise
-    return genomes
-
-
 def mutate_from_table(genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable) -> Genomes:
-    """Mutate as `mutate_gaussian`, by noise from a table: many times as fast."""
+    """Add Gaussian noise from a table to genomes, in place, and return them."""
     # Row by row: each window starts at another place, and no array holds all of them.
     for genome, change in zip(genomes, noise.draw(len(genomes), rng), strict=True):
         np.add(genome, change, out=genome)
@@ -236,7 +228,6 @@ class GeneticAlgorithmSettings(LearnerSettings):
     """Settings of `GeneticAlgorithm`."""
 
     kind: ClassVar[str] = "ga"
-    title: ClassVar[str] = "genetic algorithm"
     keeps_fixed_genes: ClassVar[bool] = True
 
     mutation: float = setting(MUTATION, "standard deviation of a mutation", positive=True)

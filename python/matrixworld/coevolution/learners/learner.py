@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.coevolution.sections import Section, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Stateful, Team
 
 if TYPE_CHECKING:  # both import this module
     from matrixworld.coevolution.learners.actor_critic import Experience
     from matrixworld.coevolution.settings import RaceSettings
 
 
-class Learner(Protocol):
+class Learner(Stateful, Protocol):
     """The interface of learners: ask for candidates, tell their fitness.
 
     A learner improves the genome of one team. A run asks it for candidates, plays their matches,
@@ -62,18 +62,6 @@ class Learner(Protocol):
     def tell(self, fitness: ArrayLike) -> None:
         """Learn from the fitness (n,) float64 of the candidates that the last `ask` returned."""
 
-    def state(self) -> State:
-        """Return all that changes, as arrays of numbers or text; called between `tell` and `ask`.
-
-        Names are identifiers.
-        """
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`, of this or of an equal learner.
-
-        The learner may have gone further, and may have been interrupted after `ask`.
-        """
-
 
 @runtime_checkable
 class GradientLearner(Protocol):
@@ -107,8 +95,6 @@ class LearnerSettings(Section):
         Candidates per epoch.
     """
 
-    title: ClassVar[str]
-    """Full name, for help texts."""
     by_gradients: ClassVar[bool] = False
     """Whether the learner learns from transitions (`GradientLearner`) instead of fitness."""
     rounds_by_processor: ClassVar[bool] = False

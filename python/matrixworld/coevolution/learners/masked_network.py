@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.policy import Network
@@ -36,8 +35,6 @@ class FixedWeights:
 
     fixed: BoolArray
     values: Genome
-
-    __repr__ = short_repr
 
     def write(self, genomes: Genomes) -> Genomes:
         """Return genomes (n, genes) with the fixed weights in their places."""

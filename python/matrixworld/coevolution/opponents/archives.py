@@ -274,11 +274,8 @@ def layers_of(payoffs: FloatArray) -> Indices:
 
 def _first_of_equals(solved: BoolArray) -> Indices:
     """Return the first of each kind of row that is not all False, in ascending order."""
-    # A dict keeps the order of insertion, so the values below are ascending.
-    seen: dict[bytes, int] = {}
-    for i, row in enumerate(solved):
-        seen.setdefault(row.tobytes(), i)
-    return np.array([i for i in seen.values() if solved[i].any()], dtype=np.intp)
+    first = np.sort(np.unique(solved, axis=0, return_index=True)[1])
+    return first[solved[first].any(axis=1)]
 
 
 def _distinctions(payoffs: FloatArray) -> BoolArray:

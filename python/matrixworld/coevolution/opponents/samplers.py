@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_integer, check_number
-from matrixworld.coevolution.types import FloatArray, Indices, Saved, State
+from matrixworld.coevolution.types import FloatArray, Indices, Saved, Stateful
 
 
-class OpponentSampler(Protocol):
+class OpponentSampler(Stateful, Protocol):
     """The interface of opponent samplers: choose the opponents of each epoch.
 
     Opponents are numbered from the oldest, 0, in the order of their archive. A sampler returns
@@ -42,12 +42,6 @@ class OpponentSampler(Protocol):
 
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Record the scores (n, c), in [0, 1], of n candidates against the opponents (c,)."""
-
-    def state(self) -> State:
-        """Return all that changes, as arrays of numbers or text; names are identifiers."""
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`, of this or of an equal sampler."""
 
 
 class Stateless(Saved):

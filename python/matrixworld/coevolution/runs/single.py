@@ -13,7 +13,6 @@ from matrixworld.analysis.intervals import does_not_vary, t_ends
 from matrixworld.coevolution.learners.genetic_algorithm import (
     MUTATION,
     GeneticAlgorithmSettings,
-    mutate_gaussian,
 )
 from matrixworld.coevolution.opponents import RoundRobin
 from matrixworld.coevolution.payoff import Payoff
@@ -104,7 +103,8 @@ class SingleTeam(Run):
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
         learner = self.settings.learner
         sigma = learner.mutation if isinstance(learner, GeneticAlgorithmSettings) else MUTATION
-        mutate_gaussian(population[1:], rng, sigma=sigma)
+        noise = rng.standard_normal(population[1:].shape, dtype=np.float32)
+        population[1:] += np.float32(sigma) * noise
         return population
 
     def first_archive(self) -> dict[Team, list[Genome]]:
