@@ -12,16 +12,21 @@ from matrixworld.play.matches import checked_actions
 from rows import config_of, random_team
 
 
-def play(config: mw.WorldConfig, teams: dict[range, Any], seed: int, episode: int) -> mw.Episode:
-    """Return an episode in which both teams decide turn by turn."""
+def same_as_recorded(config: mw.WorldConfig, pursuers: Any, evaders: Any, seed: int) -> None:
+    """Compare an episode in which both teams decide turn by turn with the engine's own.
+
+    Agents that a turn removed have no action after it.
+    """
+    teams = {
+        range(config.n_pursuers): pursuers,
+        range(config.n_pursuers, config.n_agents): evaders,
+    }
     world = mw.World(config)
-    world.reset(seed, episode=episode)
+    world.reset(seed, episode=3)
     recorder = mw.Recorder(world)
     while not (world.terminated or world.truncated):
         actions = np.zeros(config.n_agents, np.int64)
-        first = True
-        while first or world.turn:
-            first = False
+        for _ in range(world.n_turns):
             for team, policy in teams.items():
                 turn = world.actors
                 acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
@@ -29,19 +34,9 @@ def play(config: mw.WorldConfig, teams: dict[range, Any], seed: int, episode: in
                     world.decide(policy, acting, actions)
             world.play_turn(actions)
         recorder.note(actions)
-    return recorder.episode()
-
-
-def same_as_recorded(config: mw.WorldConfig, pursuers: Any, evaders: Any, seed: int) -> None:
-    """Compare with the engine's own episode. Agents that a turn removed have no action after it."""
-    teams = {
-        range(config.n_pursuers): pursuers,
-        range(config.n_pursuers, config.n_agents): evaders,
-    }
     recorded = mw.record(config, pursuers, evaders, seed=seed, episode=3)
-    played = play(config, teams, seed, 3)
     for name in ("positions", "rewards", "involved", "captured"):
-        assert np.array_equal(getattr(played, name), getattr(recorded, name))
+        assert np.array_equal(getattr(recorder.episode(), name), getattr(recorded, name))
 
 
 @pytest.mark.parametrize("script", mw.SCRIPTS)

@@ -103,11 +103,10 @@ def hammer(*calls, seconds=1.5):
 """
 
 
-@pytest.mark.parametrize("threads", [1, 2])
-def test_many_threads_use_one_environment(threads: int) -> None:
+def test_many_threads_use_one_environment() -> None:
     output = run(f"""
 {HAMMER}
-env = mw.VectorEnv("TO", 300, threads={threads}, max_steps=20, render_mode="rgb_array")
+env = mw.VectorEnv("TO", 300, threads=2, max_steps=20, render_mode="rgb_array")
 env.reset(seed=0)
 refused = hammer(
     lambda: env.step(),

@@ -103,16 +103,6 @@ def test_a_copy_continues_independently_and_identically(name: str, copied: objec
     assert left_behind.turn == 5 % world.n_turns or left_behind.terminated
 
 
-def test_a_copy_keeps_the_map_of_its_episode() -> None:
-    world = mw.World(rows=3, cols=3, n_pursuers=1, n_evaders=1)
-    ground = np.eye(3, dtype=bool)
-    world.reset(2, obstacles=ground)
-    twin = copy.deepcopy(world)
-    np.testing.assert_array_equal(twin.map, ground)
-    twin.reset()
-    assert not twin.map.any()
-
-
 # ---- Snapshots: what copies and pickles write down and restore -----------------------------------
 
 CONFIG = mw.WorldConfig.of("TO", rows=4, cols=5, n_pursuers=2, n_evaders=3, max_steps=9)

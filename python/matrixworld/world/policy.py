@@ -157,17 +157,8 @@ class Network:
     def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Return the outputs before any softmax, float32 (n, n_actions), computed in NumPy.
 
-        Parameters
-        ----------
-        genome : ndarray of float32, shape (genome_size,)
-            Weights and biases.
-        views : ndarray of uint8, shape (n, 3, fov, fov)
-            What agents see.
-
-        Raises
-        ------
-        ValueError
-            If the views or the genome have another shape.
+        Of views, uint8 (n, 3, fov, fov). ValueError if the views or the genome, (genome_size,),
+        have another shape.
         """
         expected = (CHANNELS, self.fov, self.fov)
         if views.shape[1:] != expected:
@@ -184,12 +175,8 @@ class Network:
     ) -> NDArray[np.float32]:
         """Return a random genome, float32 (genome_size,), with all biases 0.
 
-        Parameters
-        ----------
-        rng : numpy.random.Generator
-            The source of random numbers.
-        weight, head : float, optional
-            Standard deviations of the weights in the hidden layers and in the last layer.
+        `weight` and `head` are the standard deviations of the weights in the hidden layers and in
+        the last layer.
         """
         # Twice: the random numbers of a layer come as an array of their own.
         check_memory("genome", weights=2 * 4 * self.genome_size)
