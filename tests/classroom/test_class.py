@@ -1,12 +1,14 @@
-"""A class of fifty submissions, honest, broken and hostile; the results and who gets a rank."""
+"""Submissions of a class, honest, broken and hostile: what they can do, and who gets a rank."""
 
 from __future__ import annotations
 
 import contextlib
 import io
+import os
 import re
 import sys
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -28,10 +30,10 @@ from class_submissions import (
 from matrixworld import Matches, WorldConfig, record_actions, rollout
 from matrixworld.classroom import Limits, play_class, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
-from matrixworld.classroom.policy_server import MODULES
+from matrixworld.classroom.policy_server import MODULES, NOT_CONFINED
 from matrixworld.classroom.sandbox import ALLOWED
-from matrixworld.classroom.submissions import MOST_BYTES
-from matrixworld.classroom.tournament import SCRIPTS, ClassResult
+from matrixworld.classroom.submissions import MOST_BYTES, Entry, Refusal, Submission
+from matrixworld.classroom.tournament import SCRIPTS, ClassResult, MatchPool, admit
 from matrixworld.cli.classroom import play_command
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.play.rollout import match_seed
@@ -44,13 +46,16 @@ HOSTILE = (
     "segfault", "shape", "dtype", "range", "raises", "kills parent", "writes protocol", "thread",
     "deep source",
 )  # fmt: skip
-"""Attacks of the class; test_sandbox.py has all of them."""
+"""Attacks in a class; each attack is tried alone, too."""
 ENTRIES = {"program": 14, "genome": 4}
+LIMITS = Limits(seconds=1, wait=2.0, memory=128)
 
 
 @pytest.fixture(scope="module", autouse=True)
 def sandbox() -> None:
-    if problem := problem_here():
+    problem = problem_here()
+    assert problem != NOT_CONFINED
+    if problem:
         pytest.skip(problem)
 
 
@@ -267,6 +272,101 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
     assert processes_of_programs() == []
     with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads
         assert pool.submit(int).result() == 0
+
+
+# ---- Programs alone: they can compute and answer, and nothing else -------------------------------
+
+
+@pytest.fixture(scope="module")
+def pool() -> Iterator[MatchPool]:
+    with contextlib.closing(
+        MatchPool(CONFIG, seed=0, limits=LIMITS, trust=False, threads=1, programs=True)
+    ) as made:
+        yield made
+
+
+def admitted(pool: MatchPool, text: str) -> tuple[list[Entry], list[Refusal]]:
+    submission = Submission("student", "student.py", "program", text.encode(), Path("student.py"))
+    return admit([submission], pool, lambda what, done, total: None)
+
+
+def assert_plays(pool: MatchPool, first_lines: str) -> None:
+    """Check that a program which begins so is not refused."""
+    entries, refusals = admitted(pool, first_lines + ACTS + "return 0")
+    assert (len(entries), refusals) == (1, [])
+
+
+@pytest.mark.parametrize("name", REFUSED_PROGRAMS)
+def test_a_program_that_breaks_a_rule_is_refused(
+    pool: MatchPool, name: str, tmp_path: Path
+) -> None:
+    (tmp_path / "student 00.py").write_text("")
+    before = processes_of_programs()
+    text, reason = REFUSED_PROGRAMS[name]
+    text = text.replace("{mark}", str(tmp_path / "mark")).replace("{directory}", str(tmp_path))
+    began = time.monotonic()
+    entries, [refusal] = admitted(pool, text)
+    assert entries == []
+    assert re.search(reason, refusal.reason), refusal.reason
+    assert len(refusal.reason) < 400
+    assert time.monotonic() - began < 20.0
+    assert [path.name for path in tmp_path.iterdir()] == ["student 00.py"]
+    assert processes_of_programs() == before
+
+
+@pytest.mark.parametrize("name", HARMLESS_ATTACKS)
+def test_a_program_that_changes_its_own_process_only_plays(
+    pool: MatchPool, name: str, tmp_path: Path
+) -> None:
+    text = HARMLESS_ATTACKS[name].replace("{mark}", str(tmp_path / "mark"))
+    [entry], refusals = admitted(pool, text)
+    assert (entry.team, refusals) == ("pursuer", [])
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_next_program_finds_nothing_of_the_one_before(pool: MatchPool) -> None:
+    admitted(pool, "import builtins, math\nbuiltins.left = math.left = 1\n" + ACTS + "return 0")
+    assert_plays(
+        pool,
+        "import builtins, math\n"
+        "assert not hasattr(builtins, 'left')\n"
+        "assert not hasattr(math, 'left')\n",
+    )
+
+
+def test_a_program_sees_no_environment_and_no_other_open_file(pool: MatchPool) -> None:
+    assert_plays(
+        pool,
+        "import os\n"
+        "assert not os.environ, os.environ\n"
+        "for handle in range(4, 100):\n"
+        "    try:\n        os.read(handle, 1)\n"
+        "    except OSError as error:\n        assert error.errno == 9\n"
+        "    else:\n        raise AssertionError(handle)\n",
+    )
+
+
+@pytest.mark.parametrize("call", [0, 56, 57, 62, 101, 157, 160, 302, 321, 425, 435])
+def test_system_calls_by_number_fail(pool: MatchPool, call: int) -> None:
+    """By hand, as a program could do without Python: clone, kill, ptrace, limits, bpf, io_uring."""
+    if os.uname().machine != "x86_64":
+        pytest.skip("numbers of x86-64")
+    number = call or 0x40000000 + 2  # open by its number in the x32 interface
+    assert_plays(
+        pool,
+        "import ctypes\nlibrary = ctypes.CDLL(None, use_errno=True)\n"
+        f"assert library.syscall({number}, 0, 0, 0, 0, 0) == -1\n"
+        "assert ctypes.get_errno() == 1, ctypes.get_errno()\n",
+    )
+
+
+def test_honest_programs_play_both_teams(pool: MatchPool) -> None:
+    teams = []
+    for text in honest_programs(4).values():
+        entries, refusals = admitted(pool, text)
+        assert refusals == []
+        teams.append([entry.team for entry in entries])
+    assert teams == [["pursuer"], ["evader"], ["pursuer", "evader"], ["pursuer", "evader"]]
 
 
 # ---- docs/class.md: its examples work, and its numbers are those of the code ---------------------

@@ -52,16 +52,6 @@ def test_a_genome_is_read_as_it_was(network: Network, tmp_path: Path) -> None:
     np.testing.assert_array_equal(population.genomes[0], policy.genome)
 
 
-def test_numpy_writes_such_a_file_too(tmp_path: Path) -> None:
-    network = Network((4,), fov=3)
-    genome = network.initial(np.random.default_rng(0))
-    np.savez_compressed(
-        tmp_path / "a.npz", genome=genome, hidden=[4], activation="relu", fov=3, n_actions=5,
-        sampled=True, team="pursuer",
-    )  # fmt: skip
-    assert load(tmp_path / "a.npz")[1].network == network
-
-
 def test_another_team_is_refused_before_a_file_is_made(tmp_path: Path) -> None:
     network = Network((), fov=1)
     policy = NetworkPolicy(network, np.zeros(network.genome_size, np.float32))

@@ -329,23 +329,10 @@ def test_a_generation_whose_genome_is_not_there_is_explained(
 
 # ---- The data of a page -----------------------------------------------------------------------
 
-SCHEDULES = ("generalist-generalist", "hall-of-fame")
 
-
-def played(settings: Any, directory: Path) -> SavedRun:
-    start(settings, directory, threads=1).run()
-    return open_run(directory)
-
-
-@pytest.fixture(scope="module", params=SCHEDULES)
-def race(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> SavedRun:
-    settings = tiny_race(schedule=request.param, obstacles=0.1)
-    return played(settings, tmp_path_factory.mktemp("race") / "run")
-
-
-@pytest.fixture(scope="module", params=TEAMS)
-def single(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> SavedRun:
-    return played(tiny_single(team=request.param), tmp_path_factory.mktemp("single") / "run")
+@pytest.fixture(scope="module", params=["race", "turns"])
+def race(request: pytest.FixtureRequest, job: Job) -> SavedRun:
+    return job[request.param]
 
 
 def as_read(run: SavedRun) -> dict[str, Any]:
@@ -405,22 +392,20 @@ def test_first_and_last_generation_are_always_kept(count: int, step: int, kept: 
     assert kept_generations(count, step) == kept
 
 
-def test_a_single_team_has_one_cell_at_its_last_generation(single: SavedRun) -> None:
-    data, payoff = as_read(single), single.payoff()
-    learns_first = data["learning"] == ["pursuer"]
-    assert data["payoff"]["shape"] == ([4, 1] if learns_first else [1, 4])
-    assert data["payoff"]["first"] == ([3, 0] if learns_first else [0, 3])
+def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
+    data, payoff = as_read(job["single"]), job["single"].payoff()
+    assert (data["payoff"]["shape"], data["payoff"]["first"]) == ([1, 4], [0, 3])
     assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
     assert data["findings"] is None
     assert not data["race"]
-    [teams] = archives_of([single]).teams
-    scripts = [teams[team]["script"] for team in TEAMS]
-    assert sorted(scripts, key=str) == [None, "random"]
+    [teams] = archives_of([job["single"]]).teams
+    assert [teams[team]["script"] for team in TEAMS] == ["chaser", None]
 
 
 def test_a_long_training_curve_has_means_of_neighbouring_epochs(
-    monkeypatch: pytest.MonkeyPatch, single: SavedRun
+    monkeypatch: pytest.MonkeyPatch, job: Job
 ) -> None:
+    single = job["single"]
     log = single.files.log()
     whole = training_curve(log, single.settings)
     assert whole["epochs"] == 1

@@ -12,7 +12,6 @@ import runpy
 import shutil
 import sys
 from collections.abc import Callable
-from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
@@ -66,21 +65,9 @@ def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
     assert elements(hostile) == elements(render_page(page, "title", {"name": ""}))
 
 
-class Elements(HTMLParser):
-    """List the elements of a page with their attributes, as a browser would find them."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.found: list[tuple[str, tuple[tuple[str, str | None], ...]]] = []
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.found.append((tag, tuple(attrs)))
-
-
-def elements(html: str) -> list[tuple[str, tuple[tuple[str, str | None], ...]]]:
-    parser = Elements()
-    parser.feed(html)
-    return parser.found
+def elements(page: str) -> list[str]:
+    """Return the tags of a page with their attributes."""
+    return re.findall(r"<[a-z/!][^>]*>", page, re.IGNORECASE)
 
 
 def test_numbers_that_are_not_json_are_refused() -> None:
