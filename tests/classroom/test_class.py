@@ -27,13 +27,13 @@ from class_submissions import (
     write_hostile_files,
     write_programs,
 )
-from matrixworld import Matches, WorldConfig, record_actions, rollout
+from matrixworld import WorldConfig, record_actions
 from matrixworld.classroom import Limits, play_class, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
 from matrixworld.classroom.policy_server import MODULES, NOT_CONFINED
 from matrixworld.classroom.sandbox import ALLOWED
 from matrixworld.classroom.submissions import MOST_BYTES, Entry, Refusal, Submission
-from matrixworld.classroom.tournament import SCRIPTS, ClassResult, MatchPool, admit
+from matrixworld.classroom.tournament import ClassResult, MatchPool, admit
 from matrixworld.cli.classroom import play_command
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.play.rollout import match_seed
@@ -112,22 +112,6 @@ def test_a_replay_is_the_match(played: Tournament) -> None:
         episode = record_actions(CONFIG, actions, seed=match_seed(0))
         assert episode.length == result.lengths[g, h, 0]
         assert episode.capture_rate == pytest.approx(result.capture_rates[g, h, 0])
-
-
-def test_matches_without_programs_are_those_of_the_engine(played: Tournament) -> None:
-    result = played.result
-    numbers = {
-        team: {e.name: n for n, e in enumerate(result.entries[team]) if e.kind == "script"}
-        for team in TEAMS
-    }
-    for pursuers in SCRIPTS["pursuer"]:
-        for evaders in SCRIPTS["evader"]:
-            found = rollout(
-                CONFIG, pursuers, evaders, Matches.of(0, 0, [match_seed(0)]), episodes=3
-            )
-            cell = numbers["pursuer"][pursuers], numbers["evader"][evaders]
-            np.testing.assert_allclose(result.capture_rates[cell], found.capture_rate[0])
-            np.testing.assert_array_equal(result.lengths[cell], found.length[0])
 
 
 def small(directory: Path, **changes: Any) -> ClassResult:

@@ -91,25 +91,14 @@ def select(
 
 
 def click_cell(browser: Browser, pursuer: int, evader: int) -> None:
-    from selenium.webdriver import ActionChains
-    from selenium.webdriver.common.by import By
-
-    matrix = browser.driver.find_element(By.ID, "matrix")
-    place = browser.js(
-        """(() => {
-          const [g, h] = arguments, canvas = document.querySelector('#matrix canvas');
-          const [rows, columns] = window.matrixworldExplorer.shape;
-          canvas.scrollIntoView({block: 'center', behavior: 'instant'});
-          const box = canvas.getBoundingClientRect();
-          const room = document.querySelector('#matrix').getBoundingClientRect();
-          return [box.left + (h + .5) / columns * box.width - room.left - room.width / 2,
-                  box.top + (rows - g - .5) / rows * box.height - room.top - room.height / 2];
-        })()""",
-        pursuer,
-        evader,
-    )
-    action = ActionChains(browser.driver, duration=0)
-    action.move_to_element_with_offset(matrix, round(place[0]), round(place[1])).click().perform()
+    place = """(() => {
+      const [g, h] = arguments, canvas = document.querySelector('#matrix canvas');
+      const [rows, columns] = window.matrixworldExplorer.shape;
+      canvas.scrollIntoView({block: 'center', behavior: 'instant'});
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      return [left + (h + .5) / columns * width, top + (rows - g - .5) / rows * height];
+    })()"""
+    browser.drag(browser.js(place, pursuer, evader))
 
 
 def random_matches(job: Job) -> list[tuple[int, int, int, int]]:

@@ -160,10 +160,6 @@ def test_pictures_of_small_and_large_worlds(side: int) -> None:
     assert 100 < max(picture(Playground(world)._repr_mimebundle_()).shape) < 2000
 
 
-def test_a_playground_without_a_world_shows_the_first_example() -> None:
-    assert picture(Playground()._repr_mimebundle_()).size
-
-
 def test_a_notebook_that_is_kept_shows_the_picture_and_no_frame() -> None:
     """The formatter of a notebook, and then the script that runs and keeps the notebooks."""
     formatters = pytest.importorskip("IPython.core.formatters")

@@ -46,25 +46,14 @@ def cells(page: PlaygroundPage) -> list[list[int]]:
 
 def drag(page: PlaygroundPage, *path: tuple[int, int]) -> None:
     """Press the pointer on the first cell, go through the others, and let it go on the last."""
-    from selenium.webdriver import ActionChains
-
     page.browser.wait("playground.player.arrived")
-    point = """(([row, col]) => {
-      const canvas = document.querySelector("canvas.board"), box = canvas.getBoundingClientRect();
-      const { rows, cols } = playground.scene;
-      return [box.left, box.top, box.width, box.height, rows, cols, row, col];
-    })(arguments[0])"""
-    mouse = ActionChains(page.browser.driver, duration=20)
-    for number, cell in enumerate(path):
-        left, top, width, height, rows, cols, row, col = page.browser.js(point, list(cell))
-        side = min((width - AXIS) / (cols + 0.24), (height - AXIS) / (rows + 0.24))
-        x = left + (width - cols * side + AXIS) / 2 + (col + 0.5) * side
-        y = top + (height - rows * side + AXIS) / 2 + (row + 0.5) * side
-        mouse.w3c_actions.pointer_action.move_to_location(round(x), round(y))
-        if number == 0:
-            mouse.w3c_actions.pointer_action.pointer_down()
-    mouse.w3c_actions.pointer_action.pointer_up()
-    mouse.perform()
+    box = "document.querySelector('canvas.board').getBoundingClientRect().toJSON()"
+    board = page.browser.js(box)
+    rows, cols = page.browser.js("[playground.scene.rows, playground.scene.cols]")
+    side = min((board["width"] - AXIS) / (cols + 0.24), (board["height"] - AXIS) / (rows + 0.24))
+    left = board["left"] + (board["width"] - cols * side + AXIS) / 2
+    top = board["top"] + (board["height"] - rows * side + AXIS) / 2
+    page.browser.drag(*((left + (c + 0.5) * side, top + (r + 0.5) * side) for r, c in path))
 
 
 # Keys:

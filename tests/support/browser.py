@@ -79,6 +79,18 @@ class Browser:
         for key in keys:
             ActionChains(self.driver, duration=0).send_keys(key).perform()
 
+    def drag(self, *points: tuple[float, float]) -> None:
+        """Press the pointer at a point of the window and let it go at the last one."""
+        from selenium.webdriver import ActionChains
+
+        mouse = ActionChains(self.driver, duration=20)
+        for number, (x, y) in enumerate(points):
+            mouse.w3c_actions.pointer_action.move_to_location(round(x), round(y))
+            if number == 0:
+                mouse.w3c_actions.pointer_action.pointer_down()
+        mouse.w3c_actions.pointer_action.pointer_up()
+        mouse.perform()
+
     def click(self, selector: str) -> None:
         """Click the first element that a CSS selector finds."""
         from selenium.webdriver.common.by import By

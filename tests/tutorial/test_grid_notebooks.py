@@ -99,13 +99,6 @@ def test_random_packs(count: int) -> None:
     assert [target(cell, action) for cell, action in zip(cells, actions, strict=True)] == targets
 
 
-def test_a_pack_stands_where_it_was_put() -> None:
-    world = pack([(0, 0), (2, 1)], 3)
-    assert world.positions.tolist() == [[0, 0], [2, 1], [0, 4]]
-    assert world.map[:, 3].all()
-    assert not world.map[:, :3].any()
-
-
 # ---- Notebook 1 ----------------------------------------------------------------------------------
 
 
