@@ -19,7 +19,6 @@ from typing import Any
 import pytest
 
 from dask_cluster import DaskCluster, dask_cluster, wait_until
-from matrixworld import coevolution
 from matrixworld.cluster import ClusterLostError, cluster
 from matrixworld.cluster import executor as module
 from matrixworld.coevolution import (
@@ -146,27 +145,6 @@ def test_a_race_that_kills_workers_is_named(dask: DaskCluster, tmp_path: Path) -
     assert isinstance(reason, WorkerDiedError)
     assert len(error.value.finished) == len(good)
     check_equal(place, good, tmp_path / "alone")
-
-
-@pytest.mark.slow
-def test_interrupted_tasks_stop_and_continue(dask: DaskCluster, tmp_path: Path) -> None:
-    dask.workers(2)
-    settings, place = races(3, **{**SLOW, "generations": 8}), tmp_path / "many"
-
-    def interrupt(progress: coevolution.Progress) -> None:
-        if have_begun(place, 1)():
-            raise KeyboardInterrupt
-
-    with cluster(dask.address, directory=place) as executor:
-        with pytest.raises(KeyboardInterrupt):
-            evolve(settings, place, executor=executor, report=interrupt)
-        # Both workers are free again: no task goes on behind the back of its job.
-        began = time.monotonic()
-        assert executor.submit(operator.add, 1, 2).result() == 3
-        assert time.monotonic() - began < 5
-        assert len(list(place.glob("*/summary.json"))) < len(settings)
-        evolve(settings, place, executor=executor)
-    check_equal(place, settings, tmp_path / "alone")
 
 
 @pytest.mark.slow

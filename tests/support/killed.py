@@ -137,26 +137,16 @@ def run_until_killed(kind: str, directory: Path, at: int) -> None:
 
 REFUSED = 3
 """Exit code of a process that could not write a file."""
-
-
 NOBODY = 65534
 
 
-def run_until_refused(kind: str, directory: Path, message: Path, limit: int | None = None) -> None:
-    """As `start_or_resume`, but files are refused; write the error to `message`.
-
-    No file may exceed `limit` bytes; without a limit the process is one of a user without rights.
-    """
-    import resource
-
-    if limit is not None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
-    elif os.getuid() == 0:
+def run_until_refused(kind: str, directory: Path, message: Path) -> None:
+    """As `start_or_resume`, but as a user without rights; write the error to `message`."""
+    if os.getuid() == 0:
         os.setuid(NOBODY)
     try:
         start_or_resume(kind, directory)
     except OSError as error:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
         message.write_text(str(error))
         raise SystemExit(REFUSED) from error
 

@@ -20,7 +20,7 @@ import click
 from matrixworld._util.files import DamagedFileError, load_toml
 from matrixworld.cli.arguments import run_in
 from matrixworld.cli.options import option_name
-from matrixworld.coevolution import SCHEDULES, Against, RaceSettings
+from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
 from matrixworld.coevolution.sections import (
     WORLD_HELP,
@@ -188,8 +188,8 @@ def usage_errors() -> Iterator[None]:
     """Tell of a bad argument without a traceback, by the option that gives it."""
     try:
         yield
-    except DamagedFileError:
-        # A ValueError, too, but the fault of a file and not of an argument: see `failures`.
+    except (DamagedFileError, OtherVersionError):
+        # ValueErrors, too, but the fault of a file and not of an argument: see `failures`.
         raise
     except (FileNotFoundError, IndexError, TypeError, ValueError) as error:
         raise click.UsageError(_in_options(str(error))) from error

@@ -232,7 +232,7 @@ def test_the_command_refuses(race, options, code, message):
 
 
 def test_a_damaged_run_is_refused(race, tmp_path):
-    assert "that hold runs" in matrixworld_command("score", tmp_path, code=2).stderr
+    assert "expected run directories" in matrixworld_command("score", tmp_path, code=2).stderr
     coevolution.start(tiny_race(), tmp_path / "run")
     genomes = tmp_path / "run" / "stage-0000.npz"
     genomes.write_bytes(genomes.read_bytes()[:-100])

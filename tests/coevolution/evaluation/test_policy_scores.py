@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from command_line import matrixworld_command
-from matrixworld.coevolution import TEAMS, open_run, score_population, start
+from matrixworld.coevolution import TEAMS, score_population
 from matrixworld.play.matches import capture_rates
 from rows import config_of
-from tiny_race import tiny_race
 
 
 def genome_of(config: mw.WorldConfig, **fields: Any) -> mw.NetworkPolicy:
@@ -43,27 +39,6 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
     inside = mw.score_policy(policy, team, config, episodes=7, seed=3)
     assert np.array_equal(inside.rates, expected.rates)
-
-
-def test_a_policy_of_a_run_has_the_scores_that_the_command_prints(tmp_path: Path) -> None:
-    path = tmp_path / "race"
-    start(tiny_race(fov=11, rows=7, cols=7, hidden=(2,)), path, threads=1).run()
-    kept = tmp_path / "scores.json"
-    matrixworld_command("score", path, "--episodes", "40", "--seed", "6", "--json", kept)
-    [group] = json.loads(kept.read_text())["groups"].values()
-    run = open_run(path)
-    for team in TEAMS:
-        policy, world = run.policy(team, seed=1), run.settings.world
-        scores = mw.score_policy(policy, team, world, episodes=40, seed=6).to_json()
-        [printed] = group[f"{team}s"]["by_seed"].values()
-        assert scores["mean"] == printed["mean"]
-        assert scores["against"] == printed["against"]
-        # Its own random numbers give other actions, with the same probabilities.
-        drawn = mw.score_policy(policy.__call__, team, world, episodes=40, seed=6).mean()
-        [mean] = printed["mean"]
-        assert drawn.low < mean["high"]
-        assert mean["low"] < drawn.high
-        assert drawn.value != mean["value"]
 
 
 @pytest.mark.parametrize("name", ["R", "SDB", "TO", "swarm-SD"])

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from executors import Reversed
 from matrixworld.coevolution import tournament
 from matrixworld.coevolution.evaluation.tournament import Pairs
 from matrixworld.play.rollout import rollout
@@ -33,22 +34,6 @@ def played(pursuers=None, **options):
     }
 
 
-class Backwards(Executor):
-    """Does its tasks when all are there, the last one first."""
-
-    def __init__(self, tasks):
-        self.tasks, self.left = [], tasks
-
-    def submit(self, fn, /, *args, **kwargs):
-        future = Future()
-        self.tasks.append((future, fn, args))
-        self.left -= 1
-        if not self.left:
-            for waiting, call, given in reversed(self.tasks):
-                waiting.set_result(call(*given))
-        return future
-
-
 @pytest.mark.parametrize("pairs", [1, 2, 3, 5, 6, 9, 10, 12, 34, 35, 1000])
 def test_blocks_of_any_size_give_the_same_bytes(pairs, monkeypatch):
     monkeypatch.setattr(Pairs, "seconds", lambda self: 1.0)
@@ -62,7 +47,7 @@ def test_blocks_of_any_size_give_the_same_bytes(pairs, monkeypatch):
 
 def test_the_order_of_the_blocks_does_not_matter(monkeypatch):
     monkeypatch.setattr(Pairs, "seconds", lambda self: 1.0)
-    assert played(executor=Backwards(7 * 5), block_seconds=1) == played()
+    assert played(executor=Reversed(7 * 5), block_seconds=1) == played()
 
 
 def test_other_processes_and_scripts():

@@ -178,37 +178,26 @@ def test_each_response_of_a_job_is_the_one_of_its_run_alone(job: Path, tmp_path:
 # The command:
 
 
-def test_the_command_on_a_run(race, tmp_path):
-    run = Path(shutil.copytree(race, tmp_path / "race"))
-    command = ["exploit", run, *COMMAND]
-    told = matrixworld_command(*command).stdout
-    job = tmp_path / "race-response-to-pursuers-100x12-seed0"
-    made = job / "seed-5"
-    result = best_response(open_run(run), "pursuer", BUDGET, made, **CHOSEN)
-    before, after = f"{result.before.mean():.3f}", f"{result.after.mean():.3f}"
-    assert re.search(rf"5 +{before} +{after}  {re.escape(str(result.gain.gain))}\n", told)
-    assert "96 matches of evolution and 24 of evaluation" in told
-    assert f"matrixworld replay {made}" in told
-    files = {path: path.read_bytes() for path in made.iterdir()}
-    assert matrixworld_command(*command).stdout == told
-    assert {path: path.read_bytes() for path in made.iterdir()} == files
-    matrixworld_command("replay", made)
-
-
-def test_the_command_on_a_job_of_seeds(job: Path, tmp_path: Path) -> None:
+def test_the_command(job: Path, tmp_path: Path) -> None:
     copy = Path(shutil.copytree(job, tmp_path / "job"))
-    told = matrixworld_command("exploit", copy, *COMMAND).stdout
-    beside = tmp_path / f"job-response-to-pursuers-{BUDGET}x{EPISODES}-seed0" / SCHEDULE
+    command = ["exploit", copy, *COMMAND]
+    told = matrixworld_command(*command).stdout
+    beside = tmp_path / f"job-response-to-pursuers-{BUDGET}x{EPISODES}-seed0"
     gains = []
     for seed in (0, 1, 2):
-        run = open_run(copy / SCHEDULE / f"seed-{seed}")
-        response = best_response(run, "pursuer", BUDGET, beside / f"seed-{seed}", **CHOSEN)
+        run, made = (place / SCHEDULE / f"seed-{seed}" for place in (copy, beside))
+        response = best_response(open_run(run), "pursuer", BUDGET, made, **CHOSEN)
         gains.append(response.gain.gain.value)
         line = rf"^ +{seed}  +{response.before.mean():.3f} +{response.after.mean():.3f}  "
         assert re.search(line + re.escape(str(response.gain.gain)), told, re.MULTILINE)
     mean = interval_over_runs(gains, bounds=(-1.0, 1.0))
     assert f"{mean.value:.3f} ({mean.low:.3f} to {mean.high:.3f})" in told
-    assert "288 matches of evolution" in told
+    assert "288 matches of evolution and 72 of evaluation" in told
+    assert f"matrixworld replay {beside / SCHEDULE / 'seed-0'}" in told
+    files = {path: path.read_bytes() for path in made.iterdir()}
+    assert matrixworld_command(*command).stdout == told
+    assert {path: path.read_bytes() for path in made.iterdir()} == files
+    matrixworld_command("replay", made)
 
 
 def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):

@@ -13,6 +13,7 @@ from contextlib import nullcontext
 
 import pytest
 
+from executors import Reversed
 from matrixworld.coevolution import (
     DamagedFileError,
     DisengagementWarning,
@@ -79,25 +80,6 @@ def check_equal(directory, straight):
     assert {name: files_in(directory / name) for name in straight} == straight
     tops = {name.partition("/")[0] for name in straight}
     assert {path.name for path in directory.iterdir()} == {*tops, JOB, ".lock"}
-
-
-class Reversed(Executor):
-    """Does its tasks in a thread each, one after the other, the last one first."""
-
-    def __init__(self, count):
-        self.tasks, self.left = [], count
-
-    def submit(self, fn, /, *args, **kwargs):
-        future = Future()
-        self.tasks.append((future, fn, args))
-        self.left -= 1
-        if not self.left:
-            threading.Thread(target=self.work).start()
-        return future
-
-    def work(self):
-        for future, fn, args in reversed(self.tasks):
-            future.set_result(fn(*args))
 
 
 @pytest.mark.parametrize("executor", [ThreadPoolExecutor(2), Reversed(len(SETTINGS))])

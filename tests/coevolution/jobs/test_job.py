@@ -25,7 +25,6 @@ from tiny_race import tiny_race, tiny_single
 
 RULES = VARIANTS["SB"]
 SETTINGS = [
-    *(tiny_race(schedule=name) for name in ALL_SCHEDULES),
     tiny_race(rules=RULES, sigma=np.float32(0.3), obstacles=0.1),
     tiny_race(obstacles=["......"] * 5 + [".#...."], hidden=(3, 2), activation="tanh"),
     tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2, "shrink": 0.5}),

@@ -156,16 +156,6 @@ def test_schedules_and_learners(tmp_path, schedule, learner):
         assert samplers[team].sample(there, i, rng).tolist() == [met]
 
 
-def test_given_map_is_kept_with_the_run(tmp_path):
-    rows = ["......", ".##...", "......", "...##.", "......"]
-    settings = tiny_race(rows=None, cols=None, obstacles=rows)
-    as_array = np.array([[cell == "#" for cell in row] for row in rows])
-    assert tiny_race(rows=None, cols=None, obstacles=as_array) == settings
-    assert np.array_equal(settings.world.map, as_array)
-    Race(settings, tmp_path / "run")
-    assert coevolution.resume(tmp_path / "run").settings == settings
-
-
 def disengaged(config, pursuers, evaders, matches, *, episodes=1, threads=None):
     """Return results in which all evaders are captured."""
     return constant_scores(1.0, (len(matches.seed), episodes))

@@ -150,21 +150,6 @@ def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path)
     assert at > 25
 
 
-@pytest.mark.parametrize("kind", RUNS)
-@pytest.mark.parametrize("limit", [100, 1000, 2500])
-def test_files_that_the_system_limits(kind, tmp_path, limit):
-    """The operating system refuses files that exceed some number of bytes."""
-    directory = tmp_path / "run"
-    child = process(killed.run_until_refused, kind, directory, tmp_path / "message", limit)
-    child.join()
-    assert child.exitcode == killed.REFUSED
-    message = (tmp_path / "message").read_text()
-    assert "File too large" in message
-    assert str(directory) in message
-    start_or_resume(kind, directory)
-    assert results(directory) == straight(kind)
-
-
 def test_killed_process_releases_the_lock(tmp_path):
     directory = tmp_path / "run"
     coevolution.start(RUNS["race"], directory)

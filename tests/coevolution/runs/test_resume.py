@@ -94,13 +94,6 @@ def test_matches_are_counted_predicted_and_logged(tmp_path, name):
     assert training <= predicted if archives else training == predicted
 
 
-@pytest.mark.parametrize(("call", "stage"), [(1, 0), (2, 1), (4, 1), (5, 2), (7, 3), (12, 4)])
-def test_the_files_hold_the_last_finished_stage(tmp_path, call, stage):
-    with pytest.raises(KeyboardInterrupt):
-        coevolution.start(tiny_race(), tmp_path / "run", play=StopAt(call)).run()
-    assert coevolution.resume(tmp_path / "run").stage == stage
-
-
 @pytest.mark.parametrize("threads", [1, 3])
 def test_threads_change_nothing(tmp_path, threads):
     coevolution.start(tiny_race(), tmp_path / "run", threads=threads).run()
