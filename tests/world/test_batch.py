@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import weakref
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -239,6 +240,22 @@ def test_any_integers_are_actions(dtype: type) -> None:
     one.step(actions)
     other.step(np.asfortranarray(actions.astype(dtype)))
     np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
+
+
+def test_batches_in_several_python_threads() -> None:
+    config = config_of("O")
+    actions = random_actions(8, 5, 30, 20, config.n_agents)
+
+    def play(_: int) -> np.ndarray:
+        batch = mw.Batch(20, config, threads=2, autoreset=mw.Autoreset.SAME_STEP)
+        for row in actions:
+            batch.step(row)
+        return batch.buffers["positions"]
+
+    with ThreadPoolExecutor(4) as threads:
+        first, *others = threads.map(play, range(4))
+    for positions in others:
+        np.testing.assert_array_equal(positions, first)
 
 
 def test_a_batch_keeps_its_arrays_alive() -> None:

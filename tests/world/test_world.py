@@ -265,6 +265,37 @@ def test_a_full_world() -> None:
     assert len(np.unique(world.positions, axis=0)) == 25
 
 
+def test_a_large_world() -> None:
+    side, n = 1024, 3000
+    config = mw.WorldConfig(
+        "O", rows=side, cols=side, n_pursuers=n, n_evaders=n, obstacles=0.1, max_steps=5
+    )
+    world = mw.World(config)
+    assert world.map.sum() == round(0.1 * side * side)
+    start = world.positions
+    assert len(np.unique(start, axis=0)) == 2 * n
+    assert (start.max(axis=0) > side - 10).all()
+    actions = random_actions(0, 5, 5, 2 * n)
+    for row in actions:
+        world.step(row)
+    assert world.truncated
+    moved = np.abs(world.positions - start)[world.alive]
+    assert moved.sum(axis=1).max() == 5
+    assert not world.map[tuple(world.positions[world.alive].T)].any()
+    state = world.state()
+    assert state[1][tuple(world.positions[:n].T)].all()
+
+
+def test_a_wide_view() -> None:
+    world = mw.World("O", rows=3, cols=5, n_pursuers=1, n_evaders=1, fov=255)
+    world.reset(pursuers=[[0, 0]], evaders=[[2, 4]])
+    evaders, pursuers, obstacles = world.views()[0]
+    assert np.argwhere(evaders).tolist() == [[129, 131]]
+    assert not pursuers.any()
+    assert obstacles.sum() == 255**2 - 15
+    assert not obstacles[127:130, 127:132].any()
+
+
 # ---- Configurations --------------------------------------------------------------------------
 
 
