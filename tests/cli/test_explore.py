@@ -55,25 +55,11 @@ def test_a_page_is_written_beside_the_run_and_opened(
     assert opened == [page.as_uri()]
 
 
-def test_nothing_is_replaced_unasked(job: tuple[Path, str], opened: list[str]) -> None:
-    page = job[0] / "explorer.html"
-    before = page.read_bytes()
-    result = matrixworld_command("explore", job[0], code=2)
-    assert "exists; give --force to replace it" in result.output
-    assert page.read_bytes() == before
-    assert opened == []
-
-
 def test_a_file_of_another_name(job: tuple[Path, str], tmp_path: Path) -> None:
     page = tmp_path / "two.html"
     runs = [job[0] / name for name in MAIN_JOB[:2]]
     matrixworld_command("explore", *runs, "-o", page, "--no-open")
     assert [run["name"] for run in data_of(page)["runs"]] == PLACES[:2]
-
-
-def test_a_directory_without_a_run_is_refused(tmp_path: Path) -> None:
-    result = matrixworld_command("explore", tmp_path, code=2)
-    assert "expected run directories, got" in result.output
 
 
 def test_a_machine_without_a_browser_gets_the_file(

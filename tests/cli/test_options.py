@@ -84,6 +84,7 @@ OUTPUTS = {
         ["tournament", "run", "--episodes", 2],
         "run/tournament-2x12-seed0.npz",
     ),
+    "a page": (["explore", "run", "--no-open"], "run/explorer.html"),
     "figures": (["explore", "--figures", "run"], "run/training.png"),
     "a figure": (["explore", "run", "--figure", "payoff", "--out", "old.png"], "old.png"),
     "bench": (

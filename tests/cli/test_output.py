@@ -42,6 +42,7 @@ def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) 
 @pytest.mark.parametrize(
     "command",
     [
+        ["evolve", "--variants"],
         ["judge", "seeds", "--explain"],
         ["score", f"main/{MAIN_JOB[0]}", "--episodes", 4],
         ["score", "seeds", "--episodes", 4],

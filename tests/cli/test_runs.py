@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -24,37 +23,7 @@ from rows import random_walks
 from tiny_race import StopAt, tiny_race
 
 
-@pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A directory of the three races of the main job, finished."""
-    output = tmp_path_factory.mktemp("job")
-    for name in MAIN_JOB:
-        start(tiny_race(schedule=name), output / name, threads=1).run()
-    return output
-
-
-@pytest.fixture
-def copy(job: Path, tmp_path: Path) -> Path:
-    """A copy of the races, to be changed."""
-    return Path(shutil.copytree(job, tmp_path / "copy"))
-
-
-def test_variants_prints_a_row_for_each():
-    lines = matrixworld_command("evolve", "--variants").output.splitlines()
-    rows = {line.split()[0]: line for line in lines[1 : 1 + len(VARIANTS)]}
-    assert rows.keys() == VARIANTS.keys()
-    shown = rows["SDB"].split()
-    assert shown == [
-        "SDB", "all", "at", "once", "bounces", "bounces", "bounces", "/", "reaches",
-        "surrounding", "disappear",
-    ]  # fmt: skip
-    assert "one at a time" in rows["TO"]
-    assert rows["D"].count("disappears") == 4
-    assert rows["R"].endswith("occupation   stay")
-
-
-def test_a_tournament_with_the_run_s_settings_is_its_payoff(copy):
-    run = copy / MAIN_JOB[0]
+def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     same = ["--episodes", 3, "--steps", 12, "--seed", 5]
     result = matrixworld_command("tournament", run, *same, "--threads", 1)
     made = run / "tournament-3x12-seed5.npz"
@@ -69,28 +38,28 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(copy):
     assert set(judged_in(result.stdout).values()) == {"cannot tell"}
 
 
-def test_cross_play_of_two_runs(job):
-    ours, _, theirs = (job / name for name in MAIN_JOB)
+def test_cross_play_of_two_runs(race):
+    start(tiny_race(schedule=MAIN_JOB[0]), "other", threads=1).run()
     result = matrixworld_command(
-        "tournament", ours, theirs, "--episodes", 2, "--steps", 9, "--seed", 3,
+        "tournament", race, "other", "--episodes", 2, "--steps", 9, "--seed", 3,
         "--out", "cross.npz",
     )  # fmt: skip
     assert not judged_in(result.stdout)
     played = np.load("cross.npz")["capture_rates"]
-    run = open_run(ours)
+    ours = open_run(race)
     scores = rollout(
-        replace(run.settings.world, max_steps=9),
-        run.teams["pursuer"],
-        open_run(theirs).teams["evader"],
+        replace(ours.settings.world, max_steps=9),
+        ours.teams["pursuer"],
+        open_run("other").teams["evader"],
         Matches.of(2, 1, np.uint64(evaluation_seed(3, 2, 1))),
         episodes=2,
     )
     assert np.array_equal(played[2, 1], scores.capture_rate[0])
 
 
-def test_cross_play_needs_one_world(job):
-    start(tiny_race(rows=7), "other").run()
-    result = matrixworld_command("tournament", job / MAIN_JOB[0], "other", code=2)
+def test_cross_play_needs_one_world(race):
+    start(tiny_race(rows=7), "other")
+    result = matrixworld_command("tournament", race, "other", code=2)
     assert "expected two runs in the same world, got rows 6 and 7" in result.stderr
 
 
@@ -102,19 +71,21 @@ def test_a_tournament_of_an_unfinished_run():
     assert np.load("begun.npz")["capture_rates"].shape == (2, 1, 100)
 
 
-def test_replay_plays_the_episode_of_the_payoff(job):
-    run = job / MAIN_JOB[1]
+def test_replay_plays_the_episode_of_the_payoff(race):
     result = matrixworld_command(
-        "replay", run, "--pursuer", 2, "--evader", -3, "--episode", 1,
+        "replay", race, "--pursuer", 2, "--evader", -3, "--episode", 1,
         "--out", "match.gif", "--out", "match.npz",
     )  # fmt: skip
-    payoff, episode = open_run(run).payoff(), Episode.load("match.npz")
+    payoff, episode = open_run(race).payoff(), Episode.load("match.npz")
     assert episode.length == payoff.lengths[2, 0, 1]
     assert episode.capture_rate == pytest.approx(payoff.capture_rates[2, 0, 1])
     assert Path("match.gif").read_bytes().startswith(GIF)
     caught = int(episode.counted[-1].sum())
     told = f"{caught} of 3 evaders captured, {episode.length} steps"
     assert result.stdout == f"{told}  match.gif, match.npz\n"
+    last = ["--pursuer", 2, "--evader", 2, "--episode", 0]
+    usual = matrixworld_command("replay", race).stdout
+    assert usual == matrixworld_command("replay", race, *last).stdout
     again = matrixworld_command("replay", "match.npz").stdout
     assert again.startswith(f"step {episode.length} of {episode.length}")
     assert again.endswith(f"\n{told}\n")
@@ -162,23 +133,16 @@ def test_replay_cannot_explain_a_recording_without_conflicts():
     assert "conflict_table: expected a recording with conflicts, got none" in result.stderr
 
 
-def test_replay_plays_the_last_generations_by_default(job):
-    run = job / MAIN_JOB[1]
-    chosen = ["--pursuer", 2, "--evader", 2, "--episode", 0]
-    told = matrixworld_command("replay", run, *chosen).stdout
-    assert matrixworld_command("replay", run).stdout == told
-
-
 @pytest.mark.parametrize(
     ("options", "code", "message"),
     [
         (["nothing"], 2, f"or a variant ({', '.join(VARIANTS)}), got 'nothing'"),
-        (["{job}"], 2, "expected one run, got a directory of several"),
-        (["{job}/specialist-specialist", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
-        (["{job}/specialist-specialist/log.csv"], 1, "cut, altered or not an npz file"),
-        (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --episode"),
-        (["{job}/specialist-specialist", "--evader", "fleer"], 2, "a generation of the run, got"),
-        (["{job}/specialist-specialist", "--seed", "1"], 2, "is a run: expected no --seed with it"),
+        (["several"], 2, "expected one run, got a directory of several: several/1, several/2"),
+        (["{race}", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
+        (["{race}/log.csv"], 1, "cut, altered or not an npz file"),
+        (["{race}/log.csv", "--episode", "1"], 2, "expected no --episode"),
+        (["{race}", "--evader", "fleer"], 2, "a generation of the run, got"),
+        (["{race}", "--seed", "1"], 2, "is a run: expected no --seed with it"),
         (["O", "--pursuer", "3"], 2, "--pursuer: expected one of random, still, chaser, fleer, "),
         (["O", "--rows", "1", "--cols", "3"], 2, "n_pursuers: expected 1 to 3, got 8"),
         (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
@@ -190,21 +154,26 @@ def test_replay_plays_the_last_generations_by_default(job):
         (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
     ],
 )
-def test_replay_refuses(job, options, code, message):
-    args = [option.format(job=job) for option in options]
+def test_replay_refuses(race, options, code, message):
+    for name in "12":
+        start(tiny_race(), f"several/{name}")
+    args = [option.format(race=race) for option in options]
     assert message in matrixworld_command("replay", *args, code=code).stderr
 
 
-def test_all_figures_are_drawn_and_races_side_by_side(copy):
-    result = matrixworld_command("explore", "--figures", copy)
-    figures = [path for name in MAIN_JOB for path in (copy / name).glob("*.png")]
-    assert sorted(result.stdout.split()) == sorted(map(str, [*figures, copy / "comparison.png"]))
-    assert len(figures) == 5 * len(MAIN_JOB)
+def test_all_figures_are_drawn_and_races_side_by_side(run):
+    start(tiny_race(schedule=MAIN_JOB[0]), "other", threads=1).run()
+    said = matrixworld_command("explore", "--figures", "run", "other").stdout.split()
+    figures = [path for name in ("run", "other") for path in Path(name).glob("*.png")]
+    assert sorted(Path(file).absolute() for file in said) == sorted(
+        path.absolute() for path in [*figures, Path("comparison.png")]
+    )
+    assert len(figures) == 10
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 
-def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
-    payoff = open_run(job / MAIN_JOB[0]).payoff()
+def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
+    payoff = open_run(race).payoff()
     rates = collisions_per_1000(payoff)
     assert rates.shape == (3, 2, 3)
     row = sum(payoff.collisions[1, h, 0, 0] for h in range(3))
@@ -222,16 +191,13 @@ def test_the_package_is_a_command_too():
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
 
 
-def test_titles_name_the_run_and_its_seed(job):
-    renamed = Path("my-race")
-    shutil.copytree(job / MAIN_JOB[0], renamed)
-    groups = groups_of([renamed])
+def test_titles_name_the_run_and_its_seed(run):
+    groups = groups_of([run])
     [race] = groups[0].runs
-    schedule, seed = race.settings.schedule.name, race.settings.seed
-    assert run_title(job / MAIN_JOB[0], race.settings) == f"{schedule}, seed {seed}"
-    assert run_title(Path(f"{schedule}/seed-5"), race.settings) == f"{schedule}, seed {seed}"
-    assert run_title(renamed, race.settings) == f"my-race ({schedule}), seed {seed}"
-    for draw in planned(groups, renamed).values():
+    assert run_title(Path("generalist-generalist/seed-5"), race.settings) == (
+        "generalist-generalist, seed 5"
+    )
+    for draw in planned(groups, run).values():
         figure = draw()
         title = figure.get_suptitle() or figure.axes[0].get_title()
-        assert title.startswith(f"my-race ({schedule}), seed {seed}\n")
+        assert title.startswith("run (generalist-generalist), seed 5\n")
