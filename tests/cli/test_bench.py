@@ -44,7 +44,7 @@ def test_it_prints_the_machine_a_table_and_durations():
     result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "[]")
     head, processor, world, _, titles, *lines = result.stdout.splitlines()
     assert head.startswith(f"matrixworld {mw.__version__}, NumPy {np.__version__}, Python 3.")
-    assert "to use; kernels for " in processor
+    assert "; kernels for " in processor
     assert world == "O: 7 x 6 cells, 2 pursuers against 3 evaders, views of 5 x 5"
     assert titles.split()[:3] == ["at", "once", "threads"]
     names = [*STEPS, *["matches, hidden 4"] * 2, *["matches, hidden none"] * 2]

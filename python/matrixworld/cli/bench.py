@@ -116,11 +116,6 @@ class Timing:
         rate = statistics.median(self.rates)
         return {name: rate * amount for name, amount in self.amounts.items()}
 
-    @property
-    def spread(self) -> float:
-        """Difference of the fastest and the slowest repeat, as a share of the median."""
-        return (max(self.rates) - min(self.rates)) / statistics.median(self.rates)
-
 
 def random_actions(config: WorldConfig, worlds: int) -> Callable[[int], NDArray[np.uint8]]:
     """Return a function of the step: actions of all agents, uint8, of shape (worlds, A).
@@ -314,8 +309,7 @@ def bench_command(
     ]
     races = list(dict.fromkeys(first for first, *_ in jobs))
     world, threads = races[0].world, check_threads(threads)
-    machine = machine_figures()
-    print_head(machine, variant, world)
+    machine = print_head(variant, world)
     timings: list[Timing] = []
     stopped = False
     with failures():
@@ -360,13 +354,13 @@ def _measure(
 # What is printed and written:
 
 
-def machine_figures() -> dict[str, Any]:
-    """Describe this machine."""
+def print_head(variant: str, world: WorldConfig) -> dict[str, Any]:
+    """Print the machine and the world; return what describes the machine."""
     try:
         level = _core.kernel_level().removeprefix("kernels_")
     except ValueError as error:  # the processor lacks what MATRIXWORLD_KERNELS names
         raise click.ClickException(str(error)) from error
-    return {
+    machine = {
         "processor": processor_name(),
         "cores": usable_cores(),
         "kernels": level if level == "base" else f"x86-64-{level}",
@@ -374,19 +368,16 @@ def machine_figures() -> dict[str, Any]:
         "numpy": np.__version__,
         "python": platform.python_version(),
     }
-
-
-def print_head(machine: dict[str, Any], variant: str, world: WorldConfig) -> None:
-    """Print the machine and the world."""
     # A forced instruction set explains figures that are lower than on other machines.
     chosen = ", as MATRIXWORLD_KERNELS says" if "MATRIXWORLD_KERNELS" in os.environ else ""
-    versions = "matrixworld {matrixworld}, NumPy {numpy}, Python {python}"
     click.echo(
-        f"{versions.format(**machine)}\n{machine['processor']}, "
-        f"{machine['cores']} core(s) to use; kernels for {machine['kernels']}{chosen}\n"
+        f"matrixworld {__version__}, NumPy {np.__version__}, Python {machine['python']}\n"
+        f"{machine['processor']}, cores to use: {machine['cores']}; kernels for "
+        f"{machine['kernels']}{chosen}\n"
         f"{variant}: {world.rows} x {world.cols} cells, {world.n_pursuers} pursuers against "
         f"{world.n_evaders} evaders, views of {world.fov} x {world.fov}\n"
     )
+    return machine
 
 
 def lines_of(measured: Sequence[Timing]) -> list[Line]:
@@ -395,7 +386,7 @@ def lines_of(measured: Sequence[Timing]) -> list[Line]:
     lines = []
     for each in measured:
         one = speeds.get((each.what, each.at_once, 1)) if each.threads > 1 else None
-        steps = each.per_second["world_steps"]
+        steps, median = each.per_second["world_steps"], statistics.median(each.rates)
         lines.append(
             {
                 "what": each.what,
@@ -404,7 +395,7 @@ def lines_of(measured: Sequence[Timing]) -> list[Line]:
                 **{f"{name}_per_second": each.per_second.get(name) for name in AMOUNTS},
                 "over_one_thread": None if one is None else steps / one["world_steps"],
                 "repeats": len(each.rates),
-                "spread": each.spread,
+                "spread": (max(each.rates) - min(each.rates)) / median,
             }
         )
     return lines

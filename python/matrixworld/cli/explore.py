@@ -21,7 +21,6 @@ from matrixworld.cli.figures import (
     Selection,
     baseline_option,
     draw,
-    format_of,
     game_figure,
     open_baselines,
     planned,
@@ -144,7 +143,10 @@ def _format(out: Path | None, suffix: str | None) -> str:
     """Return the format of the files; click.UsageError if the options contradict each other."""
     if out is None:
         return suffix or "png"
-    found = format_of("--out", out)
+    found = out.suffix.lower().removeprefix(".")
+    if found not in FORMATS:
+        names = ", ".join(f".{each}" for each in FORMATS)
+        raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
     if suffix not in (None, found):
         raise click.UsageError(f"--format {suffix}: expected the format of --out {out}")
     return found

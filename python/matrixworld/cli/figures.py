@@ -114,16 +114,6 @@ def draw(planned: Mapping[Path, Draw]) -> None:
         plots.save_figure(figure(), file)
 
 
-def format_of(option: str, file: Path) -> str:
-    """Return the format of a figure's file by its suffix; click.UsageError for another one."""
-    from matrixworld.plots import style
-
-    try:
-        return style.format_of(file)
-    except ValueError as error:
-        raise click.UsageError(f"{option}: {error}") from error
-
-
 def run_title(path: Path, settings: RaceSettings) -> str:
     """Return the name of a run in figures, with its schedule and its seed."""
     name = run_name(path)

@@ -26,7 +26,6 @@ from matrixworld.cli.tables import (
     print_judged,
     print_missing,
     print_one_team,
-    verdict_counts,
 )
 from matrixworld.coevolution import Against, RunDirectory
 from matrixworld.coevolution.jobs.job import Job
@@ -102,7 +101,7 @@ def _print(group: Group) -> None:
 
 
 def _plain(group: Group, estimates: Mapping[str, Estimate | None] | None) -> dict[str, Any]:
-    """Return a group as plain values: its seeds, numbers and verdicts."""
+    """Return a group as plain values: its seeds, numbers and judgement."""
     plain: dict[str, Any] = {"finished": list(group.seeds), "missing": list(group.missing)}
     if not group.runs:
         return plain
@@ -111,7 +110,6 @@ def _plain(group: Group, estimates: Mapping[str, Estimate | None] | None) -> dic
     return {
         **plain,
         "measures": plain_values(estimates),
-        "verdicts": verdict_counts(group),
         "judgement": group.judgement.to_json(),
     }
 

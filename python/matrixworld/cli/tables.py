@@ -140,18 +140,6 @@ def print_strip(group: Group) -> None:
         print_table(rows, "<" + ">" * len(part) + "<")
 
 
-def verdict_counts(group: Group) -> dict[str, dict[str, Any]]:
-    """Return the verdicts as plain values: together, on each seed, and how many there are."""
-    return {
-        name: {
-            "together": finding.verdict,
-            "by_seed": {str(s): v for s, v in zip(group.seeds, finding.by_run, strict=True)},
-            **{verdict: finding.by_run.count(verdict) for verdict in SIGNS},
-        }
-        for name, finding in group.judgement.headline.items()
-    }
-
-
 # Measures side by side:
 
 
