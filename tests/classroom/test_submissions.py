@@ -16,12 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from matrixworld.classroom.submissions import (
-    MOST_UNPACKED,
-    read_file,
-    read_genome,
-    save_genome,
-)
+from matrixworld.classroom.submissions import MOST_UNPACKED, read_file, read_genome, save_genome
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network, Population

@@ -15,13 +15,7 @@ from matrixworld.toys import play_episodes
 from matrixworld.tutorial import check, kept
 from matrixworld.tutorial.chapter_5 import four_races, noisy_race
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
-from matrixworld.tutorial.chapter_7 import (
-    UNKNOWN,
-    is_disengaged,
-    reveal,
-    unknown_races,
-    verdict_of,
-)
+from matrixworld.tutorial.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
 from matrixworld.tutorial.chapter_8 import verdict_on
 from matrixworld.tutorial.chapter_9 import (
     BRISK,
