@@ -45,11 +45,6 @@ def submitted(archive, payoffs, *, candidates=None, tests=None):
     return archive
 
 
-def swapped(payoff):
-    """Return the payoff function of the other team."""
-    return lambda candidates, tests: 1.0 - payoff(tests, candidates).T
-
-
 def kept(archive):
     return archive.candidates.tolist(), archive.tests.tolist()
 
@@ -290,20 +285,6 @@ def test_an_archived_genome_never_changes(make):
         archive.submit(genomes[:2], genomes[:1], lambda own, tests: own.fill(1.0))
     for name, values in archive.state().items():
         assert np.array_equal(values, before[name])
-
-
-@every_archive
-def test_swapping_the_teams_swaps_the_archives(make):
-    pursuers_win = looked_up(np.random.default_rng(6).integers(0, 3, (12, 12)) / 2)
-
-    def race(payoff):
-        archives = make(), make()
-        for number in range(1, 12):
-            for archive, view in zip(archives, (payoff, swapped(payoff)), strict=True):
-                archive.submit([number], [number - 1, number], view)
-        return [kept(archive) for archive in archives]
-
-    assert race(swapped(pursuers_win)) == race(pursuers_win)[::-1]
 
 
 @pytest.mark.parametrize("make", [lambda: MaxSolve(5), IPCA, lambda: LAPCA(3)])
