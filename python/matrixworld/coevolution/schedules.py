@@ -71,9 +71,6 @@ SAMPLERS = (*DRAWN, *ARCHIVES)
 class Opponents(Section):
     """Base of the settings that say which archived opponents a team meets."""
 
-    archive_episodes: ClassVar[int] = ARCHIVE_EPISODES
-    """Matches of each pair that an archive compares."""
-
     @abstractmethod
     def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler of up to `count` opponents an epoch."""
@@ -118,11 +115,6 @@ class ArchivedOpponents(Opponents):
         if self.archive == "ipca" and self.size is not None:
             raise ValueError(f"size: expected no value with ipca, got {self.size}")
 
-    @property
-    def archive_episodes(self) -> int:  # type: ignore[override]
-        """Matches of each pair that the archive compares."""
-        return self.episodes
-
     def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler."""
         return opponents.ArchiveSampler(ARCHIVES[self.archive](self.size or ARCHIVE_SIZE), count)
@@ -161,7 +153,7 @@ class Schedule(Section):
     @property
     def conditions(self) -> tuple[str, ...]:
         """Names under which a setting may have another default with this schedule."""
-        return (self.kind,)
+        return (*(f"{self.kind} {team}" for team in self.learning_teams), self.kind)
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -226,6 +218,11 @@ class RaceSchedule(Schedule):
     def opponents_of(self, team: Team) -> DrawnOpponents | ArchivedOpponents | OwnOpponents:
         """Return which opponents `team` meets."""
         return self.pursuers_meet if team == "pursuer" else self.evaders_meet
+
+    def archive_episodes(self, team: Team) -> int:
+        """Return the matches of each pair that a team's archive compares."""
+        met = self.opponents_of(team)
+        return met.episodes if isinstance(met, ArchivedOpponents) else ARCHIVE_EPISODES
 
     def new_sampler(self, team: Team) -> opponents.OpponentSampler:
         """Return a new opponent sampler of a team.
@@ -345,11 +342,6 @@ class Against(Schedule):
         name = path.parent.name if re.fullmatch(r"seed-\d+", path.name) else path.name
         name = re.sub(r"[^\w.=+-]", "-", name)
         return f"{self.team}-against-{name}"
-
-    @property
-    def conditions(self) -> tuple[str, ...]:
-        """Names under which a setting may have another default with this schedule."""
-        return (f"{self.kind} {self.team}", self.kind)
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:

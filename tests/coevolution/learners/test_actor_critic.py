@@ -130,7 +130,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
 
 def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
     pytest.importorskip("torch")
-    one = ActorCritic(orthogonal(SMOOTH.sizes, rng()), SMOOTH, rng())
+    one = ActorCritic(orthogonal(SMOOTH.sizes, rng()), SMOOTH, rng(), ActorCriticSettings())
     seen = played(one)
     target = rng().normal(size=len(seen)).astype(np.float32)
     critic, given = one._critics["critic"], []

@@ -286,26 +286,18 @@ class ActorCritic:
         genome: ArrayLike,
         network: Network,
         rng: np.random.Generator,
-        chosen: ActorCriticSettings | None = None,
+        chosen: ActorCriticSettings,
         state_size: int = 0,
         fixed: BoolArray | None = None,
     ) -> None:
-        self.chosen = ActorCriticSettings() if chosen is None else chosen
-        self._device = _usable_device(self._torch, self.chosen.device)
-        self._actor = Perceptron(
-            check_floats("genome", genome, np.float32),
-            network.sizes,
-            network.activation,
-            self.chosen.actor_rate,
-            fixed,
-        )
-        inputs = state_size if self.chosen.central_critic else network.sizes[0]
-        sizes = (inputs, *network.hidden, 1)
-        names = ["critic"] if self.chosen.cost_limit is None else ["critic", "cost_critic"]
+        self.chosen = chosen
+        self._device = _usable_device(self._torch, chosen.device)
+        weights, shape = check_floats("genome", genome, np.float32), network.sizes
+        self._actor = Perceptron(weights, shape, network.activation, chosen.actor_rate, fixed)
+        sizes = (state_size if chosen.central_critic else shape[0], *network.hidden, 1)
+        names = ["critic"] if chosen.cost_limit is None else ["critic", "cost_critic"]
         self._critics = {
-            name: Perceptron(
-                orthogonal(sizes, rng), sizes, network.activation, self.chosen.critic_rate
-            )
+            name: Perceptron(orthogonal(sizes, rng), sizes, network.activation, chosen.critic_rate)
             for name in names
         }
         self.multiplier = 0.0

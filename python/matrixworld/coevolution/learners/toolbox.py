@@ -62,11 +62,6 @@ Evaluate = Callable[[Candidates], ArrayLike]
 """Function that scores all candidates in one call and returns their fitness (n,)."""
 
 
-def evaluate_all(evaluate: Evaluate, population: Candidates) -> list[tuple[float]]:
-    """Return the fitness of a population, as DEAP's `map` does: matches are played in bulk."""
-    return [(float(value),) for value in np.asarray(evaluate(population))]
-
-
 def generate_update_toolbox(
     learner: Learner, evaluate: Evaluate, generators: Iterator[np.random.Generator]
 ) -> base.Toolbox:
@@ -86,6 +81,10 @@ def generate_update_toolbox(
 
     def generate() -> Candidates:
         return Candidates(learner.ask(next(generators)))
+
+    def evaluate_all(evaluate: Evaluate, population: Candidates) -> list[tuple[float]]:
+        # Called as DEAP's `map`: matches are played in bulk.
+        return [(float(value),) for value in np.asarray(evaluate(population))]
 
     def update(population: list[Any]) -> None:
         learner.tell([individual.fitness.values[0] for individual in population])

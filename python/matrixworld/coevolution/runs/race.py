@@ -162,7 +162,7 @@ class Race(Run):
         retention = 2 * archived * self.schedule.retention_episodes
         sampler = archive_of(self.samplers[team])
         pairs = 0 if sampler is None else sampler.max_pairs(k, archived)
-        return champion + retention + pairs * self._archive_episodes(team)
+        return champion + retention + pairs * self.schedule.archive_episodes(team)
 
     # Disengagement:
 
@@ -202,10 +202,6 @@ class Race(Run):
             payoff = self._payoff_function(team, graded=sampler.archive.graded)
             sampler.update(np.array([generation - 1]), np.array(opponents), payoff)
 
-    def _archive_episodes(self, team: Team) -> int:
-        """Return the matches of each pair that a team's archive compares."""
-        return self.schedule.opponents_of(team).archive_episodes
-
     def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:
         """Return a function that plays generations (n,) against opponents (m,).
 
@@ -215,7 +211,7 @@ class Race(Run):
         def payoff(candidates: Members, tests: Members) -> FloatArray:
             generations = {team: candidates, other(team): tests}
             captured = self._capture_rates(
-                generations["pursuer"], generations["evader"], self._archive_episodes(team)
+                generations["pursuer"], generations["evader"], self.schedule.archive_episodes(team)
             )
             # Archives are the same for both teams: rows are candidates, and higher is better.
             rates = captured if team == "pursuer" else 1.0 - captured.T
