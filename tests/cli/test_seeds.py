@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import click
@@ -17,6 +16,7 @@ from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.options import seeds_of
 from matrixworld.coevolution import finish
 from matrixworld.coevolution.jobs.job import open_job
+from scripts import group_lives, wait_until
 from tiny_race import results, tiny_race
 
 ONE = {name: value for name, value in RACE.items() if name != "seed"}
@@ -105,23 +105,6 @@ def process_of(*args):
     )
 
 
-def wait_for(found, seconds=120.0):
-    """Wait until something is found."""
-    deadline = time.monotonic() + seconds
-    while not found():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-
-
-def group_exists(number):
-    """Return whether a group of processes has any left."""
-    try:
-        os.killpg(number, 0)
-    except ProcessLookupError:
-        return False
-    return True
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     """Ctrl-C in the first runs leaves no process; a kill loses nothing."""
@@ -129,17 +112,18 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     longer = {**ONE, "generations": 6, "pursuer_epochs": 40, "evader_epochs": 40}
     chosen = ["--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(longer)]
     process = process_of("out", *chosen)
-    wait_for(lambda: [*Path("out").glob("*/*/stage-0001.npz")])
+    wait_until(lambda: [*Path("out").glob("*/*/stage-0001.npz")], "a stage")
     os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to all processes
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 130
     assert "matrixworld evolve --resume out\n" in errors
     assert "Traceback" not in errors
-    wait_for(lambda: not group_exists(process.pid), seconds=10.0)
+    wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)
     assert {path.name for path in Path("out").iterdir()} == {MAIN_JOB[0], "job.json", ".lock"}
 
     process = process_of("--resume", "out")
-    wait_for(lambda: [*Path("out").glob("*/*/stage-0005.npz")] or process.poll() is not None)
+    later = Path("out").glob
+    wait_until(lambda: [*later("*/*/stage-0005.npz")] or process.poll() is not None, "a stage")
     process.kill()
     process.communicate()
     matrixworld_command("evolve", "--resume", "out")

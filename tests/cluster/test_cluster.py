@@ -18,7 +18,7 @@ from typing import Any
 
 import pytest
 
-from dask_cluster import DaskCluster, dask_cluster, wait_until
+from dask_cluster import DaskCluster, dask_cluster
 from matrixworld.cluster import ClusterLostError, cluster
 from matrixworld.cluster import executor as module
 from matrixworld.coevolution import (
@@ -29,6 +29,7 @@ from matrixworld.coevolution import (
     evolve,
     finish,
 )
+from scripts import wait_until
 from tiny_race import results, tiny_race
 
 pytest.importorskip("distributed")

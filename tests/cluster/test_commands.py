@@ -13,9 +13,10 @@ from pathlib import Path
 import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
-from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
+from dask_cluster import DaskCluster, dask_cluster
 from matrixworld.cli import options
 from matrixworld.coevolution import evolve, finish, open_run
+from scripts import group_lives, kill_group, wait_until
 from tiny_race import results, tiny_race
 
 pytest.importorskip("distributed")

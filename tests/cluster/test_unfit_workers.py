@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 
 import matrixworld
-from dask_cluster import DaskCluster, dask_cluster, wait_until
+from dask_cluster import DaskCluster, dask_cluster
 from matrixworld.cluster import UnfitWorkerError, cluster
+from scripts import wait_until
 
 pytest.importorskip("distributed")
 

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from distributed import Client
 
+from scripts import group_lives, kill_group, wait_until
+
 Process = subprocess.Popen[bytes]
 SILENCE = 8.0
 """Seconds without a heartbeat after which a test gives up a worker; by default five minutes."""
-DEADLINE = 120.0
-"""Seconds in which anything that is waited for must happen."""
 
 # A race that kills two workers is bad. A lost connection shows soon.
 SETTINGS = {
@@ -28,14 +26,6 @@ SETTINGS = {
     "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "5s",
     "OPENBLAS_NUM_THREADS": "1",
 }
-
-
-def wait_until(happened: Callable[[], bool], what: str) -> None:
-    """Wait for something, or fail."""
-    end = time.monotonic() + DEADLINE
-    while not happened():
-        assert time.monotonic() < end, f"{what}: did not happen within {DEADLINE} s"
-        time.sleep(0.02)
 
 
 class DaskCluster:
@@ -132,21 +122,6 @@ class DaskCluster:
         for process in reversed(self.processes):
             kill_group(process.pid)
             process.wait()
-
-
-def group_lives(leader: int) -> bool:
-    """Return whether a process group has members."""
-    try:
-        os.killpg(leader, 0)
-    except ProcessLookupError:
-        return False
-    return True
-
-
-def kill_group(leader: int) -> None:
-    """Kill a process and all that it has started."""
-    with suppress(ProcessLookupError):
-        os.killpg(leader, signal.SIGKILL)
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""Python scripts that tests run in a process of their own."""
+"""Python scripts that tests run in a process of their own, and the end of processes."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ import signal
 import subprocess
 import sys
 import textwrap
+import time
+from collections.abc import Callable
+from contextlib import suppress
 
 PREAMBLE = """
 import os, signal, sys, threading, time, warnings
@@ -47,3 +50,26 @@ def finish(process: subprocess.Popen[str]) -> str:
 def run(script: str, *options: str) -> str:
     """Run a script to its end and return its output."""
     return finish(start(script, *options))
+
+
+def wait_until(happened: Callable[[], object], what: str, seconds: float = 120.0) -> None:
+    """Wait for something, or fail."""
+    end = time.monotonic() + seconds
+    while not happened():
+        assert time.monotonic() < end, f"{what}: did not happen within {seconds} s"
+        time.sleep(0.02)
+
+
+def group_lives(leader: int) -> bool:
+    """Return whether a process group has members."""
+    try:
+        os.killpg(leader, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def kill_group(leader: int) -> None:
+    """Kill a process and all that it has started."""
+    with suppress(ProcessLookupError):
+        os.killpg(leader, signal.SIGKILL)

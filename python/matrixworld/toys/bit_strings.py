@@ -66,11 +66,6 @@ class Game:
     beats: Callable[[IntArray, IntArray], BoolArray]
 
 
-def beats_in_sum(a: IntArray, b: IntArray) -> BoolArray:
-    """Return (M,) whether a has more ones than b in total; a and b are (M, dimensions)."""
-    return np.asarray(a.sum(axis=1) > b.sum(axis=1))
-
-
 def beats_where(a: IntArray, b: IntArray, *, extreme: Callable[..., Indices]) -> BoolArray:
     """Return (M,) whether a has more ones in the dimension with the `extreme` difference."""
     each, dimension = np.arange(len(a)), extreme(np.abs(a - b), axis=1)
@@ -78,7 +73,7 @@ def beats_where(a: IntArray, b: IntArray, *, extreme: Callable[..., Indices]) ->
 
 
 GAMES = {
-    "scalar": Game((1, BITS), beats_in_sum),
+    "scalar": Game((1, BITS), partial(beats_where, extreme=np.argmax)),
     "focusing": Game((10, BITS // 10), partial(beats_where, extreme=np.argmax)),
     "intransitive": Game((2, BITS // 2), partial(beats_where, extreme=np.argmin)),
 }

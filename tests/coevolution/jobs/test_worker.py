@@ -13,6 +13,7 @@ import pytest
 
 import dying
 from matrixworld.coevolution.jobs.worker import WorkerProcesses
+from scripts import wait_until
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 
@@ -28,19 +29,11 @@ def alive(pid):
         return file.read().rpartition(")")[2].split()[0] != "Z"
 
 
-def wait_until(condition, seconds=60.0):
-    """Wait until a condition holds."""
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-
-
 def test_a_worker_in_work_ends_at_once_with_the_executor(tmp_path):
     with WorkerProcesses(1) as processes:
         running = processes.submit(dying.slow, 60.0, str(tmp_path))
         waiting = [processes.submit(pow, 2, 3) for _ in range(5)]
-        wait_until(lambda: list(tmp_path.iterdir()))
+        wait_until(lambda: list(tmp_path.iterdir()), "begin of the work")
         began = time.monotonic()
     assert time.monotonic() - began < 5.0
     assert waiting[-1].cancelled()
@@ -66,7 +59,7 @@ def test_workers_end_with_the_main_process_even_if_it_is_killed(tmp_path):
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
     )
     try:
-        wait_until(lambda: list((tmp_path / "workers").iterdir()))
+        wait_until(lambda: list((tmp_path / "workers").iterdir()), "begin of the work")
         worker = int(next((tmp_path / "workers").iterdir()).name)
         os.kill(worker, signal.SIGINT)  # as Ctrl-C, which reaches all processes: ignored
         time.sleep(0.2)
@@ -74,7 +67,7 @@ def test_workers_end_with_the_main_process_even_if_it_is_killed(tmp_path):
     finally:
         process.kill()
         process.wait()
-    wait_until(lambda: not alive(worker), seconds=10.0)
+    wait_until(lambda: not alive(worker), "end of the worker", 10.0)
 
 
 LIMITED = """
