@@ -13,9 +13,8 @@ import pytest
 import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld import coevolution
-from matrixworld.coevolution import TEAMS, held_out, open_run, score, score_population, start
+from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
 from matrixworld.coevolution.evaluation.held_out import (
-    NETWORK,
     held_out_genomes,
     opponents_of,
 )
@@ -120,6 +119,11 @@ def test_scores_are_those_of_the_matches(race):
             expected = captured if team == "pursuer" else 1 - captured
             assert np.array_equal(found.rates[0, number], expected)
         assert found.means[0] == pytest.approx(found.rates[0].mean())
+        mean, against = found.mean(), found.against("random")
+        assert (mean.value, against.value) == pytest.approx(
+            (found.rates[0].mean(), found.rates[0, 0].mean())
+        )
+        assert against.high - against.low > mean.high - mean.low
 
 
 def test_all_generations_are_a_curve_of_single_ones(race):
@@ -141,22 +145,6 @@ def test_steps_and_seeds_have_an_effect(race):
     assert np.array_equal(rates(), rates(seed=0, steps=12, threads=2))
     assert not np.array_equal(rates(), rates(seed=1))
     assert rates(steps=1).mean() < rates(steps=40).mean()
-
-
-def test_intervals_hold_the_mean_and_shrink_with_episodes():
-    config = mw.WorldConfig("O", rows=12, cols=12, n_pursuers=2, n_evaders=4, max_steps=40)
-    team = mw.Population(NETWORK.initial(np.random.default_rng(1)), NETWORK)
-
-    def width(episodes: int) -> float:
-        estimate = score_population(config, "pursuer", team, episodes=episodes).mean()
-        assert estimate.low < estimate.value < estimate.high
-        return float(estimate.high - estimate.low)
-
-    assert width(200) < 0.6 * width(10)
-    few = score_population(config, "pursuer", team, episodes=20)
-    against = few.against("still")
-    assert against.value == pytest.approx(few.rates[0, few.opponents.index("still")].mean())
-    assert against.high - against.low > few.mean().high - few.mean().low
 
 
 def test_views_that_do_not_fit_meet_scripts_only(tmp_path):

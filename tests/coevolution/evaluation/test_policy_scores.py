@@ -9,7 +9,6 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS, score_population
-from matrixworld.play.matches import capture_rates
 from rows import config_of
 
 
@@ -39,17 +38,6 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
     inside = mw.score_policy(policy, team, config, episodes=7, seed=3)
     assert np.array_equal(inside.rates, expected.rates)
-
-
-@pytest.mark.parametrize("name", ["R", "SDB", "TO", "swarm-SD"])
-def test_matches_outside_of_the_engine_are_the_engine_s(name: str) -> None:
-    config = config_of(name, max_steps=12)
-    evaders = genome_of(config).population()
-    for pursuers in ("hunter", "random"):
-        played = capture_rates(config, pursuers, evaders, seed=9, episodes=6)
-        matches = mw.Matches.of(0, 0, np.uint64(9))
-        expected = mw.rollout(config, pursuers, evaders, matches, episodes=6)
-        assert np.array_equal(played, expected.capture_rate[0].astype(float))
 
 
 def test_opponents_can_be_functions_and_policies() -> None:

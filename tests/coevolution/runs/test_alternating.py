@@ -11,7 +11,6 @@ from matrixworld import coevolution
 from matrixworld.coevolution import (
     DisengagementWarning,
     Race,
-    RunDirectory,
     open_run,
 )
 from matrixworld.coevolution.runs.race import HallOfFameRace
@@ -138,22 +137,6 @@ def test_bad_settings_leave_no_trace(tmp_path):
     with pytest.raises(TypeError, match="settings: expected RaceSettings, got {}"):
         Race({}, tmp_path / "run")
     assert not (tmp_path / "run").exists()
-
-
-@pytest.mark.parametrize("schedule", ["specialist-specialist", "generalist-specialist"])
-@pytest.mark.parametrize("learner", ["es", "ga", "cma"])
-def test_schedules_and_learners(tmp_path, schedule, learner):
-    settings = tiny_race(schedule=schedule, learner=learner, obstacles=0.1, rules="SDB")
-    payoff = coevolution.start(settings, tmp_path / "run").run()
-    assert payoff.capture_rate.shape == (3, 3)
-    learned = RunDirectory.open(tmp_path / "run").log()
-    samplers = {t: coevolution.SCHEDULES[schedule].new_sampler(t) for t in coevolution.TEAMS}
-    rng = np.random.default_rng(0)
-    for k, team, i, met in zip(
-        *(learned[name] for name in ("generation", "team", "epoch", "opponent")), strict=True
-    ):
-        there = coevolution.available(team, k)
-        assert samplers[team].sample(there, i, rng).tolist() == [met]
 
 
 def disengaged(config, pursuers, evaders, matches, *, episodes=1, threads=None):

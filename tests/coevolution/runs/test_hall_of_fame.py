@@ -75,14 +75,3 @@ def test_race(tmp_path):
     assert race.phase_rates().shape == (3, 2)
     for team in coevolution.TEAMS:
         assert not np.array_equal(race.genomes(team)[0], race.genomes(team)[-1])
-
-
-def test_default_budget_is_that_of_the_other_schedules(tmp_path):
-    small = {"world.fov": 3, "policy.hidden": (2,), "evaluation_episodes": 1}
-    matches = [
-        coevolution.start(
-            coevolution.RaceSettings.of({"schedule": schedule, **small}), tmp_path / schedule
-        ).training_matches()
-        for schedule in ("generalist-generalist", "hall-of-fame")
-    ]
-    assert matches == [259_200] * 2

@@ -132,16 +132,6 @@ def test_an_early_stage_that_is_damaged_is_named(run, damage):
     assert {path.name for path in run.path.iterdir()} == names
 
 
-def test_a_team_that_a_script_plays_has_no_genomes(tmp_path):
-    run = RunDirectory.create(tmp_path / "run", {"seed": 1})
-    run.save(0, {"pursuer": archive(1)["pursuer"], "evader": []}, [], {}, {})
-    run.write_config()
-    assert run.archive()["evader"].shape == (0, 0)
-    run.save_results({"capture_rates": np.zeros(1)}, {"stages": 0})
-    assert np.array_equal(np.load(run.path / "pursuers.npy"), archive(1)["pursuer"])
-    assert not (run.path / "evaders.npy").exists()
-
-
 def test_a_stage_costs_the_same_in_every_generation(tmp_path):
     """A stage writes two files of the same size, removes one, and touches no other."""
     run = new_run(tmp_path / "run")
