@@ -259,11 +259,8 @@ class RaceSettings(Section):
             item = next(each for each in fields(part) if each.name == name)
             value, usual = getattr(part, name), self._usual(item)
             # Settings that were made from others may have the default of these.
-            if idle and value not in (
-                usual,
-                item.metadata["default"],
-                *item.metadata["by"].values(),
-            ):
+            defaults = (usual, item.metadata["default"], *item.metadata["by"].values())
+            if idle and value not in defaults:
                 expected = "no value" if usual is None else f"{usual!r}, the default"
                 raise ValueError(
                     f"{section}.{name}: expected {expected}, got {value!r}; it has no effect {why}"

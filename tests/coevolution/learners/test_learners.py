@@ -18,7 +18,6 @@ from matrixworld.coevolution import (
     NoiseTable,
     generate_update_toolbox,
 )
-from matrixworld.coevolution.learners.cma_es import MOST_GENES
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
 from matrixworld.coevolution.learners.parts import Adam, Momentum
 
@@ -231,21 +230,12 @@ def test_bad_fitness_is_refused(make, fitness):
         (lambda: EvolutionStrategy(np.zeros(SIZE + 1), noise_table()), "genome: expected shape"),
         (lambda: algorithm(truncation=2.0), "truncation: expected a number above 0 and at most 1"),
         (lambda: algorithm(elites=40), "population: expected"),
-        (
-            lambda: GeneticAlgorithm(np.zeros((40, SIZE)), noise_table(3)),
-            f"noise: expected a table for {SIZE} genes, got one for 3",
-        ),
+        (lambda: GeneticAlgorithm(np.zeros((4, 9)), noise_table(3)), "noise: .* 9 genes, .* 3"),
         (lambda: noise_table(sigma=0), "sigma: expected .*got 0"),
         *((partial(momentum, momentum=share), "momentum: expected a number")
           for share in (1.0, -0.1, math.nan)),
-        (
-            lambda: CmaEs(np.zeros(MOST_GENES + 1), sigma=0.1),
-            "learner: expected at most 1000 genes .* got 1001; a smaller view",
-        ),
-        (
-            lambda: CmaEs(np.zeros((2, 3)), sigma=0.1),
-            r"genome: expected shape \(genes,\), got \(2, 3\)",
-        ),
+        (lambda: CmaEs(np.zeros(1001), sigma=0.1), "learner: expected at most 1000 .* got 1001; a"),
+        (lambda: CmaEs(np.zeros((2, 3)), sigma=0.1), r"genome: expected shape \(genes,\), got"),
         (lambda: covariance(samples=1), "samples: expected at least 2, got 1"),
         (lambda: covariance(sigma=-1), "sigma: expected .*got -1"),
     ],
@@ -255,20 +245,11 @@ def test_bad_learners_are_refused(call, message):
         call()
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        {},
-        {"truncation": 0.25},
-        {"crossover": 0.7},
-        {"truncation": 0.25, "elites": 0},
-    ],
-)
+@pytest.mark.parametrize("options", [{}, {"crossover": 0.7}, {"truncation": 0.25, "elites": 0}])
 def test_genetic_algorithm_improves(options):
-    start = algorithm(**options)
-    learner = teach(algorithm(sigma=0.1, **options), 150)
-    best_at_first = closeness(start.ask(generator())).max()
-    assert closeness(learner.genome) > best_at_first / 10
+    learner = algorithm(sigma=0.1, **options)
+    best_at_first = closeness(learner.ask(generator())).max()
+    assert closeness(teach(learner, 150).genome) > best_at_first / 10
 
 
 @pytest.mark.parametrize("make", LEARNERS)
