@@ -14,30 +14,22 @@ from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.options import given_options
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution.schedules import ALL_SCHEDULES
 
 SETTINGS = [
-    *(
-        RaceSettings(schedule=name)
-        for name in (
-            "specialist-specialist",
-            "generalist-specialist",
-            "generalist-generalist",
-            "alternating",
-            "hall-of-fame",
-        )
-    ),
-    RaceSettings.of(
-        {
-            "schedule": "alternating",
-            "schedule.pursuers_meet": "latest",
-            "schedule.evaders_meet": "uniform",
-        }
-    ),
-    RaceSettings.of(
-        {"schedule": "alternating", "schedule.opponents": 4, "fitness.sharing": "competitive"}
-    ),
-    RaceSettings.of(
-        {"fitness.evader_virulence": 0.6, "learner": "cma", "world.fov": 5, "policy.hidden": ()}
+    *map(RaceSettings.of, [{"schedule": name} for name in ALL_SCHEDULES]),
+    *map(
+        RaceSettings.of,
+        [
+            {"schedule": "alternating", "schedule.pursuers_meet": "latest"},
+            {"schedule.opponents": 4, "fitness.sharing": "competitive"},
+            {
+                "fitness.evader_virulence": 0.6,
+                "learner": "cma",
+                "world.fov": 5,
+                "policy.hidden": (),
+            },
+        ],
     ),
 ]
 

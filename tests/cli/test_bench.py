@@ -40,46 +40,38 @@ def timing(what: str, threads: int, *rates: float) -> Timing:
 # What it prints and writes
 
 
-def test_it_prints_the_machine_a_table_and_durations():
-    result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "[]")
-    head, processor, world, _, titles, *lines = result.stdout.splitlines()
+def test_it_prints_and_writes_the_machine_a_table_and_durations():
+    options = ["--threads", 2, "--hidden", "[]", "--json", "a.json"]
+    result = matrixworld_command(*QUICK, "sb", *options)
+    head, processor, world, _, titles, *rows = result.stdout.splitlines()
     assert head.startswith(f"matrixworld {mw.__version__}, NumPy {np.__version__}, Python 3.")
     assert "; kernels for " in processor
-    assert world == "O: 7 x 6 cells, 2 pursuers against 3 evaders, views of 5 x 5"
+    assert world == "SB: 7 x 6 cells, 2 pursuers against 3 evaders, views of 5 x 5"
     assert titles.split()[:3] == ["at", "once", "threads"]
+    written = load_json(Path("a.json"))
+    assert written["machine"]["kernels"] in ("base", "x86-64-v3", "x86-64-v4")
+    assert written["world"] == mw.WorldConfig("SB", **SMALL).to_json()
+    assert written["evolve"]["hidden"] == [4]
+    lines = written["lines"]
     names = [*STEPS, *["matches, hidden 4"] * 2, *["matches, hidden none"] * 2]
-    for name, line in zip(names, lines, strict=False):
-        assert line.startswith(name)
-        numbers = [float(part.replace(",", "")) for part in line.removeprefix(name).split()]
-        assert min(numbers) > 0
-        assert len(numbers) == 4 + name.startswith("matches") + (numbers[1] == 2)
+    assert [line["what"] for line in lines] == names
+    sizes = {(line["at_once"], line["threads"]) for line in lines}
+    assert sizes == {(1024, 1), (1, 1), (1024, 2), (48, 1), (48, 2)}
+    for row, line in zip(rows, lines, strict=False):
+        assert row.startswith(line["what"])
+        numbers = [float(n.replace(",", "")) for n in row.removeprefix(line["what"]).split()]
+        assert len(numbers) == 4 + ("matches" in row) + (line["threads"] == 2)
+        assert numbers[2] == pytest.approx(line["agent_steps_per_second"] / 1e6, abs=0.006)
+        assert numbers[3] == pytest.approx(line["world_steps_per_second"], abs=0.6)
+        assert line["repeats"] == 5
+        assert line["agent_steps_per_second"] > line["world_steps_per_second"] > 0
+        assert (line["over_one_thread"] is None) == (line["threads"] == 1)
     text = " ".join(result.stdout.split())
     assert "An agent-step is one step of a living agent" in text
     assert "matches of matrixworld evolve in this world with hidden layers 4 take about" in text
     assert "VectorEnv, with 1024 worlds and 2 threads, plays 100 million agent-steps in" in text
+    assert text.endswith("Written: a.json")
     assert "of 75 timings" in result.stderr
-
-
-def test_the_file_holds_the_figures():
-    result = matrixworld_command(*QUICK, "sb", "--threads", 2, "--json", "a.json")
-    assert result.stdout.endswith("\nWritten: a.json\n")
-    assert [path.name for path in Path().iterdir()] == ["a.json"]
-    written = load_json(Path("a.json"))
-    assert written["machine"]["kernels"] in ("base", "x86-64-v3", "x86-64-v4")
-    assert written["machine"]["python"].startswith("3.")
-    assert written["world"] == mw.WorldConfig("SB", **SMALL).to_json()
-    lines = written["lines"]
-    assert [line["what"] for line in lines] == [*STEPS, *["matches, hidden 4"] * 2]
-    assert {(line["at_once"], line["threads"]) for line in lines} == {
-        *[(1024, 1), (1, 1), (1024, 2)],
-        *[(48, 1), (48, 2)],
-    }
-    for line in lines:
-        assert line["repeats"] == 5
-        assert line["agent_steps_per_second"] > line["world_steps_per_second"] > 0
-        assert (line["over_one_thread"] is None) == (line["threads"] == 1)
-    assert lines[-1]["matches_per_second"] > 0
-    assert written["evolve"]["hidden"] == [4]
 
 
 # The figures

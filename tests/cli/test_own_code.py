@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, run_together, words
+from command_line import JOB, MAIN_JOB, RACE, READING, matrixworld_command, run_together, words
 from matrixworld.cli import main, report
 from matrixworld.coevolution import PluginError, open_run
 from tiny_race import results
@@ -108,20 +108,9 @@ def test_the_settings_are_kept(straight):
     assert "mine" not in sys.modules
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
-        ["judge", "run"],
-        ["replay", "run", "--out", "match.npz"],
-        ["explore", "run", "--figures", "--force"],
-        ["score", "run", "--episodes", 2],
-        ["tournament", "run", "--episodes", 2],
-        ["exploit", "run", "--champion", "evader", "--matches", 96],
-    ],
-    ids=lambda command: command[0],
-)
+@pytest.mark.parametrize("command", READING, ids=" ".join)
 def test_finished_runs_are_read_without_the_code(straight, command):
-    shutil.copytree(straight, "run")
+    shutil.copytree(straight, "RUN")
     matrixworld_command(*command)
     assert "mine" not in sys.modules
 

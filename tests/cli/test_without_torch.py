@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from command_line import matrixworld_command, words
+from command_line import READING, matrixworld_command, words
 from matrixworld.coevolution import finish, start
 from tiny_race import tiny_race, tiny_single
 
@@ -56,21 +56,10 @@ def test_learning_is_refused_with_the_command_that_installs_it(
     assert not (runs / "new").exists()
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ["score", "race", "--episodes", "2"],
-        ["judge", "race"],
-        ["explore", "race", "--out", "page.html", "--no-open"],
-        ["replay", "race", "--out", "match.gif"],
-        ["class", "export", "race", "--team", "pursuer", "--out", "champion.npz"],
-        ["exploit", "race", "--champion", "pursuer", "--matches", "96", "--episodes", "2"],
-        ["tournament", "race", "--episodes", "2"],
-    ],
-    ids=lambda arguments: arguments[0],
-)
+@pytest.mark.parametrize("command", READING, ids=" ".join)
 def test_what_was_learned_is_played_and_judged(
-    runs: Path, arguments: list[str], monkeypatch: pytest.MonkeyPatch
+    runs: Path, command: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(runs)
-    assert matrixworld_command(*arguments).output
+    (runs / "race").rename("RUN")
+    assert matrixworld_command(*command).output

@@ -19,6 +19,17 @@ MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 PLACES = [f"{schedule}/seed-{TINY['seed']}" for schedule in MAIN_JOB]
 """Where the runs of the main job are."""
 FIGURES = {"payoff.png", "generalization.png", "lag_profile.png", "training.png", "collisions.png"}
+READING = [
+    ["judge", "RUN"],
+    ["replay", "RUN", "--out", "match.npz"],
+    ["explore", "RUN", "--figures", "--force"],
+    ["explore", "RUN", "--out", "page.html", "--no-open"],
+    ["score", "RUN", "--episodes", "2"],
+    ["tournament", "RUN", "--episodes", "2"],
+    ["exploit", "RUN", "--champion", "evader", "--matches", "96", "--episodes", "2"],
+    ["class", "export", "RUN", "--team", "pursuer", "--out", "champion.npz"],
+]
+"""Commands that read a finished race, RUN."""
 PNG, GIF = b"\x89PNG", b"GIF89a"
 
 
