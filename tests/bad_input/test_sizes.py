@@ -15,12 +15,11 @@ from command_line import RACE, matrixworld_command, words
 from matrixworld._util import memory
 from matrixworld.coevolution import best_response, open_run, score, score_population, start
 from matrixworld.coevolution import tournament as play_tournament
-from matrixworld.coevolution.settings import run_memory
 from matrixworld.episodes import replay
 from matrixworld.world.arrays import state_bytes, workspace_bytes
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
-from tiny_race import tiny_race, tiny_single
+from tiny_race import tiny_race
 
 TEAM = mw.Population(GENOME, NETWORK)
 MATCH = mw.Matches.of(0, 0, 0)
@@ -152,12 +151,6 @@ def test_a_run_is_refused_before_its_directory_is_made(
     with pytest.raises(memory.OutOfMemoryError, match=f"run: expected .* of which {part}:"):
         start(tiny_race(**changes), tmp_path / "run")
     assert list(tmp_path.iterdir()) == []
-
-
-def test_settings_describe_runs_of_larger_machines() -> None:
-    settings = tiny_race(hidden=(2**20, 2**20))
-    assert sum(run_memory(settings).values()) > 5 * 10**13
-    assert sum(run_memory(tiny_single()).values()) < 10**7
 
 
 def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> None:

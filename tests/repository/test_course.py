@@ -60,19 +60,15 @@ def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
 
 @each_notebook
-def test_notebook_is_kept_with_its_outputs(path: Path) -> None:
+def test_notebooks_begin_alike_and_are_kept_with_their_outputs(path: Path) -> None:
+    """The first code cell installs the package where it is missing."""
     assert path.stat().st_size < LARGEST
     code = cells(path, "code")
+    assert source(code[0]) == source(cells(NOTEBOOKS[0], "code")[0])
     assert [cell["execution_count"] for cell in code] == [*range(1, len(code) + 1)]
     kinds = {output["output_type"] for cell in code for output in cell["outputs"]}
     assert "error" not in kinds
     assert {"display_data", "execute_result"} & kinds
-
-
-@each_notebook
-def test_notebooks_begin_alike(path: Path) -> None:
-    """The first code cell installs the package where it is missing."""
-    assert source(cells(path, "code")[0]) == source(cells(NOTEBOOKS[0], "code")[0])
 
 
 @each_notebook
