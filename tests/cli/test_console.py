@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import io
+import json
+import os
 import re
 import warnings
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from tqdm import tqdm
 
-from matrixworld.cli.console import warnings_as_notes
+from command_line import matrixworld_command
+from matrixworld import cli
+from matrixworld.cli.console import note, print_table, warnings_as_notes
 from matrixworld.coevolution import DisengagementWarning, Progress, ProgressBar
 from matrixworld.coevolution.progress import LAYOUT
 
@@ -80,3 +85,39 @@ def test_warnings_for_users_are_lines_of_their_own(capsys):
     assert capsys.readouterr().err == "Warning: the pursuers win nearly everything\n"
     with pytest.raises(DeprecationWarning), warnings_as_notes():
         warnings.warn("for developers", DeprecationWarning, stacklevel=1)
+
+
+# Text that others have written:
+
+EVIL = "a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
+"""Sets the title of the terminal, rings, turns the direction of text round, has a color."""
+SHOWN = r"a\x1b]0;owned\x07\u202efdp.exe\x9b31m\udcff"
+
+
+def test_names_and_files_give_a_terminal_no_orders(run: Path, tmp_path: Path) -> None:
+    evil = tmp_path / EVIL
+    run.rename(evil)
+    scored = matrixworld_command("judge", evil)
+    refused = matrixworld_command("explore", tmp_path / EVIL / EVIL, code=2)
+    config = json.loads((evil / "config.json").read_text())
+    (evil / "config.json").write_text(json.dumps({**config, "format": EVIL}))
+    told = matrixworld_command("judge", evil, code=1)
+    for output in (scored.output, refused.output, told.output):
+        assert "".join(output.split("\n")).isprintable(), output
+    assert SHOWN in "".join(refused.output.split("\n"))
+    assert r"\x1b]0;owned" in told.output
+
+
+def test_tables_and_notes_show_escapes_as_they_stand(capsys: pytest.CaptureFixture[str]) -> None:
+    print_table([("name", "rank"), (EVIL, "1")], "<>")
+    note(EVIL)
+    out, err = capsys.readouterr()
+    assert out.splitlines()[1] == f"{SHOWN}     1"
+    assert err == f"{SHOWN}\n"
+
+
+def test_one_function_prints() -> None:
+    folder = Path(os.fspath(cli.__path__[0]))
+    others = [path for path in folder.glob("*.py") if path.name != "console.py"]
+    printing = re.compile(r"click\.s?echo|(?<![\w.])print\(|tqdm\.write|(out|err)\.write\(")
+    assert [path.name for path in others if printing.search(path.read_text("utf-8"))] == []

@@ -121,8 +121,19 @@ class LockedError(RuntimeError):
 
 def one_line(text: object) -> str:
     """Return text that a file may have supplied as one line of printable characters."""
-    line = "".join(c if c.isprintable() else "?" for c in " ".join(str(text).split()))
+    line = printable(" ".join(str(text).split()))
     return line if len(line) <= LONGEST else f"{line[:LONGEST]} ..."
+
+
+def printable(text: object) -> str:
+    """Return text with the escapes of Python for what is no printable character or line end.
+
+    A terminal obeys control characters, reverses text after U+202E, and cannot show surrogates.
+    """
+    return "".join(
+        c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode()
+        for c in str(text)
+    )
 
 
 # Reading:

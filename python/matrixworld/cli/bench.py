@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_threads, processor_name, usable_cores
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import INTERRUPTED, note, print_table, print_wrapped, progress
+from matrixworld.cli.console import INTERRUPTED, note, print_table, print_wrapped, progress, say
 from matrixworld.cli.options import (
     FiniteRange,
     force_option,
@@ -370,7 +370,7 @@ def print_head(variant: str, world: WorldConfig) -> dict[str, Any]:
     }
     # A forced instruction set explains figures that are lower than on other machines.
     chosen = ", as MATRIXWORLD_KERNELS says" if "MATRIXWORLD_KERNELS" in os.environ else ""
-    click.echo(
+    say(
         f"matrixworld {__version__}, NumPy {np.__version__}, Python {machine['python']}\n"
         f"{machine['processor']}, cores to use: {machine['cores']}; kernels for "
         f"{machine['kernels']}{chosen}\n"
@@ -422,9 +422,9 @@ def print_lines(lines: Sequence[Line]) -> None:
         for line in lines
     ]
     print_table([heads, *rows], "<" + ">" * (len(heads) - 1))
-    click.echo()
+    say()
     print_wrapped(LEGEND)
-    click.echo()
+    say()
 
 
 def evolve_figures(measured: Sequence[Timing], races: Sequence[RaceSettings]) -> Line | None:

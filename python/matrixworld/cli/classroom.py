@@ -15,7 +15,7 @@ from matrixworld.classroom.standings import Standing, standings
 from matrixworld.classroom.submissions import save_genome
 from matrixworld.classroom.tournament import ClassResult, play_class
 from matrixworld.cli.arguments import failures, run_of
-from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress
+from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
     force_option,
@@ -144,7 +144,7 @@ def play_command(
         tables = {team: standings(result, team) for team in TEAMS}
         write_page(page, class_page(result, tables, title=directory.absolute().name))
         _print(result, tables)
-        click.echo(f"\nWritten: {page}")
+        say(f"\nWritten: {page}")
         write_json(json_file, class_json(result, tables))
         if opens:
             open_page(page)
@@ -166,7 +166,7 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
 def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
     for team in TEAMS:
         payoff = "capture rate" if team == "pursuer" else "escape rate"
-        click.echo(f"\nThe {team}s: mean {payoff} against all {_opponents(result, team)} opponents")
+        say(f"\nThe {team}s: mean {payoff} against all {_opponents(result, team)} opponents")
         rows = [("rank", "name", "", "mean and 95 % interval")]
         rows += [
             (each.rank or "-", each.entry.name, each.entry.kind, str(each.score))
@@ -174,10 +174,10 @@ def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
         ]
         print_table(rows, "><<<")
     if result.refusals:
-        click.secho(f"\nRefused ({len(result.refusals)})", bold=True)
+        say(f"\nRefused ({len(result.refusals)})", bold=True)
         for refusal in result.refusals:
             print_wrapped(f"{refusal.file}: {refusal.reason}")
-    click.echo(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
+    say(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
 
 
 def _opponents(result: ClassResult, team: Team) -> int:
@@ -217,4 +217,4 @@ def export_command(run: Path, team: Team, generation: int, out: Path, force: boo
             except IndexError as error:  # which begins with the team
                 raise IndexError(f"generation: {str(error).partition(': ')[2]}") from error
         save_genome(out, team, policy)
-        click.echo(out)
+        say(out)

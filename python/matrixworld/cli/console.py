@@ -15,6 +15,7 @@ from typing import TextIO
 import click
 from tqdm import tqdm
 
+from matrixworld._util.files import printable
 from matrixworld.coevolution.progress import ProgressBar
 
 INTERRUPTED = 130
@@ -30,10 +31,15 @@ def progress(unit: str = "matches") -> ProgressBar:
     return ProgressBar(unit, sys.stderr)
 
 
+def say(text: object = "", *, bold: bool = False) -> None:
+    """Print text, whatever names and files have brought into it; all commands print so."""
+    click.secho(printable(text), bold=bold)
+
+
 def note(text: str) -> None:
     """Write a line to standard error, above a progress bar if there is one."""
     # A plain print would break the bar's line in two.
-    tqdm.write(text, file=sys.stderr)
+    tqdm.write(printable(text), file=sys.stderr)
 
 
 @contextmanager
@@ -66,7 +72,7 @@ def print_wrapped(text: str) -> None:
     """Print each line of a text as an indented paragraph as wide as the terminal."""
     width = min(WIDEST, shutil.get_terminal_size().columns)
     for line in text.splitlines():
-        click.echo(click.wrap_text(line, width, initial_indent="  ", subsequent_indent="    "))
+        say(click.wrap_text(line, width, initial_indent="  ", subsequent_indent="    "))
 
 
 def print_table(rows: Sequence[Sequence[str]], align: str) -> None:
@@ -74,12 +80,13 @@ def print_table(rows: Sequence[Sequence[str]], align: str) -> None:
 
     `align` has a format character for each column: ``"<"`` left, ``">"`` right.
     """
+    rows = [[printable(cell) for cell in row] for row in rows]  # as wide as they are printed
     columns = zip(*rows, strict=True)
     widths = [max(len(line) for cell in c for line in cell.split("\n")) for c in columns]
     for number, row in enumerate(rows):
         for line in zip_longest(*(cell.split("\n") for cell in row), fillvalue=""):
             cells = (f"{c:{a}{w}}" for c, a, w in zip(line, align, widths, strict=True))
-            click.secho("  ".join(cells).rstrip(), bold=number == 0)
+            say("  ".join(cells).rstrip(), bold=number == 0)
 
 
 def command(name: str, *words: Path | str) -> str:

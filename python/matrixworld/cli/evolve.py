@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from matrixworld.cli.arguments import can_resume, failures, find_runs, place_in_job, resume_command
-from matrixworld.cli.console import INTERRUPTED, note, print_table, progress, warnings_as_notes
+from matrixworld.cli.console import INTERRUPTED, note, print_table, progress, say, warnings_as_notes
 from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
     cluster_option,
@@ -84,7 +84,7 @@ def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> 
     if value:
         rows = [VARIANT_HEADS, *(_variant_row(name, rules) for name, rules in VARIANTS.items())]
         print_table(rows, "<" * len(VARIANT_HEADS))
-        click.echo(f"\n{VARIANT_LEGEND}")
+        say(f"\n{VARIANT_LEGEND}")
         ctx.exit()
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import note, print_wrapped
+from matrixworld.cli.console import note, print_wrapped, say
 from matrixworld.cli.figures import (
     FORMATS,
     OF_GAME,
@@ -105,7 +105,7 @@ def explore_command(
         page = out or place_of(runs) / PAGE
         refuse_existing(page, force=force)
         write_explorer(groups, page)
-        click.echo(page)
+        say(page)
         if opens:
             open_page(page)
 
@@ -174,7 +174,7 @@ def _draw(runs: Sequence[Path], selection: Selection, out: Path | None, force: b
     refuse_existing(*files, force=force)
     for file, figure in files.items():
         draw({file: figure})
-        click.echo(file)
+        say(file)
 
 
 def _check_races(groups: Sequence[Group], selection: Selection) -> None:
@@ -210,6 +210,6 @@ def playground_command(out: Path, opens: bool, force: bool) -> None:
         if not (out.is_file() and out.read_bytes() == html.encode()):
             refuse_existing(out, force=force)
             write_page(out, html)
-        click.echo(out)
+        say(out)
         if opens:
             open_page(out)

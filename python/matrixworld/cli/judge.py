@@ -12,7 +12,7 @@ from matrixworld.analysis import all_results, describe, explain
 from matrixworld.analysis.report import measure_table
 from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import TERMS, print_wrapped
+from matrixworld.cli.console import TERMS, print_wrapped, say
 from matrixworld.cli.groups import Group, groups_of, runs_argument
 from matrixworld.cli.options import (
     force_option,
@@ -67,7 +67,7 @@ def judge_command(
             _check(group, everything)
         for group in groups:
             _print(group, everything, explained)
-        click.echo(f"\n{TERMS}")
+        say(f"\n{TERMS}")
         write_json(json_file, {"groups": {g.name: _plain(g, everything) for g in groups}})
 
 
@@ -93,19 +93,19 @@ def _print(group: Group, everything: bool, explained: bool) -> None:
     if judgement.runs == 1:
         print_wrapped(SINGLE_RUN)
     if explained:
-        click.echo()
+        say()
         print_wrapped(explain(judgement))
         matrices = group.payoffs.matrices
         # The numbers of several runs differ.
         if len(matrices) == 1 and min(matrices.shape[1:]) > 1:
             print_wrapped(describe(matrices[0]))
     if everything:
-        click.echo(f"\n{measure_table(group.payoffs)}")
+        say(f"\n{measure_table(group.payoffs)}")
     # Races only: `_check` has refused others.
     settings = group.settings
     lines = advice(judgement, settings)
     if lines:
-        click.echo("\nWhat to try:")
+        say("\nWhat to try:")
         for line in lines:
             print_wrapped(line)
 

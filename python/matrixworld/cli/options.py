@@ -17,9 +17,9 @@ import click
 from click.core import ParameterSource
 
 from matrixworld._util.checks import INT_MAX, MOST_THREADS
-from matrixworld._util.files import check_replaceable, save_json
+from matrixworld._util.files import check_replaceable, printable, save_json
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import INTERRUPTED, note
+from matrixworld.cli.console import INTERRUPTED, note, say
 from matrixworld.cluster import UnfitWorkerError, check_where, cluster
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP
@@ -279,7 +279,7 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
     """Write values to the file that --json names, if it is given, and print its name."""
     if file is not None:
         save_json(file, values)
-        click.echo(f"\nWritten: {file}")
+        say(f"\nWritten: {file}")
 
 
 class Commands(click.Group):
@@ -297,6 +297,9 @@ class Commands(click.Group):
         try:
             with failures():  # options are read here, too, and name files
                 return super().invoke(ctx)
+        except click.ClickException as error:
+            error.message = printable(error.message)  # it may quote a name or a file
+            raise
         except KeyboardInterrupt:
             again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
             note(f"\nStopped. No file is half written. To start again:\n  {again}")

@@ -10,6 +10,7 @@ import click
 
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld.cli.arguments import failures, find_runs, run_of
+from matrixworld.cli.console import say
 from matrixworld.cli.options import (
     FiniteRange,
     force_option,
@@ -172,10 +173,10 @@ def replay_command(
     elif not (out or explained):
         replay.animate_terminal(played, fps=fps, every=every)
     for line in explanation:
-        click.echo(line)
+        say(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
     written = ", ".join(map(str, out))
-    click.echo(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
+    say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
 
 
 def _check_pictures(

@@ -7,12 +7,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import click
-
 from matrixworld._util.files import save_json
 from matrixworld.analysis import Estimate, measure_all
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.cli.console import TERMS, command, print_wrapped
+from matrixworld.cli.console import TERMS, command, print_wrapped, say
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned
 from matrixworld.cli.groups import Group, Result, grouped
@@ -62,7 +60,7 @@ def report(
         _print(group)
     if races:
         print_claims(races)
-        click.echo(f"\n{TERMS}")
+        say(f"\n{TERMS}")
     for path, problem in failed.items():
         print_wrapped(f"Failed: {path}: {problem}")
     problems = {_inside(root, path): problem for path, problem in failed.items()}
@@ -128,17 +126,17 @@ def _plain_run(single: Group) -> dict[str, Any]:
 
 
 def _print_files(root: Path, figures: Sequence[Path], runs: Sequence[str]) -> None:
-    click.echo(f"\nAll files are in {root}:")
+    say(f"\nAll files are in {root}:")
     if runs:
-        click.echo(f"  {PAGE}: open it in a browser; it plays every match of the payoff matrices")
-    click.echo(f"  {SUMMARY}: the numbers of each run, and of all seeds together")
+        say(f"  {PAGE}: open it in a browser; it plays every match of the payoff matrices")
+    say(f"  {SUMMARY}: the numbers of each run, and of all seeds together")
     for folder in dict.fromkeys(figure.parent for figure in figures):
         place = "" if folder == root else f"{_inside(root, folder)}/: "
         names = ", ".join(figure.name for figure in figures if figure.parent == folder)
-        click.echo(f"  {place}{names}")
+        say(f"  {place}{names}")
     if runs:
         data = "payoff.npz, *.npy (genomes), log.csv, summary.json, scores.json (of races)"
-        click.echo(f"  data of each run: {data}")
+        say(f"  data of each run: {data}")
 
 
 def _print_next(groups: Sequence[Group], root: Path) -> None:
@@ -147,7 +145,7 @@ def _print_next(groups: Sequence[Group], root: Path) -> None:
     # The last run: of the default job the generalists, whose late pursuers are worth watching.
     last = groups[-1].runs[-1]
     path, settings = last.path, last.settings
-    click.echo("\nWhat to try next:")
+    say("\nWhat to try next:")
     schedule = settings.schedule
     if isinstance(schedule, Against):
         commands = [
@@ -172,4 +170,4 @@ def _print_next(groups: Sequence[Group], root: Path) -> None:
             command("explore", root, "--figures --each --force"),
         ]
     for each in commands:
-        click.echo(f"  {each}")
+        say(f"  {each}")

@@ -13,7 +13,7 @@ from matrixworld._util.files import save_json
 from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import print_wrapped, progress
+from matrixworld.cli.console import print_wrapped, progress, say
 from matrixworld.cli.groups import (
     SCORED_EPISODES,
     SCORED_SEED,
@@ -115,10 +115,10 @@ def score_command(
             _print(group, teams)
             plain[group.name] = _plain(group, teams)
         legend = LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND
-        click.echo()
+        say()
         print_wrapped(legend)
         matches = sum(scores.matches for teams in played.values() for scores in teams.values())
-        click.echo(f"{matches:,} matches were played.")
+        say(f"{matches:,} matches were played.")
         write_json(json_file, {"seed": options["seed"], "groups": plain})
 
 
@@ -145,17 +145,17 @@ def _print(group: Group, teams: Sequence[TeamScores]) -> None:
     for scores in teams:
         generations, team = scores[0].generations, scores[0].team
         if len(generations) == 1:
-            click.echo(f"{team}s of generation {generations[0]}: {SCORE[team]}")
+            say(f"{team}s of generation {generations[0]}: {SCORE[team]}")
             rows = estimates_of(scores, 0)
         else:
-            click.echo(f"{team}s by generation: mean {SCORE[team]}")
+            say(f"{team}s by generation: mean {SCORE[team]}")
             rows = {
                 f"{generation:10}": estimates_of(scores, row)["mean"]
                 for row, generation in enumerate(generations)
             }
         width = max(map(len, rows))
         for name, estimate in rows.items():
-            click.echo(f"  {name:{width}}  {shown(estimate, '.3f')}")
+            say(f"  {name:{width}}  {shown(estimate, '.3f')}")
         if scores[0].left_out:
             print_wrapped(f"Left out: {scores[0].left_out}.")
     print_missing(group)

@@ -19,6 +19,7 @@ import click
 
 from matrixworld._util.files import DamagedFileError, load_toml
 from matrixworld.cli.arguments import run_in
+from matrixworld.cli.console import say
 from matrixworld.cli.options import option_name
 from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
@@ -297,5 +298,5 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         if rows:
             with formatter.section(title):
                 formatter.write_dl(rows)
-    click.echo(formatter.getvalue().rstrip())
+    say(formatter.getvalue().rstrip())
     ctx.exit()

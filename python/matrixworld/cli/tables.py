@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-import click
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,7 +21,7 @@ from matrixworld.analysis import (
 )
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
-from matrixworld.cli.console import WIDEST, print_table, print_wrapped
+from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
 from matrixworld.cli.groups import SCORED_EPISODES, Group, Result
 from matrixworld.coevolution import Against
 from matrixworld.coevolution.types import TEAMS, Team
@@ -35,7 +34,7 @@ INTERVALS = "In brackets: 95% interval over the seeds; of a single run, over its
 
 def print_head(text: str) -> None:
     """Print what a table is about, in bold, below an empty line."""
-    click.secho(f"\n{text}", bold=True)
+    say(f"\n{text}", bold=True)
 
 
 def shown(estimate: Estimate | None, form: str) -> str:
@@ -113,7 +112,7 @@ def print_judged(group: Group) -> None:
     print_head(f"{group.name}: {counts(group.judgement)}")
     print_judgement(group.judgement)
     if group.several:
-        click.echo()
+        say()
         print_strip(group)
         print_missing(group)
         print_wrapped(STRIP_LEGEND)
@@ -224,7 +223,7 @@ def print_comparison(
             ]
             for group in part
         ]
-        click.echo()
+        say()
         print_table([*zip(labels, *columns, strict=True)], "<" * (1 + len(part)))
     print_wrapped(LEGEND + (SEEDS_LEGEND if several else NOISE_LEGEND))
 
@@ -250,7 +249,7 @@ def print_claims(groups: Sequence[Group]) -> None:
         if group.settings and (schedule := group.settings.schedule.name) in CLAIMS
     ]
     if rows:
-        click.echo()
+        say()
         print_table([("race", "the paper reports", "this job shows"), *rows], "<<<")
 
 
@@ -290,7 +289,7 @@ def print_one_team(group: Group) -> None:
     assert isinstance(schedule, Against)
     seeds = f", {group.finished_of_asked()} seeds finished" if group.several else ""
     print_head(f"{group.name}{seeds}")
-    click.echo(
+    say(
         f"  {schedule.team}s after {schedule.epochs} epochs against {schedule.opponent}, in "
         f"{group.runs[0].numbers['evaluation_matches']} fresh episodes of at most "
         f"{settings.world.max_steps} steps"

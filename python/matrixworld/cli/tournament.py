@@ -10,7 +10,7 @@ import click
 from matrixworld._util.files import save_arrays
 from matrixworld.analysis import generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
-from matrixworld.cli.console import TERMS, progress
+from matrixworld.cli.console import TERMS, progress, say
 from matrixworld.cli.figures import draw, run_title
 from matrixworld.cli.options import (
     cluster_option,
@@ -80,8 +80,8 @@ def tournament_command(
     if judgement is not None:
         print_head(counts(judgement))
         print_judgement(judgement)
-        click.echo(f"\n{TERMS}")
-    click.echo(f"\nWritten: {target}, {_figure(target).name}")
+        say(f"\n{TERMS}")
+    say(f"\nWritten: {target}, {_figure(target).name}")
 
 
 def _checked(target: Path, force: bool) -> Path:
@@ -145,7 +145,7 @@ def _save(payoff: Payoff, target: Path, title: str) -> None:
 def _print(payoff: Payoff) -> None:
     matrix = payoff.capture_rate
     scores = generalization(matrix)
-    click.echo(
+    say(
         f"{matrix.shape[0]} pursuer generations against {matrix.shape[1]} evader generations, "
         f"{payoff.lengths.size:,} episodes\n"
         f"  mean capture rate                           {matrix.mean():.3f}\n"
