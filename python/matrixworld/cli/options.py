@@ -298,7 +298,8 @@ class Commands(click.Group):
             with failures():  # options are read here, too, and name files
                 return super().invoke(ctx)
         except click.ClickException as error:
-            error.message = printable(error.message)  # it may quote a name or a file
+            # It may quote a name or a file; the attribute is final for others.
+            vars(error)["message"] = printable(error.message)
             raise
         except KeyboardInterrupt:
             again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
