@@ -15,7 +15,9 @@ Epochs are chosen in advance, so that a run does not depend on the machine; the 
 agent-steps and the seconds that each run needed. After training each team plays 200 new episodes.
 
 A result is *reached* if its interval over seeds is nowhere worse than the interval of the published
-mean (Student's t over its ten episodes), *not reached* if it is worse everywhere, else undecided.
+mean over its ten episodes, *not reached* if it is worse everywhere; else the table cannot tell.
+Published intervals are Student's t, or Gaffke's where all ten episodes were equal: it has a width.
+Seeds that all agree have an interval over all of their episodes.
 
 Look at the two rows of the evolution strategy in each game: gradients learn from far fewer steps,
 and the engine plays candidates so fast that the same time decides otherwise.
@@ -38,8 +40,8 @@ import numpy as np
 from scipy.stats import t
 from tqdm import tqdm
 
-from common import script_parser
-from matrixworld.analysis import Estimate, interval_over_runs
+from common import script_parser, written
+from matrixworld.analysis import Estimate, interval_over_runs, mean_over_episodes
 from matrixworld.coevolution import RaceSettings, Team, finish, open_run
 
 EPISODES = 10
@@ -74,17 +76,22 @@ class Game:
     length: str = ""
     start: str | None = None
 
+    @property
+    def worst(self) -> float:
+        """The worse end of the interval of the published mean, for the team that learns."""
+        if self.spread:
+            half = float(t.ppf(0.975, EPISODES - 1)) * self.spread / np.sqrt(EPISODES)
+            ends = self.capture - half, self.capture + half
+        else:
+            # Ten equal episodes show no spread, and do not make the mean certain.
+            ends = mean_over_episodes(np.full(EPISODES, self.capture)).ends
+        return ends[0] if self.team == "pursuer" else ends[1]
+
     def verdict(self, found: Estimate) -> str:
-        """Return reached, not reached or undecided."""
-        error = t.ppf(0.975, EPISODES - 1) * self.spread / np.sqrt(EPISODES)
-        # Seeds that agree to the last digit have no interval.
-        low = found.value if found.low is None else found.low
-        high = found.value if found.high is None else found.high
-        worst, sign = (self.capture - error, 1) if self.team == "pursuer" else (
-            self.capture + error, -1,
-        )  # fmt: skip
-        good = [sign * (end - worst) >= 0 for end in (low, high)]
-        return "reached" if all(good) else "undecided" if any(good) else "not reached"
+        """Return reached, not reached or cannot tell."""
+        sign = 1 if self.team == "pursuer" else -1
+        good = [sign * (end - self.worst) >= 0 for end in found.ends]
+        return "reached" if all(good) else "cannot tell" if any(good) else "not reached"
 
 
 HUNT, STATIC = "pursuers against random evaders", "pursuers against static evaders"
@@ -271,12 +278,11 @@ def measured(plan: Plan, root: Path) -> dict[str, np.ndarray]:
     }
 
 
-def shown(found: Estimate, digits: int = 3) -> str:
-    """Return a mean with its interval over seeds."""
-    mean = f"{found.value:.{digits}f}"
-    if found.low is None or found.high is None:
-        return f"{mean} (all seeds)"
-    return f"{mean} [{found.low:.{digits}f}, {found.high:.{digits}f}]"
+def capture_rate(captures: np.ndarray) -> Estimate:
+    """Return the mean of capture rates (seeds, episodes) with its interval over seeds."""
+    found = interval_over_runs(captures.mean(axis=1), bounds=(0.0, 1.0))
+    # Seeds that all agree do not show how much others would vary; their episodes still do.
+    return mean_over_episodes(captures.ravel()) if found.low is None else found
 
 
 def table(plan: Plan, numbers: Mapping[str, np.ndarray]) -> str:
@@ -290,9 +296,9 @@ def table(plan: Plan, numbers: Mapping[str, np.ndarray]) -> str:
         published = f"{game.capture:g} +- {game.spread:g}"
         published += f"; length {game.length}" if game.length else ""
         for k, learner in enumerate(plan.learners):
-            found = interval_over_runs(numbers["captures"][g, k].mean(axis=1), bounds=(0.0, 1.0))
+            found = capture_rate(numbers["captures"][g, k])
             cells = (
-                game.name if k == 0 else "", learner, shown(found),
+                game.name if k == 0 else "", learner, written(found),
                 f"{numbers['lengths'][g, k].mean():.0f}",
                 f"{numbers['agent_steps'][g, k].mean() / 1e6:.1f}",
                 f"{numbers['seconds'][g, k].mean():.0f}",

@@ -9,9 +9,9 @@ cells. The schedules differ in the opponents that a team meets: the last generat
 team (specialist), or all of its generations in turn (generalist).
 
 Each schedule is judged by `analysis.judge`, as races of neuroevolution are, over all seeds
-together, in the last half of the race. Gains are changes of mean capture or escape over that half,
-against all opponents of the race. ``--runs`` keeps the races; an interrupted script continues where
-it stopped.
+together: the whole race, its first half and its last half. Gains are changes of mean capture or
+escape over that part, against all opponents of the race. ``--runs`` keeps the races; an interrupted
+script continues where it stopped.
 """
 
 from __future__ import annotations
@@ -23,9 +23,8 @@ from time import process_time
 
 import numpy as np
 
-from common import finish_all, script_parser
+from common import finish_all, script_parser, written
 from matrixworld import analysis
-from matrixworld.analysis import Estimate
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.schedules import SCHEDULES
 
@@ -93,22 +92,16 @@ def measured(races: Mapping[str, list[SavedRun]]) -> dict[str, np.ndarray]:
 
 
 def table(payoffs: Mapping[str, np.ndarray]) -> str:
-    """Return gains and verdicts of each schedule as a table in Markdown."""
-    heads = ("schedule", "gain of pursuers", "gain of evaders", *analysis.CONDITIONS)
+    """Return gains and verdicts of each schedule in each window as a table in Markdown."""
+    heads = ("schedule", "part", "gain of pursuers", "gain of evaders", *analysis.CONDITIONS)
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     for schedule, of_schedule in payoffs.items():
-        judged = analysis.judge(of_schedule, per_episode=True).headline
-        gains = map(shown, judged["arms race"].estimates.values())
-        verdicts = (judged[condition].verdict for condition in analysis.CONDITIONS)
-        lines.append(f"| {' | '.join([schedule, *gains, *verdicts])} |")
+        windows = analysis.judge(of_schedule, per_episode=True).windows
+        for window, judged in windows.items():
+            gains = (written(each, 2, "+") for each in judged["arms race"].estimates.values())
+            verdicts = (judged[condition].verdict for condition in analysis.CONDITIONS)
+            lines.append(f"| {' | '.join([schedule, window, *gains, *verdicts])} |")
     return "\n".join(lines)
-
-
-def shown(found: Estimate) -> str:
-    """Return an estimate with its interval."""
-    if found.low is None or found.high is None:
-        return f"{found.value:+.2f}"
-    return f"{found.value:+.2f} [{found.low:+.2f}, {found.high:+.2f}]"
 
 
 def seconds_of(settings: RaceSettings) -> float:

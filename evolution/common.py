@@ -9,9 +9,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
+from scipy import stats
 
 import matrixworld as mw
+from matrixworld.analysis import Estimate
 from matrixworld.cluster import cluster
 from matrixworld.coevolution import (
     FailedRunsError,
@@ -162,3 +164,46 @@ def play(
     if team == "pursuer":
         return mw.rollout(world, own, opponents, mw.Matches.of(each, opponent_genomes, seeds))
     return mw.rollout(world, opponents, own, mw.Matches.of(opponent_genomes, each, seeds))
+
+
+SIGNIFICANCE = 0.05
+"""Probability of any false verdict in a table, if no number differed from its threshold."""
+
+
+def p_value(values: ArrayLike, than: float = 0.0) -> float:
+    """Return the two-sided p-value that the mean of one number for each seed is `than`.
+
+    Student's t test. Seeds that all agree have no spread; they take the sign test, which counts
+    seeds on either side of `than`: two to the power of one minus the number of seeds.
+    """
+    distances = np.asarray(values, dtype=np.float64) - than
+    if np.ptp(distances) > 1e-12:
+        return float(stats.ttest_1samp(distances, 0.0).pvalue)
+    return 2.0 ** (1 - len(distances)) if distances[0] else 1.0
+
+
+def holm(p_values: ArrayLike) -> NDArray[np.float64]:
+    """Return the p-values of several tests, adjusted so that one level holds for all together.
+
+    Shape (tests,). The smallest of n p-values is multiplied by n, the next one by n - 1, and none
+    becomes smaller than the one before (Holm 1979, "A simple sequentially rejective multiple test
+    procedure"). The tests may depend on each other.
+    """
+    given = np.asarray(p_values, dtype=np.float64)
+    order = np.argsort(given)
+    adjusted = np.empty_like(given)
+    adjusted[order] = np.maximum.accumulate(given[order] * np.arange(len(given), 0, -1))
+    return np.minimum(adjusted, 1.0)
+
+
+def shown_p(p: float) -> str:
+    """Return a p-value as text."""
+    return "p < 0.001" if p < 0.001 else f"p = {p:.3f}"
+
+
+def written(found: Estimate, digits: int = 3, sign: str = "") -> str:
+    """Return a number and its interval in brackets; seeds that all agree have none."""
+    ends = [end for end in (found.value, found.low, found.high) if end is not None]
+    # Adding 0.0 turns -0.0 into 0.0.
+    value, *interval = (format(round(end, digits) + 0.0, f"{sign}.{digits}f") for end in ends)
+    return f"{value} [{', '.join(interval)}]" if interval else value

@@ -10,8 +10,10 @@ of matches. Runs are kept in ``--runs``; an interrupted script continues where i
 Method: Rosin and Belew (1997), "New methods for competitive coevolution". They expect of a hall of
 fame that less is forgotten, and that progress does not go in cycles.
 
-Look at the last two columns: the difference that halls of fame make, with its interval over seeds,
-and whether it is the expected one. ``--results`` receives the table and the numbers of each race.
+Look at the last three columns: the difference that halls of fame make, with its interval over
+seeds; its p-value; and whether it is the expected one. P-values are adjusted for the number of rows
+(Holm), so that by chance any verdict of the table is wrong in 5 % of such tables; an interval
+speaks of its own row alone. ``--results`` receives the table and the numbers of each race.
 """
 
 from __future__ import annotations
@@ -22,10 +24,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from scipy import stats
 from tqdm import tqdm
 
-from common import finish_all, script_parser
+from common import SIGNIFICANCE, finish_all, holm, p_value, script_parser, shown_p, written
 from matrixworld import analysis, plots
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, open_run, score
 
@@ -133,45 +134,38 @@ def place(name: str, seed: int) -> str:
     return f"{name.replace(' ', '-')}/{seed}"
 
 
-def mean_with_interval(values: Sequence[float]) -> tuple[float, float, float]:
-    """Return the mean over seeds and the ends of its 95% interval by Student's t."""
-    mean, error = float(np.mean(values)), float(stats.sem(values))
-    if error == 0.0:
-        return mean, mean, mean
-    low, high = stats.t.interval(0.95, len(values) - 1, loc=mean, scale=error)
-    return mean, float(low), float(high)
-
-
-def verdict(low: float, high: float, expected: int) -> str:
-    """Return whether the interval of a difference lies on the expected side of 0."""
-    if low <= 0.0 <= high:
-        return "undecided"
-    return "as expected" if np.sign(low) == expected else "the opposite"
+def verdict(p: float, difference: float, expected: int) -> str:
+    """Return whether a difference lies on the expected side of 0, by its adjusted p-value."""
+    if p > SIGNIFICANCE:
+        return "cannot tell"
+    return "as expected" if np.sign(difference) == expected else "the opposite"
 
 
 def table(found: Mapping[str, Sequence[Row]]) -> str:
     """Return the comparison of both kinds of race as a table in Markdown."""
     head = f"| mean over {len(found[HALL])} seeds [95%] | expected | {' | '.join(found)} |"
-    lines = [f"{head} difference | |", "|---|---|---|---|---|---|"]
-    for name, measure in MEASURES.items():
-        by_kind = {kind: np.array([row[name] for row in rows]) for kind, rows in found.items()}
-        # Pairs of the same seed: both races start with the same genomes.
-        difference = mean_with_interval(by_kind[HALL] - by_kind[LIVING])
+    lines = [f"{head} difference | Holm | |", "|---" * 7 + "|"]
+    numbers = {
+        name: {kind: np.array([row[name] for row in rows]) for kind, rows in found.items()}
+        for name in MEASURES
+    }
+    # Pairs of the same seed: both races start with the same genomes.
+    differences = {name: each[HALL] - each[LIVING] for name, each in numbers.items()}
+    adjusted = holm([p_value(each) for each in differences.values()])
+    for (name, measure), p in zip(MEASURES.items(), adjusted, strict=True):
+        difference = differences[name]
         cells = [
             measure.label,
             "higher" if measure.expected > 0 else "lower",
-            *(written(mean_with_interval(values)) for values in by_kind.values()),
-            written(difference),
-            f"**{verdict(*difference[1:], measure.expected)}**",
+            *(
+                written(analysis.interval_over_runs(values))
+                for values in (*numbers[name].values(), difference)
+            ),
+            shown_p(p),
+            f"**{verdict(p, difference.mean(), measure.expected)}**",
         ]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
-
-
-def written(estimate: tuple[float, float, float]) -> str:
-    """Return a mean and its interval as text."""
-    mean, low, high = estimate
-    return f"{mean:.3f} [{low:.3f}, {high:.3f}]"
 
 
 def write_races(path: Path, found: Mapping[str, Sequence[Row]]) -> None:

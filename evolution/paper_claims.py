@@ -24,7 +24,7 @@ from pathlib import Path
 
 import numpy as np
 
-from common import script_parser
+from common import script_parser, written
 from matrixworld import analysis
 from matrixworld.analysis.judge import DROPS, LEAST_AMPLITUDE
 from matrixworld.coevolution import Team
@@ -331,32 +331,20 @@ def over_seeds(
     return analysis.interval_over_runs(values, bounds=bounds)
 
 
-def printed(estimate: analysis.Estimate) -> str:
-    """Return a mean and its interval as text."""
-    if estimate.low is None or estimate.high is None:
-        return f"{rounded(estimate.value)} (all seeds)"
-    return f"{rounded(estimate.value)} [{rounded(estimate.low)}, {rounded(estimate.high)}]"
-
-
-def rounded(number: float) -> str:
-    """Return a number with three decimals, and no minus before 0.000."""
-    return f"{round(number, 3) + 0.0:.3f}"
-
-
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
     heads = ("the paper's claim", "measured", "mean [95 %]", "claimed", "published", "")
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     for claim in claims(numbers):
         side = f"{claim.side} {claim.than:g}"
-        cells = (claim.says, claim.measured, printed(claim.estimate), side, claim.published)
+        cells = (claim.says, claim.measured, written(claim.estimate), side, claim.published)
         lines.append(f"| {' | '.join(cells)} | **{claim.verdict}** |")
     lines += ["", f"| trained | team | {' | '.join(OPPONENTS)} |", "|---" * 6 + "|"]
     for team, kinds in CANDIDATES.items():
         scores = standings(numbers, team)
         for kind in kinds:
             cells = (
-                printed(over_seeds(scores[opponents][kind], (0.0, 1.0))) for opponents in OPPONENTS
+                written(over_seeds(scores[opponents][kind], (0.0, 1.0))) for opponents in OPPONENTS
             )
             lines.append(f"| {kind} | {team}s | {' | '.join(cells)} |")
     return "\n".join(lines)

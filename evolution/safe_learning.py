@@ -12,8 +12,9 @@ Achiam and Amodei, 2019); evolution strategies (Salimans et al., 2017) on captur
 candidates within a limit first (Deb, 2000); masks of actions (Huang and Ontañón, 2022).
 
 Look at the first figures of a row: a method is safe if it captures and does not collide. All
-methods are compared at the same number of agent-steps. ``--results`` receives the numbers, the
-table and a figure. Needs PyTorch.
+methods are compared at the same number of agent-steps. The last table compares pairs of methods,
+with p-values that are adjusted for the number of its differences (Holm). ``--results`` receives the
+numbers, the tables and two figures. Needs PyTorch.
 """
 
 from __future__ import annotations
@@ -25,9 +26,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from common import script_parser
+from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.world.rules import COLLISION_KINDS
@@ -51,6 +52,22 @@ DRAWN = {
     "gradients: mask of occupied cells, limit": BOTH,
 }
 """Methods whose training is drawn, and their colours."""
+LIMIT_ALONE, MASKED = "gradients: limit, by a multiplier", "gradients: mask of occupied cells"
+FREELY, BOTH_MEANS = "gradients: no penalty", "gradients: mask of occupied cells, limit"
+COMPARED = (
+    ("capture rate", LIMIT_ALONE, FREELY),
+    ("capture rate", BOTH_MEANS, FREELY),
+    ("capture rate", BOTH_MEANS, LIMIT_ALONE),
+    ("all", MASKED, FREELY),
+    ("training", "gradients: mask of obstacles", FREELY),
+    ("training", BOTH_MEANS, LIMIT_ALONE),
+)
+"""A number of `judged` and two methods: the first one minus the second one is tested."""
+NUMBERS = {
+    "capture rate": "capture rate",
+    "all": "collisions",
+    "training": "collisions while training",
+}
 STYLES = [
     *(
         {"color": color, "marker": "o"}
@@ -112,28 +129,51 @@ def table(numbers: Numbers) -> str:
               for name in late),
         ]  # fmt: skip
         parts.append("\n".join([f"| -{variant} | {HEAD} |", "|---" * 8 + "|", *rows]))
-    return "\n\n".join(parts)
+    return "\n\n".join([*parts, comparisons(numbers)])
+
+
+def comparisons(numbers: Numbers) -> str:
+    """Return the differences of `COMPARED` in each variant as a table in Markdown."""
+    budget, variants = float(numbers["budget"]), variants_of(numbers)
+
+    def difference(variant: str, number: str, one: str, other: str) -> NDArray[Any]:
+        # Pairs of the same seed: both teams start with the same genome.
+        first, second = (
+            judged(numbers, f"{variant} {each}", budget=budget) for each in (one, other)
+        )
+        return np.asarray(first[number] - second[number])
+
+    found = {(row, variant): difference(variant, *row) for row in COMPARED for variant in variants}
+    adjusted = dict(zip(found, holm([p_value(each) for each in found.values()]), strict=True))
+
+    def cell(row: tuple[str, str, str], variant: str) -> str:
+        values, p = interval_over_runs(found[row, variant]), adjusted[row, variant]
+        unknown = "; **cannot tell**" if p > SIGNIFICANCE else ""
+        return (
+            f"{written(values, 2 if row[0] == 'capture rate' else 1, '+')}; {shown_p(p)}{unknown}"
+        )
+
+    heads = ["difference of", "between", *(f"-{variant}" for variant in variants)]
+    lines = [
+        f"| {NUMBERS[number]} | {one}, minus {other} "
+        + "".join(f"| {cell((number, one, other), variant)} " for variant in variants)
+        + "|"
+        for number, one, other in COMPARED
+    ]
+    return "\n".join([f"| {' | '.join(heads)} |", "|---" * len(heads) + "|", *lines])
 
 
 def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
     """Return a line of the table."""
     found = judged(numbers, name, budget=budget)
     cells = [
-        shown(found["capture rate"], 2, most=1.0),
-        shown(found["all"], 1),
+        written(interval_over_runs(found["capture rate"], bounds=(0.0, 1.0)), 2),
+        written(interval_over_runs(found["all"], bounds=(0.0, np.inf)), 1),
         *(f"{found[kind].mean():.1f}" for kind in COLLISION_KINDS),
-        shown(found["training"], 1),
+        written(interval_over_runs(found["training"], bounds=(0.0, np.inf)), 1),
         f"{found['agent-steps'].mean():.2f}",
     ]
     return f"| {' | '.join([label, *cells])} |"
-
-
-def shown(values: ArrayLike, digits: int, *, most: float = np.inf) -> str:
-    """Return a mean over seeds, with its interval if the seeds differ."""
-    found = interval_over_runs(values, bounds=(0.0, most))
-    if found.low is None:
-        return f"{found.value:.{digits}f}"
-    return f"{found.value:.{digits}f} [{found.low:.{digits}f}, {found.high:.{digits}f}]"
 
 
 def training_figure(numbers: Numbers) -> Figure:

@@ -12,6 +12,7 @@ import pytest
 
 import actor_critic_baselines as baselines
 import actor_critic_races as races
+import common
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
@@ -70,10 +71,11 @@ def test_the_page_on_safe_learning_shows_the_published_numbers() -> None:
         lines = [line for line in text.splitlines() if line.startswith(("| grad", "| evol"))]
         return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
 
-    in_s, in_sb = (rows(part) for part in table.split("| -SB |"))
+    in_s, in_sb = (rows(part) for part in table.split("| -SB | capture"))
     expected = [[*one[:3], *other[1:3]] for one, other in zip(in_s, in_sb, strict=True)]
     assert [row[0] for row in in_s] == [row[0] for row in in_sb]
     assert rows(page) == expected
+    assert table[table.index("| difference of") :] in page
 
 
 # Halls of fame, archives, held-out opponents
@@ -102,16 +104,33 @@ def test_both_kinds_of_published_races_have_the_same_seeds() -> None:
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "expected", "verdict"),
+    ("p", "difference", "expected", "verdict"),
     [
-        (-0.2, -0.1, -1, "as expected"),
-        (-0.2, -0.1, 1, "the opposite"),
-        (0.1, 0.2, 1, "as expected"),
-        (0.0, 0.0, -1, "undecided"),
+        (0.01, -0.1, -1, "as expected"),
+        (0.01, -0.1, 1, "the opposite"),
+        (0.05, 0.1, 1, "as expected"),
+        (0.06, 0.1, 1, "cannot tell"),
     ],
 )
-def test_verdict_on_halls_of_fame(low: float, high: float, expected: int, verdict: str) -> None:
-    assert hall_of_fame.verdict(low, high, expected) == verdict
+def test_verdict_on_halls_of_fame(p: float, difference: float, expected: int, verdict: str) -> None:
+    assert hall_of_fame.verdict(p, difference, expected) == verdict
+
+
+# Several tests
+
+
+def test_p_values_of_several_tests_are_adjusted_step_down() -> None:
+    # 3 * 0.01, 2 * 0.02, and 0.03, which takes the value before it.
+    np.testing.assert_allclose(common.holm([0.01, 0.03, 0.02]), [0.03, 0.04, 0.04])
+    np.testing.assert_allclose(common.holm([0.5, 0.001, 0.9]), [1.0, 0.003, 1.0])
+
+
+def test_p_value_of_seeds() -> None:
+    # t = 0.3 / (0.1 / sqrt(3)) with two degrees of freedom.
+    assert common.p_value([0.2, 0.3, 0.4]) == pytest.approx(0.035, abs=0.001)
+    assert common.p_value([0.2, 0.3, 0.4], 0.3) == pytest.approx(1.0)
+    assert common.p_value([0.1] * 6) == 2 * 0.5**6
+    assert common.p_value([0.1] * 6, 0.1) == 1.0
 
 
 def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
@@ -280,7 +299,7 @@ def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path)
     [
         ("pursuer", [0.9, 0.91, 0.92], "reached"),
         ("pursuer", [0.5, 0.51, 0.52], "not reached"),
-        ("pursuer", [0.5, 0.95, 0.99], "undecided"),
+        ("pursuer", [0.5, 0.95, 0.99], "cannot tell"),
         ("evader", [0.1, 0.11, 0.12], "reached"),
         ("evader", [0.97, 0.98, 0.99], "not reached"),
     ],
@@ -289,6 +308,16 @@ def test_verdicts_on_a_published_game(team: str, values: list[float], verdict: s
     # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
     game = baselines.Game("a game", team, "random", 0.8, 0.1)
     assert game.verdict(interval_over_runs(values, bounds=(0.0, 1.0))) == verdict
+
+
+def test_a_published_number_without_spread_has_an_interval_of_its_ten_episodes() -> None:
+    game = baselines.Game("a game", "pursuer", "random", 1.0, 0.0)
+    # Clopper and Pearson: 0.025 ** (1 / 10).
+    assert game.worst == pytest.approx(0.692, abs=0.01)
+    # Seeds that agree have the interval of their episodes.
+    captures = np.ones((3, 200))
+    assert game.verdict(baselines.capture_rate(captures)) == "reached"
+    assert game.verdict(baselines.capture_rate(0.6 * captures)) == "not reached"
 
 
 def test_actor_critic_races_are_judged_by_schedule(tmp_path: Path) -> None:
