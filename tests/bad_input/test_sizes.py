@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from command_line import RACE, matrixworld_command, words
 from matrixworld._util import memory
 from matrixworld.coevolution import best_response, open_run, score, score_population, start
 from matrixworld.coevolution import tournament as play_tournament
+from matrixworld.envs import vector
 from matrixworld.episodes import replay
 from matrixworld.world.arrays import state_bytes, workspace_bytes
 from refusals import CONFIG, GENOME, NETWORK
@@ -33,6 +35,7 @@ TOO_LARGE = {
     "environment": lambda: mw.parallel_env(WIDE),
     "batch": lambda: mw.Batch(MANY, CONFIG),
     "views": lambda: mw.VectorEnv(CONFIG, MANY),
+    "copies": lambda: mw.VectorEnv(CONFIG, 230_000),
     "threads": lambda: mw.Batch(1024, WIDE, threads=1024, buffers={}),
     "genome": lambda: GIANT.initial(np.random.default_rng(0)),
     "episodes": lambda: mw.rollout(CONFIG, TEAM, "still", MATCH, episodes=MANY),
@@ -93,11 +96,22 @@ def test_the_smallest_limit_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert memory.available_memory() == 0
 
 
-def peak_of(call: str, connection: Any) -> None:
+def measured_peak(play: Callable[[], object]) -> int:
+    """In a fresh process: memory that was freed before would be used again and not be seen."""
+    here, there = multiprocessing.Pipe()
+    process = multiprocessing.get_context("spawn").Process(target=peak_of, args=(play, there))
+    process.start()
+    there.close()
+    measured: int = here.recv()
+    process.join()
+    return measured
+
+
+def peak_of(play: Callable[[], object], connection: Any) -> None:
     """Send by how many bytes a call raises the memory of this process."""
     before = status("VmRSS")
     Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # the peak begins anew
-    result = CALLS[call][0]()
+    result = play()
     connection.send(status("VmHWM") - before)
     del result
 
@@ -111,11 +125,17 @@ FIELD = mw.WorldConfig(rows=1500, cols=1500, max_steps=1)
 CROWD = mw.WorldConfig(rows=60, cols=60, n_pursuers=800, n_evaders=800, max_steps=1)
 SMALL = mw.WorldConfig(rows=6, cols=6, n_pursuers=2, n_evaders=2, max_steps=1)
 CALLS: dict[str, tuple[Callable[[], object], int]] = {
-    "cells": (lambda: mw.World(FIELD), workspace_bytes(FIELD)),
-    "agents": (lambda: mw.Batch(1000, CROWD, threads=1, buffers={}), 1000 * state_bytes(CROWD)),
-    "worlds": (lambda: mw.Batch(50_000, SMALL, threads=1, buffers={}), 50_000 * state_bytes(SMALL)),
+    "cells": (partial(mw.World, FIELD), workspace_bytes(FIELD)),
+    "agents": (
+        partial(mw.Batch, 1000, CROWD, threads=1, buffers={}),
+        1000 * state_bytes(CROWD),
+    ),
+    "worlds": (
+        partial(mw.Batch, 50_000, SMALL, threads=1, buffers={}),
+        50_000 * state_bytes(SMALL),
+    ),
     "episodes": (
-        lambda: mw.rollout(SMALL, "still", "still", MATCH, episodes=200_000, threads=1),
+        partial(mw.rollout, SMALL, "still", "still", MATCH, episodes=200_000, threads=1),
         200_000 * memory.EPISODE_BYTES,
     ),
 }
@@ -124,13 +144,47 @@ CALLS: dict[str, tuple[Callable[[], object], int]] = {
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
 @pytest.mark.parametrize("call", CALLS)
 def test_estimates_are_near_what_is_measured(call: str) -> None:
-    """In a fresh process: memory that was freed before would be used again and not be seen."""
-    here, there = multiprocessing.Pipe()
-    process = multiprocessing.get_context("spawn").Process(target=peak_of, args=(call, there))
-    process.start()
-    measured, estimate = here.recv(), CALLS[call][1]
-    process.join()
+    play, estimate = CALLS[call]
+    measured = measured_peak(play)
     assert 0.5 * measured < estimate < 2 * measured, (measured, estimate)
+
+
+def environment(n_worlds: int, team: str | None = None, **settings: Any) -> Any:
+    worlds = mw.VectorEnv("O", n_worlds, threads=1, **settings)
+    return worlds if team is None else mw.AgentVectorEnv(worlds, team=team)
+
+
+def stepped(**settings: Any) -> object:
+    """Step as a loop does: the results of a step are held while those of the next are made."""
+    env = environment(**settings)
+    kept = env.reset(seed=0)
+    for _ in range(3):
+        kept = env.step(np.zeros(env.action_space.shape, np.int64))
+    return env, kept
+
+
+ENVIRONMENTS: dict[str, dict[str, Any]] = {
+    "copies": {"n_worlds": 3000},
+    "half as many": {"n_worlds": 1500},
+    "no copies": {"n_worlds": 6000, "copy": False},
+    "float32": {"n_worlds": 1000, "dtype": "float32"},
+    "final views": {"n_worlds": 1500, "autoreset_mode": "SameStep"},
+    "masks and state": {"n_worlds": 3000, "action_mask": True, "state": True},
+    "built-in team": {"n_worlds": 3000, "evaders": "random"},
+    "agents": {"n_worlds": 4000, "copy": False, "team": "evader"},
+}
+
+
+@pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
+@pytest.mark.parametrize("name", ENVIRONMENTS)
+def test_estimates_of_environments_are_within_a_half(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[int] = []
+    monkeypatch.setattr(vector, "check_memory", lambda what, **parts: told.extend(parts.values()))
+    environment(**ENVIRONMENTS[name])
+    measured = measured_peak(partial(stepped, **ENVIRONMENTS[name]))
+    assert measured / 1.5 < sum(told) < 1.5 * measured, (measured, sum(told))
 
 
 # Runs

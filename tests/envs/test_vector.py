@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import copy
+import gc
 import itertools
 import pickle
+import weakref
 from typing import Any
 
 import gymnasium
@@ -12,6 +14,7 @@ import numpy as np
 import pytest
 from gymnasium.error import ClosedEnvironmentError
 from gymnasium.vector import AutoresetMode
+from gymnasium.vector.utils import batch_space, create_empty_array, iterate
 
 import matrixworld as mw
 from matrixworld.episodes.render import rgb
@@ -157,6 +160,45 @@ def test_spaces(mode: AutoresetMode) -> None:
         assert env.observation_space.contains(env.step(actions)[0])
     env.close()
     env.close()
+
+
+@pytest.mark.parametrize("team", [None, "pursuer"])
+@pytest.mark.parametrize("flatten", [False, True])
+def test_bounds_of_all_worlds_are_one_number_in_memory(team: str | None, flatten: bool) -> None:
+    env: Any = make(flatten=flatten)
+    env = mw.AgentVectorEnv(env, team) if team else env
+    for whole, single in (
+        (env.observation_space, env.single_observation_space),
+        (env.action_space, env.single_action_space),
+    ):
+        expected = batch_space(single, env.num_envs)
+        assert type(whole) is type(expected)
+        assert whole == expected == copy.deepcopy(whole)
+        assert whole == pickle.loads(pickle.dumps(whole))  # noqa: S301
+        assert (whole.dtype, repr(whole)) == (expected.dtype, repr(expected))
+        bounds = [part for part in vars(whole).values() if isinstance(part, np.ndarray)]
+        assert len(bounds) >= 2
+        assert not any(np.any(bound.strides) for bound in bounds)
+        whole.seed(1)
+        expected.seed(1)
+        sample = whole.sample()
+        np.testing.assert_array_equal(sample, expected.sample())
+        assert whole.contains(sample)
+        assert not whole.contains(sample[:-1])
+        assert not whole.contains(sample + whole.dtype.type(9))
+        assert all(single.contains(each) for each in iterate(whole, sample))
+        assert whole.contains(create_empty_array(single, env.num_envs, fn=np.zeros))
+
+
+def test_results_that_nobody_holds_are_freed_at_once() -> None:
+    """Not by the collector of cycles, which would come after hundreds of large arrays."""
+    env = make()
+    gc.disable()
+    try:
+        kept = weakref.ref(env.reset(seed=0)[0])
+        assert kept() is None
+    finally:
+        gc.enable()
 
 
 def test_closed() -> None:

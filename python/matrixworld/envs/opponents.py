@@ -51,8 +51,7 @@ class BuiltInTeam:
     def __init__(
         self, team: Team, opponents: Opponents, config: WorldConfig, n_worlds: int = 1
     ) -> None:
-        teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
-        self.agents, self.learners = teams if team == "pursuer" else teams[::-1]
+        self.agents, self.learners = own_and_other(team, config)
         self._team, self._config = team, config
         self.opponents = self.resolve(opponents)
         self.chosen = np.zeros(n_worlds, np.int64)
@@ -156,6 +155,12 @@ class BuiltInWorlds(BuiltInTeam):
         begun = (self._keys() != self._episodes).any(axis=0)
         if begun.any():
             self.begin(begun)
+
+
+def own_and_other(team: Team, config: WorldConfig) -> tuple[range, range]:
+    """Return the numbers of a team's agents, and those of the other team."""
+    teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
+    return teams if team == "pursuer" else teams[::-1]
 
 
 def one_team(

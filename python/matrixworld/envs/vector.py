@@ -11,7 +11,6 @@ from gymnasium.error import ClosedEnvironmentError
 from gymnasium.utils import seeding
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
-from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 from typing_extensions import Unpack
 
@@ -22,8 +21,16 @@ from matrixworld._util.checks import (
     check_instance,
     check_integer,
     check_keywords,
+    check_threads,
 )
-from matrixworld.envs.opponents import BuiltInWorlds, HasOpponents, Opponents, one_team
+from matrixworld._util.memory import check_memory
+from matrixworld.envs.opponents import (
+    BuiltInWorlds,
+    HasOpponents,
+    Opponents,
+    one_team,
+    own_and_other,
+)
 from matrixworld.episodes.render import rgb
 from matrixworld.world.arrays import (
     BATCH_FIELDS,
@@ -36,7 +43,7 @@ from matrixworld.world.arrays import (
     integers,
     new_arrays,
 )
-from matrixworld.world.batch import Batch
+from matrixworld.world.batch import Batch, batch_memory
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
@@ -63,6 +70,8 @@ _NOT_IN_INFOS = {
     *("rewards", "terminations", "truncations", "views", "last_positions"),
     *("ended", "final_views", *EPISODE_KEYS.values()),
 }
+# The results of a step that a caller keeps until the next one has returned, and those of the next.
+_HELD = 2
 # Gymnasium has its own meaning for ``infos["episode"]``.
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
@@ -208,13 +217,22 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             left_out.add("final_views")
         kept = _make_buffers(self.config, self.num_envs, _view_dtype(dtype), left_out)
         reset = Autoreset[mode.name]
+        everyone = range(self.config.n_agents)
+        self.agents: range = (
+            everyone if built_in is None else own_and_other(built_in[0], self.config)[1]
+        )
+        mine = _of_agents(kept, self.agents)
+        self._copies = _HELD * sum(array.nbytes for array in mine.values())
+        check_memory(
+            "vector environment",
+            **batch_memory(self.config, self.num_envs, check_threads(threads), kept),
+            actions=8 * self.num_envs * self.config.n_agents,
+            copies=self._copies if copy else 0,
+        )
         self._batch = Batch(
             self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
         )
         self._team = None if built_in is None else BuiltInWorlds(*built_in, self._batch, waits)
-        everyone = range(self.config.n_agents)
-        self.agents: range = everyone if self._team is None else self._team.learners
-        mine = _of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
         seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
@@ -239,11 +257,12 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
 
     def _make_spaces(self) -> None:
-        shape, dtype = self.observations.shape[1:], self.observations.dtype
-        self.single_observation_space = spaces.Box(0, 1, shape, dtype.type)
-        self.single_action_space = spaces.MultiDiscrete([self.config.n_actions] * len(self.agents))
-        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
-        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        shape, dtype = self.observations.shape, self.observations.dtype
+        n_actions = self.config.n_actions
+        self.single_observation_space = _views_box(shape[1:], dtype)
+        self.observation_space = _views_box(shape, dtype)
+        self.single_action_space = spaces.MultiDiscrete([n_actions] * len(self.agents))
+        self.action_space = _widened(spaces.Box(0, n_actions - 1, (1,), np.int64), shape[:2])
 
     @property
     def n_worlds(self) -> int:
@@ -355,7 +374,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             self.infos["action_mask"][:] = action_masks(self._views, self.config.n_actions)
 
     def _returned(self, results: Results) -> Results:
-        return _copied(results) if self.copy else results
+        return cast("Results", _copied(results, {})) if self.copy else results
 
     def _require_open(self, call: str) -> None:
         if self.closed:
@@ -396,8 +415,8 @@ class TeamView:
         self.positions: NDArray[np.int32] = env.infos["positions"][:, agents]
         self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
         self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
-        shape, dtype = self.observations.shape[2:], self.observations.dtype
-        self.observation_space: spaces.Box = spaces.Box(0, 1, shape, dtype.type)
+        seen = self.observations
+        self.observation_space: spaces.Box = _views_box(seen.shape[2:], seen.dtype)
         self.action_space: spaces.Discrete = spaces.Discrete(env.config.n_actions)
 
     @property
@@ -490,11 +509,15 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
+        part = len(self._agents) / len(worlds.agents)
+        if worlds.copy or part < 1:  # agents of one team lie apart in memory
+            check_memory("environment of agents", copies=int(part * worlds._copies))
         seen = worlds.observations
-        self.single_observation_space = spaces.Box(0, 1, seen.shape[2:], seen.dtype.type)
-        self.single_action_space = spaces.Discrete(worlds.config.n_actions)
-        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
-        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        n_actions = worlds.config.n_actions
+        self.single_observation_space = _views_box(seen.shape[2:], seen.dtype)
+        self.observation_space = _views_box((self.num_envs, *seen.shape[2:]), seen.dtype)
+        self.single_action_space = spaces.Discrete(n_actions)
+        self.action_space = _widened(spaces.MultiDiscrete([n_actions]), (self.num_envs,))
 
     @property
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
@@ -564,10 +587,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         worlds = self.worlds
         observations = self._flat(worlds.observations)
         infos: dict[str, Any] = {
-            key: self._flat(worlds.infos[key]) for key in AGENT_KEYS if key in worlds.infos
+            key: observations if part is worlds.observations else self._flat(part)
+            for key, part in worlds.infos.items()
+            if key in AGENT_KEYS
         }
-        if worlds.infos["final_obs"] is worlds.observations:
-            infos["final_obs"] = observations
         infos["_final_obs"] = np.repeat(worlds.infos["_final_obs"], len(self._agents))
         return observations, infos
 
@@ -594,6 +617,23 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         # Some versions of Gymnasium also close an environment whose constructor raised.
         if hasattr(self, "worlds"):
             self.worlds.close(**kwargs)
+
+
+def _views_box(shape: tuple[int, ...], dtype: np.dtype[Any]) -> spaces.Box:
+    return cast("spaces.Box", _widened(spaces.Box(0, 1, (1,), dtype.type), shape))
+
+
+def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
+    """Widen a space of one number to a shape.
+
+    It equals the space that Gymnasium would make, but its bounds, several arrays of numbers for all
+    worlds there, are views of one number.
+    """
+    bounds = {name: part for name, part in vars(space).items() if isinstance(part, np.ndarray)}
+    for name, bound in bounds.items():
+        setattr(space, name, np.broadcast_to(bound[0], shape))
+    space._shape = shape
+    return space
 
 
 def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
@@ -643,18 +683,18 @@ def _make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) ->
     return infos | dict.fromkeys(("_final_obs", "_episode"), buffers["ended"])
 
 
-def _copied(results: Results) -> Results:
-    """Return copies of arrays and infos; what was one array in two places is one copy in both."""
-    copies: dict[int, Any] = {}
+def _copied(value: Any, copies: dict[int, NDArray[Any]]) -> Any:
+    """Return copies of arrays, in tuples and dicts, too.
 
-    def copy_of(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: copy_of(each) for key, each in value.items()}
-        if id(value) not in copies:
-            copies[id(value)] = value.copy()
-        return copies[id(value)]
-
-    return cast("Results", tuple(map(copy_of, results)))
+    What was one array in two places is one copy in both: `copies` has those that were made.
+    """
+    if isinstance(value, dict):
+        return {key: _copied(each, copies) for key, each in value.items()}
+    if isinstance(value, tuple):
+        return tuple(_copied(each, copies) for each in value)
+    if id(value) not in copies:
+        copies[id(value)] = value.copy()
+    return copies[id(value)]
 
 
 def _mode(given: AutoresetMode | str) -> AutoresetMode:

@@ -103,11 +103,7 @@ class Batch:
                 del specs[large]
             buffers = new_arrays(specs, self.n_worlds)
         self.buffers: dict[str, NDArray[Any]] = buffers
-        # New arrays take memory only as they are written into, so they are counted here, too.
-        arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
-        worlds = self.n_worlds * state_bytes(self.config)
-        played = min(n_threads, self.n_worlds) * workspace_bytes(self.config)
-        check_memory("batch", worlds=worlds, threads=played, arrays=arrays)
+        check_memory("batch", **batch_memory(self.config, self.n_worlds, n_threads, buffers))
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
             self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
@@ -157,7 +153,7 @@ class Batch:
         if isinstance(seed, int | np.integer):
             first = check_integer("seed", seed, 0, SEED_MAX)
             # Seeds are 64 bits wide and wrap around after the largest one.
-            return np.array([(first + w) % 2**64 for w in range(self.n_worlds)], np.uint64)
+            return np.add(np.arange(self.n_worlds, dtype=np.uint64), first, dtype=np.uint64)
         return np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
@@ -211,6 +207,18 @@ class Batch:
         """Return an independent copy of one world, to draw it or to plan in it."""
         number = check_integer("world", number, 0, self.n_worlds - 1)
         return World.at(self.config, self._core.snapshot(number))
+
+
+def batch_memory(
+    config: WorldConfig, n_worlds: int, threads: int, buffers: dict[str, NDArray[Any]]
+) -> dict[str, int]:
+    """Return about how many bytes the parts of a batch need."""
+    return {
+        "worlds": n_worlds * state_bytes(config),
+        "threads": min(threads, n_worlds) * workspace_bytes(config),
+        # New arrays take memory only as they are written into, so they are counted here, too.
+        "arrays": sum(getattr(array, "nbytes", 0) for array in buffers.values()),
+    }
 
 
 def _mask(given: ArrayLike) -> NDArray[np.bool_]:
