@@ -23,8 +23,7 @@ from matrixworld.coevolution import (
     Team,
     open_run,
 )
-from matrixworld.coevolution.jobs.evolve import play_job
-from matrixworld.coevolution.jobs.job import job_of
+from matrixworld.coevolution.jobs.evolve import job_of, play_job
 
 
 def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argparse.ArgumentParser:

@@ -15,7 +15,7 @@ from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.options import seeds_of
 from matrixworld.coevolution import finish
-from matrixworld.coevolution.jobs.job import open_job
+from matrixworld.coevolution.jobs.evolve import open_job
 from scripts import group_lives, wait_until
 from tiny_race import results, tiny_race
 
@@ -45,7 +45,7 @@ def test_a_directory_for_each_schedule_and_seed():
     names = [f"{name}/seed-{n}" for name in (MAIN_JOB[0], MAIN_JOB[2]) for n in (2, 10)]
     assert find_runs(Path("out")) == [Path("out") / name for name in names]
     assert find_runs(Path("out") / MAIN_JOB[2]) == [Path("out") / name for name in names[2:]]
-    assert [*open_job("out").runs] == names
+    assert [*open_job("out")] == names
     finish(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
     assert results(Path("out") / names[3]) == results(Path("alone"))
     assert "(4 of 4 runs)" in said.stderr
@@ -68,7 +68,7 @@ def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
 
     def keep(job, results, root, failed, threads):
         seeds = [each.settings.seed for each in results]
-        seen.update(seeds=seeds, asked=[*job.runs], failed=failed)
+        seen.update(seeds=seeds, asked=[*job], failed=failed)
 
     monkeypatch.setattr("matrixworld.cli.evolve.report", keep)
     one = ["--schedule", MAIN_JOB[2], *words(ONE)]

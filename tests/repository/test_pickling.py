@@ -25,7 +25,7 @@ from matrixworld import analysis, classroom, cluster, coevolution, explorer, toy
 from matrixworld.analysis.cycles import noise_reference
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
-from matrixworld.coevolution.jobs.job import job_of
+from matrixworld.coevolution.jobs.evolve import job_of
 from matrixworld.episodes import replay
 from matrixworld.plots.game import SITUATIONS, resolve
 from rows import random_walks

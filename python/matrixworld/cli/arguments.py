@@ -13,7 +13,7 @@ import click
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.memory import OutOfMemoryError
 from matrixworld.cli.console import command
-from matrixworld.coevolution.jobs.job import JOB
+from matrixworld.coevolution.jobs.evolve import JOB
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.storage import OtherVersionError, run_directories
 from matrixworld.version import MissingExtraError

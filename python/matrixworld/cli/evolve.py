@@ -37,8 +37,15 @@ from matrixworld.cli.setting_options import (
     usage_errors,
 )
 from matrixworld.coevolution import PluginError, RunDirectory
-from matrixworld.coevolution.jobs.evolve import BAD_FILES, check_job, described, play_job
-from matrixworld.coevolution.jobs.job import Job, job_of, open_job
+from matrixworld.coevolution.jobs.evolve import (
+    BAD_FILES,
+    Job,
+    check_job,
+    described,
+    job_of,
+    open_job,
+    play_job,
+)
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
@@ -189,13 +196,13 @@ def evolve_command(
             root, job = resumed, _found_job(resumed)
         _check(job, root, threads, where)
         with _resumable(root):
-            with on_cluster(where, threads, root, job.runs.values()) as executor:
+            with on_cluster(where, threads, root, job.values()) as executor:
                 results, failed = play_runs(job, root, threads, executor, new=resumed is None)
             report(job, results, root, failed, threads)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
-                f"{len(failed)} of {len(job.runs)} runs failed:{lines}\nTo try them again:\n"
+                f"{len(failed)} of {len(job)} runs failed:{lines}\nTo try them again:\n"
                 f"  {resume_command(root)}"
             )
 
@@ -215,7 +222,7 @@ def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) 
 
 def _check(job: Job, root: Path, threads: int | None, where: str | None) -> None:
     """Refuse a job that cannot be played, before anything is written or a cluster looked for."""
-    if where is not None and len(job.runs) == 1:
+    if where is not None and len(job) == 1:
         raise click.UsageError(
             "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
         )
@@ -267,8 +274,8 @@ def _new_directory(output: Path | None, default: Path) -> Path:
 
 def _default_directory(job: Job) -> Path:
     """Return the directory named after a job's variant and seeds, such as ``runs/O-seed0``."""
-    settings = next(iter(job.runs.values()))
-    seeds = [each.seed for each in job.runs.values()]
+    settings = next(iter(job.values()))
+    seeds = [each.seed for each in job.values()]
     named = f"seeds{seeds[0]}-{seeds[-1]}" if len({*seeds}) > 1 else f"seed{seeds[0]}"
     what = "" if settings.is_race else f"-{settings.schedule.name}"
     return RUNS / f"{settings.variant}{what}-{named}"
@@ -297,7 +304,7 @@ def _found_job(root: Path) -> Job:
         hint = resume_command(root.parent)
         raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
     # Runs that were put together by hand.
-    return Job({run.relative_to(root).as_posix(): RunDirectory(run).settings for run in runs})
+    return {run.relative_to(root).as_posix(): RunDirectory(run).settings for run in runs}
 
 
 def play_runs(
@@ -312,7 +319,7 @@ def play_runs(
             job, root, keep=new, executor=executor, threads=threads, report=bar.show
         )
     for error in errors.values():
-        if len(job.runs) == 1:
+        if len(job) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code
         if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
             note("".join(traceback.format_exception(error)))

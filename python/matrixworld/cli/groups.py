@@ -23,7 +23,7 @@ from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.cli.arguments import SEED, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory
-from matrixworld.coevolution.jobs.job import JOB, open_job
+from matrixworld.coevolution.jobs.evolve import JOB, open_job
 from matrixworld.version import __version__
 
 FILES = (".csv", ".npz")
@@ -294,7 +294,7 @@ def _not_begun(paths: Collection[Path]) -> list[Result]:
     found: dict[Path, Result] = {}
     for root in {root for path in paths if (root := job_above(path)) is not None}:
         job = open_job(root)
-        for name, settings in {} if job is None else job.runs.items():
+        for name, settings in {} if job is None else job.items():
             path = root / name
             folders = (path.parent.absolute(), root.absolute())
             if path.absolute() not in given and any(map(whole, folders)):

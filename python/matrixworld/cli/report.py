@@ -26,7 +26,7 @@ from matrixworld.cli.tables import (
     print_one_team,
 )
 from matrixworld.coevolution import Against, RunDirectory
-from matrixworld.coevolution.jobs.job import Job
+from matrixworld.coevolution.jobs.evolve import Job
 from matrixworld.coevolution.types import other
 from matrixworld.explorer.runs_page import PAGE
 
@@ -79,7 +79,7 @@ def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
     finished = {run.path: run for run in results}
     runs = [
         finished.get(path) or Result(RunDirectory(path), settings, finished=False)
-        for path, settings in ((root / name, each) for name, each in job.runs.items())
+        for path, settings in ((root / name, each) for name, each in job.items())
     ]
     return [group.inside(root) for group in grouped(runs)]
 

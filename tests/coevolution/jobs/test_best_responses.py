@@ -25,7 +25,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.jobs.best_responses import response_settings
-from matrixworld.coevolution.jobs.job import job_of, save_job
+from matrixworld.coevolution.jobs.evolve import job_of, save_job
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import Matches, rollout

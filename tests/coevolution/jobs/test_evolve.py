@@ -29,8 +29,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.jobs import evolve as module
 from matrixworld.coevolution.jobs import worker
-from matrixworld.coevolution.jobs.evolve import check_job, shares
-from matrixworld.coevolution.jobs.job import JOB, job_of, open_job, save_job
+from matrixworld.coevolution.jobs.evolve import JOB, check_job, job_of, open_job, save_job, shares
 from matrixworld.coevolution.jobs.worker import (
     PROGRESS,
     START,
@@ -64,7 +63,7 @@ def tmp_path():
 def straight():
     """All files that `finish` makes of each of the settings, by name of the run."""
     with directory_in_memory() as directory:
-        jobs = job_of(SETTINGS).runs
+        jobs = job_of(SETTINGS)
         for name, settings in jobs.items():
             finish(settings, directory / name, threads=1)
         yield {name: files_in(directory / name) for name in jobs}
@@ -117,7 +116,7 @@ def test_the_job_knows_all_runs_before_any_begins(tmp_path):
 
     with pytest.raises(RuntimeError, match="no workers"):
         evolve(SETTINGS, tmp_path / "job", executor=Refuses())
-    assert [*open_job(tmp_path / "job").runs.values()] == SETTINGS
+    assert [*open_job(tmp_path / "job").values()] == SETTINGS
     assert {path.name for path in (tmp_path / "job").iterdir()} == {JOB, ".lock"}
 
 
@@ -142,7 +141,7 @@ def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(tmp_pa
         evolve(settings, tmp_path / "job", report=stop_at(0.2, stopped), threads=2)
     # Half a second to the next look, an epoch, and the end of the workers.
     assert time.monotonic() - stopped[0] < 2.5
-    paths = [tmp_path / "job" / name for name in job_of(settings).runs]
+    paths = [tmp_path / "job" / name for name in job_of(settings)]
     begun = [path for path in paths if (path / "config.json").exists()]
     assert begun
     assert not (tmp_path / "job" / START).exists()
@@ -226,11 +225,11 @@ def failures_of(settings, directory, **options):
 def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_path):
     job = job_of(SETTINGS)
     save_job(tmp_path, job)
-    cut, foreign, altered, *others = job.runs
-    start(job.runs[cut], tmp_path / cut)
+    cut, foreign, altered, *others = job
+    start(job[cut], tmp_path / cut)
     (tmp_path / cut / "stage-0000.npz").write_bytes(b"PK")
     finish(tiny_race(seed=77), tmp_path / foreign)
-    finish(job.runs[altered], tmp_path / altered)
+    finish(job[altered], tmp_path / altered)
     (tmp_path / altered / "payoff.npz").write_bytes(b"PK")
     before = {name: files_in(tmp_path / name) for name in (foreign, altered)}
     failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
@@ -246,8 +245,8 @@ def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_
 def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch):
     job = job_of(SETTINGS)
     save_job(tmp_path, job)
-    held = next(iter(job.runs))
-    run = start(job.runs[held], tmp_path / held)
+    held = next(iter(job))
+    run = start(job[held], tmp_path / held)
     with run.files.lock():
         began = time.monotonic()
         monkeypatch.setattr(worker, "LOCK_WAIT", 1.0)

@@ -10,9 +10,8 @@ import pytest
 
 from matrixworld._util.files import load_json, save_json
 from matrixworld.coevolution import DamagedFileError, OtherVersionError, OwnOpponents, RaceSettings
-from matrixworld.coevolution.jobs.job import (
+from matrixworld.coevolution.jobs.evolve import (
     JOB,
-    Job,
     group_of,
     job_of,
     open_job,
@@ -39,26 +38,26 @@ SETTINGS = [
 def test_settings_come_back_equal_from_the_file(tmp_path):
     runs = {f"{n}/seed-{each.seed}": each for n, each in enumerate(SETTINGS)}
     runs |= {f"{n}/seed-1": replace(each, seed=1) for n, each in enumerate(SETTINGS)}
-    save_job(tmp_path, Job(runs))
-    assert open_job(tmp_path).runs == runs
+    save_job(tmp_path, runs)
+    assert open_job(tmp_path) == runs
 
 
 def test_names_and_what_was_asked_for():
     races = [tiny_race(schedule=name, seed=n) for n in (3, 12) for name in ALL_SCHEDULES[:2]]
     job = job_of([*races, tiny_single(seed=7)])
     first, second = ALL_SCHEDULES[:2]
-    assert [*job.runs] == [
+    assert [*job] == [
         f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12",
         "pursuer-against-random/seed-7",
     ]  # fmt: skip
     named = job_of({"sigma-0.1": tiny_race(), "sigma-0.2/seed-5": tiny_race(sigma=0.2)})
-    assert [*map(group_of, named.runs)] == ["sigma-0.1", "sigma-0.2"]
+    assert [*map(group_of, named)] == ["sigma-0.1", "sigma-0.2"]
 
 
 def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     job = job_of([tiny_single(opponent="runs/my first/seed-3", start="/other")])
-    settings = job.runs["pursuer-against-my-first/seed-5"]
+    settings = job["pursuer-against-my-first/seed-5"]
     assert settings.schedule.opponent == str(tmp_path / "runs/my first/seed-3")
     assert settings.schedule.start == str(Path("/other"))
 
@@ -87,7 +86,7 @@ def test_bad_jobs(settings, kind, message):
 def test_a_thousand_seeds_take_little_more_than_one(tmp_path):
     save_job(tmp_path, job_of([tiny_race(seed=seed) for seed in range(1000)]))
     assert (tmp_path / JOB).stat().st_size < 60_000
-    assert [each.seed for each in open_job(tmp_path).runs.values()] == [*range(1000)]
+    assert [each.seed for each in open_job(tmp_path).values()] == [*range(1000)]
 
 
 def test_files_that_are_damaged_or_of_another_version(tmp_path):

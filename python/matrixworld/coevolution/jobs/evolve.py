@@ -1,20 +1,32 @@
-"""Play the runs of a job: one in this process, several side by side or by any executor."""
+"""A job: the runs that were asked for together, its file, and how all of them are played.
+
+The file is written before any run begins. A job that is stopped, even at once, therefore knows the
+runs that have not begun. Runs are played in this process, side by side, or by any executor.
+"""
 
 from __future__ import annotations
 
 import json
+import re
 import warnings
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from matrixworld._util.checks import check_instance, check_threads
-from matrixworld._util.files import DamagedFileError, is_temporary, locked
+from matrixworld._util.checks import check_instance, check_threads, shown
+from matrixworld._util.files import (
+    DamagedFileError,
+    is_temporary,
+    load_json,
+    locked,
+    one_line,
+    save_json,
+)
 from matrixworld._util.memory import check_memory
-from matrixworld.coevolution.jobs.job import ITSELF, JOB, Job, group_of, job_of, open_job, save_job
 from matrixworld.coevolution.jobs.worker import (
     Played,
     WorkerDiedError,
@@ -31,6 +43,7 @@ from matrixworld.coevolution.progress import SECONDS, JobReport, Progress, silen
 from matrixworld.coevolution.runs.race import DisengagementWarning
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
+from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage import (
     CONFIG,
@@ -40,13 +53,147 @@ from matrixworld.coevolution.storage import (
     SavedRun,
     open_run,
 )
+from matrixworld.version import __version__
+from matrixworld.world.policy import SCRIPTS
 
+JOB = "job.json"
+FORMAT = 1
+"""Version of the file's layout; another one is refused."""
+NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
+"""Names of runs: relative paths of one or two parts that every system accepts."""
+
+ITSELF = "."
+"""Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
 STOP_WAIT = 3.0
 """Seconds for which stopped tasks are waited for."""
 TRIES = 3
 """Worker processes that a run may lose before it fails."""
 BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
 """Errors of a run directory, which concern one run and no other."""
+
+Job = Mapping[str, RaceSettings]
+"""Runs that were asked for together: settings by the path of a run's directory in the job's."""
+
+
+# Names:
+
+
+def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
+    """Return the job of these settings, perhaps by name; without names each run gets one.
+
+    Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
+    settings, or a name is not the path of a directory.
+    """
+    if isinstance(settings, RaceSettings):
+        settings = [settings]
+    given: Iterable[tuple[str, Any]] = (
+        settings.items() if isinstance(settings, Mapping) else map(_named, settings)
+    )
+    runs: dict[str, RaceSettings] = {}
+    for name, each in given:
+        if not isinstance(each, RaceSettings):
+            raise TypeError(f"settings: expected RaceSettings, got {shown(each)}")
+        if name in runs:
+            raise ValueError(
+                f"settings: expected runs of different schedules or seeds, or a name for each, "
+                f"got two of {name}"
+            )
+        runs[name] = _from_anywhere(each)
+    _check_names(runs)
+    # Equal runs are no independent observations.
+    names: dict[RaceSettings, str] = {}
+    for name, each in runs.items():
+        other = names.setdefault(each, name)
+        if other != name:
+            raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
+    return runs
+
+
+def _named(settings: Any) -> tuple[str, Any]:
+    # What is no settings is refused by `job_of`.
+    folder = settings.schedule.name if isinstance(settings, RaceSettings) else ""
+    return f"{folder}/seed-{getattr(settings, 'seed', None)}", settings
+
+
+def _check_names(runs: Mapping[str, RaceSettings]) -> None:
+    if not runs:
+        raise ValueError("settings: expected at least one run, got none")
+    for name in runs:
+        if not isinstance(name, str) or not NAME.fullmatch(name) or name == JOB:
+            expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
+            raise ValueError(f"settings: expected {expected}, got {shown(name)}")
+        # A run inside the directory of another one would be one of its files.
+        if "/" in name and name.partition("/")[0] in runs:
+            raise ValueError(f"settings: expected runs beside each other, got {name} in a run")
+
+
+def _from_anywhere(settings: RaceSettings) -> RaceSettings:
+    """Return settings whose paths mean the same in another current directory, as workers have."""
+    schedule = settings.schedule
+    if not isinstance(schedule, Against):
+        return settings
+    paths = {"opponent": schedule.opponent, "start": schedule.start}
+    absolute: dict[str, Any] = {
+        name: str(Path(path).absolute())
+        for name, path in paths.items()
+        if path is not None and path not in SCRIPTS
+    }
+    return replace(settings, schedule=replace(schedule, **absolute))
+
+
+def group_of(name: str) -> str:
+    """Return the name of the runs that differ from a run in their seed only, such as a schedule."""
+    return name.rpartition("/")[0] or name
+
+
+# The file:
+
+
+def save_job(directory: Path, job: Job) -> None:
+    """Write the file of a job into its directory."""
+    # Settings that differ in the seed only are written once: 1,000 seeds take 40 kB, not 3 MB.
+    groups: dict[str, dict[str, Any]] = {}
+    for name, settings in job.items():
+        values = settings.to_json()
+        seed = values.pop("seed")
+        key = json.dumps(values, sort_keys=True)
+        groups.setdefault(key, {"settings": values, "seeds": {}})["seeds"][name] = seed
+    head = {"format": FORMAT, "matrixworld": __version__}
+    save_json(directory / JOB, {**head, "groups": list(groups.values())})
+
+
+def open_job(directory: str | Path) -> Job | None:
+    """Return the job of a directory, None if it holds no file of a job.
+
+    Raises DamagedFileError or OtherVersionError if the file cannot be read.
+    """
+    path = Path(directory) / JOB
+    if not path.exists():
+        return None
+    values = load_json(path)
+    if values.get("format") != FORMAT:
+        got = one_line(values.get("format"))
+        raise OtherVersionError(f"{path}: expected format {FORMAT}, got {got}")
+    try:
+        job = {name: each for group in values["groups"] for name, each in _runs_in(group)}
+        _check_names(job)
+    except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
+        # The checksum was correct, so that the file is not damaged.
+        raise OtherVersionError(
+            f"{path}: expected settings of matrixworld {__version__}, got those of "
+            f"{one_line(values.get('matrixworld', 'unknown'))}: {one_line(error)}"
+        ) from error
+    return job
+
+
+def _runs_in(group: Mapping[str, Any]) -> list[tuple[str, RaceSettings]]:
+    return [
+        (name, RaceSettings.from_json({**group["settings"], "seed": seed}))
+        for name, seed in group["seeds"].items()
+    ]
+
+
+# Playing:
 
 
 class FailedRunsError(RuntimeError):
@@ -138,7 +285,7 @@ def evolve(
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are returned
             failures[path] = error
     if failures:
-        cause = next(iter(failures.values())) if len(job.runs) == 1 else None
+        cause = next(iter(failures.values())) if len(job) == 1 else None
         raise FailedRunsError(failures, finished) from cause
     return finished
 
@@ -150,7 +297,7 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
         check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
-    left = {n: each for n, each in job.runs.items() if not _finished(root, n)}
+    left = {n: each for n, each in job.items() if not _finished(root, n)}
     # Runs on other machines check the memory there; here one learner is made, to try it.
     workers = 1 if executor is not None else shares(len(left), threads)[0]
     needs = [sum(run_memory(each).values()) for each in left.values()]
@@ -172,8 +319,8 @@ def check_directory(root: Path, job: Job) -> None:
     # A cluster's probe is a temporary file, and may be there.
     if found is None and root.exists() and not all(is_temporary(f.name) for f in root.iterdir()):
         RunDirectory(root).check_empty()
-    if found is not None and found.runs != job.runs:
-        different = found.runs.items() ^ job.runs.items()
+    if found is not None and found != job:
+        different = found.items() ^ job.items()
         names = sorted({name for name, _ in different})
         raise ValueError(
             f"{root}: expected the runs in its {JOB}, got others: "
@@ -206,7 +353,7 @@ def play_job(
     """
     root.mkdir(parents=True, exist_ok=True)
     # A run that is a job of its own locks its directory itself.
-    with nullcontext() if ITSELF in job.runs else locked(root / LOCK):
+    with nullcontext() if ITSELF in job else locked(root / LOCK):
         if keep:
             # Again, because another process may have begun a job before this one got the lock.
             check_directory(root, job)
@@ -224,7 +371,7 @@ def play_job(
                 play.by_processes(*shares(len(names), threads))
         finally:
             remove_progress(root)
-    return [name for name in job.runs if name in play.finished], play.failures
+    return [name for name in job if name in play.finished], play.failures
 
 
 class JobPlay:
@@ -235,7 +382,7 @@ class JobPlay:
         self.finished: dict[str, Played] = {}
         self.failures: dict[str, BaseException] = {}
         self._losses: Counter[str] = Counter()
-        for name, settings in job.runs.items():
+        for name, settings in job.items():
             if _finished(root, name):
                 self._open(name, settings)
         self._totals = {name: int(each["matches"]) for name, each in self.finished.items()}
@@ -256,7 +403,7 @@ class JobPlay:
         """
         counts: Counter[str] = Counter()
         order = {}
-        for name in self._job.runs:
+        for name in self._job:
             counts[group_of(name)] += 1
             order[name] = counts[group_of(name)]
         return sorted(filter(lambda name: not self._ended(name), order), key=order.__getitem__)
@@ -276,7 +423,7 @@ class JobPlay:
         with nullcontext() if alone else started(self._root):
             try:
                 run = waiting(
-                    lambda: finish(self._job.runs[name], path, threads=threads, report=report),
+                    lambda: finish(self._job[name], path, threads=threads, report=report),
                     path,
                     lock_wait=0.0 if alone else None,
                 )
@@ -316,7 +463,7 @@ class JobPlay:
         try:
             with started(self._root) as token:
                 for name in names:
-                    text = json.dumps(self._job.runs[name].to_json())
+                    text = json.dumps(self._job[name].to_json())
                     futures[executor.submit(run_task, text, root, name, token, threads)] = name
                 pending = set(futures)
                 while pending:
@@ -347,7 +494,7 @@ class JobPlay:
 
     def _in_work(self, told: Mapping[str, Progress]) -> dict[str, Progress]:
         """Return the progress of runs of this job that have not ended."""
-        return {n: each for n, each in told.items() if n in self._job.runs and not self._ended(n)}
+        return {n: each for n, each in told.items() if n in self._job and not self._ended(n)}
 
     def _tell(self, told: Mapping[str, Progress]) -> None:
         """Report the progress of the job, from what runs have told."""
@@ -359,10 +506,10 @@ class JobPlay:
         done += sum(each.done for each in work.values())
         # Runs that have not begun count as the mean of the others.
         known = [*self._totals.values()]
-        total = sum(known) * len(self._job.runs) // max(len(known), 1)
+        total = sum(known) * len(self._job) // max(len(known), 1)
         failed = f", {len(self.failures)} failed" if self.failures else ""
-        what = f"{len(self.finished)} of {len(self._job.runs)} runs{failed}"
-        if len(self._job.runs) == 1 and work:
+        what = f"{len(self.finished)} of {len(self._job)} runs{failed}"
+        if len(self._job) == 1 and work:
             what, work = next(iter(work.values())).what, {}
         self._report(Progress(what, done, max(total, 1), sum(self._before.values()), work))
 
