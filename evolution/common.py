@@ -116,9 +116,7 @@ def finish_all(
         ProgressBar() as bar,
     ):
         share = None if executor is not None else threads
-        _, failures = play_job(
-            job, root, keep=False, executor=executor, threads=share, report=bar.show
-        )
+        _, failures = play_job(job, root, keep=False, executor=executor, threads=share, report=bar)
     if failures:
         raise FailedRunsError({root / name: why for name, why in failures.items()})
     return {name: open_run(root / name) for name in settings}

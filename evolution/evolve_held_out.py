@@ -33,7 +33,7 @@ from common import executor_of, script_parser
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import RaceSettings, SingleTeam, Team
-from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
+from matrixworld.coevolution.evaluation.scores import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 
 LEARNER = {

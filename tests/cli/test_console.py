@@ -30,7 +30,7 @@ def test_progress_lines_without_a_terminal():
     out = io.StringIO()
     lines = ProgressBar(stream=out, clock=lambda: next(seconds))
     for done in (100, 150, 300, 350, 600):
-        lines("evaders", done, 1000)
+        lines(Progress("evaders", done, 1000, 100))
     assert out.getvalue().splitlines() == [
         " 30%  300 of 1,000 matches, 100 a second, 00:07 left (evaders)",
         " 60%  600 of 1,000 matches, 125 a second, 00:03 left (evaders)",
@@ -43,7 +43,7 @@ def test_progress_lines_of_a_job():
     for done in range(0, 101, 5):
         runs = {"seed-1": Progress("generation 1", done, 200)}
         what = "1 of 4 runs, 1 failed" if done > 50 else "1 of 4 runs"
-        lines.show(Progress(what, done, 100, 0, runs))
+        lines(Progress(what, done, 100, 0, runs))
     said = out.getvalue().splitlines()
     assert len(said) == 10
     first = r" 10%  10 of 100 matches, .* left \(1 of 4 runs, seed-1 5%\)"
@@ -55,9 +55,9 @@ def test_bars_in_a_terminal_have_a_line_for_each_run_in_work():
     out = Terminal()
     with ProgressBar(stream=out) as bar:
         runs = {f"seed-{seed}": Progress("generation 1", 10, 100) for seed in range(2)}
-        bar.show(Progress("0 of 3 runs", 20, 300, 0, runs))
+        bar(Progress("0 of 3 runs", 20, 300, 0, runs))
         del runs["seed-0"]
-        bar.show(Progress("1 of 3 runs", 150, 300, 0, runs))
+        bar(Progress("1 of 3 runs", 150, 300, 0, runs))
     said = out.getvalue()
     assert "seed-0: generation 1" in said
     assert re.search(r" 50%\|[#█]{8} {8}\| .* left, .*matches/s, 150 of 300, 1 of 3 runs", said)

@@ -39,7 +39,7 @@ def played(directory: Path, threads: int | None) -> dict[str, list[np.ndarray]]:
         for seed in SEEDS
     }
     with ProgressBar() as bars:
-        runs = evolve(settings, directory, threads=threads, report=bars.show)
+        runs = evolve(settings, directory, threads=threads, report=bars)
     rates: dict[str, list[np.ndarray]] = {name: [] for name in SCHEDULES}
     for run in runs:
         rates[run.settings.schedule.name].append(run.payoff().capture_rates)

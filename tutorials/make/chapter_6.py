@@ -76,7 +76,7 @@ def races(directory: Path, threads: int | None) -> list[SavedRun]:
         for seed in SEEDS
     }
     with ProgressBar() as bars:
-        return evolve(settings, directory, threads=threads, report=bars.show)
+        return evolve(settings, directory, threads=threads, report=bars)
 
 
 def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:

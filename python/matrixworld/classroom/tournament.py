@@ -40,7 +40,7 @@ from matrixworld.classroom.submissions import (
     without_path,
     without_rivals,
 )
-from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.episodes.record import record
 from matrixworld.play.matches import Chooser, play_episodes
@@ -105,7 +105,7 @@ def play_class(
         depend on it.
     progress : callable, optional
         Takes the unit of a part of the work and returns a context, which gives a function
-        ``report(what, done, total)``. By default nothing is reported.
+        that is called with each `coevolution.Progress`. By default nothing is reported.
 
     Raises
     ------
@@ -316,7 +316,7 @@ def admit(submissions: Sequence[Submission], pool: MatchPool, report: Report) ->
     for number, (found, refused) in enumerate(tried, 1):
         entries += found
         refusals += refused
-        report("trials", number, len(submissions))
+        report(Progress("trials", number, len(submissions)))
     kept, rivals = without_rivals(entries)
     return kept, refusals + rivals
 
@@ -424,5 +424,5 @@ def _round_robin(
                 if seconds[entries[team]] > most:
                     limit = f"more than {most:g} seconds of processor time in all matches"
                     failed.setdefault(entries[team], limit)
-        report("round robin", number * episodes, len(pairs) * episodes)
+        report(Progress("round robin", number * episodes, len(pairs) * episodes))
     return played, failed

@@ -35,7 +35,7 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.setting_options import parsed, set_option, settings_of
-from matrixworld.coevolution import TEAMS, RaceSettings
+from matrixworld.coevolution import TEAMS, Progress, RaceSettings
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.version import __version__
@@ -346,9 +346,9 @@ def _measure(
     with progress(unit="timings") as report:
         # In turns, so that a disturbance of some seconds does not spoil all repeats of a line.
         for number, one in enumerate(timings * REPEATS):
-            report(one.what, number, total)
+            report(Progress(one.what, number, total))
             one.repeat(seconds)
-        report("done", total, total)
+        report(Progress("done", total, total))
 
 
 # What is printed and written:

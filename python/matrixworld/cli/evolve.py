@@ -316,7 +316,7 @@ def play_runs(
     """
     with progress() as bar:
         names, errors = play_job(
-            job, root, keep=new, executor=executor, threads=threads, report=bar.show
+            job, root, keep=new, executor=executor, threads=threads, report=bar
         )
     for error in errors.values():
         if len(job) == 1:

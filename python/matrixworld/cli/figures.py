@@ -23,10 +23,9 @@ from matrixworld.cli.score import play_held_out
 from matrixworld.cli.tables import held_out
 from matrixworld.coevolution import Against, SavedRun, open_run, open_runs
 from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.schedules import HallOfFame
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS, Payoff, Team
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

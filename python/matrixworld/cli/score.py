@@ -39,7 +39,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import over_seeds, print_head, print_missing, shown
-from matrixworld.coevolution import Team, open_run, score
+from matrixworld.coevolution import Progress, Team, open_run, score
 from matrixworld.coevolution.evaluation.scores import HeldOutScores
 from matrixworld.version import __version__
 
@@ -192,9 +192,10 @@ def score_all(paths: Sequence[Path], **options: Any) -> dict[Path, Mapping[Team,
     with progress() as report:
         for number, path in enumerate(paths):
             # Runs of a job play about equally many matches.
-            def part(what: str, done: int, total: int, number: int = number) -> None:
+            def part(one: Progress, number: int = number) -> None:
                 place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
-                report(place + what, number * total + done, len(paths) * total)
+                done = number * one.total + one.done
+                report(Progress(place + one.what, done, len(paths) * one.total))
 
             found[path] = score(open_run(path), report=part, **options)
     return found

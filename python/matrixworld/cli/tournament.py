@@ -24,7 +24,7 @@ from matrixworld.cli.options import (
     threads_option,
 )
 from matrixworld.cli.tables import counts, print_head, print_judgement
-from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
+from matrixworld.coevolution import Payoff, Progress, SavedRun, open_run, tournament
 from matrixworld.world.policy import Population
 
 SUFFIX = ".npz"
@@ -122,7 +122,7 @@ def _play(
     total = sizes[0] * sizes[1] * episodes
     with on_cluster(where, threads) as executor, progress() as report:
         # The first row may take minutes, and the bar should be there before.
-        report("tournament", 0, total)
+        report(Progress("tournament", 0, total))
         return tournament(
             replace(ours.settings.world, max_steps=steps),
             pursuers,
@@ -130,7 +130,7 @@ def _play(
             seed=seed,
             episodes=episodes,
             threads=threads,
-            on_row=lambda played: report("tournament", played, total),
+            on_row=lambda played: report(Progress("tournament", played, total)),
             executor=executor,
         )
 

@@ -21,8 +21,8 @@ from __future__ import annotations
 
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.evaluation.held_out import held_out
 from matrixworld.coevolution.evaluation.scores import (
+    held_out,
     score,
     score_policy,
     score_population,
@@ -45,14 +45,12 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithm,
     GeneticAlgorithmSettings,
 )
-from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
-from matrixworld.coevolution.learners.parts import NoiseTable
+from matrixworld.coevolution.learners.learner import Learner, LearnerSettings, NoiseTable
 from matrixworld.coevolution.learners.toolbox import (
     Candidates,
     generate_update_toolbox,
 )
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Progress, ProgressBar
 from matrixworld.coevolution.runs.race import DisengagementWarning, Race
 from matrixworld.coevolution.runs.run import Run
@@ -81,7 +79,7 @@ from matrixworld.coevolution.storage import (
     open_run,
     open_runs,
 )
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS, Payoff, Team
 
 __all__ = [
     "SCHEDULES",

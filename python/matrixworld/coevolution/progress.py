@@ -28,9 +28,6 @@ LAYOUT = "{percentage:3.0f}%|{bar:16}| {remaining} left, {rate_fmt}, {n_fmt} of 
 JOB = ""
 """Name of the bar of the job, or of the only run."""
 
-Report = Callable[[str, int, int], None]
-"""Called often, as ``report(activity, episodes played, total episodes)``."""
-
 
 @dataclass(frozen=True)
 class Progress:
@@ -61,12 +58,12 @@ class Progress:
         return self.done / max(self.total, 1)
 
 
-JobReport = Callable[[Progress], None]
-"""Called twice a second while a job is played."""
+Report = Callable[[Progress], None]
+"""Called often while something is played: by a job twice a second, by a run after each epoch."""
 
 
-def silent(*told: object) -> None:
-    """Report nothing, of a run or of a job."""
+def silent(progress: Progress) -> None:
+    """Report nothing."""
 
 
 class ProgressBar:
@@ -88,7 +85,7 @@ class ProgressBar:
         with ProgressBar() as bar:
             race.run(bar)
         with ProgressBar() as bar:
-            evolve(settings, "my-races", report=bar.show)
+            evolve(settings, "my-races", report=bar)
     """
 
     def __init__(
@@ -98,18 +95,11 @@ class ProgressBar:
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._unit, self._stream, self._clock = unit, stream or sys.stderr, clock
-        self._first: int | None = None
         self._began: float | None = None
         self._next_share = 0.0
         self._bars: dict[str, tqdm[None]] = {}
 
-    def __call__(self, activity: str, done: int, total: int) -> None:
-        """Show the activity, and that `done` of `total` items have been done."""
-        # A resumed run begins with episodes played already.
-        self._first = done if self._first is None else self._first
-        self.show(Progress(activity, done, total, self._first))
-
-    def show(self, progress: Progress) -> None:
+    def __call__(self, progress: Progress) -> None:
         """Show the progress of a run, or of a job with all its runs in work."""
         # Bars redraw their lines, which makes a log file unreadable.
         if self._stream.isatty():

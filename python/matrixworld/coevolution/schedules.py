@@ -67,18 +67,9 @@ SAMPLERS = (*DRAWN, *ARCHIVES)
 """Names of the opponent samplers of the package."""
 
 
-@dataclass(frozen=True)
-class Opponents(Section):
-    """Base of the settings that say which archived opponents a team meets."""
-
-    @abstractmethod
-    def new(self, count: int) -> opponents.OpponentSampler:
-        """Return a new sampler of up to `count` opponents an epoch."""
-
-
 @documented
 @dataclass(frozen=True)
-class DrawnOpponents(Opponents):
+class DrawnOpponents(Section):
     """Opponents drawn from all generations of the other team."""
 
     kind: ClassVar[str] = "drawn"
@@ -87,13 +78,13 @@ class DrawnOpponents(Opponents):
     rule: str = setting("uniform", f"how: {', '.join(DRAWN)}", choices=DRAWN)
 
     def new(self, count: int) -> opponents.OpponentSampler:
-        """Return a new sampler."""
+        """Return a new sampler of up to `count` opponents an epoch."""
         return DRAWN[self.rule](count)
 
 
 @documented
 @dataclass(frozen=True)
-class ArchivedOpponents(Opponents):
+class ArchivedOpponents(Section):
     """The newest opponent and those that an archive keeps (`ArchiveSampler`)."""
 
     kind: ClassVar[str] = "archived"
@@ -122,7 +113,7 @@ class ArchivedOpponents(Opponents):
 
 @documented
 @dataclass(frozen=True)
-class OwnOpponents(OwnCode, Opponents):
+class OwnOpponents(OwnCode):
     """Opponents by a sampler of your own (see `OpponentSampler`)."""
 
     interface: ClassVar[Interface] = OPPONENT

@@ -55,11 +55,10 @@ from matrixworld._util.files import (
     save_arrays,
     save_json,
 )
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, Team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import record
 from matrixworld.play import NetworkPolicy

@@ -24,13 +24,12 @@ from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN, noise_reference, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.schedules import Against, HallOfFame
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS, Payoff, Team
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import Playground, page_data

@@ -14,7 +14,7 @@ import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld import coevolution
 from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
-from matrixworld.coevolution.evaluation.held_out import (
+from matrixworld.coevolution.evaluation.scores import (
     held_out_genomes,
     opponents_of,
 )
@@ -66,7 +66,7 @@ def test_these_variants_have_scripts_and_genomes(team, variant):
 def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
     row = replace(mw.VARIANTS["SB"], interaction=mw.Interaction.SWARM_TURNS)
     monkeypatch.setattr("matrixworld.world.rules.VARIANTS", {**mw.VARIANTS, "X": row})
-    monkeypatch.setattr("matrixworld.coevolution.evaluation.held_out.VARIANTS", {"X": row})
+    monkeypatch.setattr("matrixworld.coevolution.evaluation.scores.VARIANTS", {"X": row})
     rules = replace(row, captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
     for variant in ("X", rules):
         assert list(held_out("pursuer", variant)) == [*SCRIPTED["pursuer"], "surrounder"]

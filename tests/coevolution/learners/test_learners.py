@@ -19,7 +19,7 @@ from matrixworld.coevolution import (
     generate_update_toolbox,
 )
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
-from matrixworld.coevolution.learners.parts import Adam, Momentum
+from matrixworld.coevolution.learners.learner import Adam, Momentum
 
 SIZE = 20
 TARGET = np.linspace(-1.0, 1.0, SIZE)

@@ -118,11 +118,10 @@ def test_the_files_hold_means_and_deviations_and_what_was_played(straight):
 def test_progress_is_reported_when_asked(tmp_path, capfd):
     seen = []
     race = Race(tiny_race(), tmp_path / "run")
-    race.run(lambda *report: seen.append(report))
-    assert [done for _, done, _ in seen] == [*range(4, 41, 4), 49, 58, 67]
-    assert {total for *_, total in seen} == {67}
-    assert seen[0][0] == "generation 1: pursuers"
-    assert seen[-1][0] == "tournament"
+    race.run(seen.append)
+    assert [each.done for each in seen] == [*range(4, 41, 4), 49, 58, 67]
+    assert {(each.before, each.total) for each in seen} == {(0, 67)}
+    assert (seen[0].what, seen[-1].what) == ("generation 1: pursuers", "tournament")
     assert capfd.readouterr() == ("", "")
     with coevolution.ProgressBar() as bar:
         Race(tiny_race(), tmp_path / "other").run(bar)

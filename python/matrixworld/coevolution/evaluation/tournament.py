@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, check_number, check_threads
 from matrixworld._util.memory import EPISODE_BYTES, check_memory
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.types import Seeds
+from matrixworld.coevolution.types import Payoff, Seeds
 from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy, check_team

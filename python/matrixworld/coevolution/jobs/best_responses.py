@@ -18,7 +18,7 @@ from matrixworld.analysis.games import ResponseGain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.jobs.evolve import evolve
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.progress import JobReport, Report, silent
+from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.start import finish
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
@@ -141,7 +141,7 @@ def best_responses(
     *,
     executor: Executor | None = None,
     threads: int | None = None,
-    report: JobReport = silent,
+    report: Report = silent,
     **changes: Any,
 ) -> dict[str, BestResponse]:
     """Evolve a response to the last genome of `team` in each run, side by side.

@@ -39,7 +39,7 @@ from matrixworld.coevolution.jobs.worker import (
     started,
     waiting,
 )
-from matrixworld.coevolution.progress import SECONDS, JobReport, Progress, silent
+from matrixworld.coevolution.progress import SECONDS, Progress, Report, silent
 from matrixworld.coevolution.runs.race import DisengagementWarning
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
@@ -224,7 +224,7 @@ def evolve(
     *,
     executor: Executor | None = None,
     threads: int | None = None,
-    report: JobReport = silent,
+    report: Report = silent,
 ) -> list[SavedRun]:
     """Return the finished runs of these settings: start them, continue them, or only open them.
 
@@ -242,7 +242,7 @@ def evolve(
     threads : int, optional
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
-        Called twice a second with a `Progress`, such as `ProgressBar.show`.
+        Called twice a second with a `Progress`, such as a `ProgressBar`.
 
     Returns
     -------
@@ -343,7 +343,7 @@ def play_job(
     keep: bool = True,
     executor: Executor | None = None,
     threads: int | None = None,
-    report: JobReport = silent,
+    report: Report = silent,
 ) -> tuple[list[str], dict[str, BaseException]]:
     """Play what is unfinished of a job that `check_job` has checked.
 
@@ -377,7 +377,7 @@ def play_job(
 class JobPlay:
     """A job while it is played: what has finished and failed, and the progress of the rest."""
 
-    def __init__(self, job: Job, root: Path, report: JobReport) -> None:
+    def __init__(self, job: Job, root: Path, report: Report) -> None:
         self._job, self._root, self._report = job, root, report
         self.finished: dict[str, Played] = {}
         self.failures: dict[str, BaseException] = {}

@@ -92,18 +92,16 @@ def played(files: RunDirectory) -> Played:
     return {"matches": matches, "disengagement": "; ".join(numbers.get("disengagement", []))}
 
 
-def at_times(look: Callable[[Progress], None]) -> Report:
-    """Return a report of a run that calls `look` with its progress, but only twice a second."""
+def at_times(look: Report) -> Report:
+    """Return a report that calls `look` with the progress of a run, but only twice a second."""
     following = 0.0
-    before: int | None = None
 
-    def report(what: str, done: int, total: int) -> None:
-        nonlocal following, before
-        before = done if before is None else before
+    def report(progress: Progress) -> None:
+        nonlocal following
         # Called after each epoch, which may take less than a millisecond.
         if time.monotonic() >= following:
             following = time.monotonic() + LOOK
-            look(Progress(what, done, total, before))
+            look(progress)
 
     return report
 

@@ -26,8 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats, shown
-from matrixworld.coevolution.learners.learner import LearnerSettings
-from matrixworld.coevolution.learners.parts import Adam
+from matrixworld.coevolution.learners.learner import Adam, LearnerSettings
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import (
     BoolArray,

@@ -12,8 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
-from matrixworld.coevolution.learners.parts import Adam, Momentum, NoiseTable, check_momentum
+from matrixworld.coevolution.learners.learner import (
+    Adam,
+    LearnerSettings,
+    Momentum,
+    NoiseTable,
+    check_momentum,
+    checked_fitness,
+)
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 

@@ -15,8 +15,7 @@ from deap import base
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
-from matrixworld.coevolution.learners.parts import NoiseTable
+from matrixworld.coevolution.learners.learner import LearnerSettings, NoiseTable, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import (
     FloatArray,

@@ -19,7 +19,6 @@ from matrixworld.analysis.engagement import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import (
     Alternating,
@@ -37,6 +36,7 @@ from matrixworld.coevolution.types import (
     Genomes,
     Indices,
     Members,
+    Payoff,
     State,
     Stateful,
     Team,

@@ -15,7 +15,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
@@ -26,10 +26,9 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld._util.memory import check_memory
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.learners.learner import GradientLearner, Learner
+from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
-from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.schedules import Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator, learning_phase, training_seeds
@@ -41,6 +40,7 @@ from matrixworld.coevolution.types import (
     Genome,
     Genomes,
     Indices,
+    Payoff,
     Seeds,
     Stateful,
     Team,
@@ -119,6 +119,7 @@ class Run(ABC):
         self.archive: dict[Team, list[Genome]] = self.first_archive()
         self.set_up()
         self._report: Report = silent
+        self._before: int = 0
         self._total_matches: int = 0
         self.files: RunDirectory
         if isinstance(directory, RunDirectory):
@@ -206,7 +207,7 @@ class Run(ABC):
             # Also if this object has just been made: an interrupted stage has changed learners, and
             # another process may have continued the run.
             self._restore()
-            self._total_matches = self.total_matches()
+            self._before, self._total_matches = self.training.matches, self.total_matches()
             while self.stage < self.n_stages:
                 self.learn(self.stage)
                 self.end_stage()
@@ -244,7 +245,8 @@ class Run(ABC):
 
     def report(self, activity: str, evaluated: int = 0) -> None:
         """Report the progress: the current activity, and evaluation episodes played so far."""
-        self._report(activity, self.training.matches + evaluated, self._total_matches)
+        done = self.training.matches + evaluated
+        self._report(Progress(activity, done, self._total_matches, self._before))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
@@ -361,16 +363,11 @@ class TeamPhase:
             epoch=matchup.epoch,
             opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
-        if self._by_gradients:
+        if self.training.settings.learner.by_gradients:
             chosen = np.tile(opponents, len(candidates))
             self.training.teach(self.learner, team, self.opponents, chosen, matchup.seeds.ravel())
         self.on_epoch()
         return fitness
-
-    @cached_property
-    def _by_gradients(self) -> bool:
-        # Once a phase: to ask a protocol is slow beside an epoch.
-        return isinstance(self.learner, GradientLearner)
 
     def _matchups(self, epochs: range) -> Iterable[Matchup]:
         """Return the matchups of all epochs, in order."""

@@ -15,7 +15,6 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithmSettings,
 )
 from matrixworld.coevolution.opponents import RoundRobin
-from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
@@ -27,7 +26,7 @@ from matrixworld.coevolution.storage import (
     last_generation,
     script_of,
 )
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, Team, other
 from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
