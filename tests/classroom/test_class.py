@@ -35,7 +35,7 @@ from matrixworld.classroom.sandbox import ALLOWED
 from matrixworld.classroom.submissions import MOST_BYTES, Entry, Refusal, Submission
 from matrixworld.classroom.tournament import ClassResult, MatchPool, admit
 from matrixworld.cli.classroom import play_command
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution import TEAMS, Progress
 from matrixworld.play.rollout import match_seed
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
@@ -246,8 +246,8 @@ def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
 def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
     write_programs(tmp_path, honest_programs(4))
 
-    def interrupt(what: str, done: int, total: int) -> None:
-        if what == "round robin":
+    def interrupt(progress: Progress) -> None:
+        if progress.what == "round robin":
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):

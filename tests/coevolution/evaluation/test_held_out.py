@@ -12,7 +12,6 @@ import pytest
 
 import matrixworld as mw
 from command_line import matrixworld_command
-from matrixworld import coevolution
 from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
 from matrixworld.coevolution.evaluation.scores import (
     held_out_genomes,
@@ -205,23 +204,9 @@ def test_the_command_prints_and_writes_the_scores(race, tmp_path):
     curve = score(open_run(race), generation=None, episodes=2)["pursuer"]
     lines = output[output.index("pursuers by generation") :].splitlines()
     assert lines[1:4] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
-
-
-@pytest.mark.parametrize(
-    ("options", "code", "message"),
-    [
-        (["--generation", "first"], 2, "expected a generation or all, got 'first'"),
-        (["--generation", "3"], 2, "--generation: expected 0 to 2 for pursuers, got 3"),
-        (["--episodes", "1"], 2, "1 is not in the range 2<=x"),
-    ],
-)
-def test_the_command_refuses(race, options, code, message):
-    assert message in matrixworld_command("score", race, *options, code=code).stderr
-
-
-def test_a_damaged_run_is_refused(race, tmp_path):
-    assert "expected run directories" in matrixworld_command("score", tmp_path, code=2).stderr
-    coevolution.start(tiny_race(), tmp_path / "run")
-    genomes = tmp_path / "run" / "stage-0000.npz"
-    genomes.write_bytes(genomes.read_bytes()[:-100])
-    assert "stage-0000.npz: cut" in matrixworld_command("score", tmp_path / "run", code=1).stderr
+    for option, message in (
+        (("--generation", "first"), "expected a generation or all, got 'first'"),
+        (("--generation", "3"), "--generation: expected 0 to 2 for pursuers, got 3"),
+        (("--episodes", "1"), "1 is not in the range 2<=x"),
+    ):
+        assert message in matrixworld_command("score", race, *option, code=2).stderr

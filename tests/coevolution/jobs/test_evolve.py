@@ -52,13 +52,6 @@ LONG = {"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250}
 """Several seconds: tests stop such a run in its middle."""
 
 
-@pytest.fixture
-def tmp_path():
-    """A directory for many files, which are all synced."""
-    with directory_in_memory() as directory:
-        yield directory
-
-
 @pytest.fixture(scope="module")
 def straight():
     """All files that `finish` makes of each of the settings, by name of the run."""
@@ -278,35 +271,6 @@ def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
     for name in finished:
         finish(settings[name], tmp_path / name)
         assert results(tmp_path / name) == results(tmp_path / "job" / name)
-
-
-def test_an_error_of_own_code_is_named_with_its_traceback(tmp_path):
-    settings = {"bad": tiny_race(learner="own_code:Fails"), "good": tiny_race()}
-    failures, finished = failures_of(settings, tmp_path, executor=ThreadPoolExecutor(1))
-    assert "ZeroDivisionError: no luck" in str(failures["bad"])
-    assert finished == ["good"]
-
-
-def test_a_vanished_cluster_leaves_files_and_the_same_call_continues(straight, tmp_path):
-    class Vanishes(Executor):
-        """Does two tasks, and cancels the others."""
-
-        count = 0
-
-        def submit(self, fn, /, *args, **kwargs):
-            self.count += 1
-            future = Future()
-            if self.count > 2:
-                future.cancel()
-                future.set_running_or_notify_cancel()
-            else:
-                future.set_result(fn(*args, **kwargs))
-            return future
-
-    failures, finished = failures_of(SETTINGS, tmp_path, executor=Vanishes())
-    assert (len(failures), len(finished)) == (3, 2)
-    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
-    check_equal(tmp_path, straight)
 
 
 def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):

@@ -24,13 +24,6 @@ DEATHS = -signal.SIGKILL
 KILLS = 16
 
 
-@pytest.fixture
-def tmp_path():
-    """A directory for thousands of files, which are all synced."""
-    with directory_in_memory() as directory:
-        yield directory
-
-
 @cache
 def straight(kind):
     """Return the results of a run that is never disturbed."""

@@ -7,8 +7,7 @@ import pytest
 
 from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
-from matrixworld.coevolution.runs.run import TeamPhase
-from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
+from matrixworld.coevolution.schedules import ArchivedOpponents
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from tiny_race import alternating, hall_of_fame
 
@@ -105,21 +104,3 @@ def test_sharing_changes_what_evolves(tmp_path, make, changes):
         race.run()
         archives.append(race.genomes("evader"))
     assert not np.array_equal(*archives)
-
-
-@pytest.mark.parametrize("name", ARCHIVES)
-def test_every_half_step_meets_the_newest_opponent(tmp_path, monkeypatch, name):
-    met: dict[tuple[str, int], list[bool]] = {}
-    matchup = TeamPhase._matchup
-
-    def spy(phase, epoch):
-        chosen = matchup(phase, epoch)
-        newest = len(phase.opponents.genomes) - 1
-        met.setdefault((phase.team, phase.generation), []).append(newest in chosen.opponents)
-        return chosen
-
-    monkeypatch.setattr(TeamPhase, "_matchup", spy)
-    epochs = {"pursuer_epochs": 4, "evader_epochs": 4, "generations": 6}
-    coevolution.start(alternating(name, opponents=1, **epochs), tmp_path / "run").run()
-    assert len(met) == 12
-    assert all(map(any, met.values()))

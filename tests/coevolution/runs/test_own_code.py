@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import traceback
 
 import numpy as np
@@ -21,7 +20,6 @@ from tiny_race import (
     StopAt,
     alternating,
     check_resumes,
-    directory_in_memory,
     hall_of_fame,
     tiny_race,
     tiny_single,
@@ -40,13 +38,6 @@ RUNS = {
     ),
     "evaders alone": tiny_single(team="evader", **LEARNER),
 }
-
-
-@pytest.fixture
-def tmp_path():
-    """A directory for many files, which are all synced."""
-    with directory_in_memory() as directory:
-        yield directory
 
 
 @pytest.mark.parametrize("kind", RUNS)
@@ -93,20 +84,6 @@ def test_a_class_of_the_package_by_its_path_gives_the_same_run(own, built_in, tm
     assert logs[0] == logs[1]
     for team in TEAMS:
         assert np.array_equal(runs[0].genomes(team), runs[1].genomes(team))
-
-
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"learner": "nowhere:Learner"}, "learner: expected a module that can be imported"),
-        ({**LEARNER, "settings": {"sigma": -1}}, "learner own_code:HillClimber: expected settings"),
-        ({"evaders_meet": "own_code:Fixd"}, "opponent sampler: expected the name of an object in "),
-    ],
-)
-def test_nothing_is_written_if_the_code_is_missing_or_refuses(changes, message, tmp_path):
-    with pytest.raises(ValueError, match=f"^{message}"):
-        start(alternating(**changes), tmp_path / "run")
-    assert not os.listdir(tmp_path)
 
 
 def test_an_error_in_a_learner_names_it_and_keeps_the_traceback(tmp_path):

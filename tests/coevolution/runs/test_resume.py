@@ -13,7 +13,6 @@ from tiny_race import (
     StopAt,
     alternating,
     check_resumes,
-    directory_in_memory,
     hall_of_fame,
     results,
     straight,
@@ -56,13 +55,6 @@ RUNS: dict[str, tuple[coevolution.RaceSettings, Any]] = {
 }
 """Settings of runs, and the calls of `rollout` at which they are stopped."""
 STOPS = [(name, call) for name, (_, calls) in RUNS.items() for call in calls]
-
-
-@pytest.fixture
-def tmp_path():
-    """A directory for many files, which are all synced."""
-    with directory_in_memory() as directory:
-        yield directory
 
 
 @pytest.mark.parametrize(("name", "call"), STOPS)

@@ -33,6 +33,7 @@ def test_against_scripts(tmp_path, team, against):
     summary = run.files.summary()
     assert summary["training_matches"] == 20
     assert summary["length"] == payoff.lengths.mean()
+    assert summary["length_high"] is None or summary["length_high"] <= run.settings.world.max_steps
     assert summary["capture_rate_std"] == pytest.approx(payoff.capture_rates.std())
 
 

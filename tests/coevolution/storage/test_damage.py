@@ -45,13 +45,6 @@ def no_figures(monkeypatch):
     monkeypatch.setattr(report, "draw", lambda planned: None)
 
 
-@pytest.fixture
-def tmp_path():
-    """A directory for many files, which are all synced."""
-    with directory_in_memory() as directory:
-        yield directory
-
-
 @pytest.fixture(scope="module")
 def straight(tmp_path_factory):
     """A finished race."""

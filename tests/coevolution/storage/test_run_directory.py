@@ -15,26 +15,18 @@ import pytest
 
 from matrixworld.coevolution import (
     DamagedFileError,
-    LockedError,
     RunDirectory,
     open_run,
     start,
 )
 from matrixworld.coevolution.storage import COLUMNS
-from tiny_race import directory_in_memory, tiny_race, tiny_single
+from tiny_race import tiny_race, tiny_single
 
 SETTINGS = {
     "race": tiny_race(),
     "hall-of-fame": tiny_race(schedule="hall-of-fame", contemporaries=1, hall_sample=1),
     "single": tiny_single(team="evader", learner="ga"),
 }
-
-
-@pytest.fixture
-def tmp_path():
-    """A directory for many files, which are all synced."""
-    with directory_in_memory() as directory:
-        yield directory
 
 
 def row(epoch):
@@ -80,15 +72,6 @@ def alter(path):
     path.write_bytes(bytes(content))
 
 
-def test_a_new_run_wants_an_empty_directory_and_an_old_one_a_run(tmp_path):
-    with pytest.raises(FileNotFoundError, match=r"holds no run, expected a file config.json"):
-        RunDirectory.open(tmp_path)
-    (tmp_path / "notes.txt").write_text("mine")
-    with pytest.raises(FileExistsError, match=r"expected a new or empty directory.*notes.txt"):
-        RunDirectory.create(tmp_path, {})
-    assert [item.name for item in tmp_path.iterdir()] == ["notes.txt"]
-
-
 def test_stages_come_back(run):
     restored = RunDirectory.open(run.path).restore()
     assert [int(stage["matches"]) for stage in restored.stages] == [0, 1, 2]
@@ -121,17 +104,6 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage
         RunDirectory.open(run.path).restore()
 
 
-@pytest.mark.parametrize("damage", [cut, alter, Path.unlink])
-def test_an_early_stage_that_is_damaged_is_named(run, damage):
-    """There is one copy of its genomes, and no checkpoint from which it could be played again."""
-    damage(run.path / "stage-0000.npz")
-    names = {path.name for path in run.path.iterdir()}
-    for read in (run.archive, run.log, RunDirectory.open(run.path).restore):
-        with pytest.raises(DamagedFileError, match=r"stage-0000\.npz: (cut|altered|missing)"):
-            read()
-    assert {path.name for path in run.path.iterdir()} == names
-
-
 def test_a_stage_costs_the_same_in_every_generation(tmp_path):
     """A stage writes two files of the same size, removes one, and touches no other."""
     run = new_run(tmp_path / "run")
@@ -155,14 +127,6 @@ def test_temporary_files_and_old_checkpoints_of_killed_writers_are_removed(run):
     names = {path.name for path in run.path.glob("*")}
     assert "checkpoint-0000.npz" not in names
     assert ".123.tmp" not in names
-
-
-def test_one_writer_at_a_time(run):
-    again = RunDirectory.open(run.path)
-    with run.lock(), pytest.raises(LockedError, match="another process is running"), again.lock():
-        pass
-    with again.lock():
-        assert run.config == again.config
 
 
 # Files of several moments beside each other:
