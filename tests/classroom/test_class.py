@@ -271,7 +271,7 @@ def pool() -> Iterator[MatchPool]:
 
 def admitted(pool: MatchPool, text: str) -> tuple[list[Entry], list[Refusal]]:
     submission = Submission("student", "student.py", "program", text.encode(), Path("student.py"))
-    return admit([submission], pool, lambda what, done, total: None)
+    return admit([submission], pool, lambda progress: None)
 
 
 def assert_plays(pool: MatchPool, first_lines: str) -> None:
