@@ -356,16 +356,11 @@ class RunDirectory:
         with replacing(self.path / LOG) as file:
             file.write(_log_of(stages).encode())
         for team, genomes in _archive_of(stages).items():
-            if len(genomes):
-                with replacing(self.path / genomes_name(team)) as file:
+            if len(genomes):  # those of a team that a script plays are none
+                with replacing(self.path / f"{team}s.npy") as file:
                     np.save(file, genomes)
         self._save(PAYOFF, payoff)
         save_json(self.path / SUMMARY, summary, owner=f"{self._owner}/{SUMMARY}")
-
-
-def genomes_name(team: Team) -> str:
-    """Return the name of the file with a team's genomes; a team of a script has none."""
-    return f"{team}s.npy"
 
 
 def _name(kind: str, stage: int) -> str:
@@ -517,6 +512,9 @@ class SavedRun:
     ) -> NetworkPolicy:
         """Return a genome of the run as a policy that acts on observations.
 
+        It also plays as a built-in team of an environment, and exports its network to PyTorch and
+        ONNX.
+
         Parameters
         ----------
         team : {"pursuer", "evader"}
@@ -525,12 +523,6 @@ class SavedRun:
             The generation; negative numbers count from the end. The default is the last one.
         sampled, seed : optional
             As for `NetworkPolicy`.
-
-        Returns
-        -------
-        NetworkPolicy
-            The policy. It also plays as a built-in team of an environment, and exports its network
-            to PyTorch and ONNX.
 
         Raises
         ------
@@ -597,7 +589,7 @@ def run_directories(path: Path) -> list[Path]:
 
 
 def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]:
-    """Return the runs of a job, or of any directory that holds runs.
+    """Return the runs of a job, or of any directory that holds runs, by name and then by seed.
 
     Parameters
     ----------
@@ -606,11 +598,6 @@ def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]
         ``<schedule>/seed-<n>``.
     finished : bool, optional
         Whether runs that are not finished are left out.
-
-    Returns
-    -------
-    list of SavedRun
-        The runs by schedule or other name, then by seed.
 
     Raises
     ------

@@ -41,7 +41,7 @@ from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Genomes, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
-from matrixworld.play.rollout import Matches, Rollout, match_seed, rollout
+from matrixworld.play.rollout import Matches, match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TeamPolicy
 from matrixworld.world.rules import VARIANTS, Capture, Rules, rules_of
@@ -83,7 +83,9 @@ def held_out_genomes(team: Team, variant: Rules | str) -> Genomes:
 
 
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
-    """Return the held-out opponents of a variant.
+    """Return the held-out opponents of a variant by name.
+
+    First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
 
     Parameters
     ----------
@@ -91,12 +93,6 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
         Team that the opponents play for.
     variant : Rules or str
         The variant.
-
-    Returns
-    -------
-    dict of str to Population or str
-        Opponents by name: scripts, then genomes, each a population of one and named
-        ``evolved-1`` and so on.
 
     Raises
     ------
@@ -214,7 +210,6 @@ def score_population(
     episodes: int = 100,
     seed: int = 0,
     threads: int | None = None,
-    play: Rollout = rollout,
     on_row: Callable[[int], None] = lambda played: None,
     executor: Executor | None = None,
     block_seconds: float = BLOCK_SECONDS,
@@ -243,13 +238,8 @@ def score_population(
         Seed of the episodes.
     on_row : callable, optional
         Called after each opponent, or each block, with the number of episodes played so far.
-    threads, play, executor, block_seconds
+    threads, executor, block_seconds
         As in `tournament`.
-
-    Returns
-    -------
-    HeldOutScores
-        Scores of G genomes against N opponents.
 
     Raises
     ------
@@ -271,7 +261,9 @@ def score_population(
         sides: dict[Team, TeamPolicy] = {team: population, other(team): opponent}
         # All genomes play the same episodes.
         seeds = np.full(count, held_out_seed(seed, team, number), np.uint64)
-        each.append(Pairs.all_of(config, sides["pursuer"], sides["evader"], seeds, episodes, play))
+        each.append(
+            Pairs.all_of(config, sides["pursuer"], sides["evader"], seeds, episodes, rollout)
+        )
     captured = np.empty((count, len(opponents), episodes))
     played = 0
     blocks = play_blocks(each, count, threads, executor, block_seconds)
@@ -298,7 +290,6 @@ def score(
     steps: int | None = None,
     seed: int = 0,
     threads: int | None = None,
-    play: Rollout = rollout,
     report: Report = silent,
     executor: Executor | None = None,
 ) -> dict[Team, HeldOutScores]:
@@ -317,7 +308,7 @@ def score(
         Maximum steps of an episode. By default as in the run's evaluation.
     seed : int, optional
         Seed of the episodes, by default the same for all runs.
-    threads, play, executor
+    threads, executor
         As in `tournament`.
     report : callable, optional
         Called with the progress, as in `Run.run`.
@@ -354,7 +345,6 @@ def score(
             episodes=episodes,
             seed=seed,
             threads=threads,
-            play=play,
             on_row=partial(report_row, team),
             executor=executor,
         )
@@ -401,6 +391,8 @@ def score_policy(
 ) -> HeldOutScores:
     """Play a policy of one team against every held-out opponent, as ``matrixworld score`` does.
 
+    In the result the policy is generation 0.
+
     Parameters
     ----------
     policy : callable, NetworkPolicy or Population of one
@@ -418,11 +410,6 @@ def score_policy(
         Episodes against each opponent, at least 2. The default is 100.
     seed, threads, report
         As in `score`.
-
-    Returns
-    -------
-    HeldOutScores
-        Scores of one policy, as generation 0, against N opponents.
 
     Raises
     ------

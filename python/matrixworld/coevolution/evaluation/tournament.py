@@ -73,11 +73,6 @@ def tournament(
     block_seconds : float, optional
         About the work of a block, measured with some pairs on this machine.
 
-    Returns
-    -------
-    Payoff
-        Results of G x H pairs.
-
     Notes
     -----
     The seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does

@@ -95,11 +95,6 @@ def best_response(
     **changes
         Fields of `RaceSettings` of the response, such as ``match_episodes=2``.
 
-    Returns
-    -------
-    BestResponse
-        Scores and gain.
-
     Raises
     ------
     ValueError
@@ -144,7 +139,7 @@ def best_responses(
     report: Report = silent,
     **changes: Any,
 ) -> dict[str, BestResponse]:
-    """Evolve a response to the last genome of `team` in each run, side by side.
+    """Evolve a response to the last genome of `team` in each run, side by side; results by name.
 
     Parameters
     ----------
@@ -156,11 +151,6 @@ def best_responses(
         Directory of all responses; the same call continues what is unfinished in it.
     executor, threads, report
         As in `evolve`.
-
-    Returns
-    -------
-    dict of str to BestResponse
-        As `best_response` returns them, in the order of `runs`.
 
     Notes
     -----

@@ -228,6 +228,8 @@ def evolve(
 ) -> list[SavedRun]:
     """Return the finished runs of these settings: start them, continue them, or only open them.
 
+    The runs are in the order of the settings.
+
     Parameters
     ----------
     settings : RaceSettings, or a sequence or mapping of them
@@ -243,11 +245,6 @@ def evolve(
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
         Called twice a second with a `Progress`, such as a `ProgressBar`.
-
-    Returns
-    -------
-    list of SavedRun
-        The runs, in the order of the settings.
 
     Raises
     ------

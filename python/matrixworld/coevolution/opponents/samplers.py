@@ -53,7 +53,13 @@ class Stateless(Saved):
 
 @dataclass(frozen=True)
 class Counted(Stateless):
-    """Base of the samplers whose one setting is the number of opponents."""
+    """Base of the samplers whose one setting is the number of opponents.
+
+    Parameters
+    ----------
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+    """
 
     count: int = 1
 
@@ -62,13 +68,7 @@ class Counted(Stateless):
 
 
 class Latest(Counted):
-    """The newest opponents: ``available - 1, available - 2, ...``.
-
-    Parameters
-    ----------
-    count : int, optional
-        Opponents an epoch; all, if fewer are available.
-    """
+    """The newest opponents, at most `count`: ``available - 1, available - 2, ...``."""
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the newest opponents, the newest first."""
@@ -107,12 +107,7 @@ class Uniform(Stateless):
 
 
 class RoundRobin(Counted):
-    """All opponents in turn: ``epoch mod available``, the rule of the paper's generalists.
-
-    Parameters
-    ----------
-    count : int, optional
-        Opponents an epoch; all, if fewer are available.
+    """All opponents in turn, `count` an epoch: ``epoch mod available``, as the paper's generalists.
 
     References
     ----------

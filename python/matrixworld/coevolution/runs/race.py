@@ -19,7 +19,7 @@ from matrixworld.analysis.engagement import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
-from matrixworld.coevolution.runs.run import Run
+from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import (
     Alternating,
     HallOfFame,
@@ -72,12 +72,7 @@ class Race(Run):
     A stage is a team phase: one team's epochs of one generation. Learners keep their state from
     generation to generation.
 
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of the race.
-    directory, threads, play
-        As in `Run`, whose other attributes a race has, too.
+    For parameters and other attributes see `Run`.
 
     Attributes
     ----------
@@ -108,8 +103,9 @@ class Race(Run):
         self.admit(team, generation, range(n_before, available(team, generation)))
         before = self.learners[team].state()
         opponents = self.training.population(self.genomes(other(team)))
-        epochs, activity = range(self.schedule.epochs(team)), f"generation {generation}: {team}s"
-        self.learn_alone(team, generation, opponents, self.samplers[team], epochs, activity)
+        sampler, activity = self.samplers[team], f"generation {generation}: {team}s"
+        phase = TeamPhase(self, team, generation, opponents, sampler, activity)
+        phase.learn(range(self.schedule.epochs(team)))
         self.retain(team, generation, before)
         self.archive[team].append(self.learners[team].genome)
 

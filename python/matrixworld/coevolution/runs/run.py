@@ -13,9 +13,8 @@ ends bit for bit as if it had never been stopped.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
@@ -173,20 +172,6 @@ class Run(ABC):
 
     # The following methods are the same for all kinds:
 
-    def learn_alone(
-        self,
-        team: Team,
-        generation: int,
-        opponents: TeamPolicy,
-        sampler: OpponentSampler,
-        epochs: range,
-        activity: str,
-    ) -> None:
-        """Let one team learn a generation for some epochs, against opponents that do not learn."""
-        learner, report = self.learners[team], partial(self.report, activity)
-        phase = TeamPhase(self.training, learner, team, generation, opponents, sampler, report)
-        phase.run(epochs)
-
     def check_settings(self) -> None:
         """Raise TypeError or ValueError if this kind of run cannot have these settings."""
         if not isinstance(self.settings, RaceSettings):
@@ -322,30 +307,31 @@ class Matchup(NamedTuple):
 class TeamPhase:
     """Epochs in which one team learns a generation, against all available `opponents`.
 
-    The learner is improved in place; the sampler chooses the opponents of each epoch, and
-    `on_epoch` is called after its matches.
+    The learner is improved in place; the sampler chooses the opponents of each epoch, after which
+    the run reports the `activity`.
     """
 
-    training: TrainingMatches
-    learner: Learner
+    run: Run
     team: Team
     generation: int
     opponents: TeamPolicy
     sampler: OpponentSampler
-    on_epoch: Callable[[], None]
+    activity: str
 
-    def run(self, epochs: range) -> None:
+    def learn(self, epochs: range) -> None:
         """Let the team learn for `epochs`; each has its own random numbers."""
+        learner = self.run.learners[self.team]
         for matchup in self._matchups(epochs):
-            candidates = self.learner.ask(self._generator(Purpose.LEARN, matchup.epoch))
-            self.learner.tell(self.evaluate(candidates, matchup))
+            candidates = learner.ask(self._generator(Purpose.LEARN, matchup.epoch))
+            learner.tell(self.evaluate(candidates, matchup))
             met = matchup.opponents
-        self.training.choose_champion(self.learner, self.team, self.generation, self.opponents, met)
+        training, opponents = self.run.training, self.opponents
+        training.choose_champion(learner, self.team, self.generation, opponents, met)
 
     def evaluate(self, candidates: Genomes, matchup: Matchup) -> FloatArray:
         """Play and log the matches of an epoch; return the fitness (n,) of the candidates."""
-        team, opponents = self.team, matchup.opponents
-        scores = self.training.play_candidates(
+        team, opponents, training = self.team, matchup.opponents, self.run.training
+        scores = training.play_candidates(
             team, candidates, self.opponents, opponents, matchup.seeds
         )
 
@@ -355,7 +341,7 @@ class TeamPhase:
         # Win rates, not fitness: samplers expect numbers in [0, 1].
         if not isinstance(self.sampler, Stateless):
             self.sampler.tell(opponents, table(win_rates(scores, team)))
-        fitness = self.training.fitness_of_epoch(
+        fitness = training.fitness_of_epoch(
             scores,
             table,
             team=team,
@@ -363,10 +349,10 @@ class TeamPhase:
             epoch=matchup.epoch,
             opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
-        if self.training.settings.learner.by_gradients:
-            chosen = np.tile(opponents, len(candidates))
-            self.training.teach(self.learner, team, self.opponents, chosen, matchup.seeds.ravel())
-        self.on_epoch()
+        if self.run.settings.learner.by_gradients:
+            learner, chosen = self.run.learners[team], np.tile(opponents, len(candidates))
+            training.teach(learner, team, self.opponents, chosen, matchup.seeds.ravel())
+        self.run.report(self.activity)
         return fitness
 
     def _matchups(self, epochs: range) -> Iterable[Matchup]:
@@ -381,18 +367,18 @@ class TeamPhase:
         rng = self._generator(Purpose.OPPONENTS, epoch)
         opponents = self.sampler.sample(available, epoch, rng)
         # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
-        match = self.learner.seed_groups
+        match = self.run.learners[self.team].seed_groups
         seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]
         return Matchup(epoch, opponents, np.stack(seeds, axis=1))
 
     def _seeds(self, opponent: int, epoch: int) -> Seeds:
         """Return the seeds of an epoch's matches against one opponent."""
         # Seeds depend on both generations, so that no two phases play the same episodes.
-        own, seed = self.generation, self.training.settings.seed
+        own, seed = self.generation, self.run.settings.seed
         generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
-        count = int(self.learner.seed_groups.max()) + 1
+        count = int(self.run.learners[self.team].seed_groups.max()) + 1
         return training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
 
     def _generator(self, purpose: Purpose, epoch: int) -> np.random.Generator:
         key = (TEAMS.index(self.team), self.generation, epoch)
-        return keyed_generator(self.training.settings.seed, purpose, *key)
+        return keyed_generator(self.run.settings.seed, purpose, *key)

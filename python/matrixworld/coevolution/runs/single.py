@@ -15,7 +15,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithmSettings,
 )
 from matrixworld.coevolution.opponents import RoundRobin
-from matrixworld.coevolution.runs.run import Run
+from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.settings import RaceSettings
@@ -41,16 +41,10 @@ class SingleTeam(Run):
 
     Parameters
     ----------
-    settings : RaceSettings
-        Settings of the run, with the schedule `Against`.
-    directory : str, Path or RunDirectory
-        As in `Run`.
     opponents : Population, optional
         Opponents in place of `schedule.opponent`.
     start : array_like of float32, shape (genes,), optional
         Genome to start from, in place of `schedule.start`.
-    threads, play
-        As in `Run`.
 
     Attributes
     ----------
@@ -62,7 +56,7 @@ class SingleTeam(Run):
     A stage is `archive_every` epochs. The archive holds the learning team's genome at the start
     and after each stage. It also holds the opponents' genomes, if they have any, so that a run
     does not depend on other directories. The payoff is that of the last genome, on episodes that
-    were not used in training. For other attributes see `Run`.
+    were not used in training. For other parameters and attributes see `Run`.
     """
 
     schedule: Against
@@ -127,7 +121,7 @@ class SingleTeam(Run):
         first = stage * schedule.archive_every
         epochs = range(first, min(first + schedule.archive_every, schedule.epochs))
         activity = f"{team}s against {schedule.opponent}"
-        self.learn_alone(team, 1 + stage, self.opponents, RoundRobin(), epochs, activity)
+        TeamPhase(self, team, 1 + stage, self.opponents, RoundRobin(), activity).learn(epochs)
         self.archive[team].append(self.learners[team].genome)
 
     def total_matches(self) -> int:

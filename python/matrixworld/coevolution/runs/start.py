@@ -28,17 +28,12 @@ def start(
     threads: int | None = None,
     play: Rollout = rollout,
 ) -> AnyRun:
-    """Return a new run of the kind that the settings define.
+    """Return a new run of the kind that the settings define; its method `run` trains and evaluates.
 
     Parameters
     ----------
     settings, directory, threads, play
         As in `Run`, whose errors this function raises.
-
-    Returns
-    -------
-    Race, HallOfFameRace or SingleTeam
-        The run; its method `run` trains and evaluates.
     """
     if not isinstance(settings, RaceSettings):
         raise TypeError(f"settings: expected RaceSettings, got {shown(settings)}")
