@@ -16,7 +16,7 @@ Method: the comparison of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854.
 Look at the mean score, which is the generalization, and at the worst score, which is what remains
 against the most difficult opponent. Compare both with the score against the training opponents: it
 shows how much a baseline loses against new ones. A single race depends on its seed: try another
-``--seed``, or ``paper_claims.py``, which runs ten seeds.
+``--seed``, or ``paper_claims.py``, which runs twenty seeds.
 
 Runs are kept in ``--runs``; an interrupted script continues where it stopped. A second schedule
 takes its own races only, since the baselines exist already.

@@ -1,40 +1,50 @@
 """Which claims of the paper hold? Races, baselines and surrounding over twenty training seeds.
 
-    python evolution/paper_claims.py              about three hours on two cores; can be interrupted
-    python evolution/paper_claims.py --quick      a small world and two seeds, less than a minute
+    python evolution/paper_claims.py              six hours on two cores; can be interrupted
+    python evolution/paper_claims.py --quick      a small world and two seeds, a minute
+    python evolution/paper_claims.py --parts long --seeds 3      some of the runs
 
 Method: the experiments of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854, with two differences:
 the policy is a small network, and it learns by evolution strategies instead of policy gradients.
 Baselines have the matches, the training steps and all settings of the races.
 
-Each claim is one number with an interval over seeds and a threshold, both chosen before the runs
-were played. It is reproduced if the interval lies on the claimed side, not reproduced if it lies on
-the other side, and else undecided. Numbers of a race in time are those of `analysis.judge`.
+Each claim is one number of each seed and a threshold. Its p-value is that of Student's t over the
+seeds, adjusted for all tests of all tables together (Holm); an interval speaks of its number alone.
+A claim is reproduced if the number lies on the claimed side of the threshold, and not reproduced if
+it lies on the other side, both told from chance at 5 %. Else the table cannot tell. Claims on races
+are tested in the whole race and in its halves; numbers of a race in time are those of
+`analysis.MEASURES`.
 
-``--results`` receives the table of claims, the scores below it, and the numbers behind both;
-``--runs`` keeps the runs.
+``--results`` receives the tables and the numbers behind them; ``--runs`` keeps the runs. The parts
+of a measurement that is there already are kept: ``--parts`` adds parts, or replaces them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from common import script_parser, written
+from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld import analysis
+from matrixworld.analysis import MEASURES, read_payoffs
 from matrixworld.analysis.judge import DROPS, LEAST_AMPLITUDE
-from matrixworld.coevolution import Team
+from matrixworld.analysis.payoffs import Payoffs
+from matrixworld.coevolution import TEAMS, Team
 from paper_runs import (
     CANDIDATES,
+    CROSS_PLAY,
     EVADERS_ALONE,
     EVADERS_TAUGHT,
+    FEW_EPOCHS,
+    FEWER,
     FULL,
     GENERALISTS,
     MIXED,
+    PARTS,
     PURSUERS_ALONE,
     QUICK,
     RACES,
@@ -45,22 +55,20 @@ from paper_runs import (
 )
 
 CLEARLY = 0.05
-"""Difference of capture rates above which co-evolved pursuers would be clearly better."""
+"""Difference of rates below which a team is not clearly better."""
 PUBLISHED_SURROUNDING = 0.58
 """Capture rate of the published -S after training; half of it counts as reproduced."""
-
-AGREEING = 10
-"""Seeds with exactly the same number that decide on a claim."""
+LEAST_COLLISIONS = 1.0
+"""Collisions per 1000 agent-steps that count as some: ten of a team of 20 in 500 steps."""
 
 Numbers = Mapping[str, np.ndarray]
-
-
-AMPLITUDE = "squared_cyclic_amplitude"
+ByColumn = Mapping[str, np.ndarray]
+"""One number for each seed, shape (seeds,), by the column of the table."""
 
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement of the paper as one number over seeds.
+    """A statement of the paper as one number of each seed.
 
     Parameters
     ----------
@@ -68,70 +76,170 @@ class Claim:
         The statement.
     measured : str
         Name of the number.
-    estimate : Estimate
-        Mean over seeds with its interval.
+    values : mapping of str to ndarray, shape (seeds,)
+        The number by column, such as a part of the race; NaN where it is not defined.
     side : {"above", "below"}
         Side of the threshold on which the number lies if the statement is true.
     than : float, optional
         The threshold.
     published : str, optional
         What the paper's authors measured, if they published it.
+    squared : bool, optional
+        Whether number and threshold are squares, whose roots are printed.
     """
 
     says: str
     measured: str
-    estimate: analysis.Estimate
+    values: ByColumn
     side: str
     than: float = 0.0
     published: str = ""
+    squared: bool = False
 
-    @property
-    def verdict(self) -> str:
-        """Verdict: reproduced, not reproduced or undecided."""
-        low, high = self.estimate.low, self.estimate.high
-        if low is None or high is None:
-            # Seeds that all agree have no interval; few of them say nothing about others.
-            if self.estimate.samples < AGREEING:
-                return "undecided"
-            low = high = self.estimate.value
-            if low == self.than:
-                return "not reproduced"
-        above, below = low > self.than, high < self.than
-        if not (above or below):
-            return "undecided"
+    def p_value(self, column: str) -> float:
+        """Return the p-value of the number in a column, not adjusted."""
+        values = self.values[column]
+        return 1.0 if np.isnan(values).any() else p_value(values, self.than)
+
+    def verdict(self, column: str, p: float) -> str:
+        """Return the verdict by an adjusted p-value: reproduced, not reproduced or cannot tell."""
+        if p > SIGNIFICANCE:
+            return "cannot tell"
+        above = self.values[column].mean() > self.than
         return "reproduced" if above == (self.side == "above") else "not reproduced"
 
+    def shown(self, column: str) -> str:
+        """Return mean and interval over seeds as text."""
+        if np.isnan(self.values[column]).any():
+            return "not defined"
+        found = analysis.interval_over_runs(self.values[column])
+        if self.squared:
+            # Noise is subtracted from a square, so it may be negative.
+            ends = (end and max(0.0, end) ** 0.5 for end in (found.value, found.low, found.high))
+            found = analysis.Estimate(*ends)  # type: ignore[arg-type]  # the value is a number
+        return written(found)
 
-@dataclass(frozen=True)
-class Races:
-    """The races of one schedule over seeds, and what `judge` says of them.
 
-    Parameters
-    ----------
-    scores : ndarray of float64, shape (seeds, n, n, episodes)
-        Capture rates.
-    """
+# Races, in parts of them:
 
-    scores: np.ndarray
 
-    @cached_property
-    def together(self) -> analysis.Judgement:
-        """The judgement of all seeds together."""
-        return analysis.judge(self.scores, per_episode=True)
+def in_parts(captured: np.ndarray, number: Callable[[Payoffs, str], float]) -> ByColumn:
+    """Return a number of each race (seeds, n, n, episodes) in the whole race and in its halves."""
+    races = [read_payoffs(scores, per_episode=True) for scores in captured]
+    return {part: np.array([number(race, part) for race in races]) for part in races[0].windows}
 
-    @cached_property
-    def _singles(self) -> list[analysis.Judgement]:
-        return [analysis.judge(scores, per_episode=True) for scores in self.scores]
 
-    def numbers(self, condition: str, *names: str) -> np.ndarray:
-        """Return the mean of some numbers of a condition for each seed, shape (seeds,)."""
-        estimates = [each.headline[condition].estimates for each in self._singles]
-        return np.array([np.mean([one[name].value for name in names]) for one in estimates])
+def measure(name: str, race: Payoffs, part: str) -> float:
+    """Return one of `analysis.MEASURES` in a part of a race."""
+    return MEASURES[name].of(race, part).value
 
-    def swing(self, first: int, last: int) -> np.ndarray:
-        """Return the mean swing of generations `first` to `last` for each seed."""
-        rates = [analysis.team_phase_rates(scores.mean(axis=2)) for scores in self.scores]
-        return swing_between(np.array(rates), first, last)
+
+def forgetting(race: Payoffs, part: str) -> float:
+    """Return the forgetting in a part of a race, mean of both teams."""
+    return float(np.mean([measure(name, race, part) for name in DROPS]))
+
+
+def phase(team: Team, race: Payoffs, part: str) -> float:
+    """Return the mean change of the capture rate while one team learns, in a part of a race."""
+    matrix = race.matrices[0][race.windows[part].cells]
+    k = np.arange(1, len(matrix))
+    pursuers_learned, before, after = matrix[k, k - 1], matrix[k - 1, k - 1], matrix[k, k]
+    changes = pursuers_learned - before if team == "pursuer" else after - pursuers_learned
+    return float(changes.mean())
+
+
+def difference(one: ByColumn, other: ByColumn) -> ByColumn:
+    """Return the difference of two numbers of the same seeds."""
+    return {column: one[column] - other[column] for column in one}
+
+
+def captured_by(numbers: Numbers) -> dict[str, np.ndarray]:
+    """Return the capture rates (seeds, n, n, episodes) of all kinds of races, by name."""
+    return {
+        name.removeprefix("captured "): captured / float(numbers["evaders"])
+        for name, captured in numbers.items()
+        if name.startswith("captured ")
+    }
+
+
+PAIRINGS = {
+    SPECIALISTS: "specialists against specialists",
+    MIXED: "generalist pursuers, specialist evaders",
+    GENERALISTS: "generalists against generalists",
+}
+
+
+def _on_races(numbers: Numbers) -> list[Claim]:
+    races = captured_by(numbers)
+    cyclic, drops = (
+        {race: in_parts(races[race], number) for race in RACES}
+        for number in (partial(measure, "squared_cyclic_amplitude"), forgetting)
+    )
+    amplitude, least = "cyclic amplitude", LEAST_AMPLITUDE**2
+
+    def over_schedules(team: Team) -> ByColumn:
+        each = [in_parts(races[race], partial(phase, team)) for race in RACES]
+        return {part: np.mean([one[part] for one in each], axis=0) for part in each[0]}
+
+    return [
+        *(
+            Claim(
+                f"The {team}s improve ({PAIRINGS[race]})", "linear change of the mean payoff",
+                in_parts(races[race], partial(measure, f"{team}_change")), "above",
+            )
+            for race in RACES for team in TEAMS
+        ),
+        Claim(
+            "The capture rate rises while pursuers learn", "change, mean of the three schedules",
+            over_schedules("pursuer"), "above",
+        ),
+        Claim(
+            "The capture rate falls while evaders learn", "change, mean of the three schedules",
+            over_schedules("evader"), "below",
+        ),
+        Claim(
+            "Specialists against specialists cycle", amplitude,
+            cyclic[SPECIALISTS], "above", least, squared=True,
+        ),
+        Claim(
+            "Cycles give diverse policies of similar complexity (specialists)",
+            "share of the variance that strength explains",
+            in_parts(races[SPECIALISTS], partial(measure, "transitive_share")), "below", 0.5,
+        ),
+        Claim(
+            "Generalist pursuers against specialists cycle less",
+            f"squared {amplitude}, difference to specialists",
+            difference(cyclic[MIXED], cyclic[SPECIALISTS]), "below",
+        ),
+        Claim(
+            "Generalists against generalists do not cycle", amplitude,
+            cyclic[GENERALISTS], "below", least, squared=True,
+        ),
+        Claim(
+            "Generalists forget less than specialists", "forgetting, difference to specialists",
+            difference(drops[GENERALISTS], drops[SPECIALISTS]), "below",
+        ),
+    ]  # fmt: skip
+
+
+def _on_few_epochs(numbers: Numbers) -> list[Claim]:
+    race = captured_by(numbers)[FEW_EPOCHS]
+    return [
+        Claim(
+            f"With too few epochs (1/{FEWER}) in a generation, {team}s cannot learn",
+            "linear change of the mean payoff", in_parts(race, partial(measure, f"{team}_change")),
+            "below", CLEARLY,
+        )
+        for team in TEAMS
+    ]  # fmt: skip
+
+
+# Single numbers:
+
+
+def one(values: np.ndarray) -> ByColumn:
+    """Return a number that has a single column."""
+    return {"": np.asarray(values, dtype=np.float64)}
 
 
 def swing_between(phases: np.ndarray, first: int, last: int) -> np.ndarray:
@@ -141,93 +249,117 @@ def swing_between(phases: np.ndarray, first: int, last: int) -> np.ndarray:
     return np.abs(part[..., 0] - part[..., 1]).mean(axis=1)
 
 
-def races_of(numbers: Numbers) -> dict[str, Races]:
-    """Return the races of each schedule, from the numbers of `measured`."""
-    evaders = float(numbers["evaders"])
-    return {race: Races(numbers[f"captured {race}"] / evaders) for race in RACES}
-
-
-def claims(numbers: Numbers) -> list[Claim]:
-    """Return the claims of the paper with their estimates, from the numbers of `measured`."""
-    races = races_of(numbers)
+def _on_swings(numbers: Numbers) -> list[Claim]:
+    races = captured_by(numbers)
+    rates = [
+        np.array([analysis.team_phase_rates(each) for each in races[race].mean(axis=3)])
+        for race in RACES
+    ]
+    last = rates[0].shape[1]
+    third = max(1, last // 3)
+    early, late = (
+        np.mean([swing_between(each, *part) for each in rates], axis=0)
+        for part in ((1, third), (last - third + 1, last))
+    )
     return [
-        *_on_progress(races, numbers),
-        *_on_cycles(races),
-        *_on_generalization(numbers),
-        *_on_surrounding(numbers),
-    ]
-
-
-def _on_progress(races: Mapping[str, Races], numbers: Numbers) -> list[Claim]:
-    gains = races[GENERALISTS].together.windows["whole"]["arms race"].estimates
-    last = races[GENERALISTS].scores.shape[1] - 1
-    tenth = max(1, last // 3)
-    swings = [
-        np.mean([each.swing(*part) for each in races.values()], axis=0)
-        for part in ((1, tenth), (last - tenth + 1, last))
-    ]
-    found = [
-        Claim(
-            f"Generalist {team}s improve over the generations",
-            "gain against all opponents, whole race", gains[f"{team}_gain"], "above",
-        )
-        for team in ("pursuer", "evader")
-    ]  # fmt: skip
-    found.append(
         Claim(
             "The variation by adaptation converges within 30 generations",
-            "swing, last third minus first third", over_seeds(swings[1] - swings[0]), "below",
+            "swing, last third minus first third", one(late - early), "below",
         )
-    )  # fmt: skip
+    ]  # fmt: skip
+
+
+def _on_long_races(numbers: Numbers) -> list[Claim]:
     longer = [numbers[f"phases {race}"].astype(np.float64) for race in (SPECIALISTS, GENERALISTS)]
-    if len(longer[0]) >= 2:
-        end = longer[0].shape[1]
-        late, early = (
-            np.mean([swing_between(each, *part) for each in longer], axis=0)
-            for part in ((end - tenth + 1, end), (last - tenth + 1, last))
+    end, last = longer[0].shape[1], captured_by(numbers)[GENERALISTS].shape[1] - 1
+    some = max(1, last // 3)
+    late, early = (
+        np.mean([swing_between(each, *part) for each in longer], axis=0)
+        for part in ((end - some + 1, end), (last - some + 1, last))
+    )
+    return [
+        Claim(
+            f"With {end} generations it diverges again",
+            f"swing, last {some} generations minus the {some} before {last + 1}",
+            one(late - early), "above",
         )
-        found.append(
+    ]  # fmt: skip
+
+
+def _on_plateau(numbers: Numbers) -> list[Claim]:
+    found = []
+    for opponents, name in (("random", "random pursuers"), ("held-out", "held-out pursuers")):
+        rates = numbers[f"plateau: {opponents}"].astype(np.float64)
+        half = rates.shape[1] // 2
+        found += [
             Claim(
-                f"With {end} generations it diverges again",
-                f"swing, last {tenth} generations minus the {tenth} before {last + 1}",
-                over_seeds(late - early), "above",
-            )
-        )  # fmt: skip
+                "Evaders alone, against random pursuers, improve at first",
+                f"escape rate against {name}, half of the epochs minus untrained",
+                one(rates[:, half] - rates[:, 0]), "above",
+            ),
+            Claim(
+                "... and then hardly any more",
+                f"escape rate against {name}, last minus half of the epochs",
+                one(rates[:, -1] - rates[:, half]), "below", CLEARLY,
+            ),
+        ]  # fmt: skip
     return found
 
 
-def _on_cycles(races: Mapping[str, Races]) -> list[Claim]:
-    squares = {race: each.numbers("cycling", AMPLITUDE) for race, each in races.items()}
-    drops = {race: each.numbers("forgetting", *DROPS) for race, each in races.items()}
-    amplitude = "cyclic amplitude, last half"
-    return [
-        Claim(
-            "Specialists against specialists cycle", amplitude,
-            amplitude_of(races[SPECIALISTS]), "above", LEAST_AMPLITUDE,
-        ),
-        Claim(
-            "Generalist pursuers against specialists cycle less",
-            f"squared {amplitude}, difference to specialists",
-            over_seeds(squares[MIXED] - squares[SPECIALISTS]), "below",
-        ),
-        Claim(
-            "Generalists against generalists do not cycle", amplitude,
-            amplitude_of(races[GENERALISTS]), "below", LEAST_AMPLITUDE,
-        ),
-        Claim(
-            "Generalists forget less than specialists", "forgetting, difference to specialists",
-            over_seeds(drops[GENERALISTS] - drops[SPECIALISTS]), "below",
-        ),
-    ]  # fmt: skip
+def _on_surrounding(numbers: Numbers) -> list[Claim]:
+    collided = "collisions with teammates per 1000 agent-steps"
+    found = []
+    for name in SURROUNDING.values():
+        captured = numbers[f"{name}: captured"].astype(np.float64)
+        collisions = numbers[f"{name}: collisions"].astype(np.float64)
+        found += [
+            Claim(
+                f"{name}: capture improves", "capture rate, last minus untrained",
+                one(captured[:, -1] - captured[:, 0]), "above",
+            ),
+            Claim(
+                f"{name}: capture reaches half of what was published", "capture rate, last",
+                one(captured[:, -1]), "above", PUBLISHED_SURROUNDING / 2,
+                f"{PUBLISHED_SURROUNDING}",
+            ),
+            Claim(
+                f"{name}: collisions of teammates remain", collided,
+                one(collisions[:, -1]), "above", LEAST_COLLISIONS,
+            ),
+            Claim(
+                f"{name}: collisions increase", f"{collided}, last minus untrained",
+                one(collisions[:, -1] - collisions[:, 0]), "above",
+            ),
+        ]  # fmt: skip
+    return found
 
 
-def amplitude_of(races: Races) -> analysis.Estimate:
-    """Return the cyclic amplitude of all seeds together, in units of the capture rate."""
-    found = races.together.headline["cycling"].estimates[AMPLITUDE]
-    # `judge` has its square, which noise may turn negative.
-    value, low, high = (max(0.0, end or 0.0) ** 0.5 for end in (found.value, found.low, found.high))
-    return replace(found, value=value, low=low, high=high)
+def _on_safety(numbers: Numbers) -> list[Claim]:
+    found = []
+    for name in SURROUNDING.values():
+        rewards, colliding, faults = (
+            numbers[f"{name}: {what}"].astype(np.float64)
+            for what in ("rewards", "colliding", "faults")
+        )
+        found += [
+            Claim(
+                f"{name}: rewards improve", "return of the team in tests, last minus untrained",
+                one(rewards[:, 1] - rewards[:, 0]), "above",
+            ),
+            Claim(
+                f"{name}: teammates collide in most episodes", "share of the test episodes",
+                one(colliding), "above", 0.5, "0.6",
+            ),
+            Claim(
+                f"{name}: collisions are worse in tests than in training",
+                "at fault per 1000 agent-steps, tests minus last tenth of the training",
+                one(faults[:, 1] - faults[:, 0]), "above",
+            ),
+        ]  # fmt: skip
+    return found
 
+
+# Candidates against opponents of other runs:
 
 OPPONENTS = ("all generations", "early generations", "late generations", "held-out opponents")
 """Opponents of the candidates; generations are those of races of other seeds."""
@@ -285,90 +417,151 @@ the second one lies if the statement is true; what was published."""
 def _on_generalization(numbers: Numbers) -> list[Claim]:
     scores = {team: standings(numbers, team) for team in CANDIDATES}
     payoff = {"pursuer": "capture", "evader": "escape"}
-    return [
+
+    def gains(team: Team, better: str, worse: str) -> ByColumn:
+        return {name: each[better] - each[worse] for name, each in scores[team].items()}
+
+    found = [
         Claim(
-            says, f"difference of {payoff[team]} rates, {opponents}",
-            over_seeds(scores[team][opponents][one] - scores[team][opponents][two]),
+            says, f"difference of {payoff[team]} rates", gains(team, better, worse),
             side, than, published,
         )
-        for says, team, one, two, side, than, published in COMPARED
-        for opponents in OPPONENTS
+        for says, team, better, worse, side, than, published in COMPARED
     ]  # fmt: skip
-
-
-def _on_surrounding(numbers: Numbers) -> list[Claim]:
-    collided = "collisions with teammates per 1000 agent-steps"
-    found = []
-    for name in SURROUNDING.values():
-        captured = numbers[f"{name}: captured"].astype(np.float64)
-        collisions = numbers[f"{name}: collisions"].astype(np.float64)
-        found += [
-            Claim(
-                f"{name}: capture improves", "capture rate, last minus untrained",
-                over_seeds(captured[:, -1] - captured[:, 0]), "above",
-            ),
-            Claim(
-                f"{name}: capture reaches half of what was published", "capture rate, last",
-                over_seeds(captured[:, -1]), "above", PUBLISHED_SURROUNDING / 2,
-                f"{PUBLISHED_SURROUNDING}",
-            ),
-            Claim(
-                f"{name}: collisions of teammates remain", collided,
-                over_seeds(collisions[:, -1]), "above", 0.0, "in 60 % of the episodes",
-            ),
-            Claim(
-                f"{name}: collisions increase", f"{collided}, last minus untrained",
-                over_seeds(collisions[:, -1] - collisions[:, 0]), "above",
-            ),
-        ]  # fmt: skip
+    evaders = gains("evader", GENERALISTS, EVADERS_ALONE)
+    pursuers = gains("pursuer", GENERALISTS, PURSUERS_ALONE)
+    found.append(
+        Claim(
+            "Who learns passively gains more from co-evolution",
+            "co-evolved minus alone (against random), evaders minus pursuers",
+            difference(evaders, pursuers),
+            "above",
+        )
+    )
     return found
 
 
-def over_seeds(
-    values: np.ndarray, bounds: tuple[float, float] = (-np.inf, np.inf)
-) -> analysis.Estimate:
-    """Return the mean of one number for each seed, with Student's t interval."""
-    return analysis.interval_over_runs(values, bounds=bounds)
+# The tables:
+
+CLAIMS: tuple[tuple[tuple[str, ...], Callable[[Numbers], list[Claim]]], ...] = (
+    (("races",), _on_races),
+    (("few-epochs",), _on_few_epochs),
+    ((CROSS_PLAY,), _on_generalization),
+    (("races",), _on_swings),
+    (("races", "long"), _on_long_races),
+    (("plateau",), _on_plateau),
+    (("surrounding",), _on_surrounding),
+    (("safety",), _on_safety),
+)
+"""Parts of the measurement that claims take, and the claims."""
+NUMBER_OF = {
+    "races": f"captured {SPECIALISTS}",
+    CROSS_PLAY: "cross-play of evaders",
+    "surrounding": f"{SURROUNDING['rewards']}: captured",
+    "long": f"phases {SPECIALISTS}",
+    "plateau": "plateau: random",
+    "few-epochs": f"captured {FEW_EPOCHS}",
+    "safety": f"{SURROUNDING['rewards']}: faults",
+}
+"""A number of each part, which shows that the part has been measured."""
+
+
+def claims(numbers: Numbers) -> list[Claim]:
+    """Return the claims of the parts that are measured, from the numbers of `measured`."""
+    return [
+        claim
+        for parts, of_parts in CLAIMS
+        if all(NUMBER_OF[part] in numbers for part in parts)
+        for claim in of_parts(numbers)
+    ]
 
 
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
-    heads = ("the paper's claim", "measured", "mean [95 %]", "claimed", "published", "")
-    lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
-    for claim in claims(numbers):
-        side = f"{claim.side} {claim.than:g}"
-        cells = (claim.says, claim.measured, written(claim.estimate), side, claim.published)
-        lines.append(f"| {' | '.join(cells)} | **{claim.verdict}** |")
-    lines += ["", f"| trained | team | {' | '.join(OPPONENTS)} |", "|---" * 6 + "|"]
+    found = claims(numbers)
+    tests = [(claim, column) for claim in found for column in claim.values]
+    adjusted = iter(holm([claim.p_value(column) for claim, column in tests]))
+    by_columns: dict[tuple[str, ...], list[str]] = {}
+    for claim in found:
+        cells = [cell(claim, column, next(adjusted)) for column in claim.values]
+        seeds = len(next(iter(claim.values.values())))
+        than = claim.than**0.5 if claim.squared else claim.than
+        told = [claim.says, claim.measured, f"{claim.side} {than:g}", claim.published, str(seeds)]
+        row = f"| {' | '.join([*told, *cells])} |"
+        by_columns.setdefault(tuple(claim.values), []).append(row)
+    parts = [f"{len(tests)} tests; p-values are adjusted for all of them (Holm)."]
+    for columns, rows in by_columns.items():
+        names = [f"{column}: mean [95 %]" if column else "mean [95 %]" for column in columns]
+        heads = ["the paper's claim", "number", "claimed", "published", "seeds", *names]
+        parts.append("\n".join([f"| {' | '.join(heads)} |", "|---" * len(heads) + "|", *rows]))
+    missing = [part for part, number in NUMBER_OF.items() if number not in numbers]
+    if missing:
+        parts.append(f"Not measured: {', '.join(missing)} (`--parts`).")
+    if CROSS_PLAY not in missing:
+        parts.append(scores(numbers))
+    return "\n\n".join(parts)
+
+
+def cell(claim: Claim, column: str, p: float) -> str:
+    """Return mean, interval, adjusted p-value and verdict of a claim in a column."""
+    return f"{claim.shown(column)}; {shown_p(p)}; **{claim.verdict(column, p)}**"
+
+
+def scores(numbers: Numbers) -> str:
+    """Return the scores of all candidates as a table in Markdown."""
+    lines = [f"| trained | team | {' | '.join(OPPONENTS)} |", "|---" * 6 + "|"]
     for team, kinds in CANDIDATES.items():
-        scores = standings(numbers, team)
+        payoffs = standings(numbers, team)
         for kind in kinds:
             cells = (
-                written(over_seeds(scores[opponents][kind], (0.0, 1.0))) for opponents in OPPONENTS
+                written(analysis.interval_over_runs(payoffs[name][kind], bounds=(0.0, 1.0)))
+                for name in OPPONENTS
             )
             lines.append(f"| {kind} | {team}s | {' | '.join(cells)} |")
     return "\n".join(lines)
 
 
+def kept_numbers(path: Path, evaders: int) -> dict[str, np.ndarray]:
+    """Return the numbers of an earlier measurement; none if there was none.
+
+    Raises ValueError if it was one of another size.
+    """
+    if not path.exists():
+        return {}
+    kept = dict(np.load(path))
+    found = int(kept["evaders"])
+    if found != evaders:
+        raise ValueError(
+            f"{path}: expected numbers of races with {evaders} evaders, got {found}; "
+            "--results names another directory"
+        )
+    return kept
+
+
 def main() -> None:
     """Play missing runs, test the claims, print and write the results."""
     parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
-    parser.add_argument("--seeds", type=int, help="training seeds; default 20, or 2 with --quick")
-    parser.add_argument("--long-seeds", type=int, help="seeds of the long races; default 5, or 2")
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=[*PARTS], help="default: all")
+    parser.add_argument("--seeds", type=int, help="training seeds; default 20 (long: 5), or 2")
     parser.add_argument("--runs", type=Path, default=Path("runs/paper_claims"))
     parser.add_argument("--results", type=Path, default=Path("paper_claims"))
     parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
-    plan, few, fewer = (QUICK, 2, 2) if args.quick else (FULL, 20, 5)
-    long = fewer if args.long_seeds is None else args.long_seeds
-    seeds = range(args.seeds or few)
-    runs = play(plan, seeds, args.runs, args.threads, long=range(long), where=args.cluster)
-    numbers = measured(plan, runs, args.threads)
+    plan = QUICK if args.quick else FULL
+    file = args.results / "numbers.npz"
+    try:
+        kept = kept_numbers(file, plan.race.world.n_evaders)
+    except ValueError as error:
+        parser.error(str(error))
+    few = 2 if args.quick else None
+    seeds = {part: range(args.seeds or few or PARTS[part].seeds) for part in args.parts}
+    runs = play(plan, seeds, args.runs, args.threads, args.cluster)
+    numbers = {**kept, **measured(plan, runs, args.threads)}
+    args.results.mkdir(parents=True, exist_ok=True)
+    np.savez_compressed(file, **numbers)
     text = tables(numbers)
     print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "claims.md").write_text(text + "\n", encoding="utf-8")
-    np.savez_compressed(args.results / "numbers.npz", **numbers)
     print(f"Written: {args.results}/claims.md, {args.results}/numbers.npz")
 
 
