@@ -6,10 +6,13 @@ import contextlib
 import io
 import os
 import re
+import signal
+import subprocess
 import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -21,20 +24,22 @@ from class_submissions import (
     HARMLESS_ATTACKS,
     REFUSED_PROGRAMS,
     honest_programs,
+    past_the_list,
     problem_here,
     processes_of_programs,
     write_genomes,
     write_hostile_files,
     write_programs,
 )
-from matrixworld import WorldConfig, record_actions
-from matrixworld.classroom import Limits, play_class, standings
+from matrixworld import Action, Network, NetworkPolicy, World, WorldConfig, record_actions
+from matrixworld.classroom import Limits, play_class, save_genome, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
 from matrixworld.classroom.policy_server import MODULES, NOT_CONFINED
 from matrixworld.classroom.sandbox import ALLOWED
-from matrixworld.classroom.submissions import MOST_BYTES, Entry, Refusal, Submission
+from matrixworld.classroom.submissions import MOST_BYTES, MOST_OWN, Entry, Refusal, Submission
 from matrixworld.classroom.tournament import ClassResult, MatchPool, admit
 from matrixworld.cli.classroom import play_command
+from matrixworld.cli.options import option_name
 from matrixworld.coevolution import TEAMS, Progress
 from matrixworld.play.rollout import match_seed
 
@@ -109,7 +114,7 @@ def test_stronger_policies_have_higher_scores(played: Tournament) -> None:
 def test_a_replay_is_the_match(played: Tournament) -> None:
     result = played.result
     for (g, h), actions in result.recordings.items():
-        episode = record_actions(CONFIG, actions, seed=match_seed(0))
+        episode = record_actions(CONFIG, actions, seed=result.match_seed)
         assert episode.length == result.lengths[g, h, 0]
         assert episode.capture_rate == pytest.approx(result.capture_rates[g, h, 0])
 
@@ -151,7 +156,7 @@ def test_a_program_that_fails_in_the_tournament_is_left_out(tmp_path: Path) -> N
     students = [entry.name for entry in result.entries["pursuer"] if entry.file]
     assert students == ["counts", "student 00"]
     [refusal] = result.refusals
-    assert refusal.reason.startswith("pursue: line 5: IndexError: list index out of range (in the")
+    assert refusal.reason.startswith("pursue: line 5: IndexError: list index out of range (while")
     assert np.isfinite(result.capture_rates).all()
 
 
@@ -163,6 +168,78 @@ def test_a_program_that_takes_too_long_in_all_is_left_out(tmp_path: Path) -> Non
     assert [(each.name, each.reason) for each in result.refusals] == [
         ("busy", "more than 0.2 seconds of processor time in all matches")
     ]
+
+
+def test_a_program_that_waits_ends_by_the_clock(tmp_path: Path) -> None:
+    """Without processor time, and with answers that each come in time: in a match and in all."""
+    waits = (
+        "lock = _thread.allocate_lock()\nlock.acquire()\n"
+        "def pursue(view, rng):\n    lock.acquire(timeout={})\n    return 0\n"
+    )
+    write_programs(
+        tmp_path,
+        honest_programs(1)
+        | {
+            "match": "import _thread\n" + waits.format(0.2),
+            "all": "import _thread\n" + waits.format(0.03),
+        },
+    )
+    began = time.monotonic()
+    limits = Limits(wait=5.0, clock=3.0, clock_in_all=3.5)
+    result = play_class(tmp_path, CONFIG, episodes=2, limits=limits, threads=1)
+    reasons = {each.name: each.reason for each in result.refusals}
+    assert reasons["match"] == "pursue: more than 3 seconds by the clock in a match"
+    assert reasons["all"].startswith("pursue: more than 3.5 seconds by the clock in all matches")
+    assert time.monotonic() - began < 15.0
+
+
+def test_limits_of_time_count_for_genomes(tmp_path: Path) -> None:
+    """A file of 7.9 MB, whose network takes a second or so for each match."""
+    network = Network(hidden=(1400, 1000), fov=11)
+    policy = NetworkPolicy(network, np.zeros(network.genome_size, np.float32))
+    save_genome(tmp_path / "large.npz", "pursuer", policy)
+    write_genomes(tmp_path, 1)
+    for limits, kind in [(Limits(in_all=0.05), "all matches"), (Limits(seconds=1), "a match")]:
+        result = play_class(tmp_path, CONFIG, episodes=3000, limits=limits, threads=1)
+        [refusal] = result.refusals
+        assert refusal.file == "large.npz"
+        text = rf"more than [\d.]+ seconds of processor time in {kind} \(while"
+        assert re.match(text, refusal.reason)
+
+
+def test_a_directory_that_cannot_be_read_is_refused_by_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_genomes(tmp_path, 1)
+    for name in ("closed", "full"):
+        (tmp_path / name).mkdir()
+    for number in range(MOST_OWN + 1):
+        (tmp_path / "full" / f"{number}.py").touch()
+    listed = os.scandir
+
+    def scandir(path: Path) -> Any:
+        if path.name == "closed":
+            raise PermissionError(13, "Permission denied")
+        return listed(path)
+
+    monkeypatch.setattr(os, "scandir", scandir)
+    result = small(tmp_path)
+    assert [(each.name, each.file, each.reason) for each in result.refusals] == [
+        ("closed", "closed", "cannot be read: Permission denied"),
+        ("full", "full", "expected at most 20 files, got more"),
+    ]
+
+
+def test_names_that_look_alike_are_students_of_their_own(tmp_path: Path) -> None:
+    names = ["Ann\x07", "Ann\x08", "Bo  Lee", "Bo Lee", "c\udcff", "d" * 70 + "1", "d" * 70 + "2"]
+    for name in names:
+        (tmp_path / name).mkdir()
+        write_genomes(tmp_path / name, 1)
+    result = small(tmp_path)
+    assert result.refusals == ()
+    assert [each.name for each in result.entries["pursuer"] if each.file] == [
+        r"Ann\x07", r"Ann\x08", "'Bo  Lee'", "'Bo Lee'", r"c\udcff", repr(names[5]), repr(names[6])
+    ]  # fmt: skip
 
 
 def test_directories_of_students(tmp_path: Path) -> None:
@@ -258,6 +335,50 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
         assert pool.submit(int).result() == 0
 
 
+ENDLESS = "import _thread\nlock = _thread.allocate_lock()\nlock.acquire(); lock.acquire()\n"
+
+
+@pytest.mark.parametrize("pause", [0.0, 0.06, 0.3])
+def test_two_interruptions_end_the_command(tmp_path: Path, pause: float) -> None:
+    with playing(tmp_path) as command:
+        for _ in range(2):
+            command.send_signal(signal.SIGINT)
+            time.sleep(pause)
+        # The second may meet the end of the interpreter, when nothing is left to end.
+        assert command.wait(timeout=10.0) in (130, -signal.SIGINT)
+    assert processes_of_programs() == []
+
+
+def test_a_killed_command_leaves_no_process(tmp_path: Path) -> None:
+    with playing(tmp_path) as command:
+        command.kill()
+    time.sleep(0.5)
+    assert processes_of_programs() == []
+
+
+@contextlib.contextmanager
+def playing(path: Path) -> Iterator[subprocess.Popen[bytes]]:
+    """Run the command with programs that do not answer."""
+    write_programs(path, dict.fromkeys("abc", ENDLESS))
+    words = [sys.executable, "-m", "matrixworld", "class", str(path), "--wait", "60", "--no-open"]
+    command = subprocess.Popen([*words, "--threads", "2"], stderr=subprocess.DEVNULL)
+    try:
+        last = time.monotonic() + 30.0
+        while len(children(command.pid)) < 4 or not any(map(children, children(command.pid))):
+            assert time.monotonic() < last
+            time.sleep(0.05)
+        time.sleep(0.5)
+        yield command
+    finally:
+        command.kill()
+        command.wait()
+
+
+def children(parent: int) -> list[int]:
+    found = Path(f"/proc/{parent}/task/{parent}/children")
+    return [int(number) for number in found.read_text().split()] if found.exists() else []
+
+
 # ---- Programs alone: they can compute and answer, and nothing else -------------------------------
 
 
@@ -270,7 +391,8 @@ def pool() -> Iterator[MatchPool]:
 
 
 def admitted(pool: MatchPool, text: str) -> tuple[list[Entry], list[Refusal]]:
-    submission = Submission("student", "student.py", "program", text.encode(), Path("student.py"))
+    content = past_the_list(text).encode()
+    submission = Submission("student", "student.py", "program", content, Path("student.py"))
     return admit([submission], pool, lambda progress: None)
 
 
@@ -309,10 +431,12 @@ def test_a_program_that_changes_its_own_process_only_plays(
 
 
 def test_the_next_program_finds_nothing_of_the_one_before(pool: MatchPool) -> None:
-    admitted(pool, "import builtins, math\nbuiltins.left = math.left = 1\n" + ACTS + "return 0")
+    admitted(
+        pool, "import builtins\nimport math\nbuiltins.left = math.left = 1\n" + ACTS + "return 0"
+    )
     assert_plays(
         pool,
-        "import builtins, math\n"
+        "import builtins\nimport math\n"
         "assert not hasattr(builtins, 'left')\n"
         "assert not hasattr(math, 'left')\n",
     )
@@ -344,6 +468,96 @@ def test_system_calls_by_number_fail(pool: MatchPool, call: int) -> None:
     )
 
 
+MEMORY = (
+    "import gc\nimport sys\n"
+    "seen = [*gc.get_objects(), *sys.modules]\n"
+    "for kind in [type(each) for each in seen] + object.__subclasses__():\n"
+    "    place = getattr(kind, '__module__', '')\n"
+    "    assert not str(place).startswith(('matrixworld.world', 'matrixworld._core')), kind\n"
+    "ours = sorted(name for name in sys.modules if name.startswith('matrixworld'))\n"
+    "assert ours == ['matrixworld._util.checks', 'matrixworld.classroom.policy_server',\n"
+    "                'matrixworld.classroom.sandbox'], ours\n"
+)
+
+
+def test_the_memory_of_a_program_holds_no_world(pool: MatchPool) -> None:
+    assert_plays(pool, MEMORY)
+
+
+@pytest.mark.parametrize("name", ["matrixworld", "matrixworld._core", "os", "sys", "gc", "ctypes"])
+def test_what_is_not_on_the_list_cannot_be_imported(pool: MatchPool, name: str) -> None:
+    text = (
+        f"try:\n    import {name} as it\nexcept ImportError as error:\n    raise ValueError(error)"
+    )
+    submission = Submission("a", "a.py", "program", text.encode(), Path("a.py"))
+    _, [refusal] = admit([submission], pool, lambda progress: None)
+    assert refusal.reason == f"line 4: ValueError: {name} cannot be imported"
+
+
+def test_late_imports_of_numpy_work(pool: MatchPool) -> None:
+    """In calls, in C code that imports as its caller, in texts of errors, and in copies."""
+    calls = (
+        "a.mean(), a.std(axis=0), a.sum(where=a > 1), np.ptp(a), np.median(a), a.any()",
+        "repr(a), str(np.array(['x'])), np.array2string(a), np.linalg.svd(a), np.fft.fft(a)",
+        "np.dtype([('a', 'f4')]).newbyteorder(), repr(np.dtype('f4,i4')), np.datetime64('2020')",
+        "np.datetime64('2020-01-01').astype(object), np.einsum('ij,kj->ik', a, a, optimize=True)",
+        "np.char.add('a', 'b'), np.strings.upper('a'), np.ma.array(a).mean()",
+        "copy.deepcopy(np.random.default_rng(0)).choice(5), np.polynomial.Polynomial([1, 2])(3)",
+        "np.pad(a, 1), np.unique(a), np.block([a, a]), a.ctypes, a.__array_interface__",
+        "np.lib.stride_tricks.sliding_window_view(a, 2, 1), np.isclose(a, a), np.histogram(a)",
+        "np.rec.array([(1,)]), np.cov(a), np.array(1) / np.array(0)",
+    )
+    wrong = ("np.add('a', 1)", "np.zeros(1 << 50)", "np.ones(2) @ np.ones(3)")
+    tries = "try: {}\nexcept (TypeError, MemoryError, ValueError) as e: str(e)\nelse: 1 / 0\n"
+    assert_plays(
+        pool,
+        "import copy\nimport numpy as np\na = np.arange(6.0).reshape(2, 3)\n"
+        + "".join(f"{call}\n" for call in calls)
+        + "".join(map(tries.format, wrong)),
+    )
+
+
+def test_random_numbers_tell_nothing_of_the_tournament(tmp_path: Path) -> None:
+    """A program reads its seed, and a hostile one all that is in its process."""
+    tells = (
+        "def pursue(view, rng):\n"
+        "    seen = [rng.bit_generator.seed_seq.entropy]\n"
+        "    frame = FRAME\n"
+        "    while frame:\n"
+        "        for each in list(frame.f_locals.values()):\n"
+        "            seen += each.values() if isinstance(each, dict) else [each]\n"
+        "        frame = frame.f_back\n"
+        "    raise ValueError(sorted({each for each in seen if type(each) is int and each > 99}))\n"
+    )
+    write_programs(tmp_path, {"a": "import sys\n" + tells.replace("FRAME", "sys._getframe()")})
+    write_genomes(tmp_path, 2)
+    seeds = set()
+    for _ in range(2):
+        result = small(tmp_path, seed=None)
+        [refusal] = result.refusals
+        [told] = map(int, re.findall(r"\d{9,}", refusal.reason))
+        assert told not in (result.seed, result.match_seed)
+        # Nor is a start that of the seed that it has, or of what NumPy makes of it.
+        worlds = [World(CONFIG) for _ in range(3)]
+        for world, seed in zip(worlds, (result.match_seed, told, match_seed(told)), strict=True):
+            world.reset(seed)
+        starts = [world.read("positions")["positions"].tobytes() for world in worlds]
+        assert starts[0] not in starts[1:]
+        seeds |= {result.seed, result.match_seed, told}
+    assert len(seeds) == 6
+
+
+def test_a_kernel_holds_the_limits_of_a_process() -> None:
+    text = (
+        "import resource as r\nfrom matrixworld.classroom.sandbox import set_limits\n"
+        "set_limits(7, 64, 4)\n"
+        "names = 'CPU', 'FSIZE', 'NOFILE', 'NPROC'\n"
+        "print([r.getrlimit(getattr(r, 'RLIMIT_' + name))[1] for name in names])"
+    )
+    printed = subprocess.run([sys.executable, "-c", text], capture_output=True, check=True).stdout
+    assert printed.decode().split() == ["[8,", "0,", "4,", "0]"]
+
+
 def test_honest_programs_play_both_teams(pool: MatchPool) -> None:
     teams = []
     for text in honest_programs(4).values():
@@ -356,6 +570,27 @@ def test_honest_programs_play_both_teams(pool: MatchPool) -> None:
 # ---- docs/class.md: its examples work, and its numbers are those of the code ---------------------
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+PROMISES = {
+    "The world is played in the process of the command, which": "submissions_with_names_of_modules",
+    "Each program has a process of its own for each match": "the_next_program_finds_nothing",
+    "It gets the views of its agents as bytes and answers": "writes protocol, floods protocol",
+    "So a program cannot change the world, see more": "forges actions, a_program_that_changes",
+    "Its process holds no world, no engine, no script": "the_memory_of_a_program_holds_no_world",
+    "Its random numbers and the starts come from": "equal_results, random_numbers_tell_nothing",
+    "The generator `rng` tells neither": "random_numbers_tell_nothing",
+    "It can import the modules": "what_is_not_on_the_list, programs_as_on_the_page, late_imports",
+    "On Linux (x86-64 and ARM64) the process gives up": "endless import, system_calls_by_number",
+    "A filter of system calls (seccomp) allows": "numbers_of_system_calls, limits_and_options",
+    "All others fail": "reads, lists, removes, socket, fork bomb, thread, kills parent, by ctypes",
+    "Open are `/dev/null`": "prints, a_program_sees_no_environment_and_no_other_open_file",
+    "The environment is empty": "a_program_sees_no_environment",
+    "The kernel limits memory": "slow memory, ignores signals, a_kernel_holds_the_limits",
+    "When a match is over": "an_interruption_ends, a_killed_command, two_interruptions",
+    "The command refuses a directory": "submissions_with_names_of_modules",
+    "On other systems, and in containers": "genomes_play_where_programs_cannot",
+    "Genomes are played everywhere": "genomes_play_where_programs_cannot",
+}
+"""The sentences of the section on what a program cannot do, and the programs and tests of each."""
 PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)
 LISTED = set(
     re.findall(r"`([\w.]+)`", PAGE.partition("A program can import")[2].partition("\n\n")[0])
@@ -385,15 +620,40 @@ def test_programs_as_on_the_page_can_be_handed_in(tmp_path: Path) -> None:
     assert (students, result.refusals) == (["anna", "bo"], ())
 
 
+def test_each_sentence_on_what_a_program_cannot_do_is_tested() -> None:
+    section = PAGE.partition("## What a program cannot do")[2].partition("###")[0]
+    plain = " ".join(section.replace("\n- ", "\n").split())
+    told = re.split(r"(?<=[.;])\s+(?=[A-Z])", plain)
+    assert len(told) == len(PROMISES)
+    for sentence, (begin, evidence) in zip(told, PROMISES.items(), strict=True):
+        assert sentence.startswith(begin)
+        for name in evidence.split(", "):
+            programs = name in REFUSED_PROGRAMS or name in HARMLESS_ATTACKS
+            assert programs or any(each.startswith(f"test_{name}") for each in globals()), name
+
+
+def test_views_are_as_the_page_says() -> None:
+    """0 or 1, where several agents share a cell, too."""
+    world = World(WorldConfig("O", rows=3, cols=3, n_pursuers=1, n_evaders=8, fov=5, max_steps=9))
+    world.reset(0)
+    world.step(np.full(9, Action.NORTH))
+    views, positions, alive = world.read("views", "positions", "alive").values()
+    evaders = positions[1:][alive[1:]]
+    assert len(np.unique(evaders, axis=0)) < len(evaders)
+    assert np.unique(views).tolist() == [0, 1]
+    assert "One agent or several in a cell are the same 1" in PAGE
+
+
 def test_limits_and_options_are_those_of_the_command() -> None:
     rows = dict(re.findall(r"^\| `(--[\w-]+)` \| (\d+) \|", PAGE, re.M))
     options = {param.opts[0]: param.default for param in play_command.params}
     assert {name: float(value) for name, value in rows.items()} == {
-        name: float(options[name]) for name in ("--seconds", "--wait", "--in-all", "--memory")
+        option_name(limit.name): float(options[option_name(limit.name)]) for limit in fields(Limits)
     }
     assert set(re.findall(r"`(--[\w-]+)", PAGE)) <= {*options, "--no-open"}
     assert f"allows {len(ALLOWED)} of them" in PAGE
     assert (MOST_BYTES["program"], MOST_BYTES["genome"]) == (256 << 10, 8 << 20)
+    assert f"at most {MOST_OWN} files" in PAGE
 
 
 def test_all_modules_that_programs_may_import_are_listed() -> None:

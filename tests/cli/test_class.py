@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -51,6 +52,43 @@ def test_the_page_is_the_same_each_time_and_not_replaced_unasked(
     assert page.read_bytes() == before
 
 
+def test_each_tournament_has_a_secret_that_repeats_it(directory: Path, tmp_path: Path) -> None:
+    def play(name: str, *options: object) -> dict[str, Any]:
+        file = tmp_path / f"{name}.json"
+        words = (*WORLD, "--json", file, "-o", tmp_path / f"{name}.html", *options)
+        result = matrixworld_command("class", directory, *words)
+        values: dict[str, Any] = json.loads(file.read_text())
+        assert f"--seed {values['seed']} plays this tournament again." in result.output
+        return values
+
+    one, other = play("a"), play("b")
+    again = play("c", "--seed", one["seed"])
+    assert len({one["seed"], other["seed"], one["match_seed"], other["match_seed"]}) == 4
+    assert again["lengths"] == one["lengths"] != other["lengths"]
+
+
+def test_a_directory_of_any_name_is_played(directory: Path, tmp_path: Path) -> None:
+    """One that is no UTF-8, and would give the terminal orders."""
+    odd = directory.rename(tmp_path / "a\x1b]0;b\x07\udcff")
+    result = matrixworld_command("class", odd, *WORLD)
+    assert r"a\x1b]0;b\x07\udcff.html" in run_together(result.output)
+    assert "\x1b" not in result.output
+    page = odd.with_name(f"{odd.name}.html").read_text(encoding="utf-8")
+    assert r"<title>a\x1b]0;b\x07\udcff - matrixworld</title>" in page
+
+
+def test_results_are_printed_though_the_page_cannot_be_written(
+    directory: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(path: Path, text: str) -> None:
+        raise OSError(28, "No space left on device", str(path))
+
+    monkeypatch.setattr("matrixworld.cli.classroom.write_page", full)
+    result = matrixworld_command("class", directory, *WORLD, code=1)
+    assert "mean capture rate against all 4 opponents" in result.output
+    assert "No space left on device" in result.output
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [
@@ -59,6 +97,8 @@ def test_the_page_is_the_same_each_time_and_not_replaced_unasked(
         (("--n-pursuers", 0), "--n-pursuers"),
         (("--seconds", 0), "--seconds: expected 1 to 3600, got 0"),
         (("--wait", "nan"), "--wait: expected a number above 0"),
+        (("--clock", -1), "--clock: expected a number above 0"),
+        (("--clock-in-all", "inf"), "--clock-in-all: expected a number above 0"),
         (("--memory", 1), "--memory: expected 16 to 1048576, got 1"),
         (("--episodes", 1), "--episodes"),
     ],

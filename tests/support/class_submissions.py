@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import re
 from contextlib import suppress
 from pathlib import Path
 
@@ -16,7 +17,8 @@ from matrixworld.world.policy import Network
 
 CHASER = """
 import numpy as np
-from matrixworld import Action
+
+NORTH, EAST, SOUTH, WEST = 1, 2, 3, 4
 
 def pursue(view, rng):
     evaders = np.argwhere(view[0])
@@ -25,8 +27,8 @@ def pursue(view, rng):
     cells = evaders - view.shape[1] // 2
     down, right = cells[np.abs(cells).sum(axis=1).argmin()]
     if abs(down) > abs(right):
-        return Action.SOUTH if down > 0 else Action.NORTH
-    return Action.EAST if right > 0 else Action.WEST
+        return SOUTH if down > 0 else NORTH
+    return EAST if right > 0 else WEST
 """
 
 FLEER = """
@@ -89,7 +91,10 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
     # Other processes and threads.
     "fork bomb": (ACTS + "import os\n    while True: os.fork()", "line 3: PermissionError"),
     "spawns": ("import os\nos.posix_spawn('/bin/sh', ['sh'], {})", "line 2: PermissionError"),
-    "subprocess": ("import subprocess\nsubprocess.run(['touch', '{mark}'])", "PermissionError"),
+    "subprocess": (
+        "import subprocess\nsubprocess.run(['touch', '{mark}'])",
+        "line 1: .*No module named 'subprocess'",
+    ),
     "shell": ("import os\nif os.system('touch {mark}'): raise OSError", "line 2: OSError"),
     "executes": ("import os\nos.execv('/bin/sh', ['sh', '-c', 'touch {mark}'])", "PermissionError"),
     "thread": (
@@ -149,7 +154,8 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
     "null byte": ("x = 1\0", "^(SyntaxError|ValueError): source code"),
     "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
     "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
-    "imports torch": ("import torch", "No module named 'torch' .docs/class.md lists"),
+    "imports torch": ("import torch", "torch cannot be imported .docs/class.md lists"),
+    "imports the world": ("import matrixworld", "line 1: .*matrixworld cannot be imported .docs"),
 }
 """Programs that are refused: the text, and a pattern of the reason. {mark} is a file that must not
 appear."""
@@ -158,9 +164,8 @@ HARMLESS_ATTACKS: dict[str, str] = {
     # They change their own process only, and then play.
     "prints": "for n in range(200): print('x' * 100_000)\n" + ACTS + "print(view); return 1",
     "patches": (
-        "import sys, numpy, matrixworld\n"
-        "from matrixworld.classroom import policy_server\n"
-        "matrixworld.World = matrixworld.rollout = None\n"
+        "import numpy\nimport sys\n"
+        "policy_server = sys.modules['matrixworld.classroom.policy_server']\n"
         "numpy.random.default_rng = lambda *a: None\n"
         "policy_server._action = lambda *a: 3\n"
         "sys.modules.clear()\n" + ACTS + "return 'a very good action'"
@@ -168,6 +173,13 @@ HARMLESS_ATTACKS: dict[str, str] = {
     "catches": ("try: open('{mark}', 'w')\nexcept OSError: pass\n" + ACTS + "return 2"),
     "<img src=x onerror=alert(1)>": ACTS + "return 0",
 }
+
+
+def past_the_list(text: str) -> str:
+    """Return a program that gets modules which are not on the list, as an attacker would."""
+    real = "__import__('random')._os.sys.modules['builtins'].__import__"
+    names = "builtins|ctypes|_ctypes|gc|os|signal|socket|subprocess|sys|threading|_thread"
+    return re.sub(rf"import ({names})\b", lambda found: f"{found[1]} = {real}('{found[1]}')", text)
 
 
 def write_hostile_files(directory: Path) -> dict[str, str]:
@@ -183,7 +195,7 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
             "genome": genome, "hidden": np.array([4]), "activation": "relu", "fov": 11,
             "n_actions": 5, "sampled": True, "team": "pursuer",
         }  # fmt: skip
-        np.savez(
+        np.savez_compressed(
             directory / name, **{k: v for k, v in {**arrays, **changes}.items() if v is not None}
         )
 
@@ -208,6 +220,7 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
     whole = io.BytesIO()
     np.savez(whole, genome=genome)
     write("cut.npz", "cut, altered or not an npz file", whole.getvalue()[:-100])
+    save("expands.npz", "expected arrays of at most 8,388,608 bytes", genome=np.zeros(2**22, "f4"))
     write("large.npz", "expected at most 8,388,608 bytes", bytes(9 << 20))
     write("long.py", "expected at most 262,144 bytes", b"#" * (300 << 10))
     write("notes.txt", r"expected a file that ends in \.py or \.npz", b"hello")
@@ -224,8 +237,10 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
 def write_programs(directory: Path, programs: dict[str, str]) -> None:
     """Write programs as files of their students."""
     for name, text in programs.items():
-        text = text.replace("{mark}", str(directory / "mark")).replace(
-            "{directory}", str(directory)
+        text = (
+            past_the_list(text)
+            .replace("{mark}", str(directory / "mark"))
+            .replace("{directory}", str(directory))
         )
         (directory / f"{name}.py").write_text(text)
 

@@ -14,7 +14,6 @@ from matrixworld.classroom.standings import Standing
 from matrixworld.classroom.tournament import ClassResult
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import render_page
-from matrixworld.play.rollout import match_seed
 from matrixworld.version import __version__
 
 MOST_BYTES = 3 * 2**20
@@ -40,7 +39,7 @@ def _summary(result: ClassResult, tables: Tables) -> dict[str, Any]:
         "world": result.config.to_json(),
         "seed": str(result.seed),
         # As text: a number of JavaScript holds 53 of the 64 bits.
-        "match_seed": str(match_seed(result.seed)),
+        "match_seed": str(result.match_seed),
         "episodes": result.capture_rates.shape[2],
         "names": {team: [entry.name for entry in result.entries[team]] for team in TEAMS},
         "standings": {team: [_row(each) for each in tables[team]] for team in TEAMS},

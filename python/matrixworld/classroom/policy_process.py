@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import signal
 import socket
@@ -10,9 +11,8 @@ import subprocess
 import sys
 import sysconfig
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -34,13 +34,24 @@ from matrixworld.classroom.policy_server import (
     message,
     receive,
 )
-from matrixworld.classroom.sandbox import Limits
+from matrixworld.classroom.sandbox import Limits, Used, rest
 from matrixworld.coevolution.types import Team
 
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
 NO_FORK = "they need Linux or macOS"
-# Not ``-m``: programs would find a second copy of the module, which is not loaded.
-START = "from matrixworld.classroom.policy_server import main; main()"
+PLACE = os.path.join(Path(matrixworld.__path__[0]).parent, "")
+# Empty packages with the paths of ours: the server gets the files that it names, and no engine.
+START = """
+import sys, types
+for name in sys.argv[1].split():
+    sys.modules[name] = types.ModuleType(name)
+    sys.modules[name].__path__ = [sys.argv[2] + name.replace(".", "/")]
+from matrixworld.classroom.policy_server import main
+for name in sys.argv[1].split():
+    del sys.modules[name]
+main()
+"""
+EMPTY = "matrixworld matrixworld._util matrixworld.classroom"
 LONGEST_REASON = 300
 """Most characters of what a program says about its own end."""
 
@@ -78,7 +89,7 @@ class PolicyServer:
         self._commands, theirs = socket.socketpair()
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, "-c", START, *["--trust"] * self._trust],
+                [sys.executable, "-c", START, EMPTY, PLACE, *["--trust"] * self._trust],
                 stdin=theirs.fileno(),
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
@@ -102,10 +113,11 @@ class PolicyServer:
         values: dict[str, Any] = json.loads(reply)
         return values
 
-    def connect(self, settings: Mapping[str, Any]) -> socket.socket:
-        """Return the connection to a new process."""
+    def connect(self, settings: Mapping[str, Any], seconds: float) -> socket.socket:
+        """Return the connection to a new process, which has so many seconds of processor time."""
         ours, theirs = socket.socketpair()
-        command = json.dumps({"limits": asdict(self.limits), "settings": settings}).encode()
+        limits = {"seconds": max(1, math.ceil(seconds)), "memory": self.limits.memory}
+        command = json.dumps({"limits": limits, "settings": settings}).encode()
         try:
             with theirs:
                 socket.send_fds(self._commands, [command], [theirs.fileno()])
@@ -161,21 +173,27 @@ def _environment() -> dict[str, str]:
 class PolicyProcess:
     """A submitted program during one match; RefusedError if it fails or breaks a limit.
 
-    Settings are ``team``, ``fov``, ``n_actions``, and ``seed``, a list of integers. `functions`
-    says whether the program has one for pursuers, and one for evaders; `seconds` is the processor
-    time that it took, known when the match is over.
+    Settings are ``team``, ``fov``, ``n_actions``, and ``seed``, an integer. `before` are its
+    matches before, for the limits of all. `functions` says whether the program has one for
+    pursuers, and one for evaders; `used` is the time that it took, whole when the match is over.
     """
 
-    def __init__(self, server: PolicyServer, code: bytes, settings: Mapping[str, Any]) -> None:
+    def __init__(
+        self,
+        server: PolicyServer,
+        code: bytes,
+        settings: Mapping[str, Any],
+        before: Sequence[Used] = (),
+    ) -> None:
         self._server = server
         self._team: Team = settings["team"]
         self._n_actions: int = settings["n_actions"]
-        self.seconds = 0.0
-        self._connection = server.connect(settings)
+        self.used = Used()
+        self._processor, self._clock = rest(server.limits, before)
+        self._connection = server.connect(settings, self._processor.seconds)
         self._open = True
         with self._ending_on_failure():
-            self._send(CODE, code)
-            flags = self._answer(READY, 2)
+            flags = self._answer(CODE, code, READY, 2)
         self.functions = flags[0] == 1, flags[1] == 1
 
     def actions(self, numbers: NDArray[Any], views: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -184,8 +202,8 @@ class PolicyProcess:
         The number of an agent is the same in all steps of an episode. All actions are legal.
         """
         with self._ending_on_failure():
-            self._send(VIEWS, numbers.astype(NUMBER).tobytes() + views.tobytes())
-            chosen = np.frombuffer(self._answer(ACTIONS, len(numbers)), np.uint8)
+            content = numbers.astype(NUMBER).tobytes() + views.tobytes()
+            chosen = np.frombuffer(self._answer(VIEWS, content, ACTIONS, len(numbers)), np.uint8)
             # The program's process checks this, too; but that process is the program's.
             if (chosen >= self._n_actions).any():
                 raise MessageError(f"expected actions below {self._n_actions}")
@@ -204,31 +222,38 @@ class PolicyProcess:
 
     def _reason(self, error: Exception, end: End) -> str:
         """Return in words why a process ended that had not finished."""
-        limits = self._server.limits
         if isinstance(error, TimeoutError):
-            return f"no answer within {limits.wait:g} seconds"
+            if self.used.clock >= self._clock.seconds:
+                return self._clock.reason
+            return f"no answer within {self._server.limits.wait:g} seconds"
         if isinstance(error, MessageError):
             return "wrote into the connection of its process"
-        if end.code == -signal.SIGXCPU or end.seconds >= limits.seconds:
-            return f"more than {limits.seconds} seconds of processor time in a match"
+        if end.code == -signal.SIGXCPU or end.seconds >= self._processor.seconds:
+            return self._processor.reason
         if end.code < 0:
             return f"its process crashed ({signal.Signals(-end.code).name})"
         return f"ended its own process (exit code {end.code})"
 
-    def _send(self, kind: bytes, content: bytes) -> None:
-        self._connection.settimeout(self._server.limits.wait)
-        self._connection.sendall(message(kind, content))
+    def _answer(self, asked: bytes, about: bytes, kind: bytes, size: int) -> bytes:
+        """Send a message and return its answer of an exact size; RefusedError with its error."""
+        began = time.monotonic()
+        last = began + min(self._server.limits.wait, self._clock.seconds - self.used.clock)
 
-    def _answer(self, kind: bytes, size: int) -> bytes:
-        """Return an answer of an exact size; RefusedError with the program's own error."""
-        last = time.monotonic() + self._server.limits.wait
+        def left() -> float:
+            # The time is that of the whole answer, which may come byte by byte.
+            return max(1e-3, last - time.monotonic())
 
         def read(most: int) -> bytes:
-            # The time is that of the whole answer, which may come byte by byte.
-            self._connection.settimeout(max(1e-3, last - time.monotonic()))
+            self._connection.settimeout(left())
             return self._connection.recv(most)
 
-        found, content = receive(read, {kind: size, ERROR: LONGEST_ERROR})
+        try:
+            self._connection.settimeout(left())
+            self._connection.sendall(message(asked, about))
+            found, content = receive(read, {kind: size, ERROR: LONGEST_ERROR})
+        finally:
+            waited = time.monotonic() - began
+            self.used = self.used._replace(clock=self.used.clock + waited)
         if found == ERROR:
             line = one_line(content.decode(errors="replace"))
             short = line if len(line) <= LONGEST_REASON else f"{line[:LONGEST_REASON]} ..."
@@ -238,11 +263,11 @@ class PolicyProcess:
         return content
 
     def end(self) -> End:
-        """End the process of the program, and note its time."""
+        """End the process of the program, and note its processor time."""
         self._open = False
         self._connection.close()
         end = self._server.end()
-        self.seconds = end.seconds
+        self.used = self.used._replace(processor=end.seconds)
         return end
 
     def close(self) -> None:

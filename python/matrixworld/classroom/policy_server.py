@@ -1,16 +1,18 @@
 """The processes of submitted programs: a server that forks them, and what each of them does.
 
-The server has imported NumPy and the package, so a fork of it is ready in milliseconds. It never
-sees a program: that travels from the parent to the fork, after the fork has given up all rights.
+The server has imported NumPy, so a fork of it is ready in milliseconds. Of the package it has this
+file and what this file imports; worlds, engine and scripts are not in its memory. It never sees a
+program: that travels from the parent to the fork, after the fork has given up all rights.
 Commands come over a connection, which is the server's standard input. If it ends, because the
 parent has ended in whatever way, the fork is killed and the server ends.
 
 A fork plays one match of one program. It knows what the program's agents see, and nothing else of
-the world: no positions, no opponents, no seeds of the world.
+the world: no positions, no opponents, no seeds but its own, from which no other follows.
 """
 
 from __future__ import annotations
 
+import builtins
 import gc
 import inspect
 import json
@@ -23,12 +25,13 @@ import sys
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from traceback import walk_tb
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.classroom.sandbox import Limits, end_with_parent, filter_system_calls, set_limits
+from matrixworld.classroom.sandbox import end_with_parent, filter_system_calls, set_limits
 
 # ---- Messages ------------------------------------------------------------------------------------
 #
@@ -85,12 +88,17 @@ MODULES = (
     "abc", "array", "bisect", "cmath", "collections.abc", "contextlib", "copy", "dataclasses",
     "decimal", "enum", "fractions", "functools", "graphlib", "heapq", "itertools", "json", "math",
     "numbers", "operator", "random", "re", "statistics", "string", "struct", "textwrap", "time",
-    "types", "typing", "__future__", "numpy.fft", "numpy.lib.stride_tricks", "numpy.linalg",
-    "numpy.polynomial", "numpy.random", "matrixworld",
-    # Not to be named by programs, but by Python while it loads one.
-    "encodings.utf_8_sig", "encodings.latin_1", "encodings.cp1252",
+    "types", "typing", "__future__", "numpy.char", "numpy.fft", "numpy.lib.stride_tricks",
+    "numpy.linalg", "numpy.ma", "numpy.polynomial", "numpy.random", "numpy.rec", "numpy.strings",
+    "numpy.typing",
 )  # fmt: skip
 """Modules that are loaded before a program runs. It can import these, and no others."""
+UNNAMED = (
+    "encodings.utf_8_sig", "encodings.latin_1", "encodings.cp1252", "numpy._core._exceptions",
+    "numpy._core._dtype", "numpy._core._internal", "numpy._core._methods",
+)  # fmt: skip
+"""Modules that Python and NumPy import later, when no file can be opened any more."""
+ROOTS = frozenset(name.partition(".")[0] for name in MODULES)
 CONNECTION = 3
 """The only open file of a program's process beside /dev/null, which is 0, 1 and 2."""
 NOT_CONFINED = "files can still be opened in spite of the filter"
@@ -99,7 +107,7 @@ NOT_CONFINED = "files can still be opened in spite of the filter"
 def main() -> None:
     """Make processes, one at a time, until the parent ends the connection."""
     trust = "--trust" in sys.argv
-    for name in MODULES:
+    for name in (*MODULES, *UNNAMED):
         __import__(name)
     commands = socket.socket(fileno=os.dup(0))
     commands.send(json.dumps({"problem": "" if trust else _problem()}).encode())
@@ -128,7 +136,7 @@ def _ended(child: int) -> dict[str, Any]:
 
 
 def _be_program(
-    connection: int, trust: bool, limits: Mapping[str, Any], settings: Mapping[str, Any]
+    connection: int, trust: bool, limits: Mapping[str, int], settings: Mapping[str, Any]
 ) -> None:
     """Give up all rights and play; this process does not return."""
     try:
@@ -142,10 +150,10 @@ def _be_program(
         os.closerange(CONNECTION + 1, os.sysconf("SC_OPEN_MAX"))
         sys.stdin = None
         sys.stdout = sys.stderr = open(1, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
-        set_limits(Limits(**limits), None if trust else CONNECTION + 1)
+        set_limits(**limits, files=None if trust else CONNECTION + 1)
         if not trust:
             filter_system_calls()
-        _play(settings)
+        _play(settings, trust)
     finally:
         # Not sys.exit: nothing of the server may be done twice.
         os._exit(0)
@@ -182,10 +190,10 @@ class PolicyError(Exception):
     """A program did not give what it had to give; the text is for its author."""
 
 
-def _play(settings: Mapping[str, Any]) -> None:
+def _play(settings: Mapping[str, Any], trust: bool) -> None:
     """Load a program and let it play until the parent ends the connection."""
     try:
-        names = _names(_receive(CODE), settings["seed"])
+        names = _names(_receive(CODE), settings["seed"], __import__ if trust else _import)
         _send(READY, bytes(name in names for name in FUNCTIONS.values()))
         _answer_views(settings, names)
     except EOFError:
@@ -205,12 +213,24 @@ def _send(kind: bytes, content: bytes) -> None:
         rest = rest[os.write(CONNECTION, rest) :]
 
 
-def _names(code: bytes, seed: list[int]) -> dict[str, Any]:
+def _import(name: str, *others: Any, **named: Any) -> ModuleType:
+    """Import a module on the list; NumPy, too, imports its late parts as the program that calls.
+
+    The list helps honest programs. What holds the others is the filter, and that nothing in this
+    process is worth finding.
+    """
+    if name.partition(".")[0] not in ROOTS:
+        raise ModuleNotFoundError(f"{name} cannot be imported")
+    return __import__(name, *others, **named)
+
+
+def _names(code: bytes, seed: int, importing: Callable[..., ModuleType]) -> dict[str, Any]:
     """Run a program and return its names."""
     # Programs that use the global generators are reproducible, too.
-    random.seed(seed[0])
-    np.random.seed(seed[0])  # noqa: NPY002
+    random.seed(seed)
+    np.random.seed(seed % 2**32)  # noqa: NPY002
     names: dict[str, Any] = {"__name__": "submission", "__file__": FILE}
+    names["__builtins__"] = {**vars(builtins), "__import__": importing}
     exec(compile(code, FILE, "exec", dont_inherit=True), names)
     return names
 

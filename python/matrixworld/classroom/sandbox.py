@@ -14,8 +14,10 @@ import os
 import platform
 import struct
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from matrixworld._util.checks import check_integer, check_number
 
@@ -25,16 +27,20 @@ MIB = 2**20
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of a submitted program.
+    """Limits of a submitted policy: times of programs and genomes, the rest of programs only.
 
     Parameters
     ----------
     seconds : int, optional
         Processor time of one match, in seconds. The default is 10.
+    in_all : float, optional
+        Processor time of all matches of one policy, in seconds. The default is 200.
     wait : float, optional
         Time by the clock that one answer may take, in seconds. The default is 30.
-    in_all : float, optional
-        Processor time of all matches of one submission, in seconds. The default is 200.
+    clock : float, optional
+        Time by the clock of all answers in one match, in seconds. The default is 60.
+    clock_in_all : float, optional
+        Time by the clock of all answers in all matches, in seconds. The default is 600.
     memory : int, optional
         Memory beyond that of Python and NumPy themselves, in MiB. The default is 512.
 
@@ -45,26 +51,58 @@ class Limits:
     """
 
     seconds: int = 10
-    wait: float = 30.0
     in_all: float = 200.0
+    wait: float = 30.0
+    clock: float = 60.0
+    clock_in_all: float = 600.0
     memory: int = 512
 
     def __post_init__(self) -> None:
         check_integer("seconds", self.seconds, 1, MOST_SECONDS)
         check_integer("memory", self.memory, 16, 1 << 20)
-        for name in ("wait", "in_all"):
+        for name in ("in_all", "wait", "clock", "clock_in_all"):
             check_number(name, getattr(self, name), least=0.0, positive=True)
 
 
-def set_limits(limits: Limits, files: int | None) -> None:
-    """Limit this process for good.
+class Used(NamedTuple):
+    """Time that a policy has used, in seconds."""
+
+    processor: float = 0.0
+    clock: float = 0.0
+
+
+class Rest(NamedTuple):
+    """What is left of a limit, in seconds, and what is said of a policy that takes more."""
+
+    seconds: float
+    reason: str
+
+
+def rest(limits: Limits, used: Sequence[Used] = ()) -> tuple[Rest, Rest]:
+    """Return what a match may take of processor time, and by the clock, after those before it."""
+    kinds = (
+        ("of processor time", limits.seconds, limits.in_all, sum(each.processor for each in used)),
+        ("by the clock", limits.clock, limits.clock_in_all, sum(each.clock for each in used)),
+    )
+    processor, clock = (
+        min(
+            Rest(once, f"more than {once:g} seconds {kind} in a match"),
+            Rest(in_all - before, f"more than {in_all:g} seconds {kind} in all matches"),
+        )
+        for kind, once, in_all, before in kinds
+    )
+    return processor, clock
+
+
+def set_limits(seconds: int, memory: int, files: int | None) -> None:
+    """Limit processor time, in seconds, and memory, in MiB, of this process for good.
 
     `files` are open already: it can then open no other one, write to no regular one, and start no
     process. With None only time and memory are limited.
     """
     import resource
 
-    hard = {"RLIMIT_AS": _address_space() + limits.memory * MIB, "RLIMIT_CORE": 0}
+    hard = {"RLIMIT_AS": _address_space() + memory * MIB, "RLIMIT_CORE": 0}
     if files is not None:
         hard |= {
             "RLIMIT_FSIZE": 0,  # of regular files; connections and /dev/null have no size
@@ -77,7 +115,7 @@ def set_limits(limits: Limits, files: int | None) -> None:
         if hasattr(resource, name) and not (name == "RLIMIT_AS" and sys.platform == "darwin"):
             resource.setrlimit(getattr(resource, name), (value, value))
     # The first signal can be caught, the second one, a second later, cannot.
-    resource.setrlimit(resource.RLIMIT_CPU, (limits.seconds, limits.seconds + 1))
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
 
 
 def _address_space() -> int:

@@ -15,9 +15,10 @@ import os
 import sys
 import unicodedata
 import zipfile
-from collections.abc import Iterator
+from collections import Counter
 from dataclasses import asdict, dataclass
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 from typing import IO, Any, Literal, NamedTuple, TypeAlias
 
@@ -44,6 +45,8 @@ IGNORED = ("__pycache__", "__MACOSX", "Thumbs.db", "desktop.ini")
 """Files that systems leave behind, beside those whose names begin with a dot."""
 MOST_FILES = 1000
 """The most files of a class."""
+MOST_OWN = 20
+"""The most files in the directory of a student."""
 LONGEST_NAME = 60
 """The most characters of a name on the page."""
 MOST_BYTES = {"genome": 8 * 2**20, "program": 2**18}
@@ -80,15 +83,14 @@ class Entry:
     policy: bytes | TeamPolicy  # the text of the program, the genome, or the name of the script
 
     @cached_property
-    def key(self) -> tuple[int, ...]:
-        """Numbers that depend on what plays and on its team, not on its name or place."""
+    def key(self) -> str:
+        """Depends on what plays and on its team, not on its name or place."""
         policy = self.policy
         if isinstance(policy, str):
             content = policy.encode()
         else:
             content = policy if isinstance(policy, bytes) else policy.genomes.tobytes()
-        digest = hashlib.sha256(self.team.encode() + content).digest()
-        return tuple(int.from_bytes(digest[at : at + 4], "little") for at in range(0, 16, 4))
+        return hashlib.sha256(self.team.encode() + content).hexdigest()
 
 
 # ---- The directory of a class --------------------------------------------------------------------
@@ -107,35 +109,52 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
         )
     submissions: list[Submission] = []
     refusals: list[Refusal] = []
-    for number, (name, path) in enumerate(_files(directory)):
-        if number == MOST_FILES:
-            raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
-        file, shown = one_line(path.relative_to(directory)), _display_name(name)
+    pending = _listed(directory, MOST_FILES)[::-1]
+    names = _shown_names(pending)
+    while pending:
+        path = pending.pop()
+        inside = path.relative_to(directory)
+        name, file = names[inside.parts[0]], one_line(inside)
         try:
-            submissions.append(Submission(shown, file, *read_file(path), path))
+            if len(inside.parts) == 1 and not path.is_symlink() and path.is_dir():
+                pending += _listed(path, MOST_OWN)[::-1]
+                continue
+            submissions.append(Submission(name, file, *read_file(path), path))
         except DamagedFileError as error:
-            refusals.append(Refusal(shown, file, without_path(error)))
+            refusals.append(Refusal(name, file, without_path(error)))
         except OSError as error:
-            refusals.append(Refusal(shown, file, f"cannot be read: {error.strerror}"))
+            refusals.append(Refusal(name, file, f"cannot be read: {error.strerror}"))
+        if len(submissions) + len(refusals) > MOST_FILES:
+            raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
     return submissions, refusals
 
 
-def _files(directory: Path) -> Iterator[tuple[str, Path]]:
-    """Yield the name of the student and the path of every file that was handed in."""
-    for path in _listed(directory):
-        if not path.is_symlink() and path.is_dir():
-            for inner in _listed(path):
-                yield path.name, inner
-        else:
-            yield path.stem, path
+def _listed(directory: Path, most: int) -> list[Path]:
+    """Return what a directory holds, in order; DamagedFileError if that is more than `most`."""
+    with os.scandir(directory) as entries:
+        names = (entry.name for entry in entries)
+        kept = (name for name in names if not name.startswith(".") and name not in IGNORED)
+        found = sorted(islice(kept, most + 1))
+    if len(found) > most:
+        raise DamagedFileError(directory, f"expected at most {most} files, got more")
+    return [directory / name for name in found]
 
 
-def _listed(directory: Path) -> list[Path]:
-    return sorted(
-        path
-        for path in directory.iterdir()
-        if not path.name.startswith(".") and path.name not in IGNORED
-    )
+def _shown_names(paths: list[Path]) -> dict[str, str]:
+    """Return the names of students by those of their files or directories.
+
+    Python's text of a name stands for it where two of them would look the same: if they are very
+    long, or differ in spaces.
+    """
+    raw = {
+        path.name: path.stem if path.suffix.lower() in FILE_KINDS else path.name for path in paths
+    }
+    students = {_student(name): _display_name(name) for name in raw.values()}
+    alike = Counter(map(_student, students.values()))
+    return {
+        file: repr(name) if alike[_student(_display_name(name))] > 1 else _display_name(name)
+        for file, name in raw.items()
+    }
 
 
 def without_path(error: DamagedFileError) -> str:
@@ -169,8 +188,12 @@ def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
 
 
 def _student_and_team(entry: Entry) -> tuple[str, Team]:
-    """Return student and team of an entry; the case and the form of a name do not matter."""
-    return unicodedata.normalize("NFKC", entry.name).casefold().strip(), entry.team
+    return _student(entry.name), entry.team
+
+
+def _student(name: str) -> str:
+    """Return what tells a student from others; the case and the form of a name do not matter."""
+    return unicodedata.normalize("NFKC", name).casefold().strip()
 
 
 # ---- Reading a file ------------------------------------------------------------------------------
@@ -214,7 +237,7 @@ GENOME_FORMS = {
 """Kinds of dtypes, as ``dtype.kind``, and number of dimensions of each array."""
 MOST_LAYERS = 16
 """The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
-MOST_UNPACKED = 256 * 2**20
+MOST_UNPACKED = MOST_BYTES["genome"]
 """Most bytes of the arrays in a compressed file."""
 MOST_MEMBERS = 100
 """Most arrays in a file; a genome's has seven."""

@@ -7,7 +7,12 @@ actions, whatever it does in its own process.
 
 from __future__ import annotations
 
+import hashlib
+import json
 import queue
+import secrets
+import signal
+import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -15,12 +20,13 @@ from contextlib import AbstractContextManager, ExitStack, closing, contextmanage
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
+from types import FrameType
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_integer, check_threads
+from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld._util.files import DamagedFileError
 from matrixworld.classroom.policy_process import (
     CAN_FORK,
@@ -30,7 +36,7 @@ from matrixworld.classroom.policy_process import (
     RefusedError,
 )
 from matrixworld.classroom.policy_server import FUNCTIONS
-from matrixworld.classroom.sandbox import Limits
+from matrixworld.classroom.sandbox import Limits, Used, rest
 from matrixworld.classroom.submissions import (
     Entry,
     Refusal,
@@ -42,10 +48,8 @@ from matrixworld.classroom.submissions import (
 )
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.episodes.record import record
 from matrixworld.play.matches import Chooser, play_episodes
 from matrixworld.play.network_policy import check_fits
-from matrixworld.play.rollout import Matches, match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Script, TeamPolicy
 
@@ -63,7 +67,7 @@ class ClassResult:
     """A tournament of P pursuers and E evaders; what broke a rule while it played is refused."""
 
     config: WorldConfig
-    seed: int  # `match_seed` of it is that of every match
+    seed: int  # the secret from which all random numbers of the tournament come
     entries: dict[Team, tuple[Entry, ...]]  # scripts come last
     refusals: tuple[Refusal, ...]
     capture_rates: NDArray[np.float64]  # (P, E, episodes)
@@ -71,12 +75,26 @@ class ClassResult:
     recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
     """All actions of the first episode of each pair, (steps, A)."""
 
+    @property
+    def match_seed(self) -> int:
+        """The seed of all worlds."""
+        return derived(self.seed, "worlds")
+
+
+def derived(seed: int, *parts: object) -> int:
+    """Return a seed of 64 bits from the secret of a tournament and what the seed is for.
+
+    SHA-256: who has one of them, as a program has that of its `rng`, cannot tell the secret.
+    """
+    digest = hashlib.sha256(json.dumps([seed, *parts]).encode()).digest()
+    return int.from_bytes(digest[:8], "little")
+
 
 def play_class(
     directory: Path,
     config: WorldConfig,
     *,
-    seed: int = 0,
+    seed: int | None = None,
     episodes: int = 10,
     limits: Limits | None = None,
     trust: bool = False,
@@ -92,11 +110,12 @@ def play_class(
     config : WorldConfig
         The settings of the world.
     seed : int, optional
-        The seed of the tournament. The default is 0.
+        The secret of a tournament, which repeats it. By default one is drawn, so that no program
+        can know the starts before.
     episodes : int, optional
         Episodes of each pair, at least 2. The default is 10.
     limits : Limits, optional
-        Limits of programs. The default is ``Limits()``.
+        Limits of policies. The default is ``Limits()``.
     trust : bool, optional
         Whether programs run without a filter of system calls: only for programs that you have read.
         The default is False.
@@ -115,17 +134,17 @@ def play_class(
         If it holds nothing that can play, or an argument is out of range.
     """
     check_integer("episodes", episodes, 2)
-    check_integer("seed", seed, 0)
+    seed = secrets.randbits(63) if seed is None else check_integer("seed", seed, 0, SEED_MAX)
     submissions, unreadable = read_submissions(directory)
     pool = MatchPool(
         config,
-        seed=match_seed(seed),
+        seed=seed,
         limits=limits or Limits(),
         trust=trust,
         threads=check_threads(threads),
         programs=any(each.kind == "program" for each in submissions),
     )
-    with closing(pool):
+    with _one_interruption(), closing(pool):
         with progress("submissions") as report:
             students, refused = admit(submissions, pool, report)
         refusals = [*unreadable, *refused]
@@ -152,6 +171,25 @@ def play_class(
     )
 
 
+@contextmanager
+def _one_interruption() -> Iterator[None]:
+    """Let the first Ctrl-C interrupt, and no second one the end of all that was started."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        yield
+        return
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        before(number, frame)
+
+    signal.signal(signal.SIGINT, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: Path) -> None:
     """Raise ValueError with all reasons if there is no entry of a student."""
     if not students:
@@ -171,7 +209,6 @@ class Played(NamedTuple):
     capture_rates: NDArray[np.float64]  # (episodes,)
     lengths: NDArray[np.int64]  # (episodes,), in steps
     actions: NDArray[np.uint8]  # (steps, A), of the first episode
-    seconds: dict[Team, float]  # processor time of each program
 
 
 class MatchPool:
@@ -179,7 +216,8 @@ class MatchPool:
 
     All pairs play the same starts, those of the seed, so that differences between entries are
     differences in play. The threads of `executor` wait for programs and for the engine, which both
-    work outside of Python's lock. `problem` says why programs cannot play here.
+    work outside of Python's lock. `problem` says why programs cannot play here; `used` tells what
+    each entry has used of its limits, match by match.
     """
 
     def __init__(
@@ -194,6 +232,7 @@ class MatchPool:
     ) -> None:
         self.config, self.limits, self._seed = config, limits, seed
         self.executor = ThreadPoolExecutor(threads)
+        self.used: defaultdict[Entry, list[Used]] = defaultdict(list)
         self._all: list[PolicyServer] = []
         self._free: queue.SimpleQueue[Servers] = queue.SimpleQueue()
         self.problem = "" if CAN_FORK else NO_FORK
@@ -230,73 +269,64 @@ class MatchPool:
         RefusedError if it fails while it is loaded.
         """
         with self._servers() as servers:
-            settings = self._settings("pursuer", (), ())
+            settings = self._settings("pursuer")
             program = PolicyProcess(servers["pursuer"], code, settings)
             program.close()
             return program.functions
 
     def play(self, pursuers: Entry, evaders: Entry, episodes: int) -> Played:
-        """Play a match; RefusedError if a program fails or breaks a limit.
+        """Play a match; RefusedError if a program fails or an entry breaks a limit.
 
         The result depends on entries, seed and world only, as long as programs do so, too.
         """
-        if isinstance(pursuers.policy, bytes) or isinstance(evaders.policy, bytes):
-            with self._servers() as servers:
-                return self._play_programs(pursuers, evaders, episodes, servers)
-        return self._play_in_engine(pursuers.policy, evaders.policy, episodes)
-
-    def _play_programs(
-        self, pursuers: Entry, evaders: Entry, episodes: int, servers: Servers
-    ) -> Played:
+        entries = pursuers, evaders
         lengths, steps = np.zeros(episodes, np.int64), []
+        rests = [rest(self.limits, self.used[entry]) for entry in entries]
+        taken = [0.0, 0.0]  # by what decides in the engine
 
         def record_round(actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
             lengths[running] += 1
             if running[0]:
                 steps.append(actions[0].astype(np.uint8))
 
-        programs: dict[Team, PolicyProcess] = {}
+        def count(number: int, seconds: float) -> None:
+            taken[number] += seconds
+            processor, _ = rests[number]
+            if entries[number].kind == "genome" and taken[number] > processor.seconds:
+                raise RefusedError(processor.reason, TEAMS[number])
+
+        programs: dict[Entry, PolicyProcess] = {}
         choosers: list[TeamPolicy | Chooser] = []
         with ExitStack() as stack:
-            for team, entry in zip(TEAMS, (pursuers, evaders), strict=True):
+            servers = stack.enter_context(self._servers())
+            for team, entry in zip(TEAMS, entries, strict=True):
                 if not isinstance(entry.policy, bytes):
                     choosers.append(entry.policy)
                     continue
                 settings = self._settings(team, pursuers.key, evaders.key)
-                programs[team] = PolicyProcess(servers[team], entry.policy, settings)
-                stack.callback(programs[team].close)
-                choosers.append(_asking(programs[team]))
+                before = self.used[entry]
+                program = PolicyProcess(servers[team], entry.policy, settings, before)
+                stack.callback(program.close)
+                programs[entry] = program
+                choosers.append(_asking(program))
             rates = play_episodes(
-                self.config, *choosers, seed=self._seed, episodes=episodes, on_round=record_round
-            )
-        seconds = {team: program.seconds for team, program in programs.items()}
-        return Played(rates, lengths, np.stack(steps), seconds)
+                self.config, *choosers, seed=derived(self._seed, "worlds"), episodes=episodes,
+                on_round=record_round, on_decision=count, threads=1,
+            )  # fmt: skip
+        for entry, seconds in zip(entries, taken, strict=True):
+            used = programs[entry].used if entry in programs else Used(seconds)
+            self.used[entry].append(used)
+        return Played(rates, lengths, np.stack(steps))
 
-    def _play_in_engine(self, pursuers: TeamPolicy, evaders: TeamPolicy, episodes: int) -> Played:
-        """Play a match without programs."""
-        matches = Matches.of(0, 0, [self._seed])
-        found = rollout(self.config, pursuers, evaders, matches, episodes=episodes, threads=1)
-        first = record(self.config, pursuers, evaders, seed=self._seed)
-        return Played(
-            found.capture_rate[0].astype(np.float64),
-            found.length[0].astype(np.int64),
-            first.actions.astype(np.uint8),
-            {},
-        )
-
-    def _settings(
-        self, team: Team, pursuers: tuple[int, ...], evaders: tuple[int, ...]
-    ) -> dict[str, object]:
+    def _settings(self, team: Team, *keys: str) -> dict[str, object]:
         """Return what a program's process is told: its team, the form of views, its own seed."""
         return {
             "team": team,
             "fov": self.config.fov,
             "n_actions": self.config.n_actions,
             # Of what plays, not of its place in the class: it stays the same if others join.
-            "seed": [
-                TEAMS.index(team), self._seed % 2**32, self._seed >> 32, *pursuers, *evaders
-            ],
-        }  # fmt: skip
+            "seed": derived(self._seed, "program", team, *keys),
+        }
 
 
 def _asking(program: PolicyProcess) -> Chooser:
@@ -366,9 +396,10 @@ def _program(submission: Submission, pool: MatchPool) -> Admitted:
 
 
 def _reason(entry: Entry, error: RefusedError) -> str:
-    """Return why an entry is refused, beginning with its function."""
+    """Return why an entry is refused, for a program beginning with its function."""
     text, function = str(error), FUNCTIONS[entry.team]
-    return text if text.startswith(f"{function} ") else f"{function}: {text}"
+    told = entry.kind == "genome" or text.startswith(f"{function} ")
+    return text if told else f"{function}: {text}"
 
 
 # ---- All pairs -----------------------------------------------------------------------------------
@@ -396,7 +427,7 @@ def _round_robin(
     """
     played: dict[Pair, Played] = {}
     failed: dict[Entry, str] = {}
-    seconds: defaultdict[Entry, float] = defaultdict(float)  # of processor time
+    pool.used.clear()  # without the trials
 
     def play(pair: Pair) -> Played | RefusedError | None:
         if any(entry in failed for entry in pair):
@@ -414,15 +445,13 @@ def _round_robin(
         if isinstance(found, RefusedError):
             assert found.team is not None
             entry, rival = entries[found.team], entries[other(found.team)]
-            reason = f"{_reason(entry, found)} (in the match against {rival.name})"
+            reason = f"{_reason(entry, found)} (while it played against {rival.name})"
             failed.setdefault(entry, reason)
         elif found is not None:
             played[pair] = found
-            most = pool.limits.in_all
-            for team, taken in found.seconds.items():
-                seconds[entries[team]] += taken
-                if seconds[entries[team]] > most:
-                    limit = f"more than {most:g} seconds of processor time in all matches"
-                    failed.setdefault(entries[team], limit)
+            for entry in pair:
+                for left in rest(pool.limits, pool.used[entry]):
+                    if left.seconds < 0.0 and entry.kind != "script":
+                        failed.setdefault(entry, left.reason)
         report(Progress("round robin", number * episodes, len(pairs) * episodes))
     return played, failed

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import click
 
 from matrixworld._util.checks import INT_MAX
+from matrixworld._util.files import one_line
 from matrixworld.classroom.page import class_json, class_page
 from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.standings import Standing, standings
@@ -18,11 +20,11 @@ from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
+    checked_seed,
     force_option,
     json_option,
     out_option,
     refuse_existing,
-    seed_option,
     steps_option,
     threads_option,
     world_options,
@@ -48,7 +50,7 @@ def _limit(name: str, help: str) -> Callable[[Any], Any]:
         default=default,
         show_default=True,
         metavar="NUMBER",
-        help=f"limit of programs: {help}",
+        help=f"limit: {help}",
     )
 
 
@@ -82,7 +84,13 @@ def class_command() -> None:
     metavar="INTEGER",
     help="episodes of each pair; all pairs play the same starts",
 )
-@seed_option
+@click.option(
+    "--seed",
+    type=int,
+    callback=checked_seed,
+    metavar="INTEGER",
+    help="repeat the tournament that printed this seed  [default: one that nobody can know before]",
+)
 @out_option("the page  [default: DIR.html, beside DIR]")
 @open_option
 @json_option
@@ -90,10 +98,12 @@ def class_command() -> None:
 @threads_option
 @world_options("variant", "obstacles", "fov", "diagonal", "rows", "cols", "n_pursuers", "n_evaders")
 @steps_option
-@_limit("--seconds", "processor time of a match, in seconds")
-@_limit("--wait", "time by the clock of one answer, in seconds")
-@_limit("--in-all", "processor time of all matches of a policy, in seconds")
-@_limit("--memory", "memory in MiB")
+@_limit("--seconds", "processor time of a policy in a match, in seconds")
+@_limit("--in-all", "processor time of a policy in all its matches, in seconds")
+@_limit("--wait", "time by the clock of one answer of a program, in seconds")
+@_limit("--clock", "time by the clock of all answers of a program in a match, in seconds")
+@_limit("--clock-in-all", "time by the clock of all answers in all matches, in seconds")
+@_limit("--memory", "memory of a program in MiB")
 @click.option(
     "--trust",
     is_flag=True,
@@ -102,7 +112,7 @@ def class_command() -> None:
 def play_command(
     directory: Path,
     episodes: int,
-    seed: int,
+    seed: int | None,
     out: Path | None,
     opens: bool,
     json_file: Path | None,
@@ -142,8 +152,8 @@ def play_command(
         except ValueError as error:
             raise click.ClickException(str(error)) from error
         tables = {team: standings(result, team) for team in TEAMS}
-        write_page(page, class_page(result, tables, title=directory.absolute().name))
-        _print(result, tables)
+        _print(result, tables)  # first: a page that cannot be written must not lose the results
+        write_page(page, class_page(result, tables, title=one_line(directory.absolute().name)))
         say(f"\nWritten: {page}")
         write_json(json_file, class_json(result, tables))
         if opens:
@@ -152,7 +162,7 @@ def play_command(
 
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
     """Return the world and the limits that the options ask for."""
-    limits = {name: options.pop(name) for name in ("seconds", "wait", "in_all", "memory")}
+    limits = {each.name: options.pop(each.name) for each in fields(Limits)}
     given = {name: value for name, value in options.items() if value is not None}
     size = {} if isinstance(given.get("obstacles"), str) else SIZE
     settings = {**size, **GAME, **given}
@@ -178,6 +188,7 @@ def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
         for refusal in result.refusals:
             print_wrapped(f"{refusal.file}: {refusal.reason}")
     say(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
+    say(f"--seed {result.seed} plays this tournament again.")
 
 
 def _opponents(result: ClassResult, team: Team) -> int:

@@ -50,9 +50,10 @@ class FiniteRange(click.FloatRange):
         return number
 
 
-def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
+def checked_seed(ctx: click.Context, param: click.Parameter, value: int | None) -> int | None:
+    """Return a seed, or None if none is given; a callback of an option."""
     # Not click.IntRange, which would print the 19 digits of the limit in every help page.
-    if not 0 <= value <= MOST_SEED:
+    if value is not None and not 0 <= value <= MOST_SEED:
         raise click.BadParameter(f"expected 0 to {MOST_SEED}, got {value}")
     return value
 
@@ -60,7 +61,7 @@ def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
 seed_option = click.option(
     "--seed",
     type=int,
-    callback=_seed,
+    callback=checked_seed,
     default=0,
     show_default=True,
     metavar="INTEGER",

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -28,6 +30,10 @@ Chooser: TypeAlias = Callable[[NDArray[np.bool_], NDArray[np.uint8]], ArrayLike]
 OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
 """What is called after each round: with the actions, int64 (episodes, A), and with the episodes
 that played it, bool (episodes,). Both change in the next round."""
+
+OnDecision: TypeAlias = Callable[[int, float], None]
+"""What is called when a population or a script has decided: with its team, 0 the pursuers and 1 the
+evaders, and the processor time that it took in this thread, in seconds."""
 
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
 """The arrays `_READ` of the present moment, each with a leading axis of worlds."""
@@ -85,10 +91,12 @@ def _chooser(name: str, policy: Plays, config: WorldConfig) -> TeamPolicy | Choo
 class _Together:
     """The episodes of a match in which all agents act at once: a batch."""
 
-    def __init__(self, config: WorldConfig, seed: int, episodes: int) -> None:
+    def __init__(
+        self, config: WorldConfig, seed: int, episodes: int, threads: int | None = None
+    ) -> None:
         specs = array_specs(config)
         buffers = {name: np.zeros((episodes, *specs[name][0]), specs[name][1]) for name in _READ}
-        self._batch = Batch(episodes, config, buffers=buffers)
+        self._batch = Batch(episodes, config, buffers=buffers, threads=threads)
         for episode in range(episodes):
             chosen = np.arange(episodes) == episode
             self._batch.reset(np.full(episodes, seed, np.uint64), episode=episode, mask=chosen)
@@ -146,25 +154,34 @@ def play_episodes(
     seed: int,
     episodes: int,
     on_round: OnRound | None = None,
+    on_decision: OnDecision | None = None,
+    threads: int | None = None,
 ) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side and return their capture rates, (episodes,)."""
+    """Play the episodes of a match side by side and return their capture rates, (episodes,).
+
+    `threads` are those of a batch, which `on_decision` does not count but for one.
+    """
     teams = {
         range(config.n_pursuers): pursuers,
         range(config.n_pursuers, config.n_agents): evaders,
     }
     simultaneous = World(config).n_turns == 1
-    played = (_Together if simultaneous else _InTurns)(config, seed, episodes)
+    together = partial(_Together, threads=threads)
+    played = (together if simultaneous else _InTurns)(config, seed, episodes)
     actions = np.zeros((episodes, config.n_agents), np.int64)
     while (running := _running(played.arrays())).any():
         for turn in played.turns():
-            for team, policy in teams.items():
+            for number, (team, policy) in enumerate(teams.items()):
                 acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
                 if not acting:
                     continue
                 if callable(policy):
                     _ask(policy, played.arrays(), acting, actions)
-                else:
-                    played.decide(policy, acting, actions)
+                    continue
+                began = time.thread_time()
+                played.decide(policy, acting, actions)
+                if on_decision is not None:
+                    on_decision(number, time.thread_time() - began)
             played.play(actions, running)
         if on_round is not None:
             on_round(actions, running)
