@@ -14,7 +14,7 @@ from scipy.special import expit
 from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Estimate, Judgement, judge
-from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, Finding
 
 
 def played(
@@ -228,7 +228,6 @@ def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
 
 def test_words_and_json() -> None:
     judgement = of_scores(played(circular(31), 10, evaders=30))
-    assert analysis.headline(judgement) == "cycling, forgetting (last half)"
     heads, *rows = analysis.judgement_table(judgement)
     assert heads == ("condition", "verdict", "95% interval", "window")
     assert [row[0] for row in rows[: len(CONDITIONS)]] == list(CONDITIONS)
@@ -239,8 +238,62 @@ def test_words_and_json() -> None:
     plain = judgement.to_json()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
     assert plain["windows"]["last half"]["cycling"]["verdict"] == PRESENT
-    short = judge(logistic(5))
-    assert analysis.headline(short) == "cannot tell (whole)"
+
+
+def when(**found: str) -> analysis.Judgement:
+    """Return a judgement in which conditions are present in the windows of these letters."""
+    windows = {"w": "whole", "f": "first half", "l": "last half"}
+    return Judgement(
+        1,
+        (31, 31),
+        20,
+        0.95,
+        windows["l"],
+        {
+            window: {
+                name: Finding(
+                    (CANNOT_TELL if "?" in found.get(name.split()[0], "") else ABSENT)
+                    if letter not in found.get(name.split()[0], "")
+                    else PRESENT,
+                    "",
+                    {},
+                )
+                for name in CONDITIONS
+            }
+            for letter, window in windows.items()
+        },
+    )
+
+
+def test_a_headline_says_when() -> None:
+    """One sentence over time; "cannot tell" never hides what a window shows."""
+    said = {
+        "ARMS RACE early, later undecided": when(arms="wf?"),
+        "ARMS RACE early, not later": when(arms="wf"),
+        "CYCLING early, FORGETTING late": when(cycling="wf", forgetting="l"),
+        "CYCLING, FORGETTING": when(cycling="wfl", forgetting="fl"),
+        "CYCLING and FORGETTING late": when(cycling="l", forgetting="l"),
+        "FORGETTING throughout, CYCLING overall": when(cycling="w", forgetting="wfl"),
+        "cannot tell": when(arms="?"),
+        "no condition is present": when(),
+    }
+    assert {words: analysis.headline(each) for words, each in said.items()} == {
+        words: words for words in said
+    }
+    assert analysis.headline(judge(logistic(5))) == "cannot tell"
+
+
+def test_numbers_under_a_headline_are_about_what_it_says() -> None:
+    race = of_scores(played(STEADY, 20, evaders=30))
+    gains = race.windows["whole"]["arms race"].estimates
+    [line] = analysis.headline_numbers(race)
+    pursuers, evaders = (gains[f"{team}_gain"].value for team in ("pursuer", "evader"))
+    assert line == f"gains: pursuers {pursuers:+.2f}, evaders {evaders:+.2f}"
+    circle = of_scores(played(circular(31), 10, evaders=30))
+    drops = circle.windows["whole"]["forgetting"].estimates
+    [line] = analysis.headline_numbers(circle)
+    assert line.endswith(" below their best")
+    assert f"pursuers {drops['pursuer_forgetting'].value:.2f}" in line
 
 
 @settings(max_examples=20, deadline=None)

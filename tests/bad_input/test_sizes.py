@@ -240,7 +240,7 @@ def test_animations_have_a_largest_size(
 
 
 @pytest.mark.usefixtures("half_a_gigabyte")
-@pytest.mark.parametrize("output", [["new"], []], ids=["named", "default"])
+@pytest.mark.parametrize("output", [["--out", "new"], []], ids=["named", "default"])
 @pytest.mark.parametrize(
     ("option", "number"),
     [("threads", 1025), ("population", 2 * 10**9), ("evaluation_episodes", 10**21)],

@@ -130,7 +130,9 @@ def test_programs_play_and_refusals_are_printed(directory: Path, tmp_path: Path)
 def test_a_champion_is_exported_and_plays(tmp_path: Path) -> None:
     run = tmp_path / "run"
     schedule = "generalist-generalist"
-    matrixworld_command("evolve", run, "--schedule", schedule, *words(RACE), "--threads", 1)
+    matrixworld_command(
+        "evolve", "--out", run, "--schedule", schedule, *words(RACE), "--threads", 1
+    )
     folder = tmp_path / "class"
     folder.mkdir()
     for team in ("pursuer", "evader"):

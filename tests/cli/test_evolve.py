@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 import shutil
 from functools import partial
@@ -56,7 +57,7 @@ def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
 def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
     """A tiny main job: its directory and its output."""
     output = tmp_path_factory.mktemp("job") / "main job"
-    return output, matrixworld_command("evolve", output, *words(JOB), "--threads", 1)
+    return output, matrixworld_command("evolve", "--out", output, *words(JOB), "--threads", 1)
 
 
 @pytest.fixture
@@ -95,7 +96,7 @@ def test_options_become_settings(undrawn):
     more = {"anneal": "true", "diagonal": "true", "activation": "tanh", "sigma": ".2"}
     more |= {"hidden": "5,4", "obstacles": "0.1"}
     matrixworld_command(
-        "evolve", "job", *words({**RACE, **more}), "--variant", "sb",
+        "evolve", "--out", "job", *words({**RACE, **more}), "--variant", "sb",
         "--schedule", "generalist-specialist",
     )  # fmt: skip
     assert open_run("job/generalist-specialist/seed-5").settings == tiny_race(
@@ -142,7 +143,7 @@ def test_settings_from_a_file(undrawn, tmp_path):
     said = matrixworld_command("evolve", "--config", "race.toml", code=2).stderr
     assert "--variant: expected one of" in said
     start(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run").run()
-    matrixworld_command("evolve", "again", "--config", "run/config.json", "--seed", 6)
+    matrixworld_command("evolve", "--out", "again", "--config", "run/config.json", "--seed", 6)
     again = open_run("again/generalist-generalist/seed-6").settings
     assert again == tiny_race(learner="ga", mutation=1 / 3, seed=6)
 
@@ -200,7 +201,7 @@ BAD = [
 
 @pytest.mark.parametrize(("options", "message"), BAD, ids=[" ".join(bad[0]) for bad in BAD])
 def test_bad_options_are_refused_before_anything_is_written(options, message, tmp_path):
-    result = matrixworld_command("evolve", "out", *options, code=2)
+    result = matrixworld_command("evolve", "--out", "out", *options, code=2)
     assert message in result.stderr
     assert list(tmp_path.iterdir()) == []
 
@@ -250,32 +251,54 @@ def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
     monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
     monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
     monkeypatch.setattr(score_module, "score", counted("scored", score_module.score))
-    matrixworld_command("evolve", "out", *words(JOB))
+    matrixworld_command("evolve", "--out", "out", *words(JOB))
     # Who plays a run builds it, and afterwards only its files are read.
     assert counts == {"built": jobs, "read": jobs, "scored": jobs}
 
 
 def test_the_commands_that_it_suggests_work(job, copy):
     lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
-    commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
-    names = ["replay", "replay", "judge", "judge", "score", "tournament", "explore"]
-    assert [command[0] for command in commands] == names
-    for command in commands:
-        assert matrixworld_command(*command).stdout
+    seeds, judge = (shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines)
+    assert matrixworld_command(*judge).stdout
+    # Ten seeds of what was typed, in a directory of their own.
+    assert seeds == [
+        "evolve",
+        *words(JOB)[: words(JOB).index("--seed")],
+        *words(JOB)[words(JOB).index("--seed") + 2 :],
+        "--threads",
+        "1",
+        "--seeds",
+        "0-9",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("SB", "--variant SB"),
+        ("help", "--help"),
+        ("my races", "--out 'my races'"),
+    ],
+)
+def test_a_word_that_is_no_option_is_refused_with_what_was_meant(word, meant):
+    said = matrixworld_command("evolve", word, code=2).stderr
+    assert "expected options only" in said
+    assert f"matrixworld evolve {meant}" in said
+    assert not [*Path().iterdir()]
 
 
 def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
     first = matrixworld_command("evolve", *one).stderr
-    assert first.startswith("Output directory: runs/O-seed5\n")
+    assert re.match(r"-O, 2 pursuers and \d evaders, 1 race, about .*, in runs/O-seed5\n", first)
     second = matrixworld_command("evolve", *one, code=2).stderr
-    assert "OUTPUT: expected a new or empty directory, got 'runs/O-seed5'; " in second
+    assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in second
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
 
 
 def test_all_schedules_and_the_hall_of_fame(undrawn):
     chosen = ["--schedule", "all", "--schedule", "hall-of-fame"]
-    matrixworld_command("evolve", "out", *words(JOB), *chosen)
+    matrixworld_command("evolve", "--out", "out", *words(JOB), *chosen)
     runs = find_runs(Path("out"))
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [path.parent.name for path in runs] == schedules
@@ -284,19 +307,17 @@ def test_all_schedules_and_the_hall_of_fame(undrawn):
 
 def test_one_team_alone_against_a_script_and_then_against_the_result():
     alone = {**WORLD, "schedule": "against", "epochs": 5, "archive_every": 2}
-    result = matrixworld_command("evolve", "first", *words({**alone, "team": "evader"}))
+    result = matrixworld_command("evolve", "--out", "first", *words({**alone, "team": "evader"}))
     start(tiny_single(team="evader"), "again").run()
     first = Path("first/evader-against-random/seed-5")
     assert results(first) == results(Path("again"))
     numbers = open_run(first).files.summary()
     rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
-    [row] = [line for line in result.stdout.splitlines() if line.startswith("5 ")]
-    deviation = f"standard deviation {numbers['capture_rate_std']:.4f}"
-    shown = [f"{rate:.4f} ({low:.4f} to {high:.4f})", deviation, f"{numbers['length']:.1f}"]
-    assert [part in row for part in shown] == [True, True, True]
+    assert f"  capture rate {rate:.3f} ({low:.3f} to {high:.3f})\n" in result.stdout
+    assert f"an episode takes {numbers['length']:.0f} steps\n" in result.stdout
     assert (first / "training.png").read_bytes().startswith(PNG)
     # The directory of a job of one run stands for the run.
-    matrixworld_command("evolve", "next", *words({**alone, "opponent": "first"}))
+    matrixworld_command("evolve", "--out", "next", *words({**alone, "opponent": "first"}))
     archive = open_run("next/pursuer-against-evader-against-random/seed-5").files.archive()
     last = open_run(first).files.archive()["evader"][-1]
     assert np.array_equal(archive["evader"], last[None])
@@ -304,9 +325,9 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
 
 def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
     against = words({"schedule": "against", "opponent": copy / PLACES[0], "fov": 5})
-    result = matrixworld_command("evolve", "out", *against, code=2)
+    result = matrixworld_command("evolve", "--out", "out", *against, code=2)
     assert "opponents: expected genomes for fov 5" in result.stderr
-    result = matrixworld_command("evolve", "out", *against[:-2], "--set",
+    result = matrixworld_command("evolve", "--out", "out", *against[:-2], "--set",
                                  f"schedule.start={copy}", code=2)  # fmt: skip
     assert "schedule.start: expected one run, got a directory of several" in result.stderr
     assert not Path("out").exists()
@@ -321,10 +342,10 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch,
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
         patch.setattr(jobs_evolve, "finish", partial(finish, play=play))
-        result = matrixworld_command("evolve", "out", *one, code=130)
+        result = matrixworld_command("evolve", "--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = matrixworld_command("evolve", "--resume", "out")
-    assert "All files are in out:" in resumed.stdout
+    assert "1 race done" in resumed.stdout
     assert results(Path("out") / PLACES[2]) == results(job[0] / PLACES[2])
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from browser import data_of
-from command_line import JOB, MAIN_JOB, PLACES, matrixworld_command, words
+from command_line import JOB, MAIN_JOB, PLACES, matrixworld_command, run_together, words
 from matrixworld.cli import explore
 from matrixworld.cli.explore import first_seeds
 from matrixworld.cli.groups import groups_of
@@ -29,12 +29,14 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
     """A tiny main job and what evolve printed."""
     output = tmp_path_factory.mktemp("job") / "main job"
-    return output, matrixworld_command("evolve", output, *words(JOB), "--threads", 1).output
+    return output, matrixworld_command(
+        "evolve", "--out", output, *words(JOB), "--threads", 1
+    ).output
 
 
 def test_evolve_ends_with_a_page_of_all_its_races(job: tuple[Path, str]) -> None:
     root, output = job
-    assert "explorer.html: open it in a browser" in output
+    assert run_together(f"Open {root / 'explorer.html'}") in run_together(output)
     data = data_of(root / "explorer.html")
     assert data["title"] == "main job"
     assert [run["name"] for run in data["runs"]] == PLACES

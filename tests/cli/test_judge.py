@@ -13,7 +13,7 @@ from command_line import RACE, judged_in, matrixworld_command, run_together, wor
 from matrices import circular, logistic
 from matrixworld import plots
 from matrixworld._util.files import load_json
-from matrixworld.analysis import CONDITIONS, MEASURES, describe, headline, judge
+from matrixworld.analysis import CONDITIONS, MEASURES, describe, headline, headline_numbers, judge
 from matrixworld.cli.figures import group_figure, planned
 from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import open_run, start
@@ -198,7 +198,7 @@ EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "spe
 @pytest.fixture
 def run() -> tuple[Path, str]:
     """A race in the working directory, and what `evolve` printed."""
-    told = matrixworld_command("evolve", "run", *words(EVOLVED), "--threads", 1).stdout
+    told = matrixworld_command("evolve", "--out", "run", *words(EVOLVED), "--threads", 1).stdout
     return Path("run/specialist-specialist/seed-5"), told
 
 
@@ -208,10 +208,11 @@ def test_all_commands_come_to_the_same_judgement(run):
     rates = group.runs[0].payoff.capture_rates
     expected = judge(rates, per_episode=True)
     assert expected.window == "last half"
+    for told in (evolved, matrixworld_command("evolve", "--resume", path).stdout):
+        assert run_together(headline(expected)) in run_together(told)
+        assert all(numbers in told for numbers in headline_numbers(expected))
     same = ["--seed", 5, "--episodes", 5, "--steps", 12]
     said = {
-        "evolve": evolved,
-        "resume": matrixworld_command("evolve", "--resume", path).stdout,
         "tournament": matrixworld_command("tournament", path, *same).stdout,
         "judge": matrixworld_command("judge", path, "--json", "d.json").stdout,
         "judge --all": matrixworld_command("judge", path, "--all", "--json", "a.json").stdout,
@@ -221,7 +222,7 @@ def test_all_commands_come_to_the_same_judgement(run):
     for command, text in said.items():
         assert judged_in(text) == verdicts, command
         # Numbers, too.
-        rows = said["evolve"].partition("condition ")[2].partition("\n  ")[0].splitlines()
+        rows = said["judge"].partition("condition ")[2].partition("\n  ")[0].splitlines()
         assert all(row in text for row in rows[1:7]), command
 
     plain = expected.to_json()

@@ -16,7 +16,7 @@ MALFORMED = ("", "nan", "-inf", "1e400", "-1", "2.5e-3x", "1" + "0" * 400, LONG)
 """Values of an option; none is a size, or a name of something that exists."""
 
 ARGUMENTS = {
-    "evolve": ["new", *words({"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1})],
+    "evolve": ["--out", "new", *words({"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1})],
     "tournament": ["run", "--episodes", "2"],
     "score": ["run", "--episodes", "2"],
     "exploit": ["run", "--champion", "pursuer", "--matches", "50", "--episodes", "2"],

@@ -53,13 +53,13 @@ def test_summaries_fit_into_the_list_of_commands():
 def test_every_command_that_names_an_output_file_has_force():
     for name, command in commands().items():
         flags = {flag for param in command.params for flag in param.opts}
-        # `exploit` goes on with what the same command has begun, and replaces nothing.
-        if flags & {"--json", "--out"} and name != "exploit":
+        # These name a directory; what the same command has begun goes on, and nothing is replaced.
+        if flags & {"--json", "--out"} and name not in ("evolve", "exploit"):
             assert "--force" in flags, name
 
 
 @pytest.mark.parametrize("seed", [-1, MOST_SEED + 1])
-@pytest.mark.parametrize("command", [["evolve", "out"], ["replay", "O"]])
+@pytest.mark.parametrize("command", [["evolve", "--out", "out"], ["replay", "O"]])
 def test_the_range_of_seeds(command, seed):
     said = matrixworld_command(*command, "--seed", seed, code=2).stderr
     assert f"'--seed': expected 0 to {MOST_SEED}, got {seed}" in said

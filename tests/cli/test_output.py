@@ -28,7 +28,7 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(tmp_path_factory.mktemp("jobs"))
         outputs = {
-            name: matrixworld_command("evolve", name, *options, "--threads", 1).stdout
+            name: matrixworld_command("evolve", "--out", name, *options, "--threads", 1).stdout
             for name, options in JOBS.items()
         }
         return outputs | {"directory": str(Path.cwd())}

@@ -72,7 +72,7 @@ def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished race, made by the command in a process of its own."""
     folder = tmp_path_factory.mktemp("straight")
     (folder / "mine.py").write_text(MINE)
-    assert evolve(folder, "run", *words({**RUN_OPTIONS, **OWN})) == 0
+    assert evolve(folder, "--out", "run", *words({**RUN_OPTIONS, **OWN})) == 0
     return folder / "run" / PLACE
 
 
@@ -95,7 +95,7 @@ def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
 @pytest.mark.parametrize("killed_at", [1, 4, 9])
 def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path, killed_at):
     options = words({**RUN_OPTIONS, **OWN})
-    assert evolve(tmp_path, "run", *options, killed_at=killed_at) == -signal.SIGKILL
+    assert evolve(tmp_path, "--out", "run", *options, killed_at=killed_at) == -signal.SIGKILL
     assert evolve(tmp_path, "--resume", "run") == 0
     assert results(tmp_path / "run" / PLACE) == results(straight)
 
@@ -141,7 +141,7 @@ def test_resume_says_what_is_missing(straight):
     ],
 )
 def test_bad_options_are_refused_before_anything_is_written(mine, options, message):
-    said = matrixworld_command("evolve", "out", *words({**JOB, **options}), code=2)
+    said = matrixworld_command("evolve", "--out", "out", *words({**JOB, **options}), code=2)
     assert message in run_together(said.stderr)
     assert not Path("out").exists()
 
@@ -157,7 +157,7 @@ def test_values_of_all_kinds(mine):
     values = {"n": 3, "x": "-.5", "on": "true", "word": "fast"}
     options = {**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Learner"}
     own = {f"learner.settings.{name}": value for name, value in values.items()}
-    matrixworld_command("evolve", "out", *words({**options, **own}))
+    matrixworld_command("evolve", "--out", "out", *words({**options, **own}))
     settings = open_run(f"out/{MAIN_JOB[0]}/seed-5").settings
     assert settings.learner.settings["word"] == "fast"
 
@@ -165,7 +165,7 @@ def test_values_of_all_kinds(mine):
 def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):
     mine.write_text(f"{MINE}\nfrom own_code import Fails\n")
     options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Fails"})
-    done = CliRunner().invoke(main, ["evolve", "out", *options])
+    done = CliRunner().invoke(main, ["evolve", "--out", "out", *options])
     assert isinstance(done.exception, PluginError)
     assert isinstance(done.exception.__cause__, ZeroDivisionError)
     assert "matrixworld evolve --resume out" in done.stderr

@@ -13,6 +13,8 @@ from tiny_race import tiny_race, tiny_single
 
 HINT = "pip install 'matrixworld-pursuit[torch]'"
 
+AGAINST_A_RACE = {"schedule": "against", "opponent": "race", "start": "race"}
+
 
 def files(root: Path) -> dict[Path, bytes]:
     return {path: path.read_bytes() for path in root.rglob("*") if path.is_file()}
@@ -37,10 +39,15 @@ CRITIC = words({"learner": "actor-critic", **TINY})
 @pytest.mark.parametrize(
     "arguments",
     [
-        ["new", *CRITIC],
-        ["new", "--schedule", "against", *CRITIC],
-        ["new", "--seeds", "0-1", *CRITIC],
-        ["new", *words({"schedule": "against", "opponent": "race", "start": "race"}), *CRITIC],
+        ["--out", "new", *CRITIC],
+        ["--out", "new", "--schedule", "against", *CRITIC],
+        ["--out", "new", "--seeds", "0-1", *CRITIC],
+        [
+            "--out",
+            "new",
+            *words({"schedule": "against", "opponent": "race", "start": "race"}),
+            *CRITIC,
+        ],
         ["--resume", "begun"],
     ],
     ids=["races", "alone", "seeds", "start", "resume"],

@@ -42,15 +42,15 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("arguments", "problem"),
     [
         (
-            ("evolve", "{out}", "--cluster", "nowhere"),
+            ("evolve", "--out", "{out}", "--cluster", "nowhere"),
             "expected auto, an address such as tcp://HOST:8786 or",
         ),
         (
-            ("evolve", "{out}", *SCHEDULE, "--cluster", "auto"),
+            ("evolve", "--out", "{out}", *SCHEDULE, "--cluster", "auto"),
             "--cluster: expected several runs, such as --seeds 0-9, got one",
         ),
         (
-            ("evolve", "{out}", "--cluster", "auto", "--seeds", "0-1", "--threads", "2"),
+            ("evolve", "--out", "{out}", "--cluster", "auto", "--seeds", "0-1", "--threads", "2"),
             "--threads: expected ",
         ),
         (
@@ -93,10 +93,10 @@ def test_a_cluster_gives_the_same_files(
     if "{job}" in COMMANDS[name]:
         evolve([tiny_race(seed=seed) for seed in (0, 1)], job, threads=1)
     arguments = [str(each).format(job=job, run=run) for each in COMMANDS[name]]
-    out = {"evolve": "", "exploit": "--out", "score": "--json", "tournament": "--out"}[name]
+    out = {"evolve": "--out", "exploit": "--out", "score": "--json", "tournament": "--out"}[name]
     made = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
     for target, where in zip(made, ((), ("--cluster", dask.file)), strict=True):
-        matrixworld_command(name, *arguments, *filter(None, [out]), target, *where)
+        matrixworld_command(name, *arguments, out, target, *where)
     alone, shared = (_files_in(target) for target in made)
     assert alone
     assert alone == shared
@@ -118,7 +118,7 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
     out = tmp_path / "out"
     # Several seconds: it is stopped in its middle.
     long = words({"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250})
-    command = [sys.executable, "-m", "matrixworld", "evolve", str(out), "--seeds", "0-1"]
+    command = [sys.executable, "-m", "matrixworld", "evolve", "--out", str(out), "--seeds", "0-1"]
     begin = [*command, "--cluster", "auto", *OPTIONS, *long]
     process = subprocess.Popen(
         begin,

@@ -242,7 +242,7 @@ def test_comparison_says_what_was_judged_and_claims_nothing_else() -> None:
     assert first.startswith("last half: transitive share 0.0")
     assert second.startswith("last half: transitive share 0.9")
     assert second.endswith("checkerboards 0.0%")
-    assert (nothing, race) == ("", "arms race (last half)")
+    assert (nothing, race) == ("", "ARMS RACE")
 
 
 SLOW_RACES = [pytest.param(races, marks=pytest.mark.slow) for races in (3, 5)]

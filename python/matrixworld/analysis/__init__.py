@@ -68,6 +68,7 @@ from matrixworld.analysis.report import (
     describe,
     explain,
     headline,
+    headline_numbers,
     judgement_table,
     report,
 )
@@ -110,6 +111,7 @@ __all__ = [
     "generalization_over_episodes",
     "global_progress",
     "headline",
+    "headline_numbers",
     "historical_progress",
     "interquartile_mean",
     "interval_over_runs",

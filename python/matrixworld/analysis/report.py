@@ -14,7 +14,15 @@ from matrixworld.analysis.cycles import MARGIN, clear_checkerboards, transitive_
 from matrixworld.analysis.engagement import disengagements
 from matrixworld.analysis.games import alpha_rank, nash_averaging
 from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, SINGLE_RUN, Estimate, few_runs
-from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, Finding, Judgement, judge
+from matrixworld.analysis.judge import (
+    ABSENT,
+    CANNOT_TELL,
+    LEAST_FORGETTING,
+    PRESENT,
+    Finding,
+    Judgement,
+    judge,
+)
 from matrixworld.analysis.measures import MEASURES, measure_all
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, read_payoffs, require
 from matrixworld.analysis.plain_values import plain_values
@@ -32,6 +40,13 @@ SHORT = {
 """Short names of some numbers in the table of a judgement; the others have their labels."""
 SHOWN = {"one-sided progress": ("pursuer_change", "evader_change")}
 """Numbers in the rows of some conditions; the others stand in another row already."""
+TIMES = {"first half": "early", "last half": "late"}
+"""Windows in a headline."""
+THROUGHOUT = "throughout"
+IMPLIED = {"arms race": "rise", "one-sided progress": "rise", "cycling": "intransitivity"}
+"""Conditions that say what another one says, too; a headline leaves that one out."""
+GAINING = ("arms race", "one-sided progress", "rise")
+"""Conditions with gains under a headline."""
 HEADLINE_LAGS = (-10, -5, -1, 0, 1, 5, 10)
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
@@ -41,20 +56,84 @@ RANKED_PAIRS = 1024
 
 
 def headline(judgement: Judgement) -> str:
-    """Return what is present in the window that headlines speak of, in a few words.
+    """Return what is present, and when, in one sentence; commands, figures and pages share it.
 
-    Such as ``"cycling, forgetting (last half)"``; "cannot tell" if no condition is present and not
-    all are absent.
+    Such as ``"CYCLING early, FORGETTING late"``. A condition without a time is present in both
+    halves, or in a race too short to have halves; "overall" in the whole race, but in neither half
+    alone. "cannot tell" if nothing is present in any window and not everything is absent.
 
     Parameters
     ----------
     judgement : Judgement
     """
-    present = ", ".join(judgement.present())
-    if not present:
-        open_ = any(each.verdict == CANNOT_TELL for each in judgement.headline.values())
-        present = CANNOT_TELL if open_ else "no condition is present"
-    return f"{present} ({judgement.window})"
+    at: dict[str, list[str]] = {time: [] for time in (THROUGHOUT, "overall", *TIMES.values())}
+    for name, windows in _present(judgement).items():
+        halves = [TIMES[window] for window in windows if window in TIMES]
+        short = judgement.window not in TIMES
+        time = "overall" if not (halves or short) else halves[0] if len(halves) == 1 else THROUGHOUT
+        at[time].append(name.upper())
+    if not any(at.values()):
+        verdicts = {each.verdict for found in judgement.windows.values() for each in found.values()}
+        return CANNOT_TELL if CANNOT_TELL in verdicts else "no condition is present"
+    if not any(names for time, names in at.items() if time != THROUGHOUT):
+        return ", ".join(at[THROUGHOUT])
+    parts = [f"{' and '.join(names)} {time}" for time, names in at.items() if names]
+    early = [name.lower() for name in at["early"]]
+    if early and not (at["late"] or at[THROUGHOUT]):
+        undecided = any(judgement.headline[name].verdict == CANNOT_TELL for name in early)
+        parts.append("later undecided" if undecided else "not later")
+    return ", ".join(parts)
+
+
+def _present(judgement: Judgement) -> dict[str, list[str]]:
+    """Return the windows in which each condition is present and no other one implies it."""
+    found: dict[str, list[str]] = {}
+    for window in judgement.windows:
+        present = judgement.present(window)
+        implied = {IMPLIED.get(name) for name in present}
+        for name in present:
+            if name not in implied:
+                found.setdefault(name, []).append(window)
+    return found
+
+
+def headline_numbers(judgement: Judgement) -> list[str]:
+    """Return the numbers under a headline: gains, and how far teams fall below their best.
+
+    Such as ``"gains: pursuers +0.42, evaders +0.70"``; about the whole race if the condition is
+    present there, else with the window. No line stands for numbers that are not known.
+
+    Parameters
+    ----------
+    judgement : Judgement
+    """
+    lines, present = [], _present(judgement)
+    forgets = present.get("forgetting", [])
+    gains = next((present[name] for name in GAINING if name in present), [])
+    if gains or not forgets:
+        window = _of_whole(gains)
+        known = judgement.windows[window]["arms race"].estimates
+        numbers = [f"{SHORT[key]} {each.value:+.2f}" for key, each in known.items()]
+        lines += [f"gains: {', '.join(numbers)}{_about(window)}"] if numbers else []
+    if forgets:
+        window = _of_whole(forgets)
+        drops = judgement.windows[window]["forgetting"].estimates
+        # Only of teams that are known to forget.
+        numbers = [
+            f"{SHORT[key]} {each.value:.2f}"
+            for key, each in drops.items()
+            if each.ends[0] > LEAST_FORGETTING
+        ]
+        lines.append(f"{', '.join(numbers)} below their best{_about(window)}")
+    return lines
+
+
+def _of_whole(windows: list[str]) -> str:
+    return "whole" if "whole" in windows or not windows else windows[-1]
+
+
+def _about(window: str) -> str:
+    return "" if window == "whole" else f" ({window})"
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:

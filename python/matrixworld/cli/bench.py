@@ -25,7 +25,15 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_threads, processor_name, usable_cores
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import INTERRUPTED, note, print_table, print_wrapped, progress, say
+from matrixworld.cli.console import (
+    INTERRUPTED,
+    in_words,
+    note,
+    print_table,
+    print_wrapped,
+    progress,
+    say,
+)
 from matrixworld.cli.options import (
     FiniteRange,
     force_option,
@@ -453,12 +461,25 @@ def evolve_figures(measured: Sequence[Timing], races: Sequence[RaceSettings]) ->
     }
 
 
+def seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | None:
+    """Estimate how long the matches of races take, from those of one epoch.
+
+    None if the time of the learner, which is not measured, is the larger part.
+    """
+    if races[0].learner.rounds_by_processor:
+        return None
+    timing = timings_of_matches(races[0], check_threads(threads))[-1]
+    timing.repeat(0)
+    found = evolve_figures([timing], races)
+    return None if found is None else float(found["seconds"])
+
+
 def durations(measured: Sequence[Timing], evolve: Line | None) -> Iterator[str]:
     """Yield what the figures mean for a user."""
     if evolve is not None:
         yield (
             f"The {evolve['matches']:,} matches of matrixworld evolve in this world with hidden "
-            f"layers {_sizes(evolve['hidden'])} take about {_duration(evolve['seconds'])}, with "
+            f"layers {_sizes(evolve['hidden'])} take about {in_words(evolve['seconds'])}, with "
             f"{_threads(evolve['threads'])}. The time of the learners is not included."
         )
     envs = [each for each in measured if each.what == "VectorEnv" and each.at_once > 1]
@@ -466,7 +487,7 @@ def durations(measured: Sequence[Timing], evolve: Line | None) -> Iterator[str]:
         yield (
             f"VectorEnv, with {env.at_once} worlds and {_threads(env.threads)}, plays "
             f"{LEARNING // 1_000_000} million agent-steps in "
-            f"{_duration(LEARNING / env.per_second['agent_steps'])}."
+            f"{in_words(LEARNING / env.per_second['agent_steps'])}."
         )
 
 
@@ -499,11 +520,3 @@ def _sizes(hidden: Sequence[int]) -> str:
 
 def _threads(number: int) -> str:
     return f"{number} thread{'' if number == 1 else 's'}"
-
-
-def _duration(seconds: float) -> str:
-    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
-    for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
-        if seconds >= 1.5 * length:
-            return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
-    return f"{seconds:.{0 if seconds >= 10 else 1}f} seconds"

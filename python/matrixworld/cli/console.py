@@ -93,3 +93,12 @@ def command(name: str, *words: Path | str) -> str:
     """Return a command as a user can type it: paths are quoted, other words stay as they are."""
     quoted = [shlex.quote(str(word)) if isinstance(word, Path) else word for word in words]
     return " ".join(["matrixworld", name, *quoted])
+
+
+def in_words(seconds: float) -> str:
+    """Return a duration, such as "2.5 minutes"."""
+    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
+    for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
+        if seconds >= 1.5 * length:
+            return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
+    return f"{seconds:.{0 if seconds >= 10 else 1}f} seconds"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shlex
+import time
 import traceback
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor
@@ -13,9 +15,20 @@ from typing import Any
 import click
 
 from matrixworld.cli.arguments import can_resume, failures, find_runs, place_in_job, resume_command
-from matrixworld.cli.console import INTERRUPTED, note, print_table, progress, say, warnings_as_notes
+from matrixworld.cli.bench import seconds_of
+from matrixworld.cli.console import (
+    INTERRUPTED,
+    command,
+    in_words,
+    note,
+    print_table,
+    progress,
+    say,
+    warnings_as_notes,
+)
 from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
+    TYPED,
     cluster_option,
     given_options,
     on_cluster,
@@ -52,16 +65,18 @@ from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TE
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
+SHOWN_SECONDS = 3.0
+"""About what scores and figures of a race take, beside its matches."""
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
 Examples:
   matrixworld evolve
-  matrixworld evolve my-race --variant SB --schedule generalist-generalist
-  matrixworld evolve my-races --seeds 0-9
-  matrixworld evolve my-evaders --schedule against --set schedule.team=evader
-  matrixworld evolve my-race --learner ga --set learner.mutation=0.1
-  matrixworld evolve my-races --seeds 0-999 --cluster tcp://head-node:8786
+  matrixworld evolve --out my-race --variant SB --schedule generalist-generalist
+  matrixworld evolve --out my-races --seeds 0-9
+  matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
+  matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
+  matrixworld evolve --out my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
 """
 
@@ -107,8 +122,30 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
     )
 
 
+def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]) -> None:
+    """Refuse words that are no options, with the command that was meant."""
+    if not words:
+        return
+    word = words[0]
+    if word == "help":
+        meant = "matrixworld evolve --help"
+    elif word.lstrip("-").upper() in VARIANTS:
+        meant = f"matrixworld evolve --variant {word.upper()}"
+    else:
+        meant = f"{command('evolve --out', Path(word))} names the directory of the runs"
+    raise click.UsageError(f"expected options only, got {word!r}; {meant}")
+
+
 @click.command("evolve", epilog=EXAMPLES, short_help="Start races, or continue them.")
-@click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
+@click.argument("stray", nargs=-1, metavar="", callback=_no_words, expose_value=False)
+@click.option(
+    "--out",
+    "-o",
+    "output",
+    type=click.Path(path_type=Path, file_okay=False),
+    metavar="DIR",
+    help="a new directory for the runs  [default: in runs/, named after variant and seed]",
+)
 @world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
@@ -175,30 +212,33 @@ def evolve_command(
     against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
     script, or the last generation of a run. With --seeds there is a run of each seed.
 
-    OUTPUT is a new directory, which receives one run directory for each run:
-    SCHEDULE/seed-NUMBER. The default is a directory in runs/, named after variant and seed. A run
-    that exists is never replaced.
+    The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
+    exists is never replaced.
 
     Several runs play side by side, as many as --threads; threads that are left over are shared
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
     Results do not depend on --threads.
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
-    must see OUTPUT under the same path; docs/cluster.md says how to start them.
+    must see the directory under the same path; docs/cluster.md says how to start them.
     """
     given = given_options(options)
     with failures(), warnings_as_notes():
         if resumed is None:
             job = _new_job(given)
-            root = _new_directory(output, _default_directory(job))
+            root = output or _default_directory(job)
+            _check_new(root)
         else:
             _refuse_settings(resumed, output, given)
             root, job = resumed, _found_job(resumed)
         _check(job, root, threads, where)
+        note(_plan(job, root, threads, timed=resumed is None and where is None))
+        began = time.monotonic()
         with _resumable(root):
             with on_cluster(where, threads, root, job.values()) as executor:
                 results, failed = play_runs(job, root, threads, executor, new=resumed is None)
-            report(job, results, root, failed, threads)
+            again = "" if resumed else _more_seeds()
+            report(job, results, root, failed, threads, began=began, again=again)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
@@ -212,7 +252,7 @@ def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) 
         raise click.UsageError(
             f"--resume: expected a directory that holds a run, got {str(resumed)!r}"
         )
-    names = [*(["OUTPUT"] if output else []), *map(option_name, given)]
+    names = [*(["--out"] if output else []), *map(option_name, given)]
     if names:
         raise click.UsageError(
             f"--resume: expected no settings beside it, because a run keeps its own, got "
@@ -249,9 +289,8 @@ def _resumable(root: Path) -> Iterator[None]:
         raise
 
 
-def _new_directory(output: Path | None, default: Path) -> Path:
-    """Return the directory of new runs, and print it if it is not `output`."""
-    root = output or default
+def _check_new(root: Path) -> None:
+    """Refuse a directory that holds something already."""
     if root.exists():
         try:
             RunDirectory(root).check_empty()
@@ -262,11 +301,40 @@ def _new_directory(output: Path | None, default: Path) -> Path:
                 else ""
             )
             raise click.UsageError(
-                f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
+                f"--out: expected a new or empty directory, got {str(root)!r}{hint}"
             ) from error
-    if output is None:
-        note(f"Output directory: {root}")
-    return root
+
+
+# What is announced:
+
+
+def _plan(job: Job, root: Path, threads: int | None, *, timed: bool) -> str:
+    """Return what is going to be played, where, and about how long it takes."""
+    first, *_ = settings = [*job.values()]
+    world, races = first.world, all(each.is_race for each in settings)
+    what = "race" if races else "run"
+    seconds = None
+    if timed and races and (matches := seconds_of(settings, threads)) is not None:
+        seconds = matches + SHOWN_SECONDS * len(settings)
+    parts = [
+        f"-{first.variant}" if first.variant in VARIANTS else first.variant,
+        f"{world.n_pursuers} pursuers and {world.n_evaders} evaders",
+        f"{len(settings)} {what}{'s' * (len(settings) > 1)}",
+        *([] if seconds is None else [f"about {in_words(seconds)}"]),
+    ]
+    return f"{', '.join(parts)}, in {root}"
+
+
+def _more_seeds() -> str:
+    """Return the command as it was typed, with ten seeds in place of its own."""
+    words = iter(click.get_current_context().meta.get(TYPED, ["evolve"]))
+    kept: list[str] = []
+    for word in words:
+        if word in ("--out", "-o", "--seed"):
+            next(words)
+        elif not word.startswith(("--out=", "-o", "--seed=")):
+            kept.append(word)
+    return shlex.join(["matrixworld", *kept, "--seeds", "0-9"])
 
 
 # Jobs:

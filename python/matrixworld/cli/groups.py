@@ -18,7 +18,6 @@ import numpy as np
 
 from matrixworld._util.files import DamagedFileError, json_digest, load_json
 from matrixworld.analysis import Judgement, judge, read_payoffs
-from matrixworld.analysis.cycles import MARGIN, NoiseReference, noise_reference
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.cli.arguments import SEED, find_runs, resume_command
 from matrixworld.cli.console import note
@@ -150,15 +149,6 @@ class Group:
     def judgement(self) -> Judgement:
         """The judgement of all of them together."""
         return judge(self.payoffs)
-
-    @cached_property
-    def noise(self) -> NoiseReference | None:
-        """What an order of strength with the same episode noise has, late in a run."""
-        rates = None if len(self.runs) > 1 else self.payoffs.scores
-        # A single episode of each cell does not show its noise.
-        if rates is None or rates.shape[3] < 2:
-            return None
-        return noise_reference(rates[0][self.payoffs.late.cells], margin=MARGIN)
 
     @cached_property
     def singles(self) -> tuple[Group, ...]:

@@ -1,36 +1,41 @@
-"""What ``matrixworld evolve`` draws, writes and prints when its runs are finished."""
+"""What ``matrixworld evolve`` draws, writes and prints when its runs are finished.
+
+It prints what a newcomer asks first; tables and intervals are those of ``judge`` and ``score``.
+"""
 
 from __future__ import annotations
 
-import shlex
+import shutil
+import textwrap
+import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from tqdm import tqdm
+
 from matrixworld._util.files import save_json
-from matrixworld.analysis import Estimate, measure_all
+from matrixworld.analysis import headline, headline_numbers, interquartile_mean, measure_all
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.cli.console import TERMS, command, print_wrapped, say
+from matrixworld.cli.console import command, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned
 from matrixworld.cli.groups import Group, Result, grouped
 from matrixworld.cli.score import play_held_out
-from matrixworld.cli.tables import (
-    measured,
-    measured_of_one_team,
-    print_claims,
-    print_comparison,
-    print_head,
-    print_judged,
-    print_missing,
-    print_one_team,
-)
+from matrixworld.cli.tables import held_out, of_one_team, over_seeds, print_missing, shown
 from matrixworld.coevolution import Against, RunDirectory
 from matrixworld.coevolution.jobs.evolve import Job
-from matrixworld.coevolution.types import other
+from matrixworld.coevolution.progress import Progress
+from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer.runs_page import PAGE
 
 SUMMARY = "summary.json"
+NARROW = 80
+"""Most columns of these lines."""
+WIDEST_NAME = 28
+"""Longer names of groups have a line of their own."""
+HELD_OUT = "\nAgainst opponents nobody trained on (1 = best)"
 
 
 def report(
@@ -39,39 +44,49 @@ def report(
     root: Path,
     failed: Mapping[Path, str],
     threads: int | None = None,
+    *,
+    began: float | None = None,
+    again: str = "",
 ) -> None:
     """Score and judge the finished runs of a job, draw figures, and print the results.
 
-    `failed` says why the other runs of the job failed, by their directories.
+    `failed` says why the other runs of the job failed, by their directories; `began` is when the
+    job began, by `time.monotonic`, `again` the command that plays more seeds.
     """
     groups = _groups(job, results, root)
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
     play_held_out([run for group in races for run in group.runs], threads)
-    # Nothing is refused here: figures of an earlier report of the same runs are replaced.
-    figures = planned(finished, root)
-    draw(figures)
-    if finished:
-        write_explorer(finished, root / PAGE)
-    estimates = {group.name: measured(group) for group in races}
+    _draw(finished, root)
+    _save(groups, results, root, failed)
+    what = "races" if len(races) == len(finished) else "runs"
+    done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
+    took = "" if began is None else f" in {tqdm.format_interval(time.monotonic() - began)}"
+    page = f" Open {root / PAGE}" if finished else ""
+    say(f"{done}{took}.{page}\n", bold=True)
+    _print_groups(groups)
     if races:
-        print_comparison(races, estimates)
-    for group in groups:
-        _print(group)
-    if races:
-        print_claims(races)
-        say(f"\n{TERMS}")
+        say(HELD_OUT, bold=True)
+        print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
     for path, problem in failed.items():
         print_wrapped(f"Failed: {path}: {problem}")
-    problems = {_inside(root, path): problem for path, problem in failed.items()}
-    plain = {group.name: _plain(group, estimates.get(group.name)) for group in groups}
-    singles = [single for group in finished for single in group.singles]
-    runs = {_inside(root, one.runs[0].path): _plain_run(one) for one in singles}
-    # The summary of a run that was started by itself lies in the same directory.
-    if root not in [run.path for run in results]:
-        save_json(root / SUMMARY, {"groups": plain, "runs": runs, "failed": problems})
-    _print_files(root, [*figures], runs=[*runs])
-    _print_next(finished, root)
+    if finished:
+        say()
+        _print_hints(_hints(finished, root, again))
+
+
+def _draw(finished: Sequence[Group], root: Path) -> None:
+    """Draw the figures and write the page; figures of an earlier report are replaced."""
+    if not finished:
+        return
+    figures = planned(finished, root)
+    with progress("files") as show:
+        for number, (file, figure) in enumerate(figures.items()):
+            show(Progress("figures, page", number, len(figures) + 1))
+            draw({file: figure})
+        show(Progress("figures, page", len(figures), len(figures) + 1))
+        write_explorer(finished, root / PAGE)
+        show(Progress("figures, page", len(figures) + 1, len(figures) + 1))
 
 
 def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
@@ -84,31 +99,103 @@ def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
     return [group.inside(root) for group in grouped(runs)]
 
 
+# What is printed:
+
+
+def _print_groups(groups: Sequence[Group]) -> None:
+    """Print headline and numbers of each group beside its name."""
+    width = max([len(each.name) for each in groups if len(each.name) <= WIDEST_NAME], default=0)
+    columns = min(NARROW, shutil.get_terminal_size().columns) - width - 2
+    for group in groups:
+        lines = [part for line in _lines(group) for part in textwrap.wrap(line, columns)]
+        names = [group.name] if len(group.name) <= width else [group.name, ""]
+        lines = ["", *lines] if len(names) > 1 else lines
+        for name, line in zip([*names, *[""] * (len(lines) - len(names))], lines, strict=True):
+            say(f"{name:{width}}  {line}".rstrip())
+        print_missing(group)
+
+
+def _lines(group: Group) -> list[str]:
+    if not group.runs:
+        return [f"{group.finished_of_asked()} seeds finished"]
+    if group.is_race:
+        return [headline(group.judgement), *headline_numbers(group.judgement)]
+    schedule, means = group.runs[0].settings.schedule, of_one_team(group)
+    assert isinstance(schedule, Against)  # one team evolved
+    return [
+        f"capture rate {shown(means['capture_rate'], '.3f')}",
+        f"{schedule.team}s after {schedule.epochs:,} epochs against {schedule.opponent}",
+        f"an episode takes {means['length'].value:.0f} steps",
+    ]
+
+
+def _held_out_row(group: Group) -> tuple[str, ...]:
+    return group.name, *(f"{held_out(group, team).mean():.2f}" for team in TEAMS)
+
+
+def _hints(groups: Sequence[Group], root: Path, again: str) -> list[tuple[str, str]]:
+    last = groups[-1].runs[-1]
+    schedule = last.settings.schedule
+    path = root if sum(len(group.runs) for group in groups) == 1 else last.path
+    if isinstance(schedule, Against):
+        team = f"--set schedule.team={other(schedule.team)}"
+        opponent = command("evolve --schedule against", team, f"--set schedule.opponent={path}")
+        return [("Watch it:", command("replay", path)), ("Its opponent learns:", opponent)]
+    more = ("Verdict on each seed:", command("judge --each", root))
+    if not any(group.several for group in groups):
+        more = ("One seed proves little:", again or command("evolve --seeds 0-9"))
+    return [more, ("Reasons and intervals:", command("judge --explain", root))]
+
+
+def _print_hints(hints: Sequence[tuple[str, str]]) -> None:
+    width = max(len(why) for why, _ in hints)
+    # A long command stands alone, so that it can be copied.
+    short = all(width + 2 + len(typed) <= NARROW for _, typed in hints)
+    for why, typed in hints:
+        say(f"{why:{width}}  {typed}" if short else f"{why}\n  {typed}")
+
+
+# summary.json:
+
+
+def _save(
+    groups: Sequence[Group], results: Sequence[Result], root: Path, failed: Mapping[Path, str]
+) -> None:
+    # The summary of a run that was started by itself lies in the same directory.
+    if root in [run.path for run in results]:
+        return
+    singles = [single for group in groups if group.runs for single in group.singles]
+    values = {
+        "groups": {group.name: _plain(group) for group in groups},
+        "runs": {_inside(root, one.runs[0].path): _plain_run(one) for one in singles},
+        "failed": {_inside(root, path): problem for path, problem in failed.items()},
+    }
+    save_json(root / SUMMARY, values)
+
+
 def _inside(root: Path, path: Path) -> str:
     return path.relative_to(root).as_posix()
 
 
-def _print(group: Group) -> None:
-    if not group.runs:
-        print_head(f"{group.name}: {group.finished_of_asked()} seeds finished")
-        print_missing(group)
-    elif group.is_race:
-        print_judged(group)
-    else:
-        print_one_team(group)
-
-
-def _plain(group: Group, estimates: Mapping[str, Estimate | None] | None) -> dict[str, Any]:
+def _plain(group: Group) -> dict[str, Any]:
     """Return a group as plain values: its seeds, numbers and judgement."""
     plain: dict[str, Any] = {"finished": list(group.seeds), "missing": list(group.missing)}
     if not group.runs:
         return plain
-    if estimates is None:
-        return {**plain, "measures": plain_values(measured_of_one_team(group))}
+    if not group.is_race:
+        return {**plain, "measures": plain_values(of_one_team(group))}
+    scores = {team: held_out(group, team) for team in TEAMS}
     return {
         **plain,
-        "measures": plain_values(estimates),
         "judgement": group.judgement.to_json(),
+        "measures": plain_values(measure_all(group.payoffs)),
+        "held_out": {
+            f"{team}s": {
+                "mean": plain_values(over_seeds(np.mean(each, axis=1))),
+                "interquartile mean": plain_values(interquartile_mean(each)),
+            }
+            for team, each in scores.items()
+        },
     }
 
 
@@ -123,51 +210,3 @@ def _plain_run(single: Group) -> dict[str, Any]:
         "judgement": single.judgement.to_json(),
         "held_out": run.held_out,
     }
-
-
-def _print_files(root: Path, figures: Sequence[Path], runs: Sequence[str]) -> None:
-    say(f"\nAll files are in {root}:")
-    if runs:
-        say(f"  {PAGE}: open it in a browser; it plays every match of the payoff matrices")
-    say(f"  {SUMMARY}: the numbers of each run, and of all seeds together")
-    for folder in dict.fromkeys(figure.parent for figure in figures):
-        place = "" if folder == root else f"{_inside(root, folder)}/: "
-        names = ", ".join(figure.name for figure in figures if figure.parent == folder)
-        say(f"  {place}{names}")
-    if runs:
-        data = "payoff.npz, *.npy (genomes), log.csv, summary.json, scores.json (of races)"
-        say(f"  data of each run: {data}")
-
-
-def _print_next(groups: Sequence[Group], root: Path) -> None:
-    if not groups:
-        return
-    # The last run: of the default job the generalists, whose late pursuers are worth watching.
-    last = groups[-1].runs[-1]
-    path, settings = last.path, last.settings
-    say("\nWhat to try next:")
-    schedule = settings.schedule
-    if isinstance(schedule, Against):
-        commands = [
-            command("replay", path, "--out match.gif"),
-            command(
-                "evolve --schedule against --set",
-                f"schedule.opponent={shlex.quote(str(path))}",
-                f"--set schedule.team={other(schedule.team)}",
-            ),
-        ]
-    else:
-        generation = schedule.entries - 1
-        match = f"--pursuer {generation} --evader {generation // 2}"
-        others = [group.runs[-1].path for group in groups[-2:-1] if group.is_race]
-        commands = [
-            command("replay", path, match),
-            command("replay", path, match, "--out match.gif"),
-            command("judge", root, "--explain"),
-            command("judge", root, "--all"),
-            command("score", root),
-            command("tournament", path, *others),
-            command("explore", root, "--figures --each --force"),
-        ]
-    for each in commands:
-        say(f"  {each}")

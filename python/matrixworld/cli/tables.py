@@ -1,35 +1,27 @@
-"""Tables over groups of runs: verdicts, measures side by side, and what the paper reports."""
+"""Tables and numbers of groups of runs: verdicts, held-out scores, one team alone."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import (
-    MEASURES,
     Estimate,
     Judgement,
-    fewest_runs,
-    headline,
-    interquartile_mean,
     interval_over_runs,
     judgement_table,
 )
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
-from matrixworld.cli.groups import SCORED_EPISODES, Group, Result
-from matrixworld.coevolution import Against
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.cli.groups import Group
+from matrixworld.coevolution.types import Team
 
-BESIDE = 3
-"""Groups side by side in one table, so that lines fit into a terminal."""
 RATE = (0.0, 1.0)
-INTERVALS = "In brackets: 95% interval over the seeds; of a single run, over its episodes."
 
 
 def print_head(text: str) -> None:
@@ -139,48 +131,7 @@ def print_strip(group: Group) -> None:
         print_table(rows, "<" + ">" * len(part) + "<")
 
 
-# Measures side by side:
-
-
-ROWS: Mapping[str, tuple[str, str]] = {
-    "pursuer_gain": ("gain of the pursuers", "+.2f"),
-    "evader_gain": ("gain of the evaders", "+.2f"),
-    "transitive_share": ("transitive share", ".2f"),
-    "checkerboards": ("checkerboards", ".1%"),
-    "pursuer_held_out": ("held-out, pursuers", ".2f"),
-    "pursuer_held_out_iqm": ("  interquartile mean", ".2f"),
-    "evader_held_out": ("held-out, evaders", ".2f"),
-    "evader_held_out_iqm": ("  interquartile mean", ".2f"),
-    "training_matches": ("training matches", ",.0f"),
-    "training_agent_steps": ("training agent-steps", ",.0f"),
-    "evaluation_matches": ("evaluation matches", ",.0f"),
-}
-"""Rows of the table of groups by their names in summary.json: label and form of the numbers."""
-PLAYED = list(ROWS)[-3:]
-OF_SEEDS = ("pursuer_held_out_iqm", "evader_held_out_iqm")
-"""Rows that are shown only where several seeds were asked for."""
-NOISY = ("transitive_share", "checkerboards")
-"""Rows in which the entry of `NoiseReference` stands beside the number of a single run."""
-
-
-def measured(group: Group) -> dict[str, Estimate | None]:
-    """Return the numbers of a group of races by their names in `ROWS`."""
-    gains = group.judgement.headline["arms race"].estimates
-    # A window that is too short has no gains.
-    found = {f"{team}_gain": gains.get(f"{team}_gain") for team in TEAMS}
-    for name in NOISY:
-        estimate = MEASURES[name].of(group.payoffs)
-        found[name] = None if math.isnan(estimate.value) else estimate
-    for team in TEAMS:
-        scores = held_out(group, team)
-        found[f"{team}_held_out"] = over_seeds(scores.mean(axis=1))
-        if len(group.runs) == 1:
-            [mean] = group.runs[0].held_out[f"{team}s"]["mean"]
-            found[f"{team}_held_out"] = Estimate(**mean, across="episodes", samples=SCORED_EPISODES)
-        found[f"{team}_held_out_iqm"] = interquartile_mean(scores)
-    for name in PLAYED:
-        found[name] = over_seeds([run.numbers[name] for run in group.runs], (0.0, math.inf))
-    return found
+# Held-out scores:
 
 
 def held_out(group: Group, team: Team) -> NDArray[np.float64]:
@@ -189,127 +140,26 @@ def held_out(group: Group, team: Team) -> NDArray[np.float64]:
     return np.array([[last["value"] for [last] in against] for against in of_runs])
 
 
-LEGEND = (
-    f"{INTERVALS} Gain: change of a team's mean payoff against all opponents of its race. "
-    "Held-out: capture rate of the last pursuers and escape rate of the last evaders, mean over "
-    "opponents that no run has met. "
-)
-NOISE_LEGEND = (
-    "Noise: what an order of strength with the same episode noise rarely exceeds (checkerboards) "
-    "or falls below (transitive share)."
-)
-SEEDS_LEGEND = (
-    "Interquartile mean: the middle half of the held-out scores; its interval takes "
-    f"{fewest_runs()} seeds."
-)
-
-
-def print_comparison(
-    groups: Sequence[Group], estimates: Mapping[str, Mapping[str, Estimate | None]]
-) -> None:
-    """Print the table of measures: a column for each group of races."""
-    several = any(group.several for group in groups)
-    names = [name for name in ROWS if several or name not in OF_SEEDS]
-    labels = ["", *(["seeds finished"] if several else []), "present"]
-    labels += [ROWS[name][0] for name in names]
-    for first in range(0, len(groups), BESIDE):
-        part = groups[first : first + BESIDE]
-        columns = [
-            [
-                group.name,
-                *([group.finished_of_asked()] if several else []),
-                headline(group.judgement).replace(", ", ",\n"),
-                *(_cell(group, name, estimates[group.name][name]) for name in names),
-            ]
-            for group in part
-        ]
-        say()
-        print_table([*zip(labels, *columns, strict=True)], "<" * (1 + len(part)))
-    print_wrapped(LEGEND + (SEEDS_LEGEND if several else NOISE_LEGEND))
-
-
-def _cell(group: Group, name: str, estimate: Estimate | None) -> str:
-    form = ROWS[name][1]
-    noise = getattr(group.noise, name) if name in NOISY and group.noise else None
-    return shown(estimate, form) + (f" (noise: {noise:{form}})" if noise else "")
-
-
-# What the paper reports:
-
-CONDITION = "cycling"
-CLAIMS = {"specialist-specialist": "present", "generalist-generalist": "absent"}
-"""Whether the paper reports cycling of its schedules (Sun et al. 2023)."""
-
-
-def print_claims(groups: Sequence[Group]) -> None:
-    """Print what the paper reports of the schedules, beside what these races show."""
-    rows = [
-        (group.name, f"{CONDITION} {CLAIMS[schedule]}", f"{CONDITION} {_found(group.judgement)}")
-        for group in groups
-        if group.settings and (schedule := group.settings.schedule.name) in CLAIMS
-    ]
-    if rows:
-        say()
-        print_table([("race", "the paper reports", "this job shows"), *rows], "<<<")
-
-
-def _found(judgement: Judgement) -> str:
-    """Return the verdict in the headline window, and other windows in which it is present."""
-    verdict = f"{judgement.headline[CONDITION].verdict} ({judgement.window})"
-    others = [
-        name
-        for name in judgement.windows
-        if name != judgement.window and CONDITION in judgement.present(name)
-    ]
-    return "; ".join([verdict, *(f"present ({name})" for name in others)])
-
-
 # Runs in which one team evolved:
 
-OF_ONE_TEAM = {"capture_rate": ("capture rate", ".4f"), "length": ("length in steps", ".1f")}
-"""Numbers of a run in which one team evolved: label and form."""
-ONE_TEAM_LEGEND = (
-    "In brackets: 95% interval of the mean over the episodes; in the last line, over the seeds."
-)
 
+def of_one_team(group: Group) -> dict[str, Estimate]:
+    """Return capture rate and length of episodes of one team: means over the seeds of a group.
 
-def measured_of_one_team(group: Group) -> dict[str, Estimate]:
-    """Return the means over the seeds of a group."""
-    return {
-        name: interval_over_runs([run.numbers[name] for run in group.runs], bounds=(0.0, math.inf))
-        for name in OF_ONE_TEAM
-    }
-
-
-def print_one_team(group: Group) -> None:
-    """Print the results of one team against fixed opponents: a line for each seed, and the mean."""
-    settings = group.settings
-    assert settings is not None  # its runs are finished
-    schedule = settings.schedule
-    assert isinstance(schedule, Against)
-    seeds = f", {group.finished_of_asked()} seeds finished" if group.several else ""
-    print_head(f"{group.name}{seeds}")
-    say(
-        f"  {schedule.team}s after {schedule.epochs} epochs against {schedule.opponent}, in "
-        f"{group.runs[0].numbers['evaluation_matches']} fresh episodes of at most "
-        f"{settings.world.max_steps} steps"
-    )
-    heads = [head for label, _ in OF_ONE_TEAM.values() for head in (label, "of an episode")]
-    rows = [("seed", *heads), *map(_one_team_row, group.runs)]
+    Those of a single run have their intervals over its episodes.
+    """
     if len(group.runs) > 1:
-        means = measured_of_one_team(group)
-        cells = [(shown(means[name], form), "") for name, (_, form) in OF_ONE_TEAM.items()]
-        rows.append(("mean", *(cell for pair in cells for cell in pair)))
-    print_table(rows, "<" * len(rows[0]))
-    print_wrapped(ONE_TEAM_LEGEND)
-    print_missing(group)
+        rows = [run.numbers for run in group.runs]
+        return {
+            name: interval_over_runs([row[name] for row in rows], bounds=(0.0, math.inf))
+            for name in OF_ONE_TEAM
+        }
+    [run] = group.runs
+    found = {}
+    for name in OF_ONE_TEAM:
+        mean, low, high = (run.numbers[name + end] for end in ("", "_low", "_high"))
+        found[name] = Estimate(mean, low, high, "episodes", run.numbers["evaluation_matches"])
+    return found
 
 
-def _one_team_row(run: Result) -> tuple[str, ...]:
-    cells = []
-    for name, (_, form) in OF_ONE_TEAM.items():
-        mean, low, high, std = (run.numbers[name + end] for end in ("", "_low", "_high", "_std"))
-        estimate = Estimate(mean, low, high, "episodes", run.numbers["evaluation_matches"])
-        alike = "in every episode" if low is None else f"standard deviation {std:{form}}"
-        cells += [shown(estimate, form), alike]
-    return str(run.settings.seed), *cells
+OF_ONE_TEAM = ("capture_rate", "length")

@@ -24,6 +24,8 @@ SLOW = 10.0
 # What matters most comes first: in a narrow terminal tqdm cuts the line at its right end.
 LAYOUT = "{percentage:3.0f}%|{bar:16}| {remaining} left, {rate_fmt}, {n_fmt} of {total_fmt}, {desc}"
 """The parts of a bar's line, as tqdm names them; 60 columns show bar, time left and rate."""
+STARTING = "{percentage:3.0f}%|{bar:16}| {n_fmt} of {total_fmt}, {desc}"
+"""The line before anything has been played: there is no rate yet."""
 
 JOB = ""
 """Name of the bar of the job, or of the only run."""
@@ -141,6 +143,7 @@ class ProgressBar:
         if name == JOB:
             bar.initial = progress.before  # more and more runs tell what was played before
         bar.total, bar.n = progress.total, min(progress.done, progress.total)
+        bar.bar_format = LAYOUT if bar.n > bar.initial else STARTING
         bar.set_description_str(what, refresh=False)
         bar.refresh()
 

@@ -126,7 +126,7 @@ def test_damage_is_repaired_or_reported(copy, straight, foreign, name, damage):
         assert code == 0 or name != ".lock"
     elif damage == "deleted":
         matrixworld_command("evolve", "--resume", copy, code=2)
-        again = matrixworld_command("evolve", copy, "--schedule", MAIN_JOB[0], code=2)
+        again = matrixworld_command("evolve", "--out", copy, "--schedule", MAIN_JOB[0], code=2)
         assert "expected a new or empty directory" in again.stderr
     else:
         # The other files do not belong to the settings of another run.
@@ -195,7 +195,7 @@ def test_other_files_are_not_replaced(straight, tmp_path, left_over):
 
 def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_path, monkeypatch):
     directory = tmp_path / "run"
-    command = ["evolve", directory, *words(RACE), "--schedule", MAIN_JOB[-1]]
+    command = ["evolve", "--out", directory, *words(RACE), "--schedule", MAIN_JOB[-1]]
     with monkeypatch.context() as patch:
         patch.setattr(RunDirectory, "write_config", interrupted)
         matrixworld_command(*command, code=INTERRUPTED)
