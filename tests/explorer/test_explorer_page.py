@@ -239,6 +239,7 @@ def test_a_page_with_an_altered_script_does_not_run(
 ) -> None:
     added = "<script>document.title = 'owned'</script></body>"
     html = page.read_text().replace("</body>", added)
+    assert "default-src 'none'" in html  # nothing is loaded, and nothing sent
     write_page(tmp_path / "altered.html", html)
     browser.open(tmp_path / "altered.html")
     assert browser.js("document.title") != "owned"

@@ -413,3 +413,18 @@ def test_the_files_of_a_run(tmp_path: Path) -> None:
 def test_a_recorded_episode(tmp_path: Path) -> None:
     mw.record("O", "chaser", "fleer", seed=0).save(tmp_path / "episode.npz")
     check_arrays(tmp_path / "episode.npz", "## A recorded episode")
+
+
+def test_each_promise_of_the_security_page_has_a_test() -> None:
+    page = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
+    rows = [line for line in page.splitlines() if line.startswith("| ")]
+    promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
+    assert promises
+    for promise in promises:
+        named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", promise)
+        assert named, promise
+        for file, test in named:
+            assert f"def {test or 'test_'}" in (ROOT / file).read_text(encoding="utf-8"), (
+                file,
+                test,
+            )
