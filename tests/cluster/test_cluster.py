@@ -11,7 +11,7 @@ import signal
 import socket
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
@@ -35,12 +35,6 @@ from tiny_race import results, tiny_race
 pytest.importorskip("distributed")
 
 SLOW = {"learner": "dying:Slow", "generations": 4}
-
-
-@pytest.fixture(scope="module")
-def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DaskCluster]:
-    with dask_cluster(tmp_path_factory.mktemp("dask"), workers=0) as running:
-        yield running
 
 
 def races(count: int, **changes: Any) -> dict[str, RaceSettings]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import operator
 import re
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import matrixworld
-from dask_cluster import DaskCluster, dask_cluster
+from dask_cluster import DaskCluster
 from matrixworld.cluster import UnfitWorkerError, cluster
 from scripts import wait_until
 
@@ -24,7 +24,6 @@ def refuse(event, args):
         raise FileNotFoundError(2, "No such file or directory", args[0])
 sys.addaudithook(refuse)
 """
-LOCKLESS = "import fcntl; fcntl.flock = lambda handle, operation: None"
 EMPTY = """
 import sys
 class Finder:
@@ -33,12 +32,6 @@ class Finder:
             raise ModuleNotFoundError("No module named 'matrixworld'")
 sys.meta_path.insert(0, Finder())
 """
-
-
-@pytest.fixture(scope="module")
-def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DaskCluster]:
-    with dask_cluster(tmp_path_factory.mktemp("dask"), workers=0) as running:
-        yield running
 
 
 def other_version(place: Path) -> Path:
@@ -70,10 +63,6 @@ KINDS: dict[str, tuple[Callable[[Path, Path], Path], str]] = {
     "another file system": (
         lambda place, out: customized(place, BLIND.format(place=str(out))),
         "it does not see the files in .*out; the directory must be shared",
-    ),
-    "no locks": (
-        lambda place, out: customized(place, LOCKLESS),
-        "locks in .*out do not hold between its machine and this one",
     ),
 }
 

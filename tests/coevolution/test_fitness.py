@@ -1,4 +1,4 @@
-"""Fitness from episode statistics, competitive sharing and reduced virulence."""
+"""Fitness from episode statistics, competitive sharing, reduced virulence, limits of collisions."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import matrixworld as mw
 from matrixworld.coevolution import competitive_sharing, reduced_virulence
-from matrixworld.coevolution.fitness import fitness
-from tiny_race import constant_scores
+from matrixworld.coevolution.fitness import collisions, feasible_first, fitness
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
+from matrixworld.coevolution.types import TEAMS
+from tiny_race import constant_scores, tiny_single
 
 
 def scores():
@@ -63,22 +66,6 @@ def test_virulence_by_hand():
     assert reduced_virulence([0, 0], 0.75).tolist() == [0.0, 0.0]
 
 
-@given(
-    st.lists(st.integers(0, 30), min_size=1, max_size=20),
-    st.floats(0.5, 1.0),
-    st.floats(0.1, 10.0),
-)
-def test_virulence_rewards_the_share_v_of_the_most_wins(wins, v, scale):
-    fitness = reduced_virulence(wins, v)
-    assert (fitness <= 1 + 1e-12).all()
-    assert (fitness >= -1e-12).all()
-    assert reduced_virulence(np.array(wins) * scale, v) == pytest.approx(fitness)
-    share = np.array(wins) / max(1, *wins)
-    order = np.argsort(np.abs(share - v))
-    if max(wins):
-        assert (np.diff(fitness[order]) <= 1e-12).all()
-
-
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -93,3 +80,44 @@ def test_virulence_rewards_the_share_v_of_the_most_wins(wins, v, scale):
 def test_bad_wins_are_refused(call, message):
     with pytest.raises(ValueError, match=f"^{message}"):
         call()
+
+
+# Candidates within a limit of collisions come first:
+
+
+def test_candidates_within_the_limit_come_first() -> None:
+    found = feasible_first([0.2, 0.9, 0.5, 0.7], [-1.0, 3.0, 0.0, 0.5])
+    np.testing.assert_allclose(found, [0.2, 0.2 - 3.0, 0.5, 0.2 - 0.5])
+    # Beyond the limit only the violation counts.
+    np.testing.assert_allclose(feasible_first([0.9, 0.1], [3.0, 2.0]), [-3.0, -2.0])
+
+
+def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
+    config = mw.WorldConfig("S", rows=6, cols=6, n_pursuers=4, n_evaders=3, max_steps=20)
+    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
+    for t, team in enumerate(TEAMS):
+        for match, found in enumerate(collisions(scores, team)):
+            monitor = mw.SafetyMonitor()
+            fields = (scores.collisions, scores.faults, scores.agent_steps, scores.capture_rate)
+            monitor.add(*(each[match] for each in fields))
+            assert found == pytest.approx(monitor.summary().fault_rate[t].sum())
+
+
+def test_a_limit_decides_the_fitness_of_a_run() -> None:
+    settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
+    genomes = np.stack(
+        [settings.network.initial(np.random.default_rng(k), head=2.0) for k in range(8)]
+    )
+    seeds = np.zeros((8, 1), np.uint64)
+    plain = TrainingMatches(settings, mw.rollout, 1)
+    scores = plain.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
+    rates = collisions(scores, "pursuer")
+    limit = float(np.sort(rates)[3:5].mean())
+    limited = TrainingMatches(settings.changed({"fitness.cost_limit": limit}), mw.rollout, 1)
+    found = limited.fitness(scores, "pursuer", lambda values: values[:, None])
+    expected = plain.fitness(scores, "pursuer", lambda values: values[:, None])
+    within = rates <= limit
+    assert within.sum() == 4
+    np.testing.assert_array_equal(found[within], expected[within])
+    assert found[within].min() > found[~within].max()
+    assert list(np.argsort(-found[~within])) == list(np.argsort(rates[~within]))

@@ -135,22 +135,6 @@ def run_until_killed(kind: str, directory: Path, at: int) -> None:
         start_or_resume(kind, directory, play=events.before(rollout))
 
 
-REFUSED = 3
-"""Exit code of a process that could not write a file."""
-NOBODY = 65534
-
-
-def run_until_refused(kind: str, directory: Path, message: Path) -> None:
-    """As `start_or_resume`, but as a user without rights; write the error to `message`."""
-    if os.getuid() == 0:
-        os.setuid(NOBODY)
-    try:
-        start_or_resume(kind, directory)
-    except OSError as error:
-        message.write_text(str(error))
-        raise SystemExit(REFUSED) from error
-
-
 def hold(directory: Path, held: Path) -> None:
     """Hold the lock of a run until killed; make the file `held` when the lock is held."""
     with coevolution.RunDirectory.open(directory).lock():

@@ -10,15 +10,20 @@ import time
 import warnings
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import nullcontext
+from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 from executors import Reversed
+from matrixworld._util.files import load_json, save_json
 from matrixworld.coevolution import (
     DamagedFileError,
     DisengagementWarning,
     FailedRunsError,
     LockedError,
+    OtherVersionError,
     Progress,
     StoppedError,
     WorkerDiedError,
@@ -29,7 +34,15 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.jobs import evolve as module
 from matrixworld.coevolution.jobs import worker
-from matrixworld.coevolution.jobs.evolve import JOB, check_job, job_of, open_job, save_job, shares
+from matrixworld.coevolution.jobs.evolve import (
+    JOB,
+    check_job,
+    group_of,
+    job_of,
+    open_job,
+    save_job,
+    shares,
+)
 from matrixworld.coevolution.jobs.worker import (
     PROGRESS,
     START,
@@ -37,6 +50,7 @@ from matrixworld.coevolution.jobs.worker import (
     started,
     write_progress,
 )
+from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from tiny_race import directory_in_memory, results, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -275,10 +289,6 @@ def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
 
 def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
     settings = [tiny_race(seed=1, generations=6, rows=40, cols=40, train_steps=1, max_steps=1)]
-    with warnings.catch_warnings(record=True) as alone:
-        warnings.simplefilter("always")
-        finish(settings[0], tmp_path / "alone")
-    assert [each.category for each in alone] == [DisengagementWarning]
 
     class Silent(Executor):
         """Does a task without its warnings, which appear in another process."""
@@ -401,3 +411,90 @@ def test_cores_are_shared_so_that_the_last_run_does_not_play_alone():
     asked = [(1, 2), (2, 2), (3, 2), (4, 2), (3, 1), (3, 8)]
     expected = [(1, 2), (2, 1), (3, 1), (2, 1), (1, 1), (3, 2)]
     assert [shares(runs, cores) for runs, cores in asked] == expected
+
+
+# Names and the file of a job:
+
+
+KINDS = [
+    tiny_race(obstacles=["......"] * 5 + [".#...."], sigma=np.float32(0.3)),
+    tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2, "shrink": 0.5}),
+    tiny_race(seed=2**63 - 1, learner="cma"),
+    tiny_single(team="evader", opponent="hunter"),
+]
+
+
+def test_settings_come_back_equal_from_the_file(tmp_path):
+    runs = {f"{n}/seed-{each.seed}": each for n, each in enumerate(KINDS)}
+    runs |= {f"{n}/seed-1": replace(each, seed=1) for n, each in enumerate(KINDS)}
+    save_job(tmp_path, runs)
+    assert open_job(tmp_path) == runs
+
+
+def test_names_and_what_was_asked_for():
+    races = [tiny_race(schedule=name, seed=n) for n in (3, 12) for name in ALL_SCHEDULES[:2]]
+    job = job_of([*races, tiny_single(seed=7)])
+    first, second = ALL_SCHEDULES[:2]
+    assert [*job] == [
+        f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12",
+        "pursuer-against-random/seed-7",
+    ]  # fmt: skip
+    named = job_of({"sigma-0.1": tiny_race(), "sigma-0.2/seed-5": tiny_race(sigma=0.2)})
+    assert [*map(group_of, named)] == ["sigma-0.1", "sigma-0.2"]
+
+
+def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    job = job_of([tiny_single(opponent="runs/my first/seed-3", start="/other")])
+    settings = job["pursuer-against-my-first/seed-5"]
+    assert settings.schedule.opponent == str(tmp_path / "runs/my first/seed-3")
+    assert settings.schedule.start == str(Path("/other"))
+
+
+BAD_JOBS = [
+    ([], ValueError, "expected at least one run"),
+    ({}, ValueError, "expected at least one run"),
+    ([3], TypeError, "expected RaceSettings, got 3"),
+    ({"a": None}, TypeError, "expected RaceSettings, got None"),
+    ([tiny_race(), tiny_race(sigma=0.2)], ValueError, "got two of generalist-generalist/seed-5"),
+    ({"a": tiny_race(), "b": tiny_race()}, ValueError, "expected different runs, got a and b"),
+    ({"a": tiny_race(), "a/b": tiny_race(seed=1)}, ValueError, "got a/b in a run"),
+    *(
+        ({name: tiny_race()}, ValueError, "expected names such as")
+        for name in ("", ".", "..", "../a", "a/../b", "/a", "a/", "a/b/c", ".a", JOB, "a\n", "a@b")
+    ),
+]
+
+
+@pytest.mark.parametrize(("settings", "kind", "message"), BAD_JOBS, ids=range(len(BAD_JOBS)))
+def test_bad_jobs(settings, kind, message):
+    with pytest.raises(kind, match=message):
+        job_of(settings)
+
+
+def test_a_thousand_seeds_take_little_more_than_one(tmp_path):
+    save_job(tmp_path, job_of([tiny_race(seed=seed) for seed in range(1000)]))
+    assert (tmp_path / JOB).stat().st_size < 60_000
+    assert [each.seed for each in open_job(tmp_path).values()] == [*range(1000)]
+
+
+def test_files_that_are_damaged_or_of_another_version(tmp_path):
+    assert open_job(tmp_path) is None
+    save_job(tmp_path, job_of([tiny_race()]))
+    values = load_json(tmp_path / JOB)
+    content = (tmp_path / JOB).read_text()
+    (tmp_path / JOB).write_text(content.replace('"seed-5"', '"seed-6"').replace(": 5", ": 6"))
+    with pytest.raises(DamagedFileError, match=r"job\.json: altered"):
+        open_job(tmp_path)
+    [group] = values["groups"]
+    expected = "expected settings of matrixworld"
+    for change, message in (
+        ({"format": 9}, "expected format 1, got 9"),
+        ({"groups": []}, expected),
+        ({"groups": [{"settings": {}}]}, expected),
+        ({"groups": [{**group, "seeds": 3}]}, expected),
+        ({"groups": [{**group, "seeds": {"../../elsewhere": 5}}]}, "expected names such as"),
+    ):
+        save_json(tmp_path / JOB, {**values, **change})
+        with pytest.raises(OtherVersionError, match=message):
+            open_job(tmp_path)

@@ -188,15 +188,6 @@ def test_a_restored_learner_continues_bit_for_bit(changes: dict[str, Any]) -> No
             np.testing.assert_array_equal(one.state()[name], value, err_msg=name)
 
 
-def test_an_archived_genome_does_not_change() -> None:
-    one = learner()
-    before = one.genome
-    kept = before.copy()
-    one.learn(played(one))
-    assert not np.array_equal(one.genome, kept)
-    np.testing.assert_array_equal(before, kept)
-
-
 def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
     one = learner(cost_limit=10.0, cost_rate=0.5)
     seen = played(one)

@@ -187,12 +187,6 @@ def test_lapca_drops_tests_that_tell_no_neighbours_apart():
     assert kept(submitted(archive, payoffs, candidates=[2], tests=[2])) == ([2], [])
 
 
-@given(histories(levels=(0, 1, 2)))
-def test_lapca_with_one_layer_keeps_the_candidates_of_a_front(history):
-    one_layer, front = submitted(LAPCA(1), history[0]), submitted(IPCA(), history[0])
-    assert np.array_equal(one_layer.candidates, front.candidates)
-
-
 @given(histories(levels=(0, 1, 2)), st.integers(1, 4))
 def test_lapca_s_layers_hold_on_its_own_tests(history, layers):
     payoffs, batches = history

@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 import pytest
 
 from matrixworld import coevolution
-from matrixworld.coevolution import (
-    DisengagementWarning,
-    Race,
-    open_run,
-)
+from matrixworld.coevolution import DisengagementWarning, Race, open_run
 from matrixworld.coevolution.runs.race import HallOfFameRace
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.play.rollout import Matches, rollout
@@ -33,13 +27,10 @@ def straight(tmp_path_factory):
 
 
 def test_archive_holds_every_generation(straight):
-    size = straight.network.genome_size
-    archive = straight.files.archive()
-    assert archive["pursuer"].shape == archive["evader"].shape == (3, size)
-    assert archive["pursuer"].dtype == np.float32
-    for team in ("pursuer", "evader"):
-        assert len({genome.tobytes() for genome in archive[team]}) == 3
-        assert np.array_equal(straight.genomes(team), archive[team])
+    for team, genomes in straight.files.archive().items():
+        assert (genomes.shape, genomes.dtype) == ((3, straight.network.genome_size), np.float32)
+        assert len(np.unique(genomes, axis=0)) == 3
+        assert np.array_equal(straight.genomes(team), genomes)
 
 
 def test_log_has_a_row_per_epoch_and_counts_matches(straight):
@@ -115,17 +106,13 @@ def test_the_files_hold_means_and_deviations_and_what_was_played(straight):
     assert straight.total_matches() == 4 * EPOCHS + 27
 
 
-def test_progress_is_reported_when_asked(tmp_path, capfd):
+def test_progress_is_reported_when_asked(tmp_path):
     seen = []
     race = Race(tiny_race(), tmp_path / "run")
     race.run(seen.append)
     assert [each.done for each in seen] == [*range(4, 41, 4), 49, 58, 67]
     assert {(each.before, each.total) for each in seen} == {(0, 67)}
     assert (seen[0].what, seen[-1].what) == ("generation 1: pursuers", "tournament")
-    assert capfd.readouterr() == ("", "")
-    with coevolution.ProgressBar() as bar:
-        Race(tiny_race(), tmp_path / "other").run(bar)
-    assert re.search(r"100%.+\(tournament\)", capfd.readouterr().err)
 
 
 def test_bad_settings_leave_no_trace(tmp_path):

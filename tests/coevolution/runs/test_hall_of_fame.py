@@ -71,7 +71,4 @@ def test_race(tmp_path):
     assert log["generation"].tolist() == [1] * 4 + [2] * 4 + [3] * 4
     per_epoch = [4 * (2 + 2 * hall) for hall in (1, 2, 2) for _ in range(2)]
     assert log["matches"][::2].tolist() == np.cumsum(per_epoch).tolist()
-    assert race.training_matches() == sum(per_epoch)
     assert race.phase_rates().shape == (3, 2)
-    for team in coevolution.TEAMS:
-        assert not np.array_equal(race.genomes(team)[0], race.genomes(team)[-1])

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import os
 import shutil
-import sys
 from pathlib import Path
 
 import pytest
 
-import killed
 from command_line import MAIN_JOB, PLACES, RACE, matrixworld_command, words
 from matrixworld._util import files
 from matrixworld.cli import report
@@ -21,7 +19,7 @@ from matrixworld.coevolution import (
     open_run,
     resume,
 )
-from tiny_race import StopAt, directory_in_memory, results, tiny_race
+from tiny_race import StopAt, results, tiny_race
 
 FILES = {
     "straight": (
@@ -167,17 +165,6 @@ def test_another_version_s_files(copy, change, message):
 # Directories that are incomplete or cannot be written to:
 
 
-def test_an_incomplete_new_run_is_replaced(straight, tmp_path):
-    directory = tmp_path / "run"
-    directory.mkdir()
-    for name in (".lock", "stage-0000.npz"):
-        shutil.copy(straight / name, directory)
-    (directory / "checkpoint-0000.npz").write_bytes(b"of another start")
-    (directory / ".123.tmp").write_bytes(b"half")
-    Race(tiny_race(), directory, threads=1).run()
-    assert results(directory) == results(straight)
-
-
 @pytest.mark.parametrize("left_over", ["notes.txt", "log.csv", "stage-0001.npz"])
 def test_other_files_are_not_replaced(straight, tmp_path, left_over):
     directory = tmp_path / "run"
@@ -208,28 +195,6 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_pa
 
 def interrupted(*args, **options):
     raise KeyboardInterrupt
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="needs permissions")
-@pytest.mark.parametrize("made", [False, True])
-def test_read_only_directory(stopped, straight, made):
-    with directory_in_memory() as place:  # its parents can be read by all users
-        os.chmod(place, 0o755)
-        directory = Path(shutil.copytree(stopped, place / "run"))
-        if not made:
-            for path in directory.iterdir():
-                path.unlink()
-        message = place / "message"
-        message.touch(0o666)
-        os.chmod(message, 0o666)
-        os.chmod(directory, 0o555)
-        child = killed.process(killed.run_until_refused, "race", directory, message)
-        child.join()
-        assert child.exitcode == killed.REFUSED
-        assert f"Permission denied: '{directory}" in message.read_text()
-        os.chmod(directory, 0o755)
-        killed.start_or_resume("race", directory)
-        assert results(directory) == results(straight)
 
 
 def test_a_full_disk_is_reported_with_the_next_command(stopped, straight, tmp_path, monkeypatch):

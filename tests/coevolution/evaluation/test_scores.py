@@ -1,8 +1,10 @@
-"""Held-out opponents, and the scores of runs against them."""
+"""Held-out opponents, and the scores of runs and of any policy against them."""
 
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,13 +14,14 @@ import pytest
 
 import matrixworld as mw
 from command_line import matrixworld_command
-from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
+from matrixworld.coevolution import TEAMS, held_out, open_run, score, score_population, start
 from matrixworld.coevolution.evaluation.scores import (
     held_out_genomes,
     opponents_of,
 )
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import match_seed
+from rows import config_of
 from tiny_race import tiny_race, tiny_single
 
 SCRIPTED = {
@@ -210,3 +213,76 @@ def test_the_command_prints_and_writes_the_scores(race, tmp_path):
         (("--episodes", "1"), "1 is not in the range 2<=x"),
     ):
         assert message in matrixworld_command("score", race, *option, code=2).stderr
+
+
+# Any policy is scored as the genomes of a run are:
+
+
+def genome_of(config: mw.WorldConfig, **fields: Any) -> mw.NetworkPolicy:
+    network = mw.Network.for_config(config, (6,), **fields)
+    genome = network.initial(np.random.default_rng(1), 0.5, 1.0)
+    return mw.NetworkPolicy(network, genome, seed=0)
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", ["O", "SB", "TO", "swarm-D"])
+def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:
+    config = config_of(name, obstacles=0.1, max_steps=12)
+    policy = genome_of(config, sampled=False)
+    calls = []
+
+    def play(observations: np.ndarray) -> np.ndarray:
+        calls.append(observations.shape)
+        return policy(observations)
+
+    scores = mw.score_policy(play, team, config, episodes=7, seed=3)
+    expected = score_population(config, team, policy.population(), episodes=7, seed=3)
+    assert np.array_equal(scores.rates, expected.rates)
+    assert scores.opponents == expected.opponents
+    assert scores.left_out == expected.left_out != ""
+    assert scores.mean() == expected.mean()
+    assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
+    inside = mw.score_policy(policy, team, config, episodes=7, seed=3)
+    assert np.array_equal(inside.rates, expected.rates)
+
+
+def test_opponents_can_be_functions_and_policies() -> None:
+    config = config_of("R")
+    opponents = {"north": lambda seen: [1] * len(seen), "net": genome_of(config), "still": "still"}
+    scores = mw.score_policy(genome_of(config), "pursuer", config, opponents=opponents, episodes=3)
+    assert scores.opponents == ("north", "net", "still")
+    assert scores.rates.shape == (1, 3, 3)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"policy": 3}, TypeError, "policy: expected a function, a NetworkPolicy or a Population"),
+        ({"team": "both"}, ValueError, "team: expected one of pursuer, evader, got 'both'"),
+        ({"episodes": 1}, ValueError, "episodes: expected at least 2, got 1"),
+        ({"seed": -1}, ValueError, "seed: expected 0 to"),
+        ({"policy": lambda seen: 1}, ValueError, "actions of the policy: expected shape"),
+        ({"opponents": {"mad": "mad"}}, ValueError, "opponents: expected one of random"),
+        (
+            {"opponents": {"big": genome_of(mw.WorldConfig("R"))}},
+            ValueError,
+            "evaders: expected a network for fov 5 and 5 actions, got fov 11",
+        ),
+        ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
+    ],
+)
+def test_wrong_arguments_are_refused(
+    arguments: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    given = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
+    with pytest.raises(error, match=message):
+        mw.score_policy(config=config_of("R"), **{**given, **arguments})
+
+
+def test_the_package_is_imported_without_co_evolution() -> None:
+    code = (
+        "import sys, matrixworld as mw; mw.parallel_env('O', evaders='fleer'); "
+        "assert 'matrixworld.coevolution' not in sys.modules; mw.score_policy; "
+        "assert 'matrixworld.coevolution' in sys.modules; from matrixworld import score_policy"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
