@@ -184,18 +184,13 @@ class RaceSchedule(Schedule):
     )
 
     @property
-    @abstractmethod
     def sampled_opponents(self) -> int:
         """Most archived opponents of a candidate in an epoch."""
+        return self.opponents_met
 
     @abstractmethod
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation in which `team` learns."""
-
-    @property
-    def opponents_met(self) -> int:
-        """Most opponents of a candidate in an epoch."""
-        return self.sampled_opponents
 
     @property
     def entries(self) -> int:
@@ -256,8 +251,8 @@ class Alternating(RaceSchedule):
         return names[0] if names and self.opponents == 1 else self.kind
 
     @property
-    def sampled_opponents(self) -> int:
-        """Most archived opponents of a candidate in an epoch."""
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
         return self.opponents
 
     def epochs(self, team: Team) -> int:
