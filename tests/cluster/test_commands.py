@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
-from dask_cluster import DaskCluster, dask_cluster
+from dask_cluster import DaskCluster
 from matrixworld.cli import options
 from matrixworld.coevolution import evolve, finish, open_run
 from scripts import group_lives, kill_group, wait_until
@@ -22,13 +22,15 @@ from tiny_race import results, tiny_race
 pytest.importorskip("distributed")
 
 SCHEDULE = ("--schedule", "generalist-generalist")
+AUTO = ("--cluster", "auto")
+RESPONSE = ("--champion", "evader", "--out", "{out}")
 OPTIONS = (*SCHEDULE, *words({name: value for name, value in RACE.items() if name != "seed"}))
 
 
 @pytest.fixture(scope="module")
-def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DaskCluster]:
-    with dask_cluster(tmp_path_factory.mktemp("dask"), workers=2) as running:
-        yield running
+def dask(dask: DaskCluster) -> DaskCluster:
+    dask.workers(2)
+    return dask
 
 
 @pytest.fixture(scope="module")

@@ -1,14 +1,17 @@
-"""The actor-critic learner: advantages, gradients, export, state and what it learns."""
+"""The actor-critic learner: advantages, gradients, state, what it learns, and its runs."""
 
 from __future__ import annotations
 
 import pickle
+import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from matrixworld.coevolution import RaceSettings, best_response, finish, open_run, start
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
@@ -18,10 +21,12 @@ from matrixworld.coevolution.learners.actor_critic import (
     orthogonal,
 )
 from matrixworld.coevolution.runs.training_matches import experience
+from matrixworld.coevolution.schedules import SCHEDULES
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
+from tiny_race import check_resumes, results, tiny_race, tiny_single
 
 NETWORK = Network((6,), fov=5)
 CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=12)
@@ -230,3 +235,79 @@ def test_it_learns_to_catch_in_a_small_world() -> None:
         one.learn(experience(config, "pursuer", own, "still", np.zeros(16, int), seeds, threads=1))
     assert first < 0.5
     assert captures() > 0.7
+
+
+# Runs: all schedules, exact resume, what it needs and refuses.
+
+
+LEARNER: dict[str, Any] = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
+
+
+@pytest.fixture
+def torch() -> Any:
+    return pytest.importorskip("torch")
+
+
+@pytest.mark.parametrize("schedule", [*SCHEDULES, "alternating", "hall-of-fame"])
+def test_every_schedule_learns_and_resumes_bit_for_bit(
+    torch, schedule: str, tmp_path: Path
+) -> None:
+    settings = tiny_race(**LEARNER, schedule=schedule)
+    check_resumes(settings, 5, tmp_path / "run")
+    run = open_run(tmp_path / "run")
+    for team in ("pursuer", "evader"):
+        genomes = run.teams[team].genomes
+        assert len(np.unique(genomes, axis=0)) == len(genomes) == 3
+    run.record(pursuer=-1, evader=-1)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"central_critic": True},
+        {"cost_limit": 2.0, "clip": 0.2},
+        {"match_episodes": 2},
+        {"hidden": ()},
+    ],
+    ids=["central", "costs", "worlds", "linear"],
+)
+def test_options_of_the_learner(torch, changes: dict[str, Any], tmp_path: Path) -> None:
+    settings = tiny_single(**{**LEARNER, **changes})
+    finish(settings, tmp_path / "one", threads=1)
+    finish(settings, tmp_path / "two", threads=2)
+    assert results(tmp_path / "one") == results(tmp_path / "two")
+    plain = finish(tiny_single(**LEARNER), tmp_path / "plain", threads=1)
+    assert not np.array_equal(
+        open_run(tmp_path / "one").teams["pursuer"].genomes[-1],
+        plain.teams["pursuer"].genomes[-1],
+    )
+
+
+def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Path) -> None:
+    finish(tiny_single(**LEARNER), tmp_path / "first", threads=1)
+    more = tiny_single(**LEARNER, start=str(tmp_path / "first"), team="pursuer")
+    run = finish(more, tmp_path / "second", threads=1)
+    first = open_run(tmp_path / "first").teams["pursuer"].genomes[-1]
+    np.testing.assert_array_equal(run.teams["pursuer"].genomes[0], first)
+    best_response(run, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
+
+
+def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)
+    with pytest.raises(ImportError, match=r"pip install 'matrixworld-pursuit\[torch\]'"):
+        start(tiny_race(**LEARNER), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize("device", ["tpu9", "meta", "cuda:99"])
+def test_a_device_that_is_missing_is_refused_before_anything_is_written(
+    torch, device: str, tmp_path: Path
+) -> None:
+    with pytest.raises(ValueError, match="device: expected a device that PyTorch has on this mach"):
+        start(tiny_race(**LEARNER, device=device), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
+def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)
+    assert isinstance(tiny_race(**LEARNER), RaceSettings)
