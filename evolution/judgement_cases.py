@@ -14,13 +14,13 @@ import numpy as np
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import RACES
 from judgement_truths import (
-    CONDITIONS,
     WINDOWS,
     Truth,
     Truths,
     change_of_strength,
     truths_of_group,
 )
+from matrixworld.analysis import CONDITIONS
 from matrixworld.coevolution import RaceSettings, finish
 from matrixworld.toys import play_episodes
 from matrixworld.toys.synthetic_races import Draws, SyntheticRace, disengagement

@@ -20,7 +20,9 @@ SIZE_EDGES = {
     "arms race": (0.02, 0.05, 0.1, 0.2, 0.3, 0.5),
     "one-sided progress": (0.02, 0.05, 0.1, 0.2, 0.4, 0.6),
     "stagnation": (0.0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.4),
-    "cycling": (0.02, 0.04, 0.08, 0.14, 0.2, 0.3),
+    "rise": (0.07, 0.1, 0.15, 0.2, 0.3, 0.5),
+    "intransitivity": (0.02, 0.04, 0.08, 0.14, 0.2, 0.3),
+    "cycling": (0.3, 0.4, 0.5, 0.6, 0.8, 1.0),
     "forgetting": (0.1, 0.15, 0.2, 0.3, 0.4, 0.6),
     "disengagement": (0.97, 0.98, 0.985, 0.99, 0.995, 1.0),
 }
@@ -75,7 +77,7 @@ def count_by_size(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     counted = []
     for one in judgements:
         found = {c: (t, size, v) for w, c, t, size, v in one["found"] if w == "last half"}
-        still_possible = found["cycling"][0] is found["disengagement"][0] is False
+        still_possible = found["intransitivity"][0] is found["disengagement"][0] is False
         for condition, (holds, size, verdict) in found.items():
             if holds or (condition == "stagnation" and still_possible):
                 edges = SIZE_EDGES[condition]

@@ -5,7 +5,7 @@
 
 Three sources of races, none of which uses the judgement:
 
-- synthetic races (`judgement_races.py`): 28 kinds by formula, each seed with its own nuisance
+- synthetic races (`judgement_races.py`): 37 kinds by formula, each seed with its own nuisance
   parameters, effect size, noise, number of generations and number of runs. Constants of the
   judgement may have been set on kinds marked *development*, with seeds below 1000; all others are
   *held back*;
@@ -72,7 +72,7 @@ def judged(task: Task) -> dict[str, Any]:
             verdict = findings[condition].verdict if findings is not None else "cannot tell"
             found.append([window, condition, truth.holds, round(truth.size, 4), verdict])
         if findings is not None:
-            estimates = findings["arms race"].estimates
+            estimates = findings["rise"].estimates
             gains += list(_gains(window, case.gains.get(window, []), estimates))
     headline = {"headline": judgement.window, "found": found, "gains": gains}
     return task._asdict() | {"setting": case.setting} | headline
@@ -84,7 +84,7 @@ def _gains(
     """Yield window, team, true change, and the ends of its interval, where both are known."""
     # A window that is too short has no estimates.
     for (name, estimate), change in zip(estimates.items(), true, strict=False):
-        team = name.removesuffix("_gain")
+        team = name.removesuffix("_change")
         if change is not None and np.isfinite([estimate.low, estimate.high]).all():
             yield window, team, change, float(estimate.low), float(estimate.high)
 

@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates by formula, of 28 kinds.
+"""Races for measuring the judgement: capture rates by formula, of 37 kinds.
 
 Some kinds are those of `matrixworld.toys`; here are the formulas of the others. Each takes the
 number of generations n, an effect size (1 is plain to see) and the nuisance parameters' `Draws`;
@@ -61,6 +61,28 @@ def two_skills(n: int, effect: float, draws: Draws) -> SyntheticRace:
     return SyntheticRace(rates, a + c, b + d)
 
 
+def sigmoid(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Both teams rise by about 2 logits, most of it between t = .35 and .65."""
+    course = sigma((time(n) - draws.moment(0.4, 0.6)) / 0.08)
+    a, b = draws.sizes(2.0 * effect)
+    return additive(a * course, b * course, draws.level())
+
+
+def early_dip(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Both teams rise evenly by 2 logits; at t = .1 they are .75 logits lower for a while."""
+    t = time(n)
+    course = t - 0.375 * np.exp(-(((t - 0.1) / 0.07) ** 2))
+    a, b = draws.sizes(2.0 * effect)
+    return additive(a * course, b * course, draws.level())
+
+
+def late_onset(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Nobody gains up to t = .6; then both teams rise by 2 logits."""
+    course = np.clip((time(n) - 0.6) / 0.4, 0.0, 1.0)
+    a, b = draws.sizes(2.0 * effect)
+    return additive(a * course, b * course, draws.level())
+
+
 # ---- Cycles --------------------------------------------------------------------------------------
 
 
@@ -90,6 +112,40 @@ def wave_then(n: int, effect: float, draws: Draws, *, late: bool) -> SyntheticRa
     return additive(a * rise, b * rise, draws.level(), amplitude * circle)
 
 
+def styles(n: int, effect: float, draws: Draws, *, kinds: int) -> SyntheticRace:
+    """Teams have one style after the other, and none returns: who wins depends on both styles."""
+    ends = [(np.arange(1, kinds) + draws.own.uniform(-0.25, 0.25, kinds - 1)) / kinds for _ in "pe"]
+    style = [np.searchsorted(each, time(n), "right") for each in ends]
+    # Each style of the pursuers has one style of the evaders that it beats.
+    wins = kinds * np.eye(kinds)[draws.shared.permutation(kinds)] - 1.0
+    flat = np.zeros(n)
+    amplitude = effect * draws.size(1.5, 3.0)
+    return additive(flat, flat, draws.level(), amplitude * wins[np.ix_(*style)])
+
+
+def slow_turn(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Skill turns by less than half a circle, so that none returns; strength is the mean score."""
+    angle = np.pi * draws.shared.uniform(0.3, 0.9) * time(n)
+    turn = np.cos(angle[:, None] - angle + draws.lag())
+    flat, amplitude = np.zeros(n), effect * draws.size(1.5, 3.0)
+    rates = additive(flat, flat, draws.level(), amplitude * turn).rates
+    return SyntheticRace(rates, rates.mean(axis=1), 1.0 - rates.mean(axis=0))
+
+
+def new_styles(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Each generation has a style of its own, drawn at random in 30 dimensions."""
+    p, e = draws.own.normal(size=(2, n, 30)) / np.sqrt(30.0)
+    amplitude = effect * draws.size(4.0, 8.0)
+    return additive(np.zeros(n), np.zeros(n), draws.level(), amplitude * p @ e.T)
+
+
+def period_two(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Both teams change between two styles in every generation."""
+    sign = np.where(np.arange(n) % 2, 1.0, -1.0)
+    turn = effect * draws.size(0.8, 1.6) * np.outer(sign, sign)
+    return additive(np.zeros(n), np.zeros(n), draws.level(), turn)
+
+
 # ---- Nobody gains, or not for long ---------------------------------------------------------------
 
 
@@ -107,6 +163,16 @@ def jump(n: int, effect: float, draws: Draws) -> SyntheticRace:
     a, b = draws.sizes(2.0 * effect)
     p, e = (np.where(time(n) > draws.moment(0.2, 0.8), size, 0.0) for size in (a, b))
     return additive(p, e, draws.level())
+
+
+def common_jump(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Each team jumps by about 2 logits in the same generation of all runs, and drifts a little."""
+    at = draws.shared.uniform(0.2, 0.8, (2, 1))
+    a, b = draws.sizes(2.0 * effect)
+    jumps = np.where(time(n) > at, [[a], [b]], 0.0)
+    walks = 0.3 * np.cumsum(draws.own.normal(size=(2, n)), axis=1) / np.sqrt(n)
+    chance = by_chance(jumps + walks, draws.level())
+    return SyntheticRace(chance.rates, *jumps)
 
 
 # ---- Losses --------------------------------------------------------------------------------------
@@ -162,6 +228,9 @@ KINDS: Mapping[str, Kind] = {
     "uneven pace": Kind(uneven_pace),
     "saturating race": Kind(saturating),
     "two skills": Kind(two_skills),
+    "sigmoid": Kind(sigmoid),
+    "early dip": Kind(early_dip),
+    "late onset": Kind(late_onset),
     "only pursuers rise": Kind(SYNTHETIC["only pursuers rise"], development=True),
     "only evaders rise": Kind(SYNTHETIC["only evaders rise"], development=True),
     "cycle": Kind(SYNTHETIC["cycle"], development=True),
@@ -170,6 +239,11 @@ KINDS: Mapping[str, Kind] = {
     "cycle on a climb": Kind(partial(cycle, periods=(2.0, 3.0, 4.0), climb=2.0)),
     "wave, then race": Kind(partial(wave_then, late=False)),
     "race, then wave": Kind(partial(wave_then, late=True)),
+    "period 2": Kind(period_two),
+    "switch of style": Kind(partial(styles, kinds=2)),
+    "three styles": Kind(partial(styles, kinds=3)),
+    "slow turn": Kind(slow_turn),
+    "new styles": Kind(new_styles),
     "noise only, .1": Kind(partial(constant, rate=0.1), development=True),
     "noise only, .5": Kind(SYNTHETIC["noise only, .5"], development=True),
     "noise only, .8": Kind(partial(constant, rate=0.8), development=True),
@@ -178,6 +252,7 @@ KINDS: Mapping[str, Kind] = {
     "early stagnation": Kind(SYNTHETIC["early stagnation"], development=True),
     "late stagnation": Kind(partial(stagnation, until=3 / 4)),
     "single jump": Kind(jump),
+    "common jump": Kind(common_jump),
     "forgetting": Kind(forgetting, development=True),
     "decline": Kind(decline),
     "collapse": Kind(collapse),

@@ -21,7 +21,8 @@ from judgement_counts import (
     write_counts,
 )
 from judgement_races import KINDS
-from judgement_truths import CONDITIONS, WINDOWS
+from judgement_truths import WINDOWS
+from matrixworld.analysis import CONDITIONS
 
 ALLOWED = 0.05
 """False alarms that a judgement may have, as a share."""
@@ -29,7 +30,9 @@ SIZE_LABELS = {
     "arms race": "smaller gain of capture rate",
     "one-sided progress": "gain of capture rate",
     "stagnation": "larger change of capture rate (0: true)",
-    "cycling": "share of checkerboards",
+    "rise": "change of capture rate",
+    "intransitivity": "share of checkerboards",
+    "cycling": "similarity to the own past",
     "forgetting": "drop of capture rate",
     "disengagement": "payoff of the winning team",
 }
@@ -125,7 +128,7 @@ def report(counts: Sequence[Row], settings: Sequence[Row], gains: Sequence[Row])
         "## By setting, one at a time",
         SETTINGS,
         _by_setting(settings),
-        "## Intervals of gains",
+        "## Intervals of changes",
         COVERAGE,
         _coverage(gains),
         "## By kind and window",
@@ -148,8 +151,9 @@ SETTINGS = (
     "those that do not), in %."
 )
 COVERAGE = (
-    "Share of the 95 % intervals of a team's gain that contain the true change of its strength; "
-    "single synthetic races, where the usual readings of the change agree within .005."
+    "Share of the 95 % intervals of a team's change that contain the true change of its strength; "
+    "single synthetic races, where the usual readings of the change agree within .005. Gains are "
+    "about a trend, not about this change: gains.md counts how often they are said to be above 0."
 )
 
 
@@ -263,7 +267,7 @@ def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
     from matplotlib import pyplot as plt
 
     noises = sorted({row["noise"] for row in rows}, key=lambda noise: _natural((noise,)))
-    figure, axes = plt.subplots(2, 3, figsize=(11, 6.5), sharey=True, constrained_layout=True)
+    figure, axes = plt.subplots(2, 4, figsize=(14, 6.5), sharey=True, constrained_layout=True)
     for condition, axis in zip(CONDITIONS, axes.flat, strict=True):
         for noise in noises:
             points = _points([r for r in rows if r["condition"] == condition], noise, least)

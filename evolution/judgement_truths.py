@@ -23,17 +23,6 @@ WINDOWS: Mapping[str, tuple[float, float]] = {
 """Windows by name: first generation and the one after the last, as shares of n (rounded down)."""
 
 
-CONDITIONS = (
-    "arms race",
-    "one-sided progress",
-    "stagnation",
-    "cycling",
-    "forgetting",
-    "disengagement",
-)
-"""Names of the conditions, in the order of all tables."""
-
-
 class Truth(NamedTuple):
     """Whether a race has a condition, and how large the effect is, in the unit of its definition.
 
@@ -62,8 +51,15 @@ def truths(race: SyntheticRace, window: str) -> Truths:
                         none of them rise; size: the larger gain
     stagnation          engaged, without a cycle, and the strength of both teams stays within .01;
                         False: a team changes by more than .05; size: the larger change
-    cycling             at least 2 % of the quadruples (two generations of each team) are
+    rise                a team's strength changes by more than .07 (both usual readings), no step
+                        makes more than .4 of it, and from fifth to fifth of the window it loses .15
+                        of it at most; False: neither changes by more than .03; size: the change
+    intransitivity      at least 2 % of the quadruples (two generations of each team) are
                         checkerboards at a margin of .1; False: there is none at .02; size: share
+    cycling             intransitivity, and a team becomes similar to its past again by .3 (product
+                        of what no sum of strengths explains, divided by that of a generation with
+                        itself, at the best lag after the first negative one, up to half of the
+                        window); False: no intransitivity, or both at most .08; size: the similarity
     forgetting          later half of the window: mean drop below the best ancestor, over all
                         opponents, of the team that drops more: at least .10; False: at most .02;
                         size: the drop
@@ -77,14 +73,17 @@ def truths(race: SyntheticRace, window: str) -> Truths:
     """
     span = span_of(race.rates, window)
     arms, one_sided = _progress(race, span)
-    cycling, disengaged = _cycling(race.rates[span, span]), _disengagement(race.rates, span)
+    inner = race.rates[span, span]
+    circles, disengaged = _intransitivity(inner), _disengagement(race.rates, span)
     found = {
+        "disengagement": disengaged,
         "arms race": arms,
         "one-sided progress": one_sided,
-        "stagnation": _stagnation(race.rates, span, cycling.holds, disengaged.holds),
-        "cycling": cycling,
+        "rise": _rise(race.rates, span),
+        "intransitivity": circles,
+        "cycling": _cycling(inner, circles.holds),
         "forgetting": _forgetting(race.rates, span),
-        "disengagement": disengaged,
+        "stagnation": _stagnation(race.rates, span, circles.holds, disengaged.holds),
     }
     if not disengaged.holds:
         return found
@@ -154,19 +153,52 @@ def _rises(course: FloatArray, gain: float) -> bool | None:
 
 
 def _stagnation(
-    rates: FloatArray, span: slice, cycling: bool | None, disengaged: bool | None
+    rates: FloatArray, span: slice, circles: bool | None, disengaged: bool | None
 ) -> Truth:
     strengths = _strengths(rates, span)
     # A team has changed if both readings of "change" say so; within the range both are small.
     changes = [min(abs(_gain(one)), abs(one[-1] - one[0])) for one in strengths]
     ranges = [np.ptp(one) for one in strengths]
-    if cycling or max(changes) > 0.05:
+    if circles or max(changes) > 0.05:
         return Truth(False, max(changes))
-    still = max(ranges) <= 0.01 and cycling is False and disengaged is False
+    still = max(ranges) <= 0.01 and circles is False and disengaged is False
     return Truth(True if still else None, max(changes))
 
 
-def _cycling(rates: FloatArray) -> Truth:
+def _rise(rates: FloatArray, span: slice) -> Truth:
+    found = []
+    for strength in _strengths(rates, span):
+        change = min(_gain(strength), float(strength[-1] - strength[0]))
+        fifths = np.array([part.mean() for part in np.array_split(strength, min(5, len(strength)))])
+        steady = np.diff(strength).max() <= 0.4 * change and np.diff(fifths).min() >= -0.15 * change
+        most = max(_gain(strength), float(strength[-1] - strength[0]))
+        found.append((True if steady and change > 0.07 else None if most > 0.03 else False, change))
+    holds = [each for each, _ in found]
+    size = max(change for _, change in found)
+    return Truth(True if True in holds else None if None in holds else False, size)
+
+
+def _cycling(rates: FloatArray, circles: bool | None) -> Truth:
+    cyclic = rates - rates.mean(axis=0) - rates.mean(axis=1)[:, None] + rates.mean()
+    similar = max(_recurrence(cyclic), _recurrence(cyclic.T))
+    if circles is False or similar <= 0.08:
+        return Truth(False, similar)
+    return Truth(True if circles and similar >= 0.3 else None, similar)
+
+
+def _recurrence(cyclic: FloatArray) -> float:
+    """Return the largest similarity to the own past after the first negative one; else 0."""
+    n, itself = len(cyclic), (cyclic**2).sum(axis=1).mean()
+    left, best = False, 0.0
+    for lag in range(1, n // 2 + 1):
+        pairs = [float(cyclic[g] @ cyclic[g + lag]) for g in range(n - lag)]
+        similar = float(np.mean(pairs) / max(itself, 1e-12))
+        best = max(best, similar) if left else best
+        left = left or similar < 0.0
+    return best
+
+
+def _intransitivity(rates: FloatArray) -> Truth:
     plain = checkerboards(rates, margin=0.1, level=None)
     share = plain.count / plain.possible
     if share >= 0.02:

@@ -31,7 +31,7 @@ import numpy as np
 from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld import analysis
 from matrixworld.analysis import MEASURES, read_payoffs
-from matrixworld.analysis.judge import DROPS, LEAST_AMPLITUDE
+from matrixworld.analysis.judge import DROPS, LEAST_INTRANSITIVITY
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution import TEAMS, Team
 from paper_runs import (
@@ -173,9 +173,9 @@ def _on_races(numbers: Numbers) -> list[Claim]:
     races = captured_by(numbers)
     cyclic, drops = (
         {race: in_parts(races[race], number) for race in RACES}
-        for number in (partial(measure, "squared_cyclic_amplitude"), forgetting)
+        for number in (partial(measure, "squared_intransitivity"), forgetting)
     )
-    amplitude, least = "cyclic amplitude", LEAST_AMPLITUDE**2
+    amplitude, least = "cyclic amplitude", LEAST_INTRANSITIVITY**2
 
     def over_schedules(team: Team) -> ByColumn:
         each = [in_parts(races[race], partial(phase, team)) for race in RACES]

@@ -45,6 +45,7 @@ def gain(judgement: Judgement, team: str, window: str | None = None) -> Estimate
     return judgement.windows[window or judgement.window]["arms race"].estimates[f"{team}_gain"]
 
 
+CIRCLES = ("intransitivity", "cycling")
 G = np.arange(31.0)
 STEADY = race(0.3 * G, 0.3 * G)
 SLOW = race(0.1 * G, 0.1 * G)
@@ -58,13 +59,21 @@ PURSUERS_FADE = race(0.3 * np.minimum(G, 40 - G), 0.3 * G)
 @pytest.mark.parametrize(
     ("chance", "present", "absent"),
     [
-        (STEADY, {"arms race"}, {"cycling", "stagnation", "one-sided progress", "disengagement"}),
-        (SLOW, {"arms race"}, {"cycling", "stagnation", "one-sided progress"}),
-        (FLAT, {"stagnation"}, {"arms race", "one-sided progress", "cycling", "disengagement"}),
-        (EARLY_STOP, {"stagnation"}, {"arms race", "cycling"}),
-        (PURSUERS_ONLY, {"one-sided progress"}, {"arms race", "stagnation", "cycling"}),
-        (PURSUERS_FADE, {"one-sided progress", "forgetting"}, {"arms race", "cycling"}),
-        (circular(31), {"cycling", "forgetting"}, {"arms race", "stagnation"}),
+        (
+            STEADY,
+            {"arms race", "rise"},
+            {*CIRCLES, "stagnation", "one-sided progress", "disengagement"},
+        ),
+        (SLOW, {"arms race", "rise"}, {*CIRCLES, "stagnation", "one-sided progress"}),
+        (
+            FLAT,
+            {"stagnation"},
+            {"arms race", "one-sided progress", "rise", *CIRCLES, "disengagement"},
+        ),
+        (EARLY_STOP, {"stagnation"}, {"arms race", "rise", *CIRCLES}),
+        (PURSUERS_ONLY, {"one-sided progress", "rise"}, {"arms race", "stagnation", *CIRCLES}),
+        (PURSUERS_FADE, {"rise", "forgetting"}, {*CIRCLES}),
+        (circular(31), {*CIRCLES, "forgetting"}, {"stagnation"}),
         (np.full((31, 31), 0.99), {"disengagement"}, set()),
         (np.full((31, 31), 0.01), {"disengagement"}, set()),
     ],
@@ -84,8 +93,40 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray, seed: int) -> 
     for judgement in (of_scores(scores), judge(scores.mean(axis=2), episodes=10)):
         for window in judgement.windows:
             found = verdicts(judgement, window)
-            assert found["cycling"] != PRESENT
+            assert PRESENT not in (found["intransitivity"], found["cycling"])
             assert found["forgetting"] != PRESENT
+
+
+@pytest.mark.parametrize("styles", [2, 3])
+def test_styles_that_do_not_return_are_no_cycle(styles: int) -> None:
+    style = np.arange(30) * styles // 30
+    once = 0.5 + 0.3 * (styles * np.eye(styles) - 1)[np.ix_(style, style)] / (styles - 1)
+    found = verdicts(of_scores(played(once, 10, evaders=30)), "whole")
+    assert (found["intransitivity"], found["cycling"]) == (PRESENT, ABSENT)
+    # The same styles, one after the other and again, are a cycle.
+    again = once[np.ix_(*2 * [np.argsort(np.arange(30) % (30 // styles), kind="stable")])]
+    assert verdicts(of_scores(played(again, 10, evaders=30)), "whole")["cycling"] == PRESENT
+
+
+def test_a_walk_may_rise_without_a_trend() -> None:
+    # Two questions: it became stronger this time; it would again.
+    walk = np.random.default_rng(9).normal(0, 0.25, 31).cumsum()
+    found = of_scores(played(race(walk, 0 * G), 10, evaders=30)).windows["whole"]
+    assert (found["rise"].verdict, found["one-sided progress"].verdict) == (PRESENT, CANNOT_TELL)
+    jump = of_scores(played(race(2.0 * (G >= 20), 0 * G), 10, evaders=30)).windows["whole"]["rise"]
+    assert (jump.verdict, "in a jump" in jump.reason) == (CANNOT_TELL, True)
+
+
+def test_episodes_may_share_their_worlds() -> None:
+    # In each episode a generation of pursuers has its own world, which is easy or hard.
+    moved = 0
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        worlds = np.clip(rng.normal(0.5, 0.15, (31, 1, 10)), 0, 1) * np.ones((31, 31, 1))
+        found = of_scores(rng.binomial(30, worlds) / 30).windows["whole"]
+        low, high = found["rise"].estimates["pursuer_change"].ends
+        moved += not low <= 0.0 <= high
+    assert moved <= 3
 
 
 def test_false_alarms_in_races_without_trend() -> None:
@@ -106,15 +147,18 @@ def test_false_alarms_in_races_without_trend() -> None:
 def test_few_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
     scores = played(logistic(15, 0.3), 2)
     found = of_scores(scores).headline
-    for name in ("cycling", "forgetting", "disengagement"):
+    for name in (*CIRCLES, "forgetting", "disengagement"):
         assert found[name].verdict == CANNOT_TELL
         assert "at least 4" in found[name].reason
 
 
 def test_a_matrix_must_be_told_its_episodes() -> None:
     matrix = played(circular(31), 10, evaders=30).mean(axis=2)
-    assert verdicts(judge(matrix))["cycling"] == CANNOT_TELL
-    assert verdicts(judge(matrix, episodes=10))["cycling"] == PRESENT
+    assert verdicts(judge(matrix))["intransitivity"] == CANNOT_TELL
+    known = judge(matrix, episodes=10).headline
+    assert known["intransitivity"].verdict == PRESENT
+    assert known["cycling"].verdict == CANNOT_TELL
+    assert "at least 6" in known["cycling"].reason
     found = judge(matrix, episodes=10).headline["forgetting"]
     assert found.verdict == CANNOT_TELL
     assert "the single episodes" in found.reason
@@ -127,10 +171,10 @@ def test_a_bound_of_the_noise_hides_no_cycle() -> None:
     # Fractions of 30 evaders vary less than wins and losses, the bound for means.
     weak = 0.5 + 0.4 * (circular(31) - 0.5)
     scores = played(weak, 10, evaders=30)
-    assert verdicts(of_scores(scores))["cycling"] == PRESENT
-    assert verdicts(judge(scores.mean(axis=2), episodes=10))["cycling"] != ABSENT
+    assert verdicts(of_scores(scores))["intransitivity"] == PRESENT
+    assert verdicts(judge(scores.mean(axis=2), episodes=10))["intransitivity"] != ABSENT
     with_ten = np.stack([played(0.5 + 0.15 * (circular(31) - 0.5), 10, s) for s in range(10)])
-    assert verdicts(judge(with_ten.mean(axis=3), episodes=10))["cycling"] != ABSENT
+    assert verdicts(judge(with_ten.mean(axis=3), episodes=10))["intransitivity"] != ABSENT
 
 
 def test_a_wave_in_the_first_half_is_reported() -> None:
@@ -204,7 +248,7 @@ def test_a_jump_in_the_same_generation_of_all_runs_is_no_arms_race() -> None:
 def test_runs_that_differ_give_no_verdict() -> None:
     kinds = (STEADY, circular(31), STEADY, circular(31))
     scores = np.stack([played(chance, 20, evaders=30) for chance in kinds])
-    found = of_scores(scores).headline["cycling"]
+    found = of_scores(scores).headline["intransitivity"]
     assert found.verdict == CANNOT_TELL
     assert found.by_run == (ABSENT, PRESENT, ABSENT, PRESENT)
 
@@ -231,10 +275,11 @@ def test_words_and_json() -> None:
     heads, *rows = analysis.judgement_table(judgement)
     assert heads == ("condition", "verdict", "95% interval", "window")
     assert [row[0] for row in rows[: len(CONDITIONS)]] == list(CONDITIONS)
-    cycling = next(row for row in rows if row[0] == "cycling")
+    circles = next(row for row in rows if row[0] == "intransitivity")
     # A cosine of amplitude .45 has .32; a part of it lies in the nearest order.
-    assert cycling[2].startswith("cyclic amplitude 0.28")
-    assert "Arms race: absent, because" in analysis.explain(judgement)
+    assert circles[2].startswith("intransitivity 0.28")
+    told = analysis.explain(judgement)
+    assert "Cycling: present, because strategies of the pursuers and the evaders return" in told
     plain = judgement.to_json()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
     assert plain["windows"]["last half"]["cycling"]["verdict"] == PRESENT

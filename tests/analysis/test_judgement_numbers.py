@@ -10,9 +10,10 @@ from scipy import stats
 
 from matrices import additive, circular, logistic, payoffs, staircase
 from matrixworld import analysis
-from matrixworld.analysis.cycles import cyclic_amplitude, noise_reference, transitive_fit
+from matrixworld.analysis.cycles import noise_reference, squared_intransitivity, transitive_fit
 from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.strength import (
+    gain_of_runs,
     late_forgetting_over_episodes,
     strength_change,
     strength_gain,
@@ -40,9 +41,9 @@ def quantiles_on_a_grid(y: np.ndarray, noise: float, probabilities: list[float])
     for s in 4 * middles:
         for t in 3 * middles:
             covariance = (noise + t**2) * shared + s**2 * np.eye(k)
-            density += stats.multivariate_normal(np.zeros(k), covariance).pdf(
-                steps - drifts[:, None]
-            )
+            density += stats.norm.pdf(s / steps.std()) * stats.multivariate_normal(
+                np.zeros(k), covariance
+            ).pdf(steps - drifts[:, None])
     below = np.cumsum(density) / density.sum()
     return [float(k * drifts[np.searchsorted(below, p)]) for p in probabilities]
 
@@ -61,6 +62,31 @@ def test_a_jump_has_a_change_and_no_trend() -> None:
     assert strength_gain(steady, noise).low > 0.3
     assert strength_gain(jump, noise).low < 0.0
     assert strength_change(jump, noise).low > 0.3
+
+
+@pytest.mark.parametrize("runs", [1, 3, 5, 40])
+def test_more_runs_make_the_interval_of_a_gain_narrower(runs: int) -> None:
+    sigmoid = 0.3 + 0.4 / (1 + np.exp(-np.linspace(-6, 6, 15)))
+    rng = np.random.default_rng(runs)
+    courses = sigmoid + rng.normal(0, 0.02, (runs, 15))
+    found = gain_of_runs(courses, np.full((runs, 15), 0.02**2))
+    width = found.high - found.low
+    assert width < {1: 0.8, 3: 0.7, 5: 0.1, 40: 0.02}[runs]
+    change = np.mean([strength_change(one, np.ones(15)).value for one in courses])
+    assert found.low <= found.value <= found.high
+    assert (runs < 4) == (width > 0.3)
+    if runs >= 4:
+        assert found.value == pytest.approx(change)
+    # A team that falls is a team that rises, upside down.
+    fallen = gain_of_runs(1 - courses, np.full((runs, 15), 0.02**2))
+    assert (fallen.low, fallen.high) == pytest.approx((-found.high, -found.low))
+
+
+def test_a_jump_that_all_runs_share_is_no_trend() -> None:
+    jump = np.where(np.arange(15) < 7, 0.3, 0.7)
+    courses = jump + np.random.default_rng(0).normal(0, 0.01, (10, 15))
+    found = gain_of_runs(courses, np.full((10, 15), 1e-4))
+    assert found.low < 0.0 < found.high
 
 
 def test_change_is_a_regression_with_known_noise() -> None:
@@ -107,17 +133,17 @@ def test_transitive_matrices_are_their_own_fit() -> None:
     for matrix in (additive(9, 6), logistic(12), staircase(7), np.full((5, 5), 0.3)):
         shuffled = matrix[rng.permutation(len(matrix))][:, rng.permutation(matrix.shape[1])]
         np.testing.assert_allclose(transitive_fit(shuffled), shuffled, atol=1e-3)
-        assert cyclic_amplitude(shuffled, np.zeros_like(shuffled)).value < 1e-6
+        assert squared_intransitivity(shuffled, np.zeros_like(shuffled)).value < 1e-6
 
 
 def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
     chance = circular(31)
-    exact = cyclic_amplitude(chance, np.zeros_like(chance))
+    exact = squared_intransitivity(chance, np.zeros_like(chance))
     # A part of the cosine, which has .32, lies in the nearest order.
     assert 0.26 < exact.value**0.5 < 0.45 / 2**0.5
     scores = played(chance, 10)
     noise = scores.var(axis=2, ddof=1) / 10
-    found = cyclic_amplitude(scores.mean(axis=2), noise)
+    found = squared_intransitivity(scores.mean(axis=2), noise)
     # The order of equally strong generations is chance, and with it that part.
     assert found.value**0.5 == pytest.approx(exact.value**0.5, abs=0.03)
     assert found.low > 0.2**2
@@ -125,12 +151,12 @@ def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
 
 @pytest.mark.parametrize("episodes", [4, 20])
 @pytest.mark.parametrize("chance", [np.full((15, 15), 0.5), logistic(15, 0.4), logistic(15, 0.05)])
-def test_noise_has_no_cyclic_amplitude(chance: np.ndarray, episodes: int) -> None:
+def test_noise_is_not_intransitive(chance: np.ndarray, episodes: int) -> None:
     found = []
     for seed in range(20):
         scores = played(chance, episodes, seed)
         noise = scores.var(axis=2, ddof=1) / episodes
-        found.append(cyclic_amplitude(scores.mean(axis=2), noise))
+        found.append(squared_intransitivity(scores.mean(axis=2), noise))
     assert np.mean([one.value for one in found]) <= 0.0
     assert sum(one.low > 0.0 for one in found) <= 1
     # What sorting and fitting hide is allowed for.
@@ -157,7 +183,7 @@ def test_transitive_races_have_the_checkerboards_of_their_noise(chance: np.ndarr
 
 
 def test_long_races_are_thinned_out() -> None:
-    found = cyclic_amplitude(circular(100), np.zeros((100, 100)))
+    found = squared_intransitivity(circular(100), np.zeros((100, 100)))
     assert 0.26 < found.value**0.5 < 0.45 / 2**0.5
 
 

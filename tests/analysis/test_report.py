@@ -53,7 +53,7 @@ def test_a_single_run_has_no_intervals_and_says_so() -> None:
     text = analysis.report(circular(13))
     assert "1 run, 13 pursuer and 13 evader generations\n" in text
     assert "Judgement: cannot tell (last half)" in text
-    assert "cyclic amplitude                                     not known " in text
+    assert "intransitivity                                       not known " in text
 
 
 def test_several_runs_have_intervals_over_runs() -> None:
@@ -79,8 +79,8 @@ def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> N
     text = analysis.report(SCORES, per_episode=True)
     assert "interval over its episodes, which says nothing about other runs" in text
     assert f"Dominant pursuers: generations {', '.join(map(str, rungs))}." in text
-    assert " [1]\n" in text
-    assert "  [1] biased by episode noise: no interval\n  [2] " in text
+    assert " [2]\n" in text
+    assert "  [2] biased by episode noise: no interval\n  [3] " in text
 
 
 def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:

@@ -18,8 +18,9 @@ import judgement_cases as cases
 import judgement_errors
 import judgement_tables as tables
 from evolution_scripts import RESULTS, read
-from judgement_truths import CONDITIONS, WINDOWS
+from judgement_truths import WINDOWS
 from matrixworld import analysis
+from matrixworld.analysis import CONDITIONS
 
 COMMITTED = RESULTS / "judgement"
 
@@ -34,7 +35,7 @@ def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | No
         windows[window] = {
             name: SimpleNamespace(
                 verdict="absent" if name == "cycling" else "present",
-                estimates={"pursuer_gain": ends, "evader_gain": ends},
+                estimates={"pursuer_change": ends, "evader_change": ends},
             )
             for name in CONDITIONS
         }
@@ -85,7 +86,7 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
     assert sum(tables.totals(by_size, condition="disengagement").values()) > 0
     # Races for power curves are in no other table.
     races = tables.totals(tables.read_counts(tmp_path / "settings.csv"), setting="runs")
-    assert sum(races.values()) <= 28 * 2 * len(CONDITIONS)
+    assert sum(races.values()) <= 37 * 2 * len(CONDITIONS)
 
 
 @pytest.mark.slow
@@ -146,13 +147,13 @@ def test_races_for_power_curves_are_single_and_show_all_episodes() -> None:
 def test_sizes_by_hand() -> None:
     place = itemgetter("condition", "from", "to")
     found = [
-        ["last half", "cycling", True, 0.09, "present"],
+        ["last half", "intransitivity", True, 0.09, "present"],
         ["last half", "disengagement", False, 0.5, "absent"],
         ["last half", "stagnation", False, 0.9, "absent"],
         ["whole", "arms race", True, 0.9, "present"],
     ]
     rows = tables.count_by_size([judgement("cycle", found)])
-    assert [*map(place, rows)] == [("cycling", "0.08", "0.14")]
+    assert [*map(place, rows)] == [("intransitivity", "0.08", "0.14")]
     found[0][2] = False
     rows = tables.count_by_size([judgement("cycle", found)])
     assert [*map(place, rows)] == [("stagnation", "0.2", "0.4")]
@@ -162,7 +163,7 @@ def test_learners_that_cannot_learn_and_opponents_in_random_order() -> None:
     frozen = cases.real_case(cases.FROZEN, 3)
     assert frozen.scores.shape == (15, 15, 10)
     held = {condition: truth.holds for condition, truth in frozen.truths["whole"].items()}
-    assert held["arms race"] is held["cycling"] is held["forgetting"] is False
+    assert held["arms race"] is held["intransitivity"] is held["forgetting"] is False
     # No generation differs from another by more than chance.
     each = frozen.scores.mean(axis=(1, 2))
     luck = frozen.scores.mean(axis=1).std(axis=1).mean() / np.sqrt(10)

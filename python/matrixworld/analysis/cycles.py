@@ -39,6 +39,14 @@ MOST_GENERATIONS = 40
 """More generations of a team are thinned out evenly, which keeps a fit below a second."""
 SORTING = 1.5
 """Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
+BLOCKS = 8
+"""Most blocks of episodes in each half from which recurrence is estimated."""
+EPISODES_TO_RECUR = 6
+"""Fewest episodes for recurrence: three in each half, for a jackknife."""
+TOO_FEW_TO_RECUR = (
+    f"it takes the single episodes of each pair, at least {EPISODES_TO_RECUR}, to see whether "
+    "strategies return"
+)
 _ITERATIONS = 200  # the most of a fit; 20 to 100 suffice
 _CONVERGED = 1e-4  # largest change of a cell in the last iteration
 _ROUNDING = 1e-12  # differences of capture rates below this are floating-point noise
@@ -246,7 +254,7 @@ def transitive_fit(matrix: Rates) -> Rates:
     return fit
 
 
-def cyclic_amplitude(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
+def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the mean square of what no order of strength explains, without episode noise.
 
     That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
@@ -289,8 +297,8 @@ def noise_reference(
     """Simulate how many checkerboards a transitive race has by episode noise alone.
 
     Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
-    cell's mean. The quantiles at the level help to read the two numbers; `cyclic_amplitude` decides
-    whether a race cycles.
+    cell's mean. The quantiles at the level help to read the two numbers; `squared_intransitivity`
+    decides whether a race is intransitive.
     """
     array = check_cells(scores, level)
     fit = transitive_fit(array.mean(axis=2))
@@ -374,7 +382,7 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
         return Estimate(
             measured, samples=episodes, note=f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
         )
-    ends = _cyclic_share(*_sums_without_noise(array), float(t_quantile(level, episodes - 1)))
+    ends = _ratio(*_sums_without_noise(array), float(t_quantile(level, episodes - 1)))
     if ends is None:
         return Estimate(measured, samples=episodes, note=f"{BIASED}, no variation beyond it")
     value, low, high = (float(share) for share in np.clip(1.0 - np.array(ends), 0.0, 1.0))
@@ -383,13 +391,24 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
 
 def _sums_without_noise(scores: Rates) -> tuple[Rates, Rates]:
     """Return residual and total sum of squares, shape (2,), and their covariance, shape (2, 2)."""
+    total, residual = _centred(scores)
+    parts = np.stack([residual, total]).reshape(2, len(total), -1)
+    return _without_noise(parts @ parts.transpose(0, 2, 1))
+
+
+def _centred(scores: Rates) -> tuple[Rates, Rates]:
+    """Return the matrix of each episode (episodes, n, m) less its mean, and its cyclic part."""
     matrices = np.moveaxis(scores, 2, 0)
-    episodes = len(matrices)
     total = matrices - matrices.mean(axis=(1, 2), keepdims=True)
-    residual = total - total.mean(axis=1, keepdims=True) - total.mean(axis=2, keepdims=True)
-    parts = np.stack([residual, total]).reshape(2, episodes, -1)
-    products = parts @ parts.transpose(0, 2, 1)
-    # Products of an episode with itself hold the noise, so only those of two episodes count.
+    return total, total - total.mean(axis=1, keepdims=True) - total.mean(axis=2, keepdims=True)
+
+
+def _without_noise(products: Rates) -> tuple[Rates, Rates]:
+    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k).
+
+    Products of an episode with itself hold the noise, so only those of two episodes count.
+    """
+    episodes = products.shape[1]
     of_episode = products.sum(axis=2) - np.diagonal(products, axis1=1, axis2=2)
     everything = of_episode.sum(axis=1)
     left_out = everything[:, None] - 2.0 * of_episode
@@ -399,8 +418,8 @@ def _sums_without_noise(scores: Rates) -> tuple[Rates, Rates]:
     return everything / (episodes * (episodes - 1)), covariance
 
 
-def _cyclic_share(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
-    """Return the share q with its largest and smallest value, or None if the total may be 0.
+def _ratio(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
+    """Return the ratio q of two sums, its largest and smallest value; None if the total may be 0.
 
     The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
     """
@@ -412,3 +431,55 @@ def _cyclic_share(sums: Rates, covariance: Rates, t: float) -> tuple[float, floa
         return None
     half = math.sqrt(max(0.0, b**2 - a * c))
     return residual / total, (b + half) / a, (b - half) / a
+
+
+# ---- Recurrence ----------------------------------------------------------------------------------
+
+
+def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
+    """Return how similar the row team becomes to its own past again, with an interval.
+
+    The scores have the shape (n, m, episodes). The similarity of two generations is the product of
+    their cyclic parts (`two_way_parts`), mean over opponents; c(d) is its mean over generations
+    that are d apart, divided by c(0). Where c falls below 0, the team has left its old strategies;
+    the largest c(d) after that, up to half of the generations, is the recurrence. It is 1 for a
+    perfect cycle, about 0 for strategies that are always new, negative where nothing returns, and
+    set to 0 where nothing is left. One half of the episodes chooses d, the other half measures
+    c(d), and both change roles. The interval is that of `transitive_share_over_episodes`.
+    """
+    array = np.asarray(scores)
+    if array.shape[2] < EPISODES_TO_RECUR:
+        return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
+    halves = [_similarities(array[:, :, start::2]) for start in (0, 1)]
+    found = [_returned(*pair, level) for pair in (halves, halves[::-1])]
+    if None in found:
+        return Estimate(math.nan, note="the capture rates vary no more than episode noise does")
+    value, high, low = np.mean([ends for ends in found if ends], axis=0).tolist()
+    return Estimate(value, low, high, "episodes")
+
+
+def _similarities(scores: Rates) -> Rates:
+    """Return the similarity of two blocks of episodes at each lag, shape (lags, blocks, blocks)."""
+    blocks = min(BLOCKS, scores.shape[2])
+    kept = scores[:, :, : scores.shape[2] // blocks * blocks]
+    _, residual = _centred(kept.reshape(*scores.shape[:2], -1, blocks).mean(axis=2))
+    n = residual.shape[1]
+    found = []
+    for lag in range(n // 2 + 1):
+        early, late = (
+            part.reshape(blocks, -1) for part in (residual[:, : n - lag], residual[:, lag:])
+        )
+        products = early @ late.T / (n - lag)
+        found.append((products + products.T) / 2.0)
+    return np.array(found)
+
+
+def _returned(chooses: Rates, measures: Rates, level: float) -> tuple[float, float, float] | None:
+    """Return the recurrence with its largest and smallest value; None if the rates do not vary."""
+    curve, _ = _without_noise(chooses)
+    below = np.flatnonzero(curve < 0.0)
+    if not len(below) or below[0] + 1 == len(curve):
+        return 0.0, 0.0, 0.0
+    lag = below[0] + 1 + int(curve[below[0] + 1 :].argmax())
+    t = float(t_quantile(level, measures.shape[1] - 1))
+    return _ratio(*_without_noise(measures[[lag, 0]]), t)

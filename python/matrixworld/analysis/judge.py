@@ -13,7 +13,7 @@ from typing import Any
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
-from matrixworld.analysis.measures import MEASURES, NO_EPISODES, TOO_SHORT
+from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
 from matrixworld.analysis.payoffs import (
     GENERATIONS_TO_JUDGE,
     Payoffs,
@@ -26,19 +26,25 @@ from matrixworld.analysis.plain_values import plain_values
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 
 LEAST_GAIN = 0.05
-"""Stagnation: both teams' strengths change by less than this over the window."""
-LEAST_AMPLITUDE = 0.05
-"""Cycling: capture rates deviate from every order of strength by more than this (root mean
+"""Rise and stagnation: strength changes by more, or by less, than this over the window."""
+LEAST_INTRANSITIVITY = 0.05
+"""Intransitivity: capture rates deviate from every order of strength by more than this (root mean
 square)."""
 LEAST_CHECKERBOARDS = 0.01
-"""Cycling: at least this share of checkerboards, so that generations beat each other in a circle
-and do not only forget."""
+"""Intransitivity: at least this share of checkerboards, so that generations beat each other in a
+circle and do not only forget."""
+LEAST_RECURRENCE = 0.15
+"""Cycling: a team becomes this similar to its past again. New styles in each generation are similar
+by .03 to .12, by chance."""
 LEAST_FORGETTING = 0.05
 """Forgetting: mean drop below the best ancestors above this."""
 
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
+
+SAID_BY = {"rise": ("arms race", "one-sided progress"), "intransitivity": ("cycling",)}
+"""Conditions that are named only where none of these is present."""
 
 Estimates = Mapping[str, Estimate]
 Findings = Mapping[str, "Finding"]
@@ -93,9 +99,13 @@ class Judgement:
         return self.windows[self.window]
 
     def present(self, window: str | None = None) -> tuple[str, ...]:
-        """Return the conditions that are present in a window, by default that of headlines."""
+        """Return the conditions that are present in a window, by default that of headlines.
+
+        What another present condition says already is left out: a race that cycles is intransitive.
+        """
         findings = self.windows[window or self.window]
-        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
+        found = [name for name, finding in findings.items() if finding.verdict == PRESENT]
+        return tuple(name for name in found if not {*SAID_BY.get(name, ())} & {*found})
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON can represent."""
@@ -114,9 +124,11 @@ def judge(
 
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Several
-    runs have Student's t interval over runs; a gain must also be a trend of the mean course. Runs
-    that are disengaged are left out of the other conditions. docs/analysis.md defines the
-    conditions; evolution/results/judgement has how often verdicts are wrong.
+    runs have Student's t interval over runs; a gain must also be a trend of the mean course. "Rise"
+    says that a team became stronger in what was played; "arms race" and "one-sided progress" say
+    that teams would again. Runs that are disengaged are left out of the other conditions.
+    docs/analysis.md defines the conditions; evolution/results/judgement has how often verdicts are
+    wrong. Episodes of a pair are independent; pairs may share their worlds.
 
     Parameters
     ----------
@@ -174,7 +186,7 @@ def _missing(payoffs: Payoffs, window: Window, condition: str) -> str:
     """Return what it would take to know the numbers of a condition; empty if they are known."""
     if window.generations < GENERATIONS_TO_JUDGE:
         return TOO_SHORT
-    if condition in ("disengagement", "cycling") and not payoffs.shows_noise:
+    if condition in ("disengagement", "intransitivity", "cycling") and not payoffs.shows_noise:
         return NO_EPISODES
     if condition == "forgetting" and (payoffs.scores is None or not payoffs.shows_noise):
         return NO_SINGLE_EPISODES
@@ -229,6 +241,15 @@ def _against(estimate: Estimate, margin: float, above: str, below: str) -> Decis
     return CANNOT_TELL, "the interval contains the margin"
 
 
+def _against_all(
+    estimates: Estimates, keys: tuple[str, ...], margin: float, below: str
+) -> Decision:
+    """Return absent if the numbers of both teams are below the margin, else "cannot tell"."""
+    if all(high < margin for _, high in _ends(estimates, *keys)):
+        return ABSENT, below.format(margin)
+    return CANNOT_TELL, "the interval contains the margin"
+
+
 def _disengagement(estimates: Estimates, known: Findings) -> Decision:
     return _against(
         estimates["one_sidedness"],
@@ -239,65 +260,92 @@ def _disengagement(estimates: Estimates, known: Findings) -> Decision:
 
 
 def _arms_race(estimates: Estimates, known: Findings) -> Decision:
-    if all(low > 0.0 for low, _ in _ends(estimates, *GAINS)):
-        return PRESENT, "both teams become stronger"
-    if any(_does_not_gain(change) for change in _ends(estimates, *CHANGES)):
-        return ABSENT, f"a team does not gain: its change is not above 0, and below {LEAST_GAIN}"
-    return CANNOT_TELL, "the gain of at least one team cannot be told from 0"
+    gains = _ends(estimates, *GAINS)
+    if all(low > 0.0 for low, _ in gains):
+        return PRESENT, "both teams have a trend beyond a random walk, so they would gain again"
+    if any(_does_not_gain(gain) for gain in gains):
+        return ABSENT, f"a team has no trend: its gain is not above 0, and below {LEAST_GAIN}"
+    return CANNOT_TELL, "a random walk may explain the gain of at least one team"
 
 
 def _one_sided_progress(estimates: Estimates, known: Findings) -> Decision:
-    gains, changes = _ends(estimates, *GAINS), _ends(estimates, *CHANGES)
+    gains = _ends(estimates, *GAINS)
     if known["arms race"].verdict == PRESENT:
-        return ABSENT, "both teams become stronger"
-    if all(_does_not_gain(change) for change in changes):
-        return ABSENT, "neither team gains"
-    for (low, _), other in zip(gains, changes[::-1], strict=True):
+        return ABSENT, "both teams have a trend"
+    if all(_does_not_gain(gain) for gain in gains):
+        return ABSENT, "neither team has a trend"
+    for (low, _), other in zip(gains, gains[::-1], strict=True):
         if low > 0.0 and _does_not_gain(other):
-            return PRESENT, "one team becomes stronger, and the other does not gain"
-    return CANNOT_TELL, "the gain of at least one team is not known well enough"
+            return PRESENT, "one team has a trend and would gain again, and the other has none"
+    return CANNOT_TELL, "a random walk may explain the gain of at least one team"
 
 
-def _cycling(estimates: Estimates, known: Findings) -> Decision:
-    low, high = estimates["squared_cyclic_amplitude"].ends
-    if high < LEAST_AMPLITUDE**2:
-        return ABSENT, "an order of strength and episode noise explain the capture rates"
-    if low <= LEAST_AMPLITUDE**2:
-        return CANNOT_TELL, "the interval contains the margin"
-    if estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
+def _rise(estimates: Estimates, known: Findings) -> Decision:
+    rose = [key for key in CHANGES if estimates[key].ends[0] > LEAST_GAIN]
+    teams = [f"the {key.split('_')[0]}s" for key in rose if estimates[key].note != NOT_SUSTAINED]
+    if teams:
+        return PRESENT, f"{' and '.join(teams)} became stronger by more than {LEAST_GAIN} this time"
+    if rose:
+        return CANNOT_TELL, "a team became stronger, but mostly in a jump or with a setback"
+    return _against_all(estimates, CHANGES, LEAST_GAIN, "neither team became {} stronger this time")
+
+
+def _intransitivity(estimates: Estimates, known: Findings) -> Decision:
+    found = _against(
+        estimates["squared_intransitivity"],
+        LEAST_INTRANSITIVITY**2,
+        "neither an order of strength nor episode noise explains the capture rates",
+        "an order of strength and episode noise explain the capture rates",
+    )
+    if found[0] == PRESENT and estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
         return (
             CANNOT_TELL,
             "no order of strength explains the capture rates, but checkerboards are rare",
         )
-    return PRESENT, "neither an order of strength nor episode noise explains the capture rates"
+    return found
+
+
+def _cycling(estimates: Estimates, known: Findings) -> Decision:
+    verdict = known["intransitivity"].verdict
+    if verdict == ABSENT:
+        return ABSENT, "generations do not beat each other in a circle"
+    unknown = [estimates[key].note for key in RECURRENCES if estimates[key].low is None]
+    if unknown:
+        return CANNOT_TELL, unknown[0]
+    back = [key for key in RECURRENCES if estimates[key].ends[0] > LEAST_RECURRENCE]
+    if back and verdict == CANNOT_TELL:
+        return CANNOT_TELL, "strategies return, but an order of strength may explain them"
+    if back:
+        teams = " and ".join(f"the {key.split('_')[0]}s" for key in back)
+        return PRESENT, f"strategies of {teams} return"
+    return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, "no strategies return")
 
 
 def _forgetting(estimates: Estimates, known: Findings) -> Decision:
     drops = _ends(estimates, *DROPS)
     if any(low > LEAST_FORGETTING for low, _ in drops):
         return PRESENT, f"a team falls more than {LEAST_FORGETTING} below its best ancestors"
-    if all(high < LEAST_FORGETTING for _, high in drops):
-        return ABSENT, f"neither team falls {LEAST_FORGETTING} below its best ancestors"
-    return CANNOT_TELL, "the interval contains the margin"
+    below = "neither team falls {} below its best ancestors"
+    return _against_all(estimates, DROPS, LEAST_FORGETTING, below)
 
 
 def _stagnation(estimates: Estimates, known: Findings) -> Decision:
     changes = _ends(estimates, *CHANGES)
-    for name in ("arms race", "one-sided progress", "cycling"):
+    for name in ("arms race", "one-sided progress", "intransitivity"):
         if known[name].verdict == PRESENT:
             return ABSENT, f"{name} is present"
     if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in changes):
         return ABSENT, f"the strength of a team changes by {LEAST_GAIN} or more"
     if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in changes):
         return CANNOT_TELL, f"a change of {LEAST_GAIN} cannot be ruled out"
-    if known["cycling"].verdict == CANNOT_TELL:
-        return CANNOT_TELL, "neither team gains, but the race may cycle"
-    return PRESENT, f"neither team's strength changes by {LEAST_GAIN}, and the race does not cycle"
+    if known["intransitivity"].verdict == CANNOT_TELL:
+        return CANNOT_TELL, "neither team becomes stronger, but the race may be intransitive"
+    return PRESENT, f"neither team's strength changes by {LEAST_GAIN}, nor who beats whom"
 
 
-def _does_not_gain(change: tuple[float, float]) -> bool:
+def _does_not_gain(gain: tuple[float, float]) -> bool:
     # A small gain that is told from 0 is no evidence of standstill.
-    low, high = change
+    low, high = gain
     return low <= 0.0 and high < LEAST_GAIN
 
 
@@ -307,12 +355,15 @@ def _ends(estimates: Estimates, *keys: str) -> list[tuple[float, float]]:
 
 GAINS, CHANGES = ("pursuer_gain", "evader_gain"), ("pursuer_change", "evader_change")
 DROPS = ("pursuer_forgetting", "evader_forgetting")
+RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
 
 RULES: Mapping[str, tuple[tuple[str, ...], Callable[[Estimates, Findings], Decision]]] = {
     "disengagement": (("one_sidedness",), _disengagement),
     "arms race": (GAINS, _arms_race),
-    "one-sided progress": ((*GAINS, *CHANGES), _one_sided_progress),
-    "cycling": (("squared_cyclic_amplitude", "checkerboards"), _cycling),
+    "one-sided progress": (GAINS, _one_sided_progress),
+    "rise": (CHANGES, _rise),
+    "intransitivity": (("squared_intransitivity", "checkerboards"), _intransitivity),
+    "cycling": (RECURRENCES, _cycling),
     "forgetting": (DROPS, _forgetting),
     "stagnation": (CHANGES, _stagnation),
 }

@@ -16,8 +16,10 @@ import numpy as np
 from matrixworld._util.checks import check_choice
 from matrixworld.analysis import progress
 from matrixworld.analysis.cycles import (
+    TOO_FEW_TO_RECUR,
     clear_checkerboards,
-    cyclic_amplitude,
+    recurrence_over_episodes,
+    squared_intransitivity,
     transitive_share,
     transitive_share_over_episodes,
 )
@@ -49,10 +51,11 @@ from matrixworld.analysis.payoffs import (
 from matrixworld.analysis.progress import TeamProgress
 from matrixworld.analysis.ratings import elo, log_loss
 from matrixworld.analysis.strength import (
+    gain_of_runs,
+    is_sustained,
     late_forgetting,
     late_forgetting_over_episodes,
     strength_change,
-    strength_gain,
 )
 
 TOO_SHORT = f"it takes at least {GENERATIONS_TO_JUDGE} generations of each team"
@@ -60,6 +63,8 @@ NO_EPISODES = (
     f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
     "noise"
 )
+
+NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 
 Number = Callable[[Rates], float]
 """A number of the payoff matrix of a window, of at least 2 x 2 generations."""
@@ -229,12 +234,11 @@ def _global(team: str) -> Estimator:
 OfRun = Callable[[Payoffs, Window, float], Estimate]
 
 
-def _deciding(of_run: OfRun, together: OfRun | None = None) -> Estimator:
+def _deciding(of_run: OfRun) -> Estimator:
     """Return how a number of the judgement is estimated, for windows that are long enough.
 
     The mean over several runs has the lower end of Student's t interval of the values
-    `biased_low`, and the upper end of that of the values `biased_high`. It contains the interval
-    of all runs `together`, if that is given.
+    `biased_low`, and the upper end of that of the values `biased_high`.
     """
 
     def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
@@ -242,14 +246,12 @@ def _deciding(of_run: OfRun, together: OfRun | None = None) -> Estimator:
             return Estimate(math.nan, note=TOO_SHORT)
         if len(payoffs) == 1:
             return replace(of_run(payoffs, window, level), samples=payoffs.episodes or 0)
-        found = singles or [estimate(run, window, level, ()) for run in payoffs.runs]
-        if math.isnan(found[0].value):
-            return found[0]
+        each = singles or [estimate(run, window, level, ()) for run in payoffs.runs]
+        found = [one for one in each if math.isfinite(one.value)]
+        if len(found) < 2:
+            return next(one for one in each if math.isnan(one.value))
         low, _ = t_ends([_or(one.biased_low, one.value) for one in found], level)
         _, high = t_ends([_or(one.biased_high, one.value) for one in found], level)
-        if together is not None:
-            course = together(payoffs, window, level).ends
-            low, high = min(low, course[0]), max(high, course[1])
         return Estimate(float(np.mean([one.value for one in found])), low, high, "runs", len(found))
 
     return estimate
@@ -259,33 +261,48 @@ def _or(number: float | None, default: float) -> float:
     return default if number is None else number
 
 
-def _course(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
-    """Return mean payoffs (k,) of a team against all opponents, and their noise; mean over runs."""
-    pursuers = team == "pursuers"
-    axis, generations = (1, window.cells[0]) if pursuers else (0, window.cells[1])
-    means, noise = (
-        [each.mean(axis=axis)[generations] for each in of_runs]
-        for of_runs in (payoffs.matrices, payoffs.noise)
-    )
-    scores = [each if pursuers else 1.0 - each for each in means]
-    opponents = payoffs.matrices.shape[1 + axis]
-    variance = np.mean([each / opponents for each in noise], axis=0) / len(payoffs)
-    return np.mean(scores, axis=0), variance
+def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
+    """Return mean payoffs (runs, k) of a team against all opponents, and their noise."""
+    axis, span = (2, window.cells[0]) if team == "pursuers" else (1, window.cells[1])
+    means = payoffs.matrices.mean(axis=axis)[:, span]
+    noise = payoffs.noise.mean(axis=axis)[:, span] / payoffs.matrices.shape[axis]
+    if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
+        # Pairs may share the worlds of an episode, so noise is that of a generation's whole mean.
+        # What shifts all generations alike changes no strength.
+        each = payoffs.scores.mean(axis=axis)[:, span]
+        each = each - each.mean(axis=1, keepdims=True)
+        generations, episodes = each.shape[1:]
+        noise = each.var(axis=2, ddof=1) * generations / max(1, generations - 1) / episodes
+    return (means if team == "pursuers" else 1.0 - means), noise
 
 
 def _gain(team: str) -> Estimator:
-    def of_course(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        return strength_gain(*_course(payoffs, window, team), level=level)
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
+        if window.generations < GENERATIONS_TO_JUDGE:
+            return Estimate(math.nan, note=TOO_SHORT)
+        found = gain_of_runs(*_courses(payoffs, window, team), level=level)
+        several = len(payoffs) > 1
+        samples = len(payoffs) if several else payoffs.episodes or 0
+        return replace(found, across="runs" if several else "episodes", samples=samples)
 
-    # A jump in the same generation of all runs is no trend: their mean course has to be one.
-    return _deciding(of_course, together=of_course)
+    return estimate
 
 
 def _change(team: str) -> Estimator:
     def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        return strength_change(*_course(payoffs, window, team), level=level)
+        [course], [noise] = _courses(payoffs, window, team)
+        return strength_change(course, noise, level=level)
 
-    return _deciding(of_run)
+    deciding = _deciding(of_run)
+
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
+        found = deciding(payoffs, window, level, singles)
+        if found.low is None or found.low <= 0.0 <= (found.high or 0.0):
+            return found
+        course = _courses(payoffs, window, team)[0].mean(axis=0)
+        return found if is_sustained(course) else replace(found, note=NOT_SUSTAINED)
+
+    return estimate
 
 
 def _one_sidedness(payoffs: Payoffs, window: Window, level: float) -> Estimate:
@@ -311,12 +328,23 @@ def _cyclic(payoffs: Payoffs, window: Window, level: float) -> Estimate:
     if not payoffs.shows_noise:
         return Estimate(math.nan, note=NO_EPISODES)
     matrix, noise = payoffs.matrices[0][window.cells], payoffs.noise[0][window.cells]
-    found = cyclic_amplitude(matrix, noise, level=level)
+    found = squared_intransitivity(matrix, noise, level=level)
     if payoffs.scores is not None:
         return found
     # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
-    most = cyclic_amplitude(matrix, np.zeros_like(noise), level=level)
+    most = squared_intransitivity(matrix, np.zeros_like(noise), level=level)
     return replace(found, high=most.high, biased_high=most.biased_high)
+
+
+def _recurrence(team: str) -> Estimator:
+    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        if payoffs.scores is None:
+            return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
+        scores = payoffs.scores[0][window.cells]
+        rows = scores if team == "pursuers" else 1.0 - scores.swapaxes(0, 1)
+        return recurrence_over_episodes(rows, level=level)
+
+    return _deciding(of_run)
 
 
 def _forgetting(team: str) -> Estimator:
@@ -376,8 +404,9 @@ ROWS = (
     *_of_teams("gain", "gain of the {team}s", _gain, late=True, form="+.3f"),
     *_of_teams("change", "change of the {team}s", _change, late=True, form="+.3f"),
     Measure(
-        "squared_cyclic_amplitude", "cyclic amplitude", _deciding(_cyclic), late=True, squared=True
+        "squared_intransitivity", "intransitivity", _deciding(_cyclic), late=True, squared=True
     ),
+    *_of_teams("recurrence", "recurrence of the {team}s", _recurrence, late=True, form="+.3f"),
     Measure(
         "checkerboards", "checkerboards", _biased(lambda m: clear_checkerboards(m).share),
         late=True, form=".1%",

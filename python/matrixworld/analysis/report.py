@@ -31,15 +31,11 @@ from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import forgetting, late_forgetting
 
 SHORT = {
-    "pursuer_gain": "pursuers",
-    "evader_gain": "evaders",
-    "evader_change": "of the evaders",
-    "pursuer_forgetting": "pursuers",
-    "evader_forgetting": "evaders",
+    f"{team}_{number}": f"{team}s"
+    for team in ("pursuer", "evader")
+    for number in ("gain", "change", "recurrence", "forgetting")
 }
 """Short names of some numbers in the table of a judgement; the others have their labels."""
-SHOWN = {"one-sided progress": ("pursuer_change", "evader_change")}
-"""Numbers in the rows of some conditions; the others stand in another row already."""
 TIMES = {"first half": "early", "last half": "late"}
 """Windows in a headline."""
 THROUGHOUT = "throughout"
@@ -159,7 +155,6 @@ def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, 
     numbers = ", ".join(
         f"{SHORT.get(key, MEASURES[key].label)} {MEASURES[key].shown(estimate)}"
         for key, estimate in finding.estimates.items()
-        if key in SHOWN.get(condition, finding.estimates)
     )
     return condition, finding.verdict, numbers, window
 

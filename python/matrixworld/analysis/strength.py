@@ -10,7 +10,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_quantile
+from matrixworld.analysis.intervals import (
+    LEVEL,
+    Estimate,
+    normal_quantile,
+    t_ends,
+    t_quantile,
+)
 from matrixworld.analysis.payoffs import (
     ByTeam,
     Rates,
@@ -24,6 +30,10 @@ GRID = 40
 WIDEST = (4.0, 3.0)
 """Largest standard deviations of steps and of fluctuation on the grid, in units of that of the
 observed steps."""
+RUNS_FOR_T = 4
+"""Fewest runs whose gains have Student's t interval, too: of fewer it is wider than a walk's."""
+PARTS = 5
+"""Parts of a mean course, none of which may fall back if the course is sustained."""
 _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
@@ -44,9 +54,9 @@ def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estim
     A team that improves steadily has small steps, and its drift is known as well as that of a
     regression line, also if single generations fluctuate about it. A team that jumps once, or
     drifts at random, has large steps, and its drift cannot be told from 0. The prior is flat on the
-    drift, on s and on t, which Gelman (2006, "Prior distributions for variance parameters in
-    hierarchical models") recommends for standard deviations of few observations. Given s and t the
-    drift is normal; both are summed out on a grid.
+    drift and on t, and half-normal on s with the standard deviation of the observed steps as its
+    scale (Gelman 2006, "Prior distributions for variance parameters in hierarchical models"). Given
+    s and t the drift is normal; both are summed out on a grid.
     """
     steps = len(scores) - 1
     drifts, deviations, weights = _posterior(np.diff(scores), float(noise.mean()))
@@ -59,21 +69,59 @@ def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estim
     return Estimate(middle, low, high, "episodes")
 
 
+def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
+    """Return the gain of a team over several runs; scores and noise have the shape (runs, k).
+
+    It is `strength_gain` of the mean course. From `RUNS_FOR_T` runs on there is a second interval,
+    Student's t over the runs' linear changes, which becomes narrower with each run; it counts if
+    the mean course is sustained, because a jump in the same generation of all runs is no trend.
+    Both then have half of the error, and what both contain remains.
+    """
+    runs, course, errors = len(scores), scores.mean(axis=0), noise.mean(axis=0) / len(scores)
+    changes = scores @ _slope_weights(scores.shape[1])
+    if runs < RUNS_FOR_T or not is_sustained(course):
+        return strength_gain(course, errors, level=level)
+    both = (1.0 + level) / 2.0
+    ends = [strength_gain(course, errors, level=both).ends, t_ends(changes, both, (-1.0, 1.0))]
+    low, high = (pick(side) for pick, side in zip((max, min), zip(*ends, strict=True), strict=True))
+    if low > high:  # the two models disagree
+        low, high = high, low
+    return Estimate(float(np.clip(changes.mean(), low, high)), low, high, "runs")
+
+
+def is_sustained(course: Rates) -> bool:
+    """Return whether a course keeps its direction: that of its linear change, over `PARTS` parts.
+
+    No tenth of the course makes half of the change, and from part to part the mean goes back by a
+    quarter of the change at most. It may rest: a late onset and an early plateau are sustained.
+    """
+    change = float(_slope_weights(len(course)) @ course)
+    forward = course * np.sign(change)
+    parts = np.array([part.mean() for part in np.array_split(forward, PARTS)])
+    tenth = max(1, len(course) // 10)
+    jump, setback = (forward[tenth:] - forward[:-tenth]).max(), -np.diff(parts).min()
+    return bool(jump < abs(change) / 2.0 and setback < abs(change) / 4.0)
+
+
+def _slope_weights(generations: int) -> Rates:
+    """Return the weights (k,) with which scores add up to ``k - 1`` times their slope."""
+    places = np.arange(generations) - (generations - 1) / 2.0
+    weights: Rates = (generations - 1) * places / (places**2).sum()
+    return weights
+
+
 def strength_change(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the linear change of strength: ``k - 1`` times the slope of a regression line.
 
     Arguments are those of `strength_gain`. The interval is normal with the known noise. If all
     noise is 0, which means unknown, it is Student's t interval with the scatter about the line.
     """
-    y, variances, steps = scores, noise, len(scores) - 1
-    places = np.arange(len(y)) - steps / 2.0
-    weights = steps * places / (places**2).sum()
-    freedom = np.inf
+    y, variances, weights, freedom = scores, noise, _slope_weights(len(scores)), np.inf
+    value = float(weights @ y)
     if not variances.any():
         freedom = len(y) - 2
-        residuals = y - y.mean() - places * (places @ y) / (places**2).sum()
+        residuals = y - y.mean() - weights * value / (weights**2).sum()
         variances = np.full(len(y), (residuals**2).sum() / freedom)
-    value = float(weights @ y)
     reach = float(t_quantile(level, freedom) * np.sqrt(weights**2 @ variances))
     return Estimate(value, value - reach, value + reach, "episodes")
 
@@ -95,6 +143,7 @@ def _posterior(steps: Rates, noise: float) -> tuple[Rates, Rates, Rates]:
     misfit = (precision * (values - drifts[:, np.newaxis] * ones) ** 2).sum(axis=1)
     # The likelihood of s and t with the drift integrated out.
     log_weights = 0.5 * (np.log(precision).sum(axis=1) - np.log(total) - misfit)
+    log_weights -= 0.5 * (s[:, 0] / spread) ** 2
     weights = np.exp(log_weights - log_weights.max())
     kept = weights > _NEGLIGIBLE * weights.sum()
     return drifts[kept], total[kept] ** -0.5, weights[kept] / weights[kept].sum()

@@ -94,7 +94,7 @@ def _full_virulence(settings: RaceSettings) -> bool:
 
 
 NEWEST = ("specialist-specialist", "generalist-specialist")
-CYCLES = ("cycling", "forgetting")
+CYCLES = ("intransitivity", "cycling", "forgetting")
 PURSUERS_MEET, EVADERS_MEET = "schedule.pursuers_meet", "schedule.evaders_meet"
 
 ADVICE = (
@@ -134,17 +134,19 @@ ADVICE = (
     Advice(("stagnation",), _any,
            {"policy.hidden": lambda present: [2 * max((16, *present["policy.hidden"]))]},
            "a larger network"),
-    Advice(("arms race",), _any, {"schedule.generations": twice("schedule.generations")},
+    Advice(("arms race", "rise"), _any, {"schedule.generations": twice("schedule.generations")},
            "the race goes on; more generations show how long"),
 )  # fmt: skip
 """What to try, in the order in which it is printed."""
 
 GENERAL = {
+    "intransitivity": "let both teams meet opponents of all generations, or a hall of fame",
     "cycling": "let both teams meet opponents of all generations, or a hall of fame",
     "forgetting": "let both teams meet opponents of all generations, or a hall of fame",
     "disengagement": "make the weaker team stronger, or reward no candidate for winning everything",
     "one-sided progress": "give the team that does not gain more time to learn",
     "stagnation": "more candidates, another learner or a larger network",
+    "rise": "more generations or seeds show whether it is a trend",
     "arms race": "more generations show how long it goes on",
 }
 """What to try if the settings are not known."""

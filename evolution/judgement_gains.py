@@ -1,0 +1,79 @@
+"""How often a team is said to become stronger, by kind of race, runs and generations.
+
+    python evolution/judgement_gains.py           300 groups of each kind, about 12 minutes
+    python evolution/judgement_gains.py --quick   a few groups, seconds
+
+The share of teams whose gain over the whole race is above 0. Kinds in which nobody gains have the
+size of the test, of which .05 is allowed; the others have its power. Matches are 30 evaders, 10
+episodes of each pair. Seeds start at 500,000, which no other script uses.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+from common import script_parser
+from judgement_races import synthetic_races
+from judgement_tables import table
+from matrixworld import analysis
+from matrixworld.toys import play_episodes
+
+FIRST_SEED = 500_000
+GROUPS = 300
+RUNS = (1, 2, 3, 5, 10)
+GENERATIONS = (15, 31, 60)
+SIZE = {
+    "noise only, .5": 1.0,
+    "drift": 1.0,
+    "fluctuation": 1.0,
+    "single jump": 1.0,
+    "common jump": 1.0,
+}
+"""Kinds without a trend, and their effect."""
+POWER = {"pure race": 0.2, "sigmoid": 0.6, "early dip": 0.6, "late onset": 0.6, "uneven pace": 0.3}
+"""Kinds in which both teams gain, and their effect."""
+
+
+def share_of_gains(kind: str, effect: float, n: int, runs: int, groups: int) -> float:
+    """Return the share of teams with a gain above 0."""
+    found = []
+    for seed in range(FIRST_SEED, FIRST_SEED + groups):
+        rng = np.random.default_rng([seed, 5, runs, n])
+        races = synthetic_races(kind, n, seed, effect=effect, runs=runs)
+        scores = np.stack([play_episodes(race.rates, 10, rng, evaders=30) for race in races])
+        payoffs = analysis.read_payoffs(scores, per_episode=True)
+        gains = (analysis.MEASURES[f"{team}_gain"] for team in ("pursuer", "evader"))
+        found += [gain.of(payoffs, "whole").ends[0] > 0.0 for gain in gains]
+    return float(np.mean(found))
+
+
+def main() -> None:
+    """Write the table."""
+    parser = script_parser(__doc__, quick="3 groups of each kind")
+    parser.add_argument("--results", type=Path, default=Path("judgement"))
+    args = parser.parse_args()
+    groups = 3 if args.quick else GROUPS
+    cells = [
+        (what, kind, effect, n)
+        for what, kinds in (("nobody gains", SIZE), ("both gain", POWER))
+        for kind, effect in kinds.items()
+        for n in GENERATIONS
+    ]
+    rows = [
+        [what, kind, f"{effect:g}", str(n)]
+        + [f"{share_of_gains(kind, effect, n, runs, groups):.1%}" for runs in RUNS]
+        for what, kind, effect, n in tqdm(cells, disable=None)
+    ]
+    heads = ("truth", "kind", "effect", "generations", *(f"runs: {runs}" for runs in RUNS))
+    text = f"# Teams that are said to gain\n\n{__doc__.split(chr(10) * 2)[2]}\n\n"
+    text += f"{groups} groups, {2 * groups} teams, in each cell.\n\n{table(heads, rows)}\n"
+    args.results.mkdir(parents=True, exist_ok=True)
+    (args.results / "gains.md").write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
