@@ -149,8 +149,8 @@ def of_scores(name: str, runs: int) -> Simulation:
 
 
 def _point(band: analysis.Band, place: int, runs: int) -> Estimate:
-    """Return one point of a band; without an interval where all runs are equal."""
+    """Return one point of a band."""
     value = float(band.mean[place])
-    if band.low is None or band.high is None or band.low[place] == band.high[place]:
+    if band.low is None or band.high is None or math.isnan(band.low[place]):
         return Estimate(value, None, None, "nothing", runs)
     return Estimate(value, float(band.low[place]), float(band.high[place]), "runs", runs)

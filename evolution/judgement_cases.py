@@ -96,7 +96,7 @@ class Case:
         Window -> condition -> `Truth`.
     setting : dict of str to str
         How the race was played, for tables.
-    gains : dict of str to list
+    changes : dict of str to list
         Window -> true change of the strength of pursuers and evaders; None where it is open.
     """
 
@@ -105,7 +105,7 @@ class Case:
     episodes: int | None
     truths: dict[str, Truths]
     setting: dict[str, str]
-    gains: dict[str, list[float | None]]
+    changes: dict[str, list[float | None]]
 
 
 # ---- Sources -------------------------------------------------------------------------------------
@@ -152,7 +152,7 @@ def _play(
         {window: truths_of_group(races, window) for window in WINDOWS},
         {"noise": noise_name, "generations": str(n), "episodes known": known, "runs": str(runs)}
         | setting,
-        {window: _true_gains(races, window) for window in WINDOWS},
+        {window: _true_changes(races, window) for window in WINDOWS},
     )
 
 
@@ -166,7 +166,7 @@ def _means(scores: np.ndarray) -> np.ndarray:
     return np.asarray(scores.mean(axis=-1))
 
 
-def _true_gains(races: list[SyntheticRace], window: str) -> list[float | None]:
+def _true_changes(races: list[SyntheticRace], window: str) -> list[float | None]:
     # The change that a group estimates is that of all possible runs, which is not known.
     return list(change_of_strength(races[0].rates, window)) if len(races) == 1 else [None, None]
 

@@ -88,12 +88,12 @@ def count_by_size(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     return _wide(("condition", "noise", "from", "to"), counted)
 
 
-def count_gains(judgements: Iterable[dict[str, Any]]) -> list[Row]:
+def count_changes(judgements: Iterable[dict[str, Any]]) -> list[Row]:
     """Return how many intervals of single races contain the true change of strength."""
     counts = Counter(
         (setting, value, window, "covered" if low <= true <= high else "missed")
         for one in judgements
-        for window, _, true, low, high in one["gains"]
+        for window, _, true, low, high in one["changes"]
         for setting, value in one["setting"].items()
         if setting in ("noise", "episodes known", "generations")
     )

@@ -64,7 +64,7 @@ def judged(task: Task) -> dict[str, Any]:
     """Play a task, judge it, and return truth and verdicts as plain values."""
     case = SOURCES[task.source].case(task.kind, task.seed)
     judgement = analysis.judge(case.scores, per_episode=case.per_episode, episodes=case.episodes)
-    found, gains = [], []
+    found, changes = [], []
     for window, truths in case.truths.items():
         # A race may be too short for a window.
         findings = judgement.windows.get(window)
@@ -73,12 +73,12 @@ def judged(task: Task) -> dict[str, Any]:
             found.append([window, condition, truth.holds, round(truth.size, 4), verdict])
         if findings is not None:
             estimates = findings["rise"].estimates
-            gains += list(_gains(window, case.gains.get(window, []), estimates))
-    headline = {"headline": judgement.window, "found": found, "gains": gains}
+            changes += list(_changes(window, case.changes.get(window, []), estimates))
+    headline = {"headline": judgement.window, "found": found, "changes": changes}
     return task._asdict() | {"setting": case.setting} | headline
 
 
-def _gains(
+def _changes(
     window: str, true: list[float | None], estimates: Any
 ) -> Iterator[tuple[str, str, float, float, float]]:
     """Yield window, team, true change, and the ends of its interval, where both are known."""
@@ -175,7 +175,7 @@ def main() -> None:
     judgements = judge_all(tasks, args.results / "judgements.jsonl", args.processes, args.cluster)
     print(write_tables(judgements, args.results))
     print(
-        f"Written: {args.results}/errors.md, counts.csv, settings.csv, gains.csv, power.csv, .png"
+        f"Written: {args.results}/errors.md, counts.csv, settings.csv, changes.csv, power.csv, .png"
     )
 
 

@@ -24,7 +24,7 @@ from matrixworld.toys import play_episodes
 FIRST_SEED = 500_000
 GROUPS = 300
 RUNS = (1, 2, 3, 5, 10)
-GENERATIONS = (15, 31, 60)
+GENERATIONS = (15, 31)
 SIZE = {
     "noise only, .5": 1.0,
     "drift": 1.0,

@@ -14,7 +14,7 @@ from judgement_counts import (
     Row,
     count_by_setting,
     count_by_size,
-    count_gains,
+    count_changes,
     count_verdicts,
     read_counts,
     totals,
@@ -100,7 +100,7 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
     return sorted(keys, key=lambda key: [(order.get(part, 99), part) for part in key])
 
 
-def report(counts: Sequence[Row], settings: Sequence[Row], gains: Sequence[Row]) -> str:
+def report(counts: Sequence[Row], settings: Sequence[Row], changes: Sequence[Row]) -> str:
     """Return all tables.
 
     Parameters
@@ -109,8 +109,8 @@ def report(counts: Sequence[Row], settings: Sequence[Row], gains: Sequence[Row])
         `count_verdicts`, or its file.
     settings : sequence of dict
         `count_by_setting`, or its file.
-    gains : sequence of dict
-        `count_gains`, or its file.
+    changes : sequence of dict
+        `count_changes`, or its file.
 
     Returns
     -------
@@ -130,7 +130,7 @@ def report(counts: Sequence[Row], settings: Sequence[Row], gains: Sequence[Row])
         _by_setting(settings),
         "## Intervals of changes",
         COVERAGE,
-        _coverage(gains),
+        _coverage(changes),
         "## By kind and window",
         _by(counts, "condition", "sample", "kind", "window"),
     ]
@@ -228,7 +228,7 @@ def _covered(rows: Sequence[Row], window: str) -> str:
 def report_of(results: Path) -> str:
     """Return the tables that follow from the counts in a directory."""
     return report(
-        *(read_counts(results / f"{name}.csv") for name in ("counts", "settings", "gains"))
+        *(read_counts(results / f"{name}.csv") for name in ("counts", "settings", "changes"))
     )
 
 
@@ -237,10 +237,10 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     sizes = count_by_size(one for one in judgements if one["source"] == "power")
     # Effects of the power curves are small on purpose, and would hide those of the other races.
     others = [one for one in judgements if one["source"] != "power"]
-    counts, settings, gains = (
-        count(others) for count in (count_verdicts, count_by_setting, count_gains)
+    counts, settings, changes = (
+        count(others) for count in (count_verdicts, count_by_setting, count_changes)
     )
-    files = {"counts": counts, "settings": settings, "gains": gains, "power": sizes}
+    files = {"counts": counts, "settings": settings, "changes": changes, "power": sizes}
     for name, rows in files.items():
         write_counts(rows, results / f"{name}.csv")
     text = report_of(results)

@@ -104,9 +104,9 @@ def test_files_of_means_need_their_number_of_episodes():
     assert judged_in(unknown)["cycling"] == judged_in(unknown)["forgetting"] == "cannot tell"
     assert "Give the number with --episodes." in run_together(unknown)
     known = matrixworld_command("judge", "circle.csv", "--episodes", 30).stdout
-    assert judged_in(known)["cycling"] == "present"
-    # Forgetting takes the single episodes.
-    assert judged_in(known)["forgetting"] == "cannot tell"
+    assert judged_in(known)["intransitivity"] == "present"
+    # Cycling and forgetting take the single episodes.
+    assert judged_in(known)["cycling"] == judged_in(known)["forgetting"] == "cannot tell"
     assert "--episodes" not in known
     race = matrixworld_command("judge", "race.npz", "--episodes", 30).stdout
     assert judged_in(race)["arms race"] == "present"
@@ -179,7 +179,7 @@ def test_all_measures_come_after_the_judgement():
     write_files()
     options = ["--episodes", 30, "--all", "--json", "found.json"]
     result = matrixworld_command("judge", "circle.csv", *options)
-    assert judged_in(result.stdout)["cycling"] == "present"
+    assert judged_in(result.stdout)["intransitivity"] == "present"
     table, measures = result.stdout.split("\nA single run (95% interval")
     assert "condition" in table
     share = MEASURES["transitive_share"].of(means_of("circle")).value

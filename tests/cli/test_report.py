@@ -16,6 +16,7 @@ from scipy import stats
 from command_line import PNG, judged_in, matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld._util.files import load_json
+from matrixworld.analysis import CONDITIONS
 from matrixworld.cli.groups import Group, groups_of, open_result, place_of
 from matrixworld.cli.report import report
 from matrixworld.cli.tables import print_strip
@@ -102,7 +103,7 @@ def test_the_strip_has_the_verdict_on_each_seed(made):
     said = matrixworld_command("judge", root / FIRST).stdout
     judgement = analysis.judge(payoffs(root, FIRST), per_episode=True)
     signs = {"present": "+", "absent": "-", "cannot tell": "?"}
-    lines = said[said.index("seed  ") :].splitlines()[: 1 + len(analysis.CONDITIONS)]
+    lines = said[said.index("seed  ") :].splitlines()[: 1 + len(CONDITIONS)]
     assert lines[0].split() == ["seed", *map(str, ASKED), "together", "(seeds:", "+,", "-,", "?)"]
     for line, (name, finding) in zip(lines[1:], judgement.headline.items(), strict=True):
         counts = ", ".join(str(finding.by_run.count(verdict)) for verdict in signs)

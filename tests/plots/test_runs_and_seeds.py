@@ -12,6 +12,7 @@ from matplotlib.patches import Rectangle
 
 from matrixworld import analysis, plots
 from matrixworld._util import colors
+from matrixworld.analysis import CONDITIONS
 
 RNG = np.random.default_rng(0)
 EPISODES = RNG.binomial(1, 0.5, (11, 13, 13, 4)).astype(float)
@@ -110,11 +111,11 @@ def test_the_strip_has_a_cell_for_each_verdict() -> None:
             patch = drawn[column, row]
             expected = tuple(int(looks[finding.by_run[run]][k : k + 2], 16) for k in (1, 3, 5))
             assert tuple(round(255 * part) for part in patch.get_facecolor()[:3]) == expected
-    assert all(drawn[2, row].get_hatch() for row in range(6))
+    assert all(drawn[2, row].get_hatch() for row in range(len(findings)))
     labels = [tick.get_text() for tick in axes.get_xticklabels()]
     assert labels == ["2", "5", "7", "9", "all together"]
     words = [text.get_text() for text in axes.texts]
-    assert words[-6:] == [finding.verdict for finding in findings.values()]
+    assert words[-len(findings) :] == [finding.verdict for finding in findings.values()]
     assert axes.get_title(loc="left") == f"a: {analysis.headline(judgement)}"
     legend = [text.get_text() for text in figure.legends[0].get_texts()]
     assert legend == ["present", "absent", "cannot tell", "not finished"]
@@ -125,8 +126,8 @@ def test_many_seeds_have_cells_without_words() -> None:
     seeds = tuple(range(11))
     figure = plots.verdict_strip({"a": judged(11)}, {"a": seeds}, {"a": tuple(range(11, 40))})
     (axes,) = figure.axes
-    assert len(axes.texts) == 6
-    assert len(cells(axes)) == 6 * 41
+    assert len(axes.texts) == len(CONDITIONS)
+    assert len(cells(axes)) == 41 * len(CONDITIONS)
     assert figure.get_figwidth() <= 16
 
 

@@ -451,7 +451,7 @@ def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate
     if array.shape[2] < EPISODES_TO_RECUR:
         return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
     halves = [_similarities(array[:, :, start::2]) for start in (0, 1)]
-    found = [_returned(*pair, level) for pair in (halves, halves[::-1])]
+    found = [_returned(halves[k], halves[1 - k], level) for k in (0, 1)]
     if None in found:
         return Estimate(math.nan, note="the capture rates vary no more than episode noise does")
     value, high, low = np.mean([ends for ends in found if ends], axis=0).tolist()

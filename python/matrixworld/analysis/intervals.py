@@ -71,6 +71,9 @@ class Estimate:
     def __str__(self) -> str:
         return format(self)
 
+    def __float__(self) -> float:
+        return self.value
+
     def __format__(self, form: str) -> str:
         """Return number and interval, each in a form as in an f-string; ".3f" by default."""
         ends = (self.value, self.low, self.high)
@@ -97,7 +100,7 @@ class Band:
     mean : ndarray of float64
         Mean over runs or episodes.
     low, high : ndarray of float64, or None
-        Ends of the intervals; None for a single run.
+        Ends of the intervals, NaN where there is none; None for a single run.
     runs : ndarray of int64
         Number of runs, or of episodes, behind each point.
     """
@@ -213,8 +216,8 @@ def band_over_runs(
     Returns
     -------
     Band
-        The mean over the runs that have a value; its interval is NaN at points of a single run.
-        Where all runs are equal, the band has no width, which is no certainty.
+        The mean over the runs that have a value; its interval is NaN at points of a single run,
+        and where all runs are equal, which do not show how much runs vary.
     """
     array = np.asarray(curves, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
@@ -227,10 +230,10 @@ def band_over_runs(
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
         return Band(at, mean, None, None, counts)
-    squares = np.where(known, array - mean, 0.0) ** 2
-    # No interval where a single run is left: there is nothing to divide by.
-    freedom = np.where(counts > 1, counts - 1.0, np.nan)
-    half = t_quantile(level, freedom) * np.sqrt(squares.sum(axis=0) / freedom / counts)
+    squares = (np.where(known, array - mean, 0.0) ** 2).sum(axis=0)
+    # Single runs and equal ones say nothing about others; equal but for rounding, too.
+    freedom = np.where(squares > 1e-24 * counts * np.maximum(1.0, mean**2), counts - 1.0, np.nan)
+    half = t_quantile(level, freedom) * np.sqrt(squares / freedom / counts)
     ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
     return Band(at, mean, *ends, counts)
 
@@ -331,8 +334,8 @@ def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> 
     """Return `generalization` of pursuers and of evaders with t intervals over episodes.
 
     As in `linear_over_episodes`, episode e of all cells is one measurement of each mean. The
-    interval is about other episodes of the same opponents, not about other opponents. Where all
-    episodes are equal, the band has no width, which is no certainty.
+    interval is about other episodes of the same opponents, not about other opponents; it is NaN
+    where all episodes are equal.
 
     Parameters
     ----------

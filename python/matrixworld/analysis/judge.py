@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from matrixworld._util.short_repr import short_repr
+from matrixworld._util.text_table import table_lines
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
@@ -92,6 +93,12 @@ class Judgement:
     windows: Mapping[str, Findings]
 
     __repr__ = short_repr
+
+    def __str__(self) -> str:
+        """Return the table that ``matrixworld judge`` prints."""
+        from matrixworld.analysis.report import judgement_cells
+
+        return "\n".join(itertools.chain(*table_lines(judgement_cells(self), "<<<<")))
 
     @property
     def headline(self) -> Findings:

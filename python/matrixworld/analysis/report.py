@@ -151,6 +151,18 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     return rows
 
 
+def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
+    """Return the rows of `judgement_table` for a terminal: numbers below each other, and once."""
+    rows: list[tuple[str, ...]] = []
+    first: dict[tuple[str, str], str] = {}
+    for condition, verdict, numbers, window in judgement_table(judgement):
+        # Numbers of an earlier row are named by its condition.
+        owner = first.setdefault((numbers, window), condition)
+        cell = f"as for {owner}" if numbers and owner != condition else numbers
+        rows.append((condition, verdict, cell.replace("), ", ")\n"), window))
+    return rows
+
+
 def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, str]:
     numbers = ", ".join(
         f"{SHORT.get(key, MEASURES[key].label)} {MEASURES[key].shown(estimate)}"

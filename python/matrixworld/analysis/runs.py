@@ -117,8 +117,8 @@ def performance_profile(
     Notes
     -----
     Each run has a share: that of the opponents against which it is above the threshold. The profile
-    is the mean over runs, so its interval is that of `band_over_runs`; there is none below
-    `fewest_runs`.
+    is the mean over runs, so its interval is that of `band_over_runs`: none below `fewest_runs`,
+    and NaN where all runs have the same share.
 
     References
     ----------

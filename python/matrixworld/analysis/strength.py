@@ -92,13 +92,15 @@ def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estima
 def is_sustained(course: Rates) -> bool:
     """Return whether a course keeps its direction: that of its linear change, over `PARTS` parts.
 
-    No tenth of the course makes half of the change, and from part to part the mean goes back by a
-    quarter of the change at most. It may rest: a late onset and an early plateau are sustained.
+    No tenth of the course, and no two steps, make half of the change, and from part to part the
+    mean goes back by a quarter of the change at most. It may rest: a late onset and an early
+    plateau are sustained.
     """
     change = float(_slope_weights(len(course)) @ course)
     forward = course * np.sign(change)
     parts = np.array([part.mean() for part in np.array_split(forward, PARTS)])
-    tenth = max(1, len(course) // 10)
+    # Two steps at least: a jump that some runs make a generation later is a jump.
+    tenth = max(2, len(course) // 10)
     jump, setback = (forward[tenth:] - forward[:-tenth]).max(), -np.diff(parts).min()
     return bool(jump < abs(change) / 2.0 and setback < abs(change) / 4.0)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -92,8 +93,10 @@ def standings(result: ClassResult, team: Team) -> list[Standing]:
 def _score(band: Band, number: int, episodes: int) -> Estimate:
     """Return a point of a band; without an interval if all episodes are equal."""
     value = float(band.mean[number])
-    low, high = (None if each is None else float(each[number]) for each in (band.low, band.high))
-    if low == high:
+    low, high = (
+        math.nan if each is None else float(each[number]) for each in (band.low, band.high)
+    )
+    if math.isnan(low):
         return Estimate(value, None, None, "episodes", episodes, "all episodes are equal")
     return Estimate(value, low, high, "episodes", episodes)
 

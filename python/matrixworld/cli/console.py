@@ -8,7 +8,6 @@ import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from itertools import zip_longest
 from pathlib import Path
 from typing import TextIO
 
@@ -16,6 +15,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld._util.files import printable
+from matrixworld._util.text_table import table_lines
 from matrixworld.coevolution.progress import ProgressBar
 
 INTERRUPTED = 130
@@ -76,17 +76,11 @@ def print_wrapped(text: str) -> None:
 
 
 def print_table(rows: Sequence[Sequence[str]], align: str) -> None:
-    """Print rows of cells in columns, the first row in bold; a cell may have several lines.
-
-    `align` has a format character for each column: ``"<"`` left, ``">"`` right.
-    """
+    """Print rows of cells in columns, as `table_lines` does, the first row in bold."""
     rows = [[printable(cell) for cell in row] for row in rows]  # as wide as they are printed
-    columns = zip(*rows, strict=True)
-    widths = [max(len(line) for cell in c for line in cell.split("\n")) for c in columns]
-    for number, row in enumerate(rows):
-        for line in zip_longest(*(cell.split("\n") for cell in row), fillvalue=""):
-            cells = (f"{c:{a}{w}}" for c, a, w in zip(line, align, widths, strict=True))
-            say("  ".join(cells).rstrip(), bold=number == 0)
+    for number, lines in enumerate(table_lines(rows, align)):
+        for line in lines:
+            say(line, bold=number == 0)
 
 
 def command(name: str, *words: Path | str) -> str:

@@ -51,8 +51,9 @@ def judge_command(
     """Say what happened in races, and what to try.
 
     Arms race, one-sided progress, rise, intransitivity, cycling, disengagement, forgetting,
-    stagnation: each is present or absent, or the intervals cannot tell. RUN is the directory of a job or of a run. Runs that
-    differ in their seed only are judged together, with the verdict on each seed.
+    stagnation: each is present or absent, or the intervals cannot tell. RUN is the directory of a
+    job or of a run. Runs that differ in their seed only are judged together, with the verdict on
+    each seed.
 
     FILE is a payoff matrix of your own, .csv or .npz: pursuers in rows, evaders in columns, capture
     rates from 0 to 1; or one line for each pair, run and episode. Several files are judged

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -38,14 +39,13 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.cli.tables import over_seeds, print_head, print_missing, shown
+from matrixworld.cli.tables import over_seeds, print_head, print_missing
 from matrixworld.coevolution import Progress, Team, open_run, score
 from matrixworld.coevolution.evaluation.scores import HeldOutScores
 from matrixworld.version import __version__
 
 ALL = "all"
 LAST = -1
-SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 LEGEND = (
     "In brackets: 95% interval over the episodes. Runs with other seeds may differ by more. In the "
     "mean every opponent has the same weight."
@@ -143,19 +143,7 @@ def _print(group: Group, teams: Sequence[TeamScores]) -> None:
     several = f": {group.finished_of_asked()} seeds finished" if group.several else ""
     print_head(f"{group.name}{several}")
     for scores in teams:
-        generations, team = scores[0].generations, scores[0].team
-        if len(generations) == 1:
-            say(f"{team}s of generation {generations[0]}: {SCORE[team]}")
-            rows = estimates_of(scores, 0)
-        else:
-            say(f"{team}s by generation: mean {SCORE[team]}")
-            rows = {
-                f"{generation:10}": estimates_of(scores, row)["mean"]
-                for row, generation in enumerate(generations)
-            }
-        width = max(map(len, rows))
-        for name, estimate in rows.items():
-            say(f"  {name:{width}}  {shown(estimate, '.3f')}")
+        say(scores[0].table(partial(estimates_of, scores)))
         if scores[0].left_out:
             print_wrapped(f"Left out: {scores[0].left_out}.")
     print_missing(group)

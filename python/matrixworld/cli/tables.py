@@ -13,10 +13,10 @@ from matrixworld.analysis import (
     Estimate,
     Judgement,
     interval_over_runs,
-    judgement_table,
 )
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
+from matrixworld.analysis.report import judgement_cells
 from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
 from matrixworld.cli.groups import Group
 from matrixworld.coevolution.types import Team
@@ -68,14 +68,7 @@ def _limits(judgement: Judgement) -> Iterator[str]:
 
 def print_judgement(judgement: Judgement) -> None:
     """Print the table of a judgement, and what limits it."""
-    rows = []
-    first: dict[tuple[str, str], str] = {}
-    for condition, verdict, numbers, window in judgement_table(judgement):
-        # Numbers of an earlier row are named by its condition.
-        owner = first.setdefault((numbers, window), condition)
-        cell = f"as for {owner}" if numbers and owner != condition else numbers
-        rows.append((condition, verdict, cell.replace("), ", ")\n"), window))
-    print_table(rows, "<<<<")
+    print_table(judgement_cells(judgement), "<<<<")
     for text in _limits(judgement):
         print_wrapped(text)
 

@@ -340,7 +340,11 @@ def _generalization(payoff: Payoff) -> dict[str, Any]:
     if payoff.capture_rates.shape[2] >= 2:
         bands = analysis.generalization_over_episodes(payoff.capture_rates)
         for team, band in zip(curves, bands, strict=True):
-            curves[team] |= {"low": plain_values(band.low), "high": plain_values(band.high)}
+            # Where all episodes are equal there is no interval: the band is as thin as the line.
+            assert band.low is not None
+            assert band.high is not None
+            ends = np.fmin(band.low, band.mean), np.fmax(band.high, band.mean)
+            curves[team] |= dict(zip(("low", "high"), map(plain_values, ends), strict=True))
     return curves
 
 

@@ -53,6 +53,7 @@ NETWORK = Network()
 OCCUPIERS: tuple[Script, ...] = ("random", "clumsy-chaser", "chaser", "hunter")
 SURROUNDERS: tuple[Script, ...] = (*OCCUPIERS, "surrounder")
 ESCAPERS: tuple[Script, ...] = ("random", "still", "clumsy-fleer", "fleer", "dodger")
+SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 RATE = 8
 """Bytes of a float64."""
 
@@ -158,6 +159,25 @@ class HeldOutScores:
 
     __repr__ = short_repr
 
+    def __str__(self) -> str:
+        """Return the table that ``matrixworld score`` prints."""
+        names = [*self.opponents, "mean"]
+        return self.table(
+            lambda row: {n: self.mean(row) if n == "mean" else self.against(n, row) for n in names}
+        )
+
+    def table(self, estimates_of: Callable[[int], Mapping[str, Estimate]]) -> str:
+        """Return estimates of each row as lines: of one generation all, of several the mean."""
+        score, generations = SCORE[self.team], self.generations
+        if len(generations) == 1:
+            head = f"{self.team}s of generation {generations[0]}: {score}"
+            rows = dict(estimates_of(0))
+        else:
+            head = f"{self.team}s by generation: mean {score}"
+            rows = {f"{g:10}": estimates_of(row)["mean"] for row, g in enumerate(generations)}
+        width = max(map(len, rows))
+        return "\n".join([head, *(f"  {name:{width}}  {each}" for name, each in rows.items())])
+
     @property
     def matches(self) -> int:
         """The number of episodes played."""
@@ -185,7 +205,7 @@ class HeldOutScores:
         rows = range(len(self.generations))
         return {
             "team": self.team,
-            "score": "capture rate" if self.team == "pursuer" else "escape rate",
+            "score": SCORE[self.team],
             "episodes": self.rates.shape[2],
             "matches": self.matches,
             "generations": list(self.generations),
