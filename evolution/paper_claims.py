@@ -175,7 +175,7 @@ def _on_races(numbers: Numbers) -> list[Claim]:
         {race: in_parts(races[race], number) for race in RACES}
         for number in (partial(measure, "squared_intransitivity"), forgetting)
     )
-    amplitude, least = "cyclic amplitude", LEAST_INTRANSITIVITY**2
+    amplitude, least = "intransitivity", LEAST_INTRANSITIVITY**2
 
     def over_schedules(team: Team) -> ByColumn:
         each = [in_parts(races[race], partial(phase, team)) for race in RACES]
