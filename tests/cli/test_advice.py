@@ -99,7 +99,7 @@ def test_values_depend_on_the_settings():
 
 def test_only_what_is_present_leads_to_advice():
     found = judged(logistic(31, 0.3))
-    assert found.present() == ("arms race",)
+    assert found.present() == ("arms race", "rise")
     assert len(advice(found, RaceSettings())) == 1
     assert advice(found, None) == [GENERAL["arms race"]]
     assert advice(judge(circular(31)), RaceSettings()) == []

@@ -44,9 +44,6 @@ HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
 
-SAID_BY = {"rise": ("arms race", "one-sided progress"), "intransitivity": ("cycling",)}
-"""Conditions that are named only where none of these is present."""
-
 Estimates = Mapping[str, Estimate]
 Findings = Mapping[str, "Finding"]
 
@@ -106,13 +103,9 @@ class Judgement:
         return self.windows[self.window]
 
     def present(self, window: str | None = None) -> tuple[str, ...]:
-        """Return the conditions that are present in a window, by default that of headlines.
-
-        What another present condition says already is left out: a race that cycles is intransitive.
-        """
+        """Return the conditions that are present in a window, by default that of headlines."""
         findings = self.windows[window or self.window]
-        found = [name for name, finding in findings.items() if finding.verdict == PRESENT]
-        return tuple(name for name in found if not {*SAID_BY.get(name, ())} & {*found})
+        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON can represent."""

@@ -105,12 +105,14 @@ def headline_numbers(judgement: Judgement) -> list[str]:
     """
     lines, present = [], _present(judgement)
     forgets = present.get("forgetting", [])
-    gains = next((present[name] for name in GAINING if name in present), [])
-    if gains or not forgets:
-        window = _of_whole(gains)
-        known = judgement.windows[window]["arms race"].estimates
+    name = next((name for name in GAINING if name in present), "arms race")
+    if name in present or not forgets:
+        window = _of_whole(present.get(name, []))
+        known = judgement.windows[window][name].estimates
         numbers = [f"{SHORT[key]} {each.value:+.2f}" for key, each in known.items()]
-        lines += [f"gains: {', '.join(numbers)}{_about(window)}"] if numbers else []
+        # A rise is a change in what was played; a gain would come again.
+        what = "changes" if name == "rise" else "gains"
+        lines += [f"{what}: {', '.join(numbers)}{_about(window)}"] if numbers else []
     if forgets:
         window = _of_whole(forgets)
         drops = judgement.windows[window]["forgetting"].estimates

@@ -146,7 +146,7 @@ GENERAL = {
     "disengagement": "make the weaker team stronger, or reward no candidate for winning everything",
     "one-sided progress": "give the team that does not gain more time to learn",
     "stagnation": "more candidates, another learner or a larger network",
-    "rise": "more generations or seeds show whether it is a trend",
+    "rise": "more generations show how long it goes on",
     "arms race": "more generations show how long it goes on",
 }
 """What to try if the settings are not known."""
