@@ -26,15 +26,6 @@ if TYPE_CHECKING:  # both import this module
     from matrixworld.coevolution.learners.actor_critic import Experience
     from matrixworld.coevolution.settings import RaceSettings
 
-VECTORS_PER_TABLE = 256
-MOST_EXTRA_NUMBERS = 2**24
-"""Bound of the table's memory: 64 MiB beyond one noise vector."""
-
-BETA1, BETA2 = 0.9, 0.999
-"""Decay of Adam's moving averages of the gradient and of its square."""
-EPSILON = 1e-8
-"""Added to the denominator of Adam."""
-
 
 class Learner(Stateful, Protocol):
     """The interface of learners: ask for candidates, tell their fitness.
@@ -157,6 +148,15 @@ def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
 
 
 # Parts: a table of normal numbers, and steps of gradient ascent.
+
+VECTORS_PER_TABLE = 256
+MOST_EXTRA_NUMBERS = 2**24
+"""Bound of the table's memory: 64 MiB beyond one noise vector."""
+
+BETA1, BETA2 = 0.9, 0.999
+"""Decay of Adam's moving averages of the gradient and of its square."""
+EPSILON = 1e-8
+"""Added to the denominator of Adam."""
 
 
 class NoiseTable:
