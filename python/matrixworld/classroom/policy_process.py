@@ -11,7 +11,7 @@ import subprocess
 import sys
 import sysconfig
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -173,17 +173,12 @@ def _environment() -> dict[str, str]:
 class PolicyProcess:
     """A submitted program during one match; RefusedError if it fails or breaks a limit.
 
-    Settings are ``team``, ``fov``, ``n_actions``, and ``seed``, an integer. `before` are its
-    matches before, for the limits of all. `functions` says whether the program has one for
-    pursuers, and one for evaders; `used` is the time that it took, whole when the match is over.
+    Settings are ``team``, ``fov``, ``n_actions``, and ``seed``. `functions` says whether it has one
+    for pursuers, and one for evaders; `used` is known when the match is over.
     """
 
     def __init__(
-        self,
-        server: PolicyServer,
-        code: bytes,
-        settings: Mapping[str, Any],
-        before: Sequence[Used] = (),
+        self, server: PolicyServer, code: bytes, settings: Mapping[str, Any], *before: Used
     ) -> None:
         self._server = server
         self._team: Team = settings["team"]
@@ -237,23 +232,19 @@ class PolicyProcess:
     def _answer(self, asked: bytes, about: bytes, kind: bytes, size: int) -> bytes:
         """Send a message and return its answer of an exact size; RefusedError with its error."""
         began = time.monotonic()
-        last = began + min(self._server.limits.wait, self._clock.seconds - self.used.clock)
-
-        def left() -> float:
-            # The time is that of the whole answer, which may come byte by byte.
-            return max(1e-3, last - time.monotonic())
+        wait = min(self._server.limits.wait, self._clock.seconds - self.used.clock)
 
         def read(most: int) -> bytes:
-            self._connection.settimeout(left())
+            # The time is that of the whole answer, which may come byte by byte.
+            self._connection.settimeout(max(1e-3, began + wait - time.monotonic()))
             return self._connection.recv(most)
 
         try:
-            self._connection.settimeout(left())
+            self._connection.settimeout(max(1e-3, wait))
             self._connection.sendall(message(asked, about))
             found, content = receive(read, {kind: size, ERROR: LONGEST_ERROR})
         finally:
-            waited = time.monotonic() - began
-            self.used = self.used._replace(clock=self.used.clock + waited)
+            self.used = Used(0.0, self.used.clock + time.monotonic() - began)
         if found == ERROR:
             line = one_line(content.decode(errors="replace"))
             short = line if len(line) <= LONGEST_REASON else f"{line[:LONGEST_REASON]} ..."

@@ -80,18 +80,18 @@ class Rest(NamedTuple):
 
 def rest(limits: Limits, used: Sequence[Used] = ()) -> tuple[Rest, Rest]:
     """Return what a match may take of processor time, and by the clock, after those before it."""
-    kinds = (
-        ("of processor time", limits.seconds, limits.in_all, sum(each.processor for each in used)),
-        ("by the clock", limits.clock, limits.clock_in_all, sum(each.clock for each in used)),
-    )
-    processor, clock = (
-        min(
+
+    def least(kind: str, once: float, in_all: float, before: float) -> Rest:
+        return min(
             Rest(once, f"more than {once:g} seconds {kind} in a match"),
             Rest(in_all - before, f"more than {in_all:g} seconds {kind} in all matches"),
         )
-        for kind, once, in_all, before in kinds
+
+    processor, clock = (sum(each) for each in zip(Used(), *used, strict=True))
+    return (
+        least("of processor time", limits.seconds, limits.in_all, processor),
+        least("by the clock", limits.clock, limits.clock_in_all, clock),
     )
-    return processor, clock
 
 
 def set_limits(seconds: int, memory: int, files: int | None) -> None:

@@ -15,7 +15,6 @@ import os
 import sys
 import unicodedata
 import zipfile
-from collections import Counter
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from itertools import islice
@@ -110,11 +109,12 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
     submissions: list[Submission] = []
     refusals: list[Refusal] = []
     pending = _listed(directory, MOST_FILES)[::-1]
-    names = _shown_names(pending)
     while pending:
         path = pending.pop()
         inside = path.relative_to(directory)
-        name, file = names[inside.parts[0]], one_line(inside)
+        student = Path(inside.parts[0])
+        is_file = student.suffix.lower() in FILE_KINDS
+        name, file = _shown_name(student.stem if is_file else student.name), one_line(inside)
         try:
             if len(inside.parts) == 1 and not path.is_symlink() and path.is_dir():
                 pending += _listed(path, MOST_OWN)[::-1]
@@ -140,31 +140,18 @@ def _listed(directory: Path, most: int) -> list[Path]:
     return [directory / name for name in found]
 
 
-def _shown_names(paths: list[Path]) -> dict[str, str]:
-    """Return the names of students by those of their files or directories.
-
-    Python's text of a name stands for it where two of them would look the same: if they are very
-    long, or differ in spaces.
-    """
-    raw = {
-        path.name: path.stem if path.suffix.lower() in FILE_KINDS else path.name for path in paths
-    }
-    students = {_student(name): _display_name(name) for name in raw.values()}
-    alike = Counter(map(_student, students.values()))
-    return {
-        file: repr(name) if alike[_student(_display_name(name))] > 1 else _display_name(name)
-        for file, name in raw.items()
-    }
-
-
 def without_path(error: DamagedFileError) -> str:
     """Return what is wrong with a file, without its path: students know their file's name."""
     return one_line(error.args[1])
 
 
-def _display_name(name: str) -> str:
+def _shown_name(name: str) -> str:
+    """Return a name as a line; with a checksum where it had to be changed, as others look alike."""
     line = one_line(name)
-    return line if len(line) <= LONGEST_NAME else f"{line[:LONGEST_NAME]}..."
+    if line == name and len(line) <= LONGEST_NAME:
+        return line
+    digest = hashlib.sha256(name.encode(errors="surrogateescape")).hexdigest()
+    return f"{line[:LONGEST_NAME]} #{digest[:8]}"
 
 
 def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
@@ -188,12 +175,8 @@ def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
 
 
 def _student_and_team(entry: Entry) -> tuple[str, Team]:
-    return _student(entry.name), entry.team
-
-
-def _student(name: str) -> str:
-    """Return what tells a student from others; the case and the form of a name do not matter."""
-    return unicodedata.normalize("NFKC", name).casefold().strip()
+    """Return student and team of an entry; the case and the form of a name do not matter."""
+    return unicodedata.normalize("NFKC", entry.name).casefold().strip(), entry.team
 
 
 # ---- Reading a file ------------------------------------------------------------------------------

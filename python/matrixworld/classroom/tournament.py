@@ -20,8 +20,7 @@ from contextlib import AbstractContextManager, ExitStack, closing, contextmanage
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
-from types import FrameType
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -175,19 +174,16 @@ def play_class(
 def _one_interruption() -> Iterator[None]:
     """Let the first Ctrl-C interrupt, and no second one the end of all that was started."""
     before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(before):
-        yield
-        return
 
-    def interrupt(number: int, frame: FrameType | None) -> None:
+    def interrupt(*given: Any) -> None:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-        before(number, frame)
+        before(*given)  # type: ignore[misc, operator]
 
-    signal.signal(signal.SIGINT, interrupt)
-    try:
+    with ExitStack() as stack:
+        if callable(before) and threading.current_thread() is threading.main_thread():
+            stack.callback(signal.signal, signal.SIGINT, before)
+            signal.signal(signal.SIGINT, interrupt)
         yield
-    finally:
-        signal.signal(signal.SIGINT, before)
 
 
 def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: Path) -> None:
@@ -235,14 +231,14 @@ class MatchPool:
         self.used: defaultdict[Entry, list[Used]] = defaultdict(list)
         self._all: list[PolicyServer] = []
         self._free: queue.SimpleQueue[Servers] = queue.SimpleQueue()
-        self.problem = "" if CAN_FORK else NO_FORK
-        if programs and CAN_FORK:
-            for _ in range(threads):
-                servers = {team: PolicyServer(limits, trust) for team in TEAMS}
-                self._all += servers.values()
-                self._free.put(servers)
-            # All of them start at the same time, and find the same.
-            self.problem = "".join({server.ready() for server in self._all})
+        teams = TEAMS if programs and CAN_FORK else ()
+        for _ in range(threads):
+            servers = {team: PolicyServer(limits, trust) for team in teams}
+            self._all += servers.values()
+            self._free.put(servers)
+        # All of them start at the same time, and find the same.
+        found = "".join({server.ready() for server in self._all})
+        self.problem = found if CAN_FORK else NO_FORK
 
     def close(self) -> None:
         """End all that was started, also where a match is played."""
@@ -254,9 +250,6 @@ class MatchPool:
     @contextmanager
     def _servers(self) -> Iterator[Servers]:
         """Hold a server of each team; there are as many as threads, so no thread waits."""
-        if not self._all:
-            yield {}
-            return
         servers = self._free.get()
         try:
             yield servers
@@ -304,8 +297,7 @@ class MatchPool:
                     choosers.append(entry.policy)
                     continue
                 settings = self._settings(team, pursuers.key, evaders.key)
-                before = self.used[entry]
-                program = PolicyProcess(servers[team], entry.policy, settings, before)
+                program = PolicyProcess(servers[team], entry.policy, settings, *self.used[entry])
                 stack.callback(program.close)
                 programs[entry] = program
                 choosers.append(_asking(program))
@@ -314,8 +306,7 @@ class MatchPool:
                 on_round=record_round, on_decision=count, threads=1,
             )  # fmt: skip
         for entry, seconds in zip(entries, taken, strict=True):
-            used = programs[entry].used if entry in programs else Used(seconds)
-            self.used[entry].append(used)
+            self.used[entry].append(programs[entry].used if entry in programs else Used(seconds))
         return Played(rates, lengths, np.stack(steps))
 
     def _settings(self, team: Team, *keys: str) -> dict[str, object]:

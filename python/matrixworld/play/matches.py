@@ -32,8 +32,8 @@ OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
 that played it, bool (episodes,). Both change in the next round."""
 
 OnDecision: TypeAlias = Callable[[int, float], None]
-"""What is called when a population or a script has decided: with its team, 0 the pursuers and 1 the
-evaders, and the processor time that it took in this thread, in seconds."""
+"""What is called when a population or a script has decided: with its team, 0 or 1, and the
+processor time that it took in this thread, in seconds."""
 
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
 """The arrays `_READ` of the present moment, each with a leading axis of worlds."""
@@ -157,10 +157,7 @@ def play_episodes(
     on_decision: OnDecision | None = None,
     threads: int | None = None,
 ) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side and return their capture rates, (episodes,).
-
-    `threads` are those of a batch, which `on_decision` does not count but for one.
-    """
+    """Play the episodes of a match side by side and return their capture rates, (episodes,)."""
     teams = {
         range(config.n_pursuers): pursuers,
         range(config.n_pursuers, config.n_agents): evaders,
