@@ -9,7 +9,7 @@ the policy is a small network, and it learns by evolution strategies instead of 
 Baselines have the matches, the training steps and all settings of the races.
 
 Each claim is one number of each seed and a threshold. Its p-value is that of Student's t over the
-seeds, adjusted for all tests of all tables together (Holm); an interval speaks of its number alone.
+seeds, adjusted for the tests of the same table (Holm); an interval speaks of its number alone.
 A claim is reproduced if the number lies on the claimed side of the threshold, and not reproduced if
 it lies on the other side, both told from chance at 5 %. Else the table cannot tell. Claims on races
 are tested in the whole race and in its halves; numbers of a race in time are those of
@@ -21,7 +21,7 @@ of a measurement that is there already are kept: ``--parts`` adds parts, or repl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -31,7 +31,7 @@ import numpy as np
 from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld import analysis
 from matrixworld.analysis import MEASURES, read_payoffs
-from matrixworld.analysis.judge import DROPS, LEAST_INTRANSITIVITY
+from matrixworld.analysis.judge import DROPS, LEAST_INTRANSITIVITY, LEAST_RECURRENCE
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution import TEAMS, Team
 from paper_runs import (
@@ -200,6 +200,14 @@ def _on_races(numbers: Numbers) -> list[Claim]:
         Claim(
             "Specialists against specialists cycle", amplitude,
             cyclic[SPECIALISTS], "above", least, squared=True,
+        ),
+        *(
+            Claim(
+                f"Skills of specialist {team}s return periodically", "recurrence in time",
+                in_parts(races[SPECIALISTS], partial(measure, f"{team}_recurrence")),
+                "above", LEAST_RECURRENCE,
+            )
+            for team in TEAMS
         ),
         Claim(
             "Cycles give diverse policies of similar complexity (specialists)",
@@ -478,28 +486,34 @@ def claims(numbers: Numbers) -> list[Claim]:
 
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
-    found = claims(numbers)
-    tests = [(claim, column) for claim in found for column in claim.values]
-    adjusted = iter(holm([claim.p_value(column) for claim, column in tests]))
-    by_columns: dict[tuple[str, ...], list[str]] = {}
-    for claim in found:
-        cells = [cell(claim, column, next(adjusted)) for column in claim.values]
-        seeds = len(next(iter(claim.values.values())))
-        than = claim.than**0.5 if claim.squared else claim.than
-        told = [claim.says, claim.measured, f"{claim.side} {than:g}", claim.published, str(seeds)]
-        row = f"| {' | '.join([*told, *cells])} |"
-        by_columns.setdefault(tuple(claim.values), []).append(row)
-    parts = [f"{len(tests)} tests; p-values are adjusted for all of them (Holm)."]
-    for columns, rows in by_columns.items():
-        names = [f"{column}: mean [95 %]" if column else "mean [95 %]" for column in columns]
-        heads = ["the paper's claim", "number", "claimed", "published", "seeds", *names]
-        parts.append("\n".join([f"| {' | '.join(heads)} |", "|---" * len(heads) + "|", *rows]))
+    by_columns: dict[tuple[str, ...], list[Claim]] = {}
+    for claim in claims(numbers):
+        by_columns.setdefault(tuple(claim.values), []).append(claim)
+    parts = [table(columns, of_table) for columns, of_table in by_columns.items()]
     missing = [part for part, number in NUMBER_OF.items() if number not in numbers]
     if missing:
         parts.append(f"Not measured: {', '.join(missing)} (`--parts`).")
     if CROSS_PLAY not in missing:
         parts.append(scores(numbers))
     return "\n\n".join(parts)
+
+
+def table(columns: Sequence[str], of_table: Sequence[Claim]) -> str:
+    """Return claims with the same columns as a table in Markdown, with p-values adjusted in it."""
+    names = [f"{column}: mean [95 %]" if column else "mean [95 %]" for column in columns]
+    heads = ["the paper's claim", "number", "claimed", "published", "seeds", *names]
+    lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
+    unadjusted = [claim.p_value(column) for claim in of_table for column in columns]
+    adjusted = holm(unadjusted).reshape(len(of_table), len(columns))
+    for claim, p_values in zip(of_table, adjusted, strict=True):
+        than = claim.than**0.5 if claim.squared else claim.than
+        cells = [
+            claim.says, claim.measured, f"{claim.side} {than:g}", claim.published,
+            str(len(claim.values[columns[0]])),
+            *(cell(claim, column, p) for column, p in zip(columns, p_values, strict=True)),
+        ]  # fmt: skip
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
 
 
 def cell(claim: Claim, column: str, p: float) -> str:
