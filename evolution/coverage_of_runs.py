@@ -23,7 +23,10 @@ BETTER = 0.1
 """How much higher the normal runs score that runs of each shape are compared with."""
 MANY = 200_000
 """Runs from which a truth is computed; its error is far below that of twenty runs."""
-PROFILE_THRESHOLDS = (0.25, 0.5, 0.75)
+PROFILE_THRESHOLDS = (0.1, 0.25, 0.5, 0.75, 0.9)
+"""The outer ones are near the ends of a profile, where most runs agree."""
+FURTHER = 0.15
+"""How much higher still the runs of a third group score, which the others hardly ever beat."""
 
 Case = tuple[str, str]
 """Interval and data."""
@@ -118,13 +121,20 @@ def true_scores(name: str) -> Mapping[Case, float]:
     ordered = np.sort(scores, axis=None)
     middle = ordered[ordered.size // 4 : -(ordered.size // 4)].mean()
     # Row i of both groups is one pair of runs.
-    improvement = ((np.sign(scores - other) + 1.0) / 2.0).mean()
+    improvement, further = (
+        ((np.sign(scores - each) + 1.0) / 2.0).mean() for each in (other, _further(other))
+    )
     shares = {f"profile at {at}": float((scores > at).mean()) for at in PROFILE_THRESHOLDS}
     return {
         ("interquartile mean", name): float(middle),
         **{("performance profile", f"{name}, {at}"): share for at, share in shares.items()},
         ("probability of improvement", name): float(improvement),
+        ("probability of improvement", f"{name}, far apart"): float(further),
     }
+
+
+def _further(scores: Matrix) -> Matrix:
+    return np.clip(scores + FURTHER, 0.0, 1.0)
 
 
 def of_scores(name: str, runs: int) -> Simulation:
@@ -142,6 +152,9 @@ def of_scores(name: str, runs: int) -> Simulation:
             },
             ("probability of improvement", name): analysis.probability_of_improvement(
                 scores, other
+            ),
+            ("probability of improvement", f"{name}, far apart"): (
+                analysis.probability_of_improvement(scores, _further(other))
             ),
         }
 

@@ -1,4 +1,4 @@
-"""How often a team is said to become stronger, by kind of race, runs and generations.
+"""How often a team is said to become stronger, and a race to cycle, by kind of race.
 
     python evolution/judgement_gains.py           300 groups of each kind, about 12 minutes
     python evolution/judgement_gains.py --quick   a few groups, seconds
@@ -50,8 +50,41 @@ def share_of_gains(kind: str, effect: float, n: int, runs: int, groups: int) -> 
     return float(np.mean(found))
 
 
+RACES = 100
+RETURN = ("cycle", "rock-paper-scissors", "cycle on a climb", "period 2")
+NO_RETURN = ("switch of style", "three styles", "slow turn", "new styles", "forgetting", "drift")
+"""Kinds whose strategies return, and kinds whose strategies do not; both with an effect of 1."""
+
+
+def verdicts_on_circles(kind: str, n: int, races: int) -> list[str]:
+    """Return the shares of intransitivity present, cycling present, and cycling absent."""
+    found = []
+    for seed in range(FIRST_SEED, FIRST_SEED + races):
+        [race] = synthetic_races(kind, n, seed)
+        scores = play_episodes(race.rates, 10, np.random.default_rng([seed, 6, n]), evaders=30)
+        judged = analysis.judge(scores, per_episode=True).windows["whole"]
+        cycling = judged["cycling"].verdict
+        present = judged["intransitivity"].verdict == "present"
+        found.append((present, cycling == "present", cycling == "absent"))
+    return [f"{share:.0%}" for share in np.mean(found, axis=0)]
+
+
+def circles(races: int) -> str:
+    """Return the table of kinds that are intransitive, and of those that also cycle."""
+    heads = ("strategies", "kind", "generations", "intransitivity present", "cycling present",
+             "cycling absent")  # fmt: skip
+    rows = [
+        [what, kind, str(n), *verdicts_on_circles(kind, n, races)]
+        for what, kinds in (("return", RETURN), ("do not return", NO_RETURN))
+        for kind in tqdm(kinds, disable=None)
+        for n in GENERATIONS
+    ]
+    text = f"# Races that are said to cycle\n\n{races} single races of each kind, over all of it."
+    return f"{text}\n\n{table(heads, rows)}\n"
+
+
 def main() -> None:
-    """Write the table."""
+    """Write the tables."""
     parser = script_parser(__doc__, quick="3 groups of each kind")
     parser.add_argument("--results", type=Path, default=Path("judgement"))
     args = parser.parse_args()
@@ -70,6 +103,7 @@ def main() -> None:
     heads = ("truth", "kind", "effect", "generations", *(f"runs: {runs}" for runs in RUNS))
     text = f"# Teams that are said to gain\n\n{__doc__.split(chr(10) * 2)[2]}\n\n"
     text += f"{groups} groups, {2 * groups} teams, in each cell.\n\n{table(heads, rows)}\n"
+    text += f"\n{circles(3 if args.quick else RACES)}"
     args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "gains.md").write_text(text, encoding="utf-8")
     print(text)
