@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from itertools import combinations
 
 import numpy as np
@@ -19,7 +20,7 @@ from matrices import (
     staircase,
 )
 from matrixworld import analysis
-from matrixworld.analysis.cycles import strongest_checkerboards
+from matrixworld.analysis.cycles import _margins, strongest_checkerboards
 from matrixworld.analysis.payoffs import logits
 from matrixworld.analysis.progress import lag_rise, swing
 
@@ -144,6 +145,16 @@ def test_constant_and_tiny_matrices_have_no_share() -> None:
     assert np.isnan(analysis.transitive_share(np.full((4, 5), 0.1)))
     assert np.isnan(analysis.transitive_share(np.full((4, 5), 0.1), logits=True))
     assert np.isnan(analysis.checkerboards([[0.0, 1.0]]).share)
+
+
+def test_checkerboards_of_many_generations_take_less_time_than_their_margins() -> None:
+    matrix = np.random.default_rng(0).random((120, 120))
+    began = time.process_time()
+    found = analysis.checkerboards(matrix, margin=0.1, level=None)
+    counted = time.process_time()
+    slow = sum(np.count_nonzero(_margins(matrix, p) > 0.1) for p in range(len(matrix) - 1))
+    assert found.count == slow
+    assert 2 * (counted - began) < time.process_time() - counted
 
 
 @given(payoffs(), margins, st.none() | sixteenths)
