@@ -160,16 +160,6 @@ def test_bad_options_are_refused_before_anything_is_measured(options, message):
     assert Path("old.json").read_text() == "precious"
 
 
-def test_kernels_that_do_not_exist(monkeypatch):
-    message = "MATRIXWORLD_KERNELS: expected base"
-
-    def refuse() -> str:
-        raise ValueError(message)
-
-    monkeypatch.setattr(bench._core, "kernel_level", refuse)
-    assert f"Error: {message}" in matrixworld_command(*QUICK, code=1).stderr
-
-
 def test_a_wrong_answer_of_worlds_ends_it(monkeypatch):
     views = mw.World.views
     monkeypatch.setattr(mw.World, "views", lambda world: 1 - views(world))

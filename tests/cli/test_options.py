@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 import shutil
+import subprocess
+import sys
 from collections import defaultdict
 from pathlib import Path
+from unittest.mock import Mock
 
 import click
 import numpy as np
 import pytest
 
 from command_line import matrixworld_command
-from matrixworld.cli import main
+from matrixworld.cli import main, options
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings import MOST_SEED
 
@@ -142,3 +146,45 @@ def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
     said = matrixworld_command(*words, code=130).stderr
     assert said.endswith(f"To start again:\n  {shlex.join(['matrixworld', *map(str, words)])}\n")
     assert "Aborted" not in said
+
+
+# Environment variables
+
+
+@pytest.mark.parametrize("name", main.commands)
+def test_kernels_that_do_not_exist_are_told_in_a_sentence(name: str, monkeypatch):
+    message = "MATRIXWORLD_KERNELS: expected base"
+    monkeypatch.setattr(options._core, "kernel_level", Mock(side_effect=ValueError(message)))
+    assert matrixworld_command(name, "--help", code=1).stderr == f"Error: {message}\n"
+
+
+@pytest.mark.parametrize(
+    ("variable", "message"),
+    [
+        ("MATRIXWORLD_KERNELS", "MATRIXWORLD_KERNELS: expected base, x86-64-v3 or"),
+        ("MPLBACKEND", "MPLBACKEND: 'wrong' is not a valid value"),
+    ],
+)
+def test_a_wrong_environment_variable_is_told_in_a_sentence(variable: str, message: str):
+    done = started("playground", {variable: "wrong"})
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith(f"Error: {message}")
+    assert len(done.stderr.splitlines()) == 1
+    assert list(Path().iterdir()) == []
+
+
+def test_pages_are_written_without_docstrings():
+    done = started("playground", {"PYTHONOPTIMIZE": "2"})
+    assert done.returncode == 0, done.stderr
+    assert Path("playground.html").exists()
+
+
+def started(command: str, environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    """Run a command in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "matrixworld", command],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )

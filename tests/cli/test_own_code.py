@@ -171,6 +171,14 @@ def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine)
     assert "matrixworld evolve --resume out" in done.stderr
 
 
+def test_a_learner_that_exits_is_a_failure():
+    options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "own_code:Exits"})
+    said = matrixworld_command("evolve", "--out", "out", *options, code=1).stderr
+    expected = "learner own_code:Exits: tell: expected code that returns, got sys.exit(0)"
+    assert said.splitlines()[-1] == f"Error: {expected}"
+    assert "matrixworld evolve --resume out" in said
+
+
 def test_help_lists_installed_learners_and_samplers(tmp_path):
     info = tmp_path / "mypkg-1.0.dist-info"
     info.mkdir()

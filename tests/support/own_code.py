@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 
 from matrixworld.coevolution.opponents import LAPCA, ArchiveSampler, Stateless
@@ -118,3 +120,10 @@ ANSWER = 42
 
 def unannotated(genome, samples):
     return HillClimber(genome, samples)
+
+
+class Exits(HillClimber):
+    """Ends the program, as a script does that was made a learner."""
+
+    def tell(self, fitness):
+        sys.exit(0)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.coevolution import tournament
 from rows import NAMES, config_of, random_actions
 
 MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
@@ -267,3 +268,20 @@ def test_a_batch_keeps_its_arrays_alive() -> None:
     array = rewards()
     assert array is not None
     assert (array != 0).all()
+
+
+def test_small_integers_of_numpy_are_integers() -> None:
+    """A product with one of them would overflow."""
+    small, match = np.int8, mw.Matches.of(0, 0, 0)
+    batch = mw.Batch(small(2), rows=small(9), max_steps=small(99), threads=small(1))
+    assert batch.reset(small(3), episode=small(4))["seed"].tolist() == [3, 4]
+    for number in (small(2), np.int64(2), np.uint8(2)):
+        assert mw.rollout(
+            "O", "still", "still", match, episodes=number, threads=number
+        ).length.shape == (1, 2)
+    network = mw.Network.for_config(batch.config, ())
+    team = mw.Population(network.initial(np.random.default_rng(0)), network)
+    played = tournament(
+        batch.config, team, team, seed=small(0), episodes=small(2), threads=small(1)
+    )
+    assert played.capture_rates.shape == (1, 1, 2)

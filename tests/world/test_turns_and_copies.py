@@ -142,3 +142,18 @@ def test_an_array_of_another_type_is_refused() -> None:
     snapshot = snapshot_of(mw.World(CONFIG))
     with pytest.raises(TypeError):
         mw.World.at(CONFIG, snapshot | {"cells": np.zeros(5, np.float64)})
+
+
+@pytest.mark.parametrize("name", sorted(mw.World(CONFIG)._core.snapshot()))
+@pytest.mark.parametrize("value", ["x", None, 1.5, [1]])
+def test_an_entry_of_another_type_is_refused(name: str, value: object) -> None:
+    snapshot = snapshot_of(mw.World(CONFIG)) | {name: value}
+    with pytest.raises(TypeError, match=rf"^snapshot, {name}: expected \w+, got "):
+        mw.World.at(CONFIG, snapshot)
+
+
+def test_something_else_than_a_snapshot_is_refused() -> None:
+    with pytest.raises(TypeError, match="^config: expected a matrixworld.WorldConfig, got 'O'"):
+        mw.World.at("O", snapshot_of(mw.World(CONFIG)))  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="^snapshot: expected a dict, got None"):
+        mw.World.at(CONFIG, None)  # type: ignore[arg-type]

@@ -14,6 +14,8 @@ from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.memory import OutOfMemoryError
 from matrixworld.cli.console import command
 from matrixworld.coevolution.jobs.evolve import JOB
+from matrixworld.coevolution.learners.learner import DivergedError
+from matrixworld.coevolution.own_code import ExitError
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.storage import OtherVersionError, run_directories
 from matrixworld.version import MissingExtraError
@@ -84,6 +86,8 @@ def resume_command(root: Path) -> str:
 FAILURES = (
     BrokenExecutor,  # a lost cluster
     DamagedFileError,
+    DivergedError,
+    ExitError,
     LockedError,
     MissingExtraError,
     OSError,

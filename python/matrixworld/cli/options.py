@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import math
+import os
 import re
 import shlex
 from collections import Counter
@@ -16,6 +18,7 @@ from typing import Any, TypeVar
 import click
 from click.core import ParameterSource
 
+from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, printable, save_json
 from matrixworld.cli.arguments import failures
@@ -283,6 +286,17 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
         say(f"\nWritten: {file}")
 
 
+def check_environment() -> None:
+    """Raise click.ClickException for a value that the engine or Matplotlib would refuse later."""
+    try:
+        _core.kernel_level()  # reads MATRIXWORLD_KERNELS
+        if "MPLBACKEND" in os.environ:  # only then: the import takes a third of a second
+            importlib.import_module("matplotlib")
+    except ValueError as error:
+        message = str(error).replace("Key backend", "MPLBACKEND")
+        raise click.ClickException(message) from error
+
+
 class Commands(click.Group):
     """A group of commands; Ctrl-C says how to go on."""
 
@@ -297,6 +311,7 @@ class Commands(click.Group):
         """Run the command; after Ctrl-C, print the command that starts it again."""
         try:
             with failures():  # options are read here, too, and name files
+                check_environment()
                 return super().invoke(ctx)
         except click.ClickException as error:
             # It may quote a name or a file; the attribute is final for others.

@@ -41,6 +41,10 @@ class PluginError(RuntimeError):
     """
 
 
+class ExitError(PluginError):
+    """Code from outside the package wanted to end the process."""
+
+
 # Names and settings, as data:
 
 
@@ -181,8 +185,8 @@ class Plugin:
             raise ValueError(
                 f"{self.title}: expected settings that it accepts, got {own} ({error})"
             ) from error
-        except Exception as error:
-            raise PluginError(f"{self.title}: {described(error)}") from error
+        except (Exception, SystemExit) as error:
+            raise plugin_error(self.title, error) from error
         expected = (*self.interface.attributes, *self.interface.methods)
         for name in expected:
             # Not by hasattr, which would compute a property.
@@ -239,7 +243,7 @@ def _path_of(name: str, interface: Interface) -> str:
 def _imported(name: str, module: str, interface: Interface) -> Any:
     try:
         return import_module(module)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         # A module that exists may fail to import another one: then the error names that one.
         missing = isinstance(error, ModuleNotFoundError) and error.name
         if missing and f"{module}.".startswith(f"{missing}."):
@@ -247,12 +251,14 @@ def _imported(name: str, module: str, interface: Interface) -> Any:
                 f"{interface.what}: expected a module that can be imported, got {name!r} "
                 f"({error}); install the package that has it, or put its folder on PYTHONPATH"
             ) from error
-        raise PluginError(f"{interface.what} {name}: import: {described(error)}") from error
+        raise plugin_error(f"{interface.what} {name}: import", error) from error
 
 
-def described(error: Exception) -> str:
-    """Return an error as messages name it."""
-    return f"{type(error).__name__}: {error}"
+def plugin_error(where: str, error: BaseException) -> PluginError:
+    """Return what stands for an error of code from outside the package."""
+    if isinstance(error, SystemExit):
+        return ExitError(f"{where}: expected code that returns, got sys.exit({error.code!r})")
+    return PluginError(f"{where}: {type(error).__name__}: {error}")
 
 
 # Instances whose results are checked:
@@ -275,8 +281,8 @@ class Checked:
             return found(*args) if callable(found) else found
         except PluginError:
             raise
-        except Exception as error:
-            raise PluginError(f"{self.title}: {name}: {described(error)}") from error
+        except (Exception, SystemExit) as error:
+            raise plugin_error(f"{self.title}: {name}", error) from error
 
     def refused(self, name: str, expected: str, got: Any) -> PluginError:
         """Return the error for what an attribute or a method has given."""

@@ -178,7 +178,8 @@ def _field(name: str) -> dict[str, Any]:
         {"name": value.name if isinstance(value, Enum) else str(value).lower(), "label": text}
         for value, text in texts.items()
     ]
-    return {"name": name, "label": LABELS[name], "text": _documented()[name], "values": values}
+    text = _documented().get(name, "")  # without docstrings (python -OO) there are none
+    return {"name": name, "label": LABELS[name], "text": text, "values": values}
 
 
 def _documented() -> dict[str, str]:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld import _core
-from matrixworld._util.checks import SEED_MAX, check_integer
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, shown
 from matrixworld._util.memory import check_memory
 from matrixworld.episodes.render import Scene
 from matrixworld.world.arrays import (
@@ -331,9 +331,19 @@ class World(WorldArrays):
     def at(
         cls, config: WorldConfig, moment: dict[str, Any], keeps_conflicts: bool = False
     ) -> World:
-        """Return a world that continues from a snapshot of the engine."""
+        """Return a world that continues from a snapshot of the engine.
+
+        Raises ValueError or TypeError unless the snapshot is of a world of this configuration.
+        """
+        check_instance("config", config, WorldConfig)
         world = cls.__new__(cls)
         world._begin(config, keeps_conflicts)
+        if not isinstance(moment, dict):
+            raise TypeError(f"snapshot: expected a dict, got {shown(moment)}")
+        for name, own in world._core.snapshot().items():
+            given, kind = moment.get(name, own), type(own)
+            if not isinstance(given, kind):
+                raise TypeError(f"snapshot, {name}: expected {kind.__name__}, got {shown(given)}")
         # The engine's world starts anew with the same settings and is then set to the moment.
         world._core.restore(moment)
         return world

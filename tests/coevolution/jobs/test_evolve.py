@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from executors import Reversed
-from matrixworld._util.files import load_json, save_json
+from matrixworld._util.files import TEMPORARY, load_json, save_json
 from matrixworld.coevolution import (
     DamagedFileError,
     DisengagementWarning,
@@ -392,6 +392,14 @@ def test_the_rate_does_not_count_what_was_played_before(tmp_path, monkeypatch):
     assert seen[-1].before > 0.25 * seen[-1].total / 2
     assert seen[-1].done - seen[-1].before < 0.2 * seen[-1].total
     assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].runs.values())).total)
+
+
+def test_what_a_killed_program_left_is_removed(tmp_path):
+    left = tmp_path / "job" / f".0123456789abcdef{TEMPORARY}"
+    left.parent.mkdir()
+    left.write_bytes(b"half")
+    evolve({"a": tiny_race(), "b": tiny_race(seed=6)}, tmp_path / "job", threads=1)
+    assert not left.exists()
 
 
 def test_a_single_run_is_played_in_this_process_with_the_same_files(

@@ -291,3 +291,14 @@ def test_a_device_that_is_missing_is_refused_before_anything_is_written(
 def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "torch", None)
     assert isinstance(tiny_race(**LEARNER), RaceSettings)
+
+
+@pytest.mark.parametrize("switch", ["no_grad", "inference_mode"])
+def test_it_learns_where_a_caller_has_switched_gradients_off(switch, tmp_path):
+    torch = pytest.importorskip("torch")
+    settings = tiny_single(learner="actor-critic", population=3, actor_rate=0.01, epochs=2)
+    plain, within = (start(settings, tmp_path / name, threads=1) for name in ("plain", "within"))
+    plain.run()
+    with getattr(torch, switch)():
+        within.run()
+    np.testing.assert_array_equal(within.genomes("pursuer"), plain.genomes("pursuer"))

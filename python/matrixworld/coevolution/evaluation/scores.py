@@ -269,7 +269,7 @@ def score_population(
     check_instance("config", config, WorldConfig)
     check_choice("team", team, TEAMS)
     check_instance("population", population, Population)
-    check_integer("episodes", episodes, 2)
+    episodes = check_integer("episodes", episodes, 2)
     check_threads(threads)
     if opponents is None:
         opponents, left_out = opponents_of(team, config)
@@ -456,8 +456,8 @@ def score_policy(
     """
     config = WorldConfig.of(config)
     check_choice("team", team, TEAMS)
-    check_integer("episodes", episodes, 2)
-    check_integer("seed", seed, 0, SEED_MAX)
+    episodes = check_integer("episodes", episodes, 2)
+    seed = check_integer("seed", seed, 0, SEED_MAX)
     left_out = ""
     if opponents is None:
         opponents, left_out = opponents_of(team, config)

@@ -85,7 +85,7 @@ def tournament(
     """
     for name, team in (("pursuers", pursuers), ("evaders", evaders)):
         check_team(name, team)
-    check_integer("episodes", episodes, 1)
+    episodes = check_integer("episodes", episodes, 1)
     check_threads(threads)
     size = _count(pursuers), _count(evaders)
     # The statistics of all episodes are kept until the end.

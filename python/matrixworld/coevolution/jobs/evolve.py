@@ -24,6 +24,7 @@ from matrixworld._util.files import (
     load_json,
     locked,
     one_line,
+    remove_temporary_files,
     save_json,
 )
 from matrixworld._util.memory import check_memory
@@ -351,6 +352,8 @@ def play_job(
     root.mkdir(parents=True, exist_ok=True)
     # A run that is a job of its own locks its directory itself.
     with nullcontext() if ITSELF in job else locked(root / LOCK):
+        if executor is None:  # or one of them may be a cluster's probe
+            remove_temporary_files(root)
         if keep:
             # Again, because another process may have begun a job before this one got the lock.
             check_directory(root, job)

@@ -210,6 +210,7 @@ class ActorCriticSettings(LearnerSettings):
     by_gradients: ClassVar[bool] = True
     rounds_by_processor: ClassVar[bool] = True
     keeps_fixed_genes: ClassVar[bool] = True
+    steps: ClassVar[tuple[str, ...]] = ("actor_rate", "critic_rate")
 
     population: int = setting(1, "matches per epoch", least=1)
     actor_rate: float = setting(3e-4, "learning rate of the actor", positive=True)
@@ -333,14 +334,16 @@ class ActorCritic:
     def tell(self, fitness: ArrayLike) -> None:
         """Do nothing: this learner has learned from the transitions, and fitness is for the log."""
 
+    @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def learn(self, experience: Experience) -> None:
         """Improve actor and critics by the transitions of one epoch."""
         # With more threads PyTorch adds in another order: results would depend on the machine's
         # cores.
         before = self._torch.get_num_threads()
         self._torch.set_num_threads(1)
-        try:
-            self._learn(experience)
+        try:  # also where a caller has switched gradients off
+            with self._torch.inference_mode(mode=False), self._torch.enable_grad():
+                self._learn(experience)
         finally:
             self._torch.set_num_threads(before)
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
+from matrixworld.coevolution.learners.learner import DivergedError, LearnerSettings, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import (
     FloatArray,
@@ -111,7 +111,7 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         return np.zeros(self.lambda_, dtype=np.intp)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
-        """Return the samples; ArithmeticError if they exceed the range of float32."""
+        """Return the samples; DivergedError if they exceed the range of float32."""
         with one_thread():
             normal = rng.standard_normal((self.lambda_, self.dim))
             samples: FloatArray = self.centroid + self.sigma * np.dot(normal, self.BD.T)
@@ -119,7 +119,7 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         with np.errstate(over="ignore"):
             candidates: Genomes = samples.astype(np.float32)
         if not np.isfinite(candidates).all():
-            raise ArithmeticError(
+            raise DivergedError(
                 f"candidates: expected finite genes, got a step size of {self.sigma:g} "
                 f"and deviations along the axes from {self.diagD[0]:g} to "
                 f"{self.diagD[-1]:g}; start with a smaller sigma, or stop earlier"

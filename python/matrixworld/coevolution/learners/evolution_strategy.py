@@ -111,6 +111,7 @@ class EvolutionStrategy:
         done = min(1.0, self._optimizer.updates / self.anneal_over)
         return self.learning_rate * (1.0 - (1.0 - ANNEALED_RATE) * done)
 
+    @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the samples: half of them, then their mirror images in the same order."""
         pairs = self.samples // 2
@@ -123,6 +124,7 @@ class EvolutionStrategy:
             np.subtract(self.genome, noise, out=minus[i])
         return candidates.reshape(self.samples, -1)
 
+    @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def tell(self, fitness: ArrayLike) -> None:
         """Move the mean towards the better samples."""
         if not self._noise:
@@ -163,6 +165,7 @@ class EvolutionStrategySettings(LearnerSettings):
 
     kind: ClassVar[str] = "es"
     keeps_fixed_genes: ClassVar[bool] = True
+    steps: ClassVar[tuple[str, ...]] = ("learning_rate", "sigma")
 
     sigma: float = setting(
         0.1, "standard deviation of the samples", by={"against pursuer": 0.15}, positive=True

@@ -192,6 +192,7 @@ class GeneticAlgorithm(Saved):
         """Zeros (n,): all candidates are scored on one match seed."""
         return np.zeros(len(self.population), dtype=np.intp)
 
+    @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the next population: at first as given, later elites and then children."""
         self._candidates = self._offspring(rng) if len(self.fitness) else self.population
@@ -228,6 +229,7 @@ class GeneticAlgorithmSettings(LearnerSettings):
 
     kind: ClassVar[str] = "ga"
     keeps_fixed_genes: ClassVar[bool] = True
+    steps: ClassVar[tuple[str, ...]] = ("mutation",)
 
     mutation: float = setting(MUTATION, "standard deviation of a mutation", positive=True)
     crossover: float = setting(0.0, "probability that a child has two parents", most=1.0)

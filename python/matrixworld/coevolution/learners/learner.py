@@ -27,6 +27,10 @@ if TYPE_CHECKING:  # both import this module
     from matrixworld.coevolution.settings import RaceSettings
 
 
+class DivergedError(ArithmeticError):
+    """A learner of the package has left the range of float32; the run holds what was before."""
+
+
 class Learner(Stateful, Protocol):
     """The interface of learners: ask for candidates, tell their fitness.
 
@@ -111,6 +115,8 @@ class LearnerSettings(Section):
     """Whether results depend on the kind of processor, which workers of a cluster then share."""
     keeps_fixed_genes: ClassVar[bool] = False
     """Whether the learner leaves genes as they are, such as those of a mask."""
+    steps: ClassVar[tuple[str, ...]] = ()
+    """Settings that say how far the learner goes at a time: too far, if it diverges."""
 
     population: int = setting(
         48, "candidates per epoch", by={"hall-of-fame": 24, "against": 128}, least=2
@@ -128,6 +134,14 @@ class LearnerSettings(Section):
 
     def check_run(self, run: RaceSettings) -> None:
         """Raise ValueError if the learner cannot work with the other settings of a run."""
+
+    def diverged(self) -> DivergedError:
+        """Return the error for genes that are not finite."""
+        named = [f"learner.{name} (now {getattr(self, name):g})" for name in self.steps]
+        return DivergedError(
+            f"learner {self.kind}: expected finite genes, got NaN or infinity: it diverges; lower "
+            f"{' or '.join(named)}"
+        )
 
     @abstractmethod
     def new(
@@ -198,7 +212,8 @@ class NoiseTable:
         self._fixed = fixed
         numbers = size + min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
         self._numbers = rng.standard_normal(numbers, dtype=np.float32)
-        self._numbers *= np.float32(sigma)
+        with np.errstate(over="ignore"):
+            self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.
         self._numbers.flags.writeable = False
 

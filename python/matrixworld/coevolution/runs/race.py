@@ -107,7 +107,7 @@ class Race(Run):
         phase = TeamPhase(self, team, generation, opponents, sampler, activity)
         phase.learn(range(self.schedule.epochs(team)))
         self.retain(team, generation, before)
-        self.archive[team].append(self.learners[team].genome)
+        self.archive_genome(team)
 
     def retain(self, team: Team, generation: int, before: State) -> None:
         """Undo what a team has learned in a generation if it got worse against all opponents.
@@ -281,7 +281,7 @@ class HallOfFameRace(Race):
             self.training.choose_champion(self.learners[team], team, generation, *met[team])
             self.retain(team, generation, before[team])
         for team in TEAMS:
-            self.archive[team].append(self.learners[team].genome)
+            self.archive_genome(team)
 
     def _evaluate(
         self, generation: int, epoch: int, populations: dict[Team, Genomes]

@@ -172,6 +172,10 @@ class Run(ABC):
 
     # The following methods are the same for all kinds:
 
+    def archive_genome(self, team: Team) -> None:
+        """Add the genome of a team's learner to its archive; DivergedError if it is not finite."""
+        self.archive[team].extend(self.training.population(self.learners[team].genome).genomes)
+
     def check_settings(self) -> None:
         """Raise TypeError or ValueError if this kind of run cannot have these settings."""
         if not isinstance(self.settings, RaceSettings):

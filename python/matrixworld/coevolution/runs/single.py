@@ -122,7 +122,7 @@ class SingleTeam(Run):
         epochs = range(first, min(first + schedule.archive_every, schedule.epochs))
         activity = f"{team}s against {schedule.opponent}"
         TeamPhase(self, team, 1 + stage, self.opponents, RoundRobin(), activity).learn(epochs)
-        self.archive[team].append(self.learners[team].genome)
+        self.archive_genome(team)
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the evaluation."""

@@ -86,8 +86,11 @@ class TrainingMatches:
     # Playing:
 
     def population(self, genomes: Genomes) -> Population:
-        """Return genomes (n, genes) as a population of the run's network."""
-        return Population(genomes, self.network)
+        """Return genomes (n, genes) as a population; DivergedError if one is not finite."""
+        try:
+            return Population(genomes, self.network)
+        except ValueError as error:
+            raise self.settings.learner.diverged() from error
 
     def play(
         self, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches
