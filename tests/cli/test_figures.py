@@ -50,9 +50,11 @@ def drawn(monkeypatch):
 def test_a_figure_of_the_game_needs_no_run(name):
     assert figures_command("--figure", name, "--format", "svg").output == f"{name}.svg\n"
     assert Path(f"{name}.svg").read_bytes().startswith(BEGINS["svg"])
-    again = matrixworld_command(
-        "explore", "--figures", "--figure", name, "-o", f"{name}.svg", code=2
-    ).stderr
+    same = ["explore", "--figures", "--figure", name, "-o", f"{name}.svg"]
+    # What the command has drawn is drawn again; a file of the user's is kept.
+    assert matrixworld_command(*same).output == f"{name}.svg\n"
+    Path(f"{name}.svg").write_text("mine")
+    again = matrixworld_command(*same, code=2).stderr
     assert f"{name}.svg: exists; give --force to replace it" in again
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shlex
 import shutil
@@ -117,6 +118,14 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
     assert file.read_bytes() != b"precious"
     for kept in ("config.json", "pursuers.npy", "payoff.npz", "summary.json", "stage-0001.npz"):
         assert (run / kept).read_bytes() == before[run / kept]
+
+
+def test_numbers_on_standard_output(run):
+    for command in (["judge", "run"], ["score", "run", "--episodes", 2]):
+        done = matrixworld_command(*command, "--json", "-")
+        assert [*json.loads(done.stdout)["groups"]] == ["run"]
+        assert "run" in done.stderr
+    assert not Path("-").exists()
 
 
 @pytest.mark.parametrize("force", [[], ["--force"]])

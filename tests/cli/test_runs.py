@@ -137,7 +137,7 @@ def test_replay_cannot_explain_a_recording_without_conflicts():
     ("options", "code", "message"),
     [
         (["nothing"], 2, f"or a variant ({', '.join(VARIANTS)}), got 'nothing'"),
-        (["several"], 2, "expected one run, got a directory of several: several/1, several/2"),
+        (["several"], 2, "expected one of its 2 races, got none; --race NAME with 1, 2"),
         (["{race}", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
         (["{race}/log.csv"], 1, "cut, altered or not an npz file"),
         (["{race}/log.csv", "--episode", "1"], 2, "expected no --episode"),
@@ -159,6 +159,41 @@ def test_replay_refuses(race, options, code, message):
         start(tiny_race(), f"several/{name}")
     args = [option.format(race=race) for option in options]
     assert message in matrixworld_command("replay", *args, code=code).stderr
+
+
+def test_commands_take_the_directory_of_several_races(race):
+    """Those that need one race choose it by its name; the others take each in turn."""
+    for seed in (1, 2):
+        start(tiny_race(seed=seed), f"job/hall/seed-{seed}", threads=1).run()
+    one = ["--race", "hall/seed-2"]
+    exported = ["class", "export", "job", *one, "--team", "pursuer", "--out", "champion.npz"]
+    matrixworld_command(*exported)
+    matrixworld_command("replay", "job", *one, "--out", "one.npz")
+    matrixworld_command("replay", "job/hall/seed-2", "--out", "two.npz")
+    assert Path("one.npz").read_bytes() == Path("two.npz").read_bytes()
+    champion = ["--pursuer", "champion.npz"]
+    # The last generation again, which meets the evader as generation 0 does.
+    matrixworld_command("replay", "job", *one, *champion, "--out", "again.npz")
+    seen = open_run("job/hall/seed-2")
+    alone = replace(seen, teams={**seen.teams, "pursuer": seen.policy("pursuer").population()})
+    assert Episode.load(Path("again.npz")).length == alone.record(pursuer=0).length
+    refused = matrixworld_command("replay", "job", "--evader", "champion.npz", *one, code=2)
+    assert "--evader: expected a file of evaders, got one of pursuers" in refused.stderr
+    said = matrixworld_command("tournament", "job", "--episodes", 2).stdout
+    assert [f"\njob/hall/seed-{seed}\n" in said for seed in (1, 2)] == [True, True]
+    refused = matrixworld_command("tournament", "job", "--out", "x.npz", code=2)
+    assert "--out: expected one race in RUN, got 2; --race NAME chooses one" in refused.stderr
+
+
+def test_a_film_of_a_long_episode_takes_about_ten_seconds(monkeypatch):
+    seen = {}
+    monkeypatch.setattr(replay, "save", lambda *args, **look: seen.update(look))
+    still = ["replay", "O", "--pursuer", "still", "--evader", "still", "--steps", 400]
+    said = matrixworld_command(*still, "--out", "x.gif").stdout
+    assert said.startswith("Every 4 steps are a frame, so that it takes about 10 seconds.\n")
+    assert seen["every"] == 4
+    assert "Every" not in matrixworld_command(*still, "--out", "x.gif", "--every", 1).stdout
+    assert seen["every"] == 1
 
 
 def test_all_figures_are_drawn_and_races_side_by_side(run):

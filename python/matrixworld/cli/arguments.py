@@ -54,13 +54,32 @@ def run_name(path: Path) -> str:
 
 
 def run_in(
-    path: str, setting: str | None = None, expected: str = "a directory that holds a run"
+    path: str,
+    setting: str | None = None,
+    expected: str = "a directory that holds a run",
+    race: str | None = None,
 ) -> Path:
-    """Return the run of a directory that is one or holds exactly one; else name the setting."""
+    """Return the run of a directory that is one or holds exactly one; else name the setting.
+
+    Of several runs `race` chooses the one below the directory of this name.
+    """
     runs = find_runs(Path(path))
+    if race is not None:
+        wanted = PurePath(race).parts
+        runs = [run for run in runs if _named(run.relative_to(path), wanted)] or runs
     if len(runs) == 1:
         return runs[0]
     got = repr(path)
+    if runs and setting is None:
+        below = [run.relative_to(path) for run in runs]
+        # The seed is left out where there is one only.
+        short = list(dict.fromkeys(name.parts[0] for name in below))
+        known = short if len(short) == len(below) else list(map(str, below))
+        listed = ", ".join([*known[:MOST_NAMES], *["..."] * (len(known) > MOST_NAMES)])
+        raise click.UsageError(
+            f"{path}: expected one of its {len(runs)} races, got {race or 'none'}; --race NAME "
+            f"with {listed}"
+        )
     if runs:
         expected = "one run"
         names = ", ".join([*map(str, runs[:MOST_NAMES]), *["..."] * (len(runs) > MOST_NAMES)])
@@ -69,8 +88,31 @@ def run_in(
 
 
 def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
-    """Return the run of a directory, as a callback of an argument."""
-    return None if value is None else run_in(value)
+    """Return the run of a directory, as a callback of an argument; --race chooses among several."""
+    return None if value is None else run_in(value, race=ctx.meta.get(RACE))
+
+
+def _named(name: PurePath, wanted: tuple[str, ...]) -> bool:
+    return name.parts[: len(wanted)] == wanted or name.parts[-len(wanted) :] == wanted
+
+
+def _keep_race(ctx: click.Context, param: click.Parameter, value: str | None) -> None:
+    if value is not None:
+        ctx.meta[RACE] = value
+
+
+RACE = "matrixworld.race"
+"""Key in the context of a command that takes one run, of the race that is chosen."""
+
+# Eager: the argument is read after it.
+race_option = click.option(
+    "--race",
+    metavar="NAME",
+    is_eager=True,
+    expose_value=False,
+    callback=_keep_race,
+    help="which race of RUN, if it holds several, such as hall-of-fame or hall-of-fame/seed-3",
+)
 
 
 def can_resume(path: Path) -> bool:

@@ -16,7 +16,7 @@ from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.standings import Standing, standings
 from matrixworld.classroom.submissions import save_genome
 from matrixworld.classroom.tournament import ClassResult, play_class
-from matrixworld.cli.arguments import failures, run_of
+from matrixworld.cli.arguments import failures, race_option, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
@@ -134,7 +134,8 @@ def play_command(
     """
     with failures():
         page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
-        refuse_existing(page, json_file, force=force)
+        # The page is the only record of a tournament whose files may have changed.
+        refuse_existing(page, json_file, force=force, redraws=False)
         config, limits = _checked(options)
         if trust:
             note("Programs run with the rights of your own (--trust).")
@@ -200,6 +201,7 @@ SUFFIX = ".npz"
 
 @class_command.command("export")
 @click.argument("run", callback=run_of)
+@race_option
 @click.option(
     "--team", type=click.Choice(TEAMS), required=True, metavar="TEAM", help="pursuer or evader"
 )

@@ -31,9 +31,14 @@ def progress(unit: str = "matches") -> ProgressBar:
     return ProgressBar(unit, sys.stderr)
 
 
+TO_STDOUT = "matrixworld.json"
+"""Key in the context of a command whose numbers take standard output, and its text the other."""
+
+
 def say(text: object = "", *, bold: bool = False) -> None:
     """Print text, whatever names and files have brought into it; all commands print so."""
-    click.secho(printable(text), bold=bold)
+    context = click.get_current_context(silent=True)
+    click.secho(printable(text), bold=bold, err=context is not None and TO_STDOUT in context.meta)
 
 
 def note(text: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import math
 import os
 import re
@@ -22,7 +23,7 @@ from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, printable, save_json
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import INTERRUPTED, note, say
+from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
 from matrixworld.cluster import UnfitWorkerError, check_where, cluster
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP
@@ -94,12 +95,22 @@ threads_option = click.option(
     metavar="INTEGER",
     help="threads that play matches  [default: one per usable core]",
 )
+STDOUT = Path("-")
+
+
+def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
+    if value == STDOUT:
+        ctx.meta[TO_STDOUT] = True
+    return value
+
+
 json_option = click.option(
     "--json",
     "json_file",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="write the numbers to this file, too",
+    callback=_json,
+    help="write the numbers to this file, too; -: to standard output, and the text to the other",
 )
 force_option = click.option("--force", is_flag=True, help="replace files that exist")
 
@@ -259,13 +270,15 @@ def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def refuse_existing(*files: Path | None, force: bool) -> None:
+def refuse_existing(*files: Path | None, force: bool, redraws: bool = True) -> None:
     """Raise click.UsageError for the first output file that must not, or cannot, be written.
 
     To be called before anything is played or written, so that a refusal costs no time and leaves
     no part of the output behind.
     """
-    for file in filter(None, files):
+    for file in files:
+        if file is None or file == STDOUT:
+            continue
         if not file.parent.is_dir():
             raise click.UsageError(
                 f"{file}: expected a directory that exists, got {str(file.parent)!r}"
@@ -275,13 +288,34 @@ def refuse_existing(*files: Path | None, force: bool) -> None:
         except FileExistsError as error:
             # Even with --force: a directory may hold a run, and a link may point to any file.
             raise click.UsageError(str(error)) from error
-        if file.exists() and not force:
+        if file.exists() and not (force or (redraws and is_drawn(file))):
             raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
+DRAWN = (
+    b'name="generator" content="matrixworld',
+    b"Software\0matrixworld",
+    b"/Creator (matrixworld",
+    b"<dc:title>matrixworld<",
+)
+"""What this package writes into pages and figures; they are drawn again without a question."""
+
+
+def is_drawn(file: Path) -> bool:
+    """Return whether a file is a page or a figure that this package has written."""
+    size, part = file.stat().st_size, 4096
+    with file.open("rb") as stream:
+        ends = stream.read(part)
+        stream.seek(max(0, size - part))
+        ends += stream.read()
+    return any(mark in ends for mark in DRAWN)
+
+
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
-    """Write values to the file that --json names, if it is given, and print its name."""
-    if file is not None:
+    """Write values to what --json names, if it is given, and print the name of a file."""
+    if file == STDOUT:
+        click.echo(json.dumps(values, indent=2, allow_nan=False))
+    elif file is not None:
         save_json(file, values)
         say(f"\nWritten: {file}")
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
 import click
 
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
-from matrixworld.cli.arguments import failures, find_runs, run_of
+from matrixworld.classroom.submissions import read_genome
+from matrixworld.cli.arguments import failures, find_runs, race_option, run_of
 from matrixworld.cli.console import say
 from matrixworld.cli.options import (
     FiniteRange,
@@ -27,13 +29,15 @@ from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Script
+from matrixworld.world.policy import SCRIPTS, Population, Script, TeamPolicy
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
 LAST = "-1"
 SLOWEST, FASTEST = 0.1, 50.0
 """Frames a second that a GIF can show: it holds delays in hundredths of a second."""
 SUFFIXES = (".gif", ".mp4", ".png", ".npz")
+SHOWN_SECONDS = 10
+"""About how long a GIF or film takes for which nothing else is asked."""
 CHASER, FLEER = "chaser", "fleer"
 MATCH = {"pursuer", "evader", "episode"}
 """Options that choose an episode of a run; the other ones describe a new game."""
@@ -72,15 +76,17 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 
 @click.command("replay", epilog=EXAMPLES, short_help="Watch an episode, or write it to files.")
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=_source)
+@race_option
 @click.option(
     "--pursuer",
     metavar="WHO",
-    help=f"generation of the run, or script  [default: the last; of a VARIANT {CHASER}]",
+    help="generation of the run, script, or .npz file of class export  [default: the last; of a "
+    f"VARIANT {CHASER}]",
 )
 @click.option(
     "--evader",
     metavar="WHO",
-    help=f"generation of the run, or script  [default: the last; of a VARIANT {FLEER}]",
+    help=f"the same  [default: the last; of a VARIANT {FLEER}]",
 )
 @click.option(
     "--episode",
@@ -114,10 +120,9 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 @click.option(
     "--every",
     type=click.IntRange(1, INT_MAX),
-    default=1,
-    show_default=True,
     metavar="STEPS",
-    help="steps from one frame to the next",
+    help=f"steps from one frame to the next  [default: 1; of a .gif or .mp4 as many as make about "
+    f"{SHOWN_SECONDS} seconds]",
 )
 @click.option(
     "--step",
@@ -146,7 +151,7 @@ def replay_command(
     out: tuple[Path, ...],
     force: bool,
     fps: float,
-    every: int,
+    every: int | None,
     step: int | None,
     explained: bool,
     numbers: bool,
@@ -171,7 +176,7 @@ def replay_command(
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explained):
-        replay.animate_terminal(played, fps=fps, every=every)
+        replay.animate_terminal(played, fps=fps, every=every or 1)
     for line in explanation:
         say(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
@@ -199,7 +204,20 @@ def _explanation(played: Episode, step: int | None) -> list[str]:
     return lines or ["no conflicts" if step is None else f"step {step}  no conflicts"]
 
 
-def _write(played: Episode, out: tuple[Path, ...], *, step: int | None, **look: Any) -> None:
+def _write(
+    played: Episode,
+    out: tuple[Path, ...],
+    *,
+    step: int | None,
+    every: int | None,
+    fps: float,
+    **look: Any,
+) -> None:
+    if every is None:
+        every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
+        if every > 1 and {path.suffix.lower() for path in out} & {".gif", ".mp4"}:
+            say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
+    look |= {"every": every, "fps": fps}
     for path in out:
         if path.suffix.lower() == ".npz":
             played.save(path)
@@ -222,8 +240,27 @@ def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
         _refuse(given, f"{source} is a single episode")
         return Episode.load(source)
     _refuse(given.keys() - MATCH, f"{source} is a run")
-    generations = {team: _generation(team, given.get(team, LAST)) for team in TEAMS}
-    return open_run(source).record(**generations, episode=given.get("episode", 0))
+    run, teams = open_run(source), {team: given.get(team, LAST) for team in TEAMS}
+    files = {team: _of_file(team, who) for team, who in teams.items() if _is_file(who)}
+    generations = {
+        team: 0 if team in files else _generation(team, who) for team, who in teams.items()
+    }
+    # The file's team takes the place of the run's.
+    run = replace(run, teams={**run.teams, **files})
+    return run.record(**generations, episode=given.get("episode", 0))
+
+
+def _is_file(who: str) -> bool:
+    return who.lower().endswith(".npz")
+
+
+def _of_file(team: str, who: str) -> Population:
+    """Return the genome that ``class export`` has written for a team."""
+    path = Path(who)
+    found, population = read_genome(path, path.read_bytes())
+    if found != team:
+        raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
+    return population
 
 
 def _refuse(names: Iterable[str], reason: str) -> None:
@@ -250,9 +287,11 @@ def _scripted(
     steps: int | None = None,
     **world: Any,
 ) -> Episode:
-    for team, script in zip(TEAMS, (pursuer, evader), strict=True):
-        check_choice(team, script, SCRIPTS)
+    teams: list[TeamPolicy] = []
+    for team, who in zip(TEAMS, (pursuer, evader), strict=True):
+        if not _is_file(who):
+            check_choice(team, who, SCRIPTS)
+        teams.append(_of_file(team, who) if _is_file(who) else cast(Script, who))
     # None is no number of steps: WorldConfig has its own default.
     limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
-    teams = cast(Script, pursuer), cast(Script, evader)
     return record(WorldConfig(rules, **limit, **world), *teams, seed=seed, episode=episode)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import click
 
 from matrixworld._util.files import save_arrays
 from matrixworld.analysis import generalization, headline, judge
-from matrixworld.cli.arguments import failures, run_of
+from matrixworld.cli.arguments import RACE, failures, find_runs, race_option, run_in, run_of
 from matrixworld.cli.console import TERMS, progress, say
 from matrixworld.cli.figures import draw, run_title
 from matrixworld.cli.options import (
@@ -30,9 +31,16 @@ from matrixworld.world.policy import Population
 SUFFIX = ".npz"
 
 
+def _runs(ctx: click.Context, param: click.Parameter, value: Path) -> list[Path]:
+    """Return the races of a directory; with --race the one that it names."""
+    race = ctx.meta.get(RACE)
+    return (find_runs(value) if race is None else []) or [run_in(str(value), race=race)]
+
+
 @click.command("tournament")
-@click.argument("run", callback=run_of)
+@click.argument("run", type=click.Path(path_type=Path), callback=_runs)
 @click.argument("other", required=False, metavar="[RUN2]", callback=run_of)
+@race_option
 @episodes_option
 @steps_option
 @seed_option
@@ -41,7 +49,7 @@ SUFFIX = ".npz"
 @threads_option
 @cluster_option
 def tournament_command(
-    run: Path,
+    run: list[Path],
     other: Path | None,
     episodes: int,
     steps: int | None,
@@ -53,7 +61,8 @@ def tournament_command(
 ) -> None:
     """Play every generation against every other.
 
-    The pursuers are those of RUN, the evaders those of RUN or, if given, of RUN2. RUN need not be
+    The pursuers are those of RUN, the evaders those of RUN or, if given, of RUN2. If RUN holds
+    several races, each has its tournament, or --race chooses one. RUN need not be
     finished: the generations that it has are played. Its own files stay as they are.
 
     The payoff is written to an .npz file, and a heat map beside it (.png). With the seed and the
@@ -63,19 +72,42 @@ def tournament_command(
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
     with failures():
-        ours = open_run(run)
-        theirs = ours if other is None else open_run(other)
-        _check_worlds(ours, theirs)
-        steps = steps or ours.settings.world.max_steps
-        against = "" if other is None else f"-against-{other.name}"
-        name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
-        target = _checked(out or run / name, force)
-        payoff = _play(ours, theirs, episodes, steps, seed, threads, where)
-        # Generations of two runs have no common order in time, and are not judged.
-        judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
-        name, rival = run_title(run, ours.settings), run_title(other or run, theirs.settings)
-        shown = f"against evaders of {rival}" if judgement is None else headline(judgement)
-        _save(payoff, target, f"{'pursuers of ' if other else ''}{name}\n{shown}")
+        for option, given in (("RUN2", other), ("--out", out)):
+            if given is not None and len(run) > 1:
+                raise click.UsageError(
+                    f"{option}: expected one race in RUN, got {len(run)}; --race NAME chooses one"
+                )
+        chosen = Chosen(episodes, steps, seed, threads, where)
+        for each in run:
+            _one(each, other, chosen, out, force)
+
+
+class Chosen(NamedTuple):
+    """How the matches of a tournament are played."""
+
+    episodes: int
+    steps: int | None
+    seed: int
+    threads: int | None
+    where: str | None
+
+
+def _one(run: Path, other: Path | None, chosen: Chosen, out: Path | None, force: bool) -> None:
+    """Play the tournament of one race, or of one against another, and print it."""
+    ours = open_run(run)
+    theirs = ours if other is None else open_run(other)
+    _check_worlds(ours, theirs)
+    steps = chosen.steps or ours.settings.world.max_steps
+    against = "" if other is None else f"-against-{other.name}"
+    name = f"tournament{against}-{chosen.episodes}x{steps}-seed{chosen.seed}{SUFFIX}"
+    target = _checked(out or run / name, force)
+    payoff = _play(ours, theirs, chosen.episodes, steps, chosen.seed, chosen.threads, chosen.where)
+    # Generations of two runs have no common order in time, and are not judged.
+    judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
+    title, rival = run_title(run, ours.settings), run_title(other or run, theirs.settings)
+    shown = f"against evaders of {rival}" if judgement is None else headline(judgement)
+    _save(payoff, target, f"{'pursuers of ' if other else ''}{title}\n{shown}")
+    print_head(str(run))
     _print(payoff)
     if judgement is not None:
         print_head(counts(judgement))

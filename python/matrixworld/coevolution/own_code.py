@@ -15,7 +15,9 @@ from __future__ import annotations
 import inspect
 import io
 import math
+import os
 import re
+import sys
 from collections.abc import Callable, Collection, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
@@ -241,6 +243,9 @@ def _path_of(name: str, interface: Interface) -> str:
 
 
 def _imported(name: str, module: str, interface: Interface) -> Any:
+    # An installed command looks for modules where it lies itself, not where the user is.
+    if os.getcwd() not in sys.path:
+        sys.path.append(os.getcwd())
     try:
         return import_module(module)
     except (Exception, SystemExit) as error:

@@ -126,7 +126,11 @@ FORMATS = ("png", "pdf", "svg")
 # TrueType fonts: journals refuse the other kind that Matplotlib writes. No date and no random names
 # of parts, so that files under version control change with the figure only.
 _LOOK: dict[Any, Any] = {"pdf.fonttype": 42, "svg.hashsalt": "matrixworld"}
-_NO_DATE: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
+_METADATA: dict[str, dict[str, Any]] = {
+    "png": {"Software": "matrixworld"},
+    "pdf": {"Creator": "matrixworld", "CreationDate": None},
+    "svg": {"Creator": "matrixworld", "Date": None},
+}
 
 
 def format_of(path: Path) -> str:
@@ -149,5 +153,5 @@ def save_figure(figure: Figure, path: Path) -> Path:
     """
     kind = format_of(path)
     with mpl.rc_context(_LOOK), replacing(path) as file:
-        figure.savefig(file, format=kind, metadata=_NO_DATE.get(kind))
+        figure.savefig(file, format=kind, metadata=_METADATA[kind])
     return path
