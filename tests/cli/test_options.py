@@ -21,11 +21,11 @@ from matrixworld.cli import main, options
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings import MOST_SEED
 
-DIFFERENT = {"--episodes", "--explain", "--each", "--out", "--seconds", "--generation"}
+DIFFERENT = {"--episodes", "--explain", "--each", "--out", "--seconds", "--seed", "--generation"}
 """Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
 many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
-each run; `--out` has another file by default. `class` limits the seconds of programs, and
-`class export` takes one generation."""
+each run; `--out` has another file by default. `class` limits the seconds of programs and
+draws a seed that nobody knows, and `class export` takes one generation."""
 
 BENCH = [word for each in ("rows=7", "cols=6") for word in ("--set", f"world.{each}")]
 

