@@ -22,7 +22,7 @@ ARGUMENTS = {
     "exploit": ["run", "--champion", "pursuer", "--matches", "50", "--episodes", "2"],
     "replay": ["run", "--out", "new.png"],
     "explore": ["run", "--figures"],
-    "bench": words({"rows": 6, "cols": 6, "pursuers": 2, "evaders": 3, "seconds": 0.01}),
+    "bench": ["--set", "world.rows=6", "--set", "world.cols=6", "--seconds", "0.01"],
 }
 """Arguments that make a command valid."""
 LEGAL = {(name, "-1") for name in ("--pursuer", "--evader", "--generation", "--step")}

@@ -64,11 +64,12 @@ def run_in(
     Of several runs `race` chooses the one below the directory of this name.
     """
     runs = find_runs(Path(path))
-    if race is not None:
-        wanted = PurePath(race).parts
-        runs = [run for run in runs if _named(run.relative_to(path), wanted)] or runs
-    if len(runs) == 1:
-        return runs[0]
+    wanted = None if race is None else PurePath(race).parts
+    chosen = [run for run in runs if wanted is None or _named(run.relative_to(path), wanted)]
+    if len(chosen) == 1:
+        return chosen[0]
+    if runs == [Path(path)]:
+        raise click.UsageError(f"--race: expected a directory of several races, got the run {path}")
     got = repr(path)
     if runs and setting is None:
         below = [run.relative_to(path) for run in runs]
@@ -93,7 +94,7 @@ def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Pat
 
 
 def _named(name: PurePath, wanted: tuple[str, ...]) -> bool:
-    return name.parts[: len(wanted)] == wanted or name.parts[-len(wanted) :] == wanted
+    return bool(wanted) and wanted in (name.parts[: len(wanted)], name.parts[-len(wanted) :])
 
 
 def _keep_race(ctx: click.Context, param: click.Parameter, value: str | None) -> None:

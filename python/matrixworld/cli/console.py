@@ -41,6 +41,11 @@ def say(text: object = "", *, bold: bool = False) -> None:
     click.secho(printable(text), bold=bold, err=context is not None and TO_STDOUT in context.meta)
 
 
+def say_to_stdout(values: str) -> None:
+    """Print JSON, whose escapes need no cleaning, where --json asks for standard output."""
+    click.echo(values)
+
+
 def note(text: str) -> None:
     """Write a line to standard error, above a progress bar if there is one."""
     # A plain print would break the bar's line in two.

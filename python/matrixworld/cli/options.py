@@ -23,7 +23,7 @@ from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, printable, save_json
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
+from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say, say_to_stdout
 from matrixworld.cluster import UnfitWorkerError, check_where, cluster
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP
@@ -314,7 +314,7 @@ def is_drawn(file: Path) -> bool:
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
     """Write values to what --json names, if it is given, and print the name of a file."""
     if file == STDOUT:
-        click.echo(json.dumps(values, indent=2, allow_nan=False))
+        say_to_stdout(json.dumps(values, indent=2, allow_nan=False))
     elif file is not None:
         save_json(file, values)
         say(f"\nWritten: {file}")
