@@ -362,7 +362,12 @@ def playing(path: Path) -> Iterator[subprocess.Popen[bytes]]:
     """Run the command with programs that do not answer."""
     write_programs(path, dict.fromkeys("abc", ENDLESS))
     words = [sys.executable, "-m", "matrixworld", "class", str(path), "--wait", "60", "--no-open"]
-    command = subprocess.Popen([*words, "--threads", "2"], stderr=subprocess.DEVNULL)
+    command = subprocess.Popen(
+        [*words, "--threads", "2"],
+        stderr=subprocess.DEVNULL,
+        # A shell's background job ignores Ctrl-C, and what it starts inherits that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
     try:
         last = time.monotonic() + 30.0
         while len(children(command.pid)) < 4 or not any(map(children, children(command.pid))):
