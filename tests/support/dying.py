@@ -11,25 +11,11 @@ from pathlib import Path
 from own_code import HillClimber
 
 
-def die_until(directory: str, deaths: int) -> int:
-    """Kill this process so many times; then return how often it was called."""
-    calls = len(list(Path(directory).iterdir())) + 1
-    (Path(directory) / str(calls)).touch()
-    if calls <= deaths:
-        os.kill(os.getpid(), signal.SIGKILL)
-    return calls
-
-
 def slow(seconds: float, directory: str) -> int:
     """Write a file, take some time, and return the number of this process."""
     (Path(directory) / str(os.getpid())).touch()
     time.sleep(seconds)
     return os.getpid()
-
-
-def fail() -> None:
-    """Raise an error."""
-    raise KeyError("no luck")
 
 
 class Exits(HillClimber):
