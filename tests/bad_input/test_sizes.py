@@ -14,7 +14,7 @@ import pytest
 import matrixworld as mw
 from command_line import RACE, matrixworld_command, words
 from matrixworld._util import memory
-from matrixworld.coevolution import best_response, open_run, score, score_population, start
+from matrixworld.coevolution import score_population, start
 from matrixworld.coevolution import tournament as play_tournament
 from matrixworld.envs import vector
 from matrixworld.episodes import replay
@@ -205,17 +205,6 @@ def test_a_run_is_refused_before_its_directory_is_made(
     with pytest.raises(memory.OutOfMemoryError, match=f"run: expected .* of which {part}:"):
         start(tiny_race(**changes), tmp_path / "run")
     assert list(tmp_path.iterdir()) == []
-
-
-def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> None:
-    start(tiny_race(), tmp_path / "run", threads=1).run()
-    run = open_run(tmp_path / "run")
-    for episodes in (10**21, -1, 2.0, True):
-        with pytest.raises((TypeError, ValueError), match="episodes: expected"):
-            score(run, episodes=episodes)
-        with pytest.raises((TypeError, ValueError), match="episodes: expected"):
-            best_response(run, "pursuer", 100, tmp_path / "new", evaluation_episodes=episodes)
-    assert not (tmp_path / "new").exists()
 
 
 # Pictures
