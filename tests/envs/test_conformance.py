@@ -74,17 +74,6 @@ def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     render_test(lambda **mode: mw.aec_env(config_of(name), **mode), custom_tests=drawn)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_observations_are_in_their_spaces(name: str) -> None:
-    env = mw.parallel_env(config_of(name, obstacles=0.1, diagonal=True))
-    observations, _ = env.reset(seed=4)
-    while env.agents:
-        for agent, seen in observations.items():
-            assert env.observation_space(agent).contains(seen)
-        actions = {agent: env.action_space(agent).sample() for agent in env.agents}
-        observations, *_ = env.step(actions)
-
-
 def test_each_agent_s_action_space_has_its_own_seed() -> None:
     env = MatrixWorldAEC("O")
     first, second = (env.action_space(agent) for agent in env.possible_agents[:2])

@@ -44,21 +44,6 @@ def test_masks_of_vector_environments(name: str, diagonal: bool) -> None:
         assert not infos["involved"][..., 0].any()
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_masked_actions_never_run_into_obstacles(name: str) -> None:
-    env = mw.parallel_env(config_of(name, obstacles=0.2, diagonal=True), action_mask=True)
-    _, infos = env.reset(seed=1)
-    blocked = 0
-    while env.agents:
-        masks = {agent: infos[agent]["action_mask"] for agent in env.agents}
-        blocked += sum(int((mask == 0).sum()) for mask in masks.values())
-        actions = {agent: env.action_space(agent).sample(mask) for agent, mask in masks.items()}
-        assert all(masks[agent][action] for agent, action in actions.items())
-        _, _, _, _, infos = env.step(actions)
-        assert not any(info["involved_obstacle"] for info in infos.values())
-    assert blocked
-
-
 @pytest.mark.parametrize("name", ["O", "TO", "swarm-SD"])
 def test_masks_in_turns(name: str) -> None:
     """An agent that is asked to act has the mask of the cell on which it stands."""

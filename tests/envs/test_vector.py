@@ -285,15 +285,6 @@ def test_pictures() -> None:
     assert make().render() is None
 
 
-@pytest.mark.parametrize("copied", [copy.deepcopy, pickle.dumps])
-def test_worlds_are_copied_one_by_one(copied: Any) -> None:
-    env = make()
-    env.reset(seed=4)
-    with pytest.raises(TypeError, match=r"copy single worlds with world\(number\)"):
-        copied(env)
-    np.testing.assert_array_equal(copy.deepcopy(env.world(2)).views(), env.observations[2])
-
-
 @pytest.mark.parametrize(
     ("call", "error", "says"),
     [

@@ -134,19 +134,6 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     assert envs.opponents == ("fleer",)
 
 
-def test_the_same_seed_gives_the_same_episodes() -> None:
-    config = config_of("R", obstacles=0.2)
-    league = ["clumsy-fleer", random_team(config, 5), "dodger"]
-    actions = random_actions(2, 5, 30, 6, 3)
-    rewards = []
-    for n_worlds in (6, 6, 1):
-        envs = mw.VectorEnv(config, n_worlds, evaders=league)
-        envs.reset(seed=3)
-        rewards.append(np.stack([envs.step(row[:n_worlds])[1] for row in actions]))
-    assert np.array_equal(rewards[0], rewards[1])
-    assert np.array_equal(rewards[0][:, :1], rewards[2])
-
-
 def test_what_is_refused_changes_nothing() -> None:
     envs = mw.VectorEnv(config_of("R"), 2, evaders="still")
     envs.reset(seed=3)

@@ -93,21 +93,6 @@ def test_marks_stay_for_a_few_steps() -> None:
     assert [*first[:2], age + 1] not in scene(EPISODE, step + age + 1).captures.tolist()
 
 
-@pytest.mark.parametrize("variant", list(mw.VARIANTS))
-def test_recorded_episodes_are_drawn_and_counted_as_rollouts_count_them(variant: str) -> None:
-    sizes = {"rows": 9, "cols": 9, "n_pursuers": 8, "n_evaders": 6, "max_steps": 40}
-    config = mw.WorldConfig(variant, obstacles=0.1, **sizes)
-    episode = mw.record(config, "chaser", "random", seed=5)
-    scores = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 5))
-    assert episode.capture_rate == pytest.approx(scores.capture_rate[0, 0])
-    assert episode.length == scores.length[0, 0]
-    for step in range(episode.length + 1):
-        drawn, alive = scene(episode, step), episode.alive[step]
-        assert drawn.team_sizes() == (alive[:8].sum(), alive[8:].sum())
-        assert all(not episode.map[row, col] for row, col, _ in drawn.captures.tolist())
-    assert render.rgb(scene(episode)).any()
-
-
 # -- GIF and sheet -----------------------------------------------------------------------------
 
 

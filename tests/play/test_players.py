@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -218,53 +217,7 @@ def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> 
     assert abs(hits - expected) < 4 * math.sqrt(variance)
 
 
-def test_scripts_differ_in_skill() -> None:
-    """In its games each script captures more than the script before it."""
-    matches = mw.Matches.of(0, 0, np.arange(20))
-
-    def caught(variant: str, pursuers: str, evaders: str) -> float:
-        config = mw.WorldConfig(variant, max_steps=150)
-        return float(mw.rollout(config, pursuers, evaders, matches).captured_fraction.mean())
-
-    def rises(rates: list[float]) -> bool:
-        return all(later > earlier + 0.03 for earlier, later in pairwise(rates))
-
-    chasers = ["random", "clumsy-chaser", "chaser", "hunter"]
-    assert rises([caught("O", chaser, "random") for chaser in chasers])
-    evaders = ["fleer", "clumsy-fleer", "random"]
-    assert rises([caught("O", "hunter", evader) for evader in evaders])
-    for variant in ("S", "SD"):
-        best = max(caught(variant, chaser, "random") for chaser in chasers)
-        assert caught(variant, "surrounder", "random") > best + 0.3
-
-
 # ---- Turns -----------------------------------------------------------------------------------
-
-
-def first_moves(name: str) -> list[tuple[int, int]]:
-    """First moves in a corridor in which agents see each other once the pursuer steps east.
-
-    ``P . e .`` with a view of one cell on each side; the evader flees from what it sees.
-    """
-    config = config_of(name, rows=1, cols=4, n_pursuers=1, n_evaders=1, fov=3, max_steps=1)
-    moves = []
-    for seed in range(300):
-        episode = mw.record(config, "chaser", "fleer", seed=seed)
-        if episode.positions[0, :, 1].tolist() == [0, 2]:
-            pursuer, evader = episode.actions[0]
-            moves.append((int(pursuer), int(evader)))
-    return moves
-
-
-@pytest.mark.parametrize("name", ["TO", "agents-S", "swarm-S", "O"])
-def test_later_turns_see_what_earlier_ones_did(name: str) -> None:
-    """Where all agents move at once, nobody sees where the others go."""
-    anywhere = {mw.Action.STAY, mw.Action.EAST, mw.Action.WEST}
-    moves = first_moves(name)
-    assert {pursuer for pursuer, _ in moves} == {mw.Action.STAY, mw.Action.EAST}
-    after_approach = {evader for pursuer, evader in moves if pursuer == mw.Action.EAST}
-    assert after_approach == (anywhere if name == "O" else {mw.Action.EAST})
-    assert {evader for pursuer, evader in moves if pursuer == mw.Action.STAY} == anywhere
 
 
 def test_teammates_see_each_other_move_in_agent_turns() -> None:

@@ -1,4 +1,4 @@
-"""One world: episodes and seeds, starts, maps, text, drawings, and sizes from the smallest on."""
+"""One world: episodes and seeds, starts, maps, text, drawings, and large sizes."""
 
 from __future__ import annotations
 
@@ -239,22 +239,6 @@ def test_a_notebook_shows_a_scene_as_its_picture() -> None:
 
 
 # ---- Sizes -----------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("shape", [(1, 2), (2, 1)])
-@pytest.mark.parametrize("name", [*mw.VARIANTS])
-def test_the_smallest_world(name: str, shape: tuple[int, int]) -> None:
-    rows, cols = shape
-    config = mw.WorldConfig(name, rows=rows, cols=cols, n_pursuers=1, n_evaders=1, max_steps=8)
-    world = mw.World(config)
-    assert world.views().shape == (2, 3, 11, 11)
-    for seed in range(6):
-        world.reset(seed)
-        for actions in random_actions(seed, 5, 8, 2):
-            world.step(actions)
-            if world.terminated:
-                break
-        assert world.terminated or world.truncated
 
 
 def test_a_full_world() -> None:
