@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import re
 from contextlib import suppress
@@ -155,7 +154,6 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
     "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
     "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
     "imports torch": ("import torch", "torch cannot be imported .docs/class.md lists"),
-    "imports the world": ("import matrixworld", "line 1: .*matrixworld cannot be imported .docs"),
 }
 """Programs that are refused: the text, and a pattern of the reason. {mark} is a file that must not
 appear."""
@@ -172,6 +170,13 @@ HARMLESS_ATTACKS: dict[str, str] = {
     ),
     "catches": ("try: open('{mark}', 'w')\nexcept OSError: pass\n" + ACTS + "return 2"),
     "<img src=x onerror=alert(1)>": ACTS + "return 0",
+    "finds no environment and no other open file": (
+        "import os\nassert not os.environ, os.environ\n"
+        "for handle in range(4, 100):\n"
+        "    try: os.read(handle, 1)\n"
+        "    except OSError as error: assert error.errno == 9\n"
+        "    else: raise AssertionError(handle)\n" + ACTS + "return 0"
+    ),
 }
 
 
@@ -215,12 +220,6 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
     save("no team.npz", "expected an array 'team'", team=None)
     layers = "hidden: expected at most 16 layers, got 1000"
     save("many layers.npz", layers, hidden=np.ones(1000, int))
-    kind = "expected dtype of kind f and 1 dimensions, got dtype object"
-    save("pickle.npz", kind, genome=np.array([{}, []], object))
-    whole = io.BytesIO()
-    np.savez(whole, genome=genome)
-    write("cut.npz", "cut, altered or not an npz file", whole.getvalue()[:-100])
-    save("expands.npz", "expected arrays of at most 8,388,608 bytes", genome=np.zeros(2**22, "f4"))
     write("large.npz", "expected at most 8,388,608 bytes", bytes(9 << 20))
     write("long.py", "expected at most 262,144 bytes", b"#" * (300 << 10))
     write("notes.txt", r"expected a file that ends in \.py or \.npz", b"hello")

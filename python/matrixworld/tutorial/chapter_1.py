@@ -69,13 +69,13 @@ def _mistake_in_rules(answer: Any) -> str | None:
 # 1.4: conflicts found by the student's own function.
 
 
-def true_conflicts(cells: list[Cell], targets: list[Cell], side: int = 4) -> set[int]:
+def _conflicts(cells: list[Cell], targets: list[Cell]) -> set[int]:
     """Return the pursuers in a vertex or an edge conflict, as the engine finds them.
 
-    They stand on cells of a square and mean to enter targets, none of which is outside.
+    They stand on 4 x 4 cells and mean to enter targets, none of which is outside.
     """
     # Teammates that share cells hold each other nowhere, so there are no chains.
-    world = after_step((cells, targets), side, "S")
+    world = after_step((cells, targets), 4, "S")
     return {agent for conflict in world.conflicts for agent in conflict.agents}
 
 
@@ -108,7 +108,7 @@ def _difference(found: set[int], expected: set[int], cells: list[Cell], targets:
 
 in_conflict = function(
     Kind("a set of agents' numbers", _agents),
-    lambda cells, targets: true_conflicts(cells, targets),
+    _conflicts,
     lambda: situations(DRAWN, seed=20, most=10),
     otherwise=_difference,
 )
