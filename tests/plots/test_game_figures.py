@@ -16,6 +16,7 @@ from matrixworld.plots.game import (
     PER_TEAM,
     SITUATIONS,
     Situation,
+    actions_in,
     resolve,
     turns_of,
     world_of,
@@ -33,18 +34,12 @@ PANELS = [
 
 def played_by_the_reference(situation: Situation, outcome: mw.Outcome) -> ReferenceWorld:
     """Return the slow world in Python after one step of a situation."""
-    world, _ = world_of(situation, outcome)
+    world = world_of(situation, outcome)
     reference = ReferenceWorld(world.config)
     pursuers, evaders = np.split(world.positions, [world.config.n_pursuers])
     reference.place(pursuers.tolist(), evaders.tolist(), world.map)
-    reference.step(actions_of(situation, world))
+    reference.step(actions_in(world, situation))
     return reference
-
-
-def actions_of(situation: Situation, world: mw.World) -> list[int]:
-    """Return the actions of a situation; an agent that it does not name stays."""
-    actions = [action for _, action in situation.agents]
-    return actions + [mw.Action.STAY] * (world.config.n_agents - len(actions))
 
 
 @pytest.mark.parametrize(("situation", "outcome"), PANELS)
@@ -62,8 +57,8 @@ def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
     """In each named conflict the engine finds this form or kind, and in the others none."""
     found = {}
     for situation in SITUATIONS:
-        world, _ = world_of(situation, mw.Outcome.BOUNCE)
-        world.step(actions_of(situation, world), explain=True)
+        world = world_of(situation, mw.Outcome.BOUNCE)
+        world.step(actions_in(world, situation), explain=True)
         reference = played_by_the_reference(situation, mw.Outcome.BOUNCE)
         assert records(world.conflicts) == records(reference.conflicts)
         found[situation.name] = {(each.kind, each.form) for each in world.conflicts}

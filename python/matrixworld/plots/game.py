@@ -112,35 +112,36 @@ class Resolution:
 
 def resolve(situation: Situation, outcome: Outcome) -> Resolution:
     """Return what happens in one step if every kind of collision has one outcome."""
-    world, shown = world_of(situation, outcome)
-    actions = np.full(world.config.n_agents, Action.STAY)
-    actions[shown] = [action for _, action in situation.agents]
-    world.step(actions, explain=True)
-    conflicts = world.conflicts
-    held = {agent for conflict in conflicts for agent in conflict.held}
-    texts = [conflict.text.split(": ", 1)[1] for conflict in conflicts]
+    world, count = world_of(situation, outcome), len(situation.agents)
+    world.step(actions_in(world, situation), explain=True)
+    texts = [conflict.text.split(": ", 1)[1] for conflict in world.conflicts]
     return Resolution(
-        [(row, col) for row, col in world.last_positions[shown].tolist()],
-        world.alive[shown].tolist(),
-        {shown.index(agent) for agent in held},
+        [(row, col) for row, col in world.last_positions[:count].tolist()],
+        world.alive[:count].tolist(),
+        {agent for conflict in world.conflicts for agent in conflict.held},
         "\n".join(texts) or "no conflict: all move",
     )
 
 
-def world_of(situation: Situation, outcome: Outcome) -> tuple[World, list[int]]:
-    """Return a world in a situation, and the numbers of the agents that the situation names.
+def actions_in(world: World, situation: Situation) -> list[int]:
+    """Return the actions of a situation; an agent that it does not name stays."""
+    actions: list[int] = [action for _, action in situation.agents]
+    return actions + [Action.STAY] * (world.config.n_agents - len(actions))
 
-    A world has agents of both teams. If a team is not in the situation, one agent of it waits
-    behind a wall on the right, outside of the drawing.
+
+def world_of(situation: Situation, outcome: Outcome) -> World:
+    """Return a world in a situation, whose agents come first.
+
+    A world has agents of both teams. If no evader is in the situation, one waits behind a wall on
+    the right, outside of the drawing.
     """
     walled = situation.cols + 2
     obstacles = np.zeros((situation.rows, walled), bool)
     obstacles[:, situation.cols] = True
     for cell in situation.obstacles:
         obstacles[cell] = True
-    aside = [(0, walled - 1)]
     pursuers = [cell for cell, _ in situation.pursuers]
-    evaders = [cell for cell, _ in situation.evaders] or aside
+    evaders = [cell for cell, _ in situation.evaders] or [(0, walled - 1)]
     # Evaders that are surrounded: a meeting is a collision, and no capture.
     rules = Rules(
         obstacle=outcome, teammate=outcome, evader=outcome, pursuer=outcome,
@@ -151,7 +152,7 @@ def world_of(situation: Situation, outcome: Outcome) -> tuple[World, list[int]]:
         obstacles=obstacles,
     )  # fmt: skip
     world.reset(0, pursuers=pursuers, evaders=evaders)
-    return world, list(range(len(situation.agents)))
+    return world
 
 
 _MARK: dict[str, Any] = {"linestyle": "", "color": colors.COLLISION, "markersize": 9}
