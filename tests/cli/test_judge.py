@@ -13,7 +13,8 @@ from command_line import RACE, judged_in, matrixworld_command, run_together, wor
 from matrices import circular, logistic
 from matrixworld import plots
 from matrixworld._util.files import load_json
-from matrixworld.analysis import CONDITIONS, MEASURES, describe, headline, headline_numbers, judge
+from matrixworld.analysis import CONDITIONS, MEASURES, describe, headline, judge
+from matrixworld.analysis.report import headline_numbers
 from matrixworld.cli.figures import group_figure, planned
 from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import open_run, start

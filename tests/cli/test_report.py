@@ -17,6 +17,7 @@ from command_line import PNG, judged_in, matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld._util.files import load_json
 from matrixworld.analysis import CONDITIONS
+from matrixworld.analysis.report import headline_numbers
 from matrixworld.cli.groups import Group, groups_of, open_result, place_of
 from matrixworld.cli.report import report
 from matrixworld.cli.tables import print_strip
@@ -92,7 +93,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(made):
         told = run_together(said[said.index(f"\n{name}") :])
         # The headline is wrapped beside the name.
         assert told.startswith(f"{name} {analysis.headline(judgement)}")
-        assert all(numbers in said for numbers in analysis.headline_numbers(judgement))
+        assert all(numbers in said for numbers in headline_numbers(judgement))
         means = [f"{held_out_of(root, name, team).mean():.2f}" for team in TEAMS]
         assert re.search(rf"^{name} +{means[0]} +{means[1]}$", table, re.MULTILINE)
     assert said.count("Not finished: seeds 3.") == 2

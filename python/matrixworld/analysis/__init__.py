@@ -68,7 +68,6 @@ from matrixworld.analysis.report import (
     describe,
     explain,
     headline,
-    headline_numbers,
     judgement_table,
     report,
 )
@@ -111,7 +110,6 @@ __all__ = [
     "generalization_over_episodes",
     "global_progress",
     "headline",
-    "headline_numbers",
     "historical_progress",
     "interquartile_mean",
     "interval_over_runs",

@@ -344,10 +344,8 @@ def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> 
     """
     array = check_cells(scores, level)
     captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
-    pursuers, evaders = (
-        band_over_runs(each, level=level, bounds=UNIT) for each in (captured, escaped)
-    )
-    return pursuers, evaders
+    pursuers = band_over_runs(captured, level=level, bounds=UNIT)
+    return pursuers, band_over_runs(escaped, level=level, bounds=UNIT)
 
 
 def _ends_of_mean(scores: Rates, level: float) -> tuple[float, float]:

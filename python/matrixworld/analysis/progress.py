@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.short_repr import short_repr
+from matrixworld.analysis.intervals import check_cells
 from matrixworld.analysis.payoffs import (
     ByTeam,
     Mask,
     Rates,
     check_payoff,
-    check_rates,
     require,
     swap_teams,
 )
@@ -412,9 +412,8 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> B
     coevolution"; extended here to two teams. Degrees of freedom: Welch (1947), Satterthwaite
     (1946).
     """
-    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
+    array = check_cells(scores, level)
     episodes = array.shape[2]
-    require(episodes >= 2, "at least 2 episodes a cell", episodes)
     means, variances = array.mean(axis=2), array.var(axis=2, ddof=1) / episodes
     return _both_ladders(means, variances, episodes - 1, level)
 

@@ -98,10 +98,6 @@ def headline_numbers(judgement: Judgement) -> list[str]:
 
     Such as ``"gains: pursuers +0.42, evaders +0.70"``; about the whole race if the condition is
     present there, else with the window. No line stands for numbers that are not known.
-
-    Parameters
-    ----------
-    judgement : Judgement
     """
     lines, present = [], _present(judgement)
     forgets = present.get("forgetting", [])
