@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.optimize import minimize
 
 from matrices import (
     ROCK_PAPER_SCISSORS,
@@ -21,8 +22,10 @@ from matrices import (
 )
 from matrixworld import analysis
 from matrixworld.analysis.cycles import _margins, strongest_checkerboards
+from matrixworld.analysis.engagement import Disengagement
 from matrixworld.analysis.payoffs import logits
 from matrixworld.analysis.progress import lag_rise, swing
+from matrixworld.analysis.ratings import RIDGE
 
 PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
 
@@ -217,3 +220,150 @@ def test_margins_descend_and_boards_differ() -> None:
 @pytest.mark.parametrize("matrix", [staircase(8), additive(6, 7)])
 def test_an_order_of_strength_has_none(matrix: np.ndarray) -> None:
     assert strongest_checkerboards(matrix) == ()
+
+
+# ---- disengagement, over generations and within one ----------------------------------------------
+
+
+WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("rates", "expected"),
+    [
+        (np.empty((0, 2)), ()),
+        ([OPEN] * 5, ()),
+        ([WON] * 2, ()),
+        ([WON] * 3, (Disengagement("pursuers", 1, 3),)),
+        ([LOST] * 3 + [OPEN], (Disengagement("evaders", 1, 3),)),
+        ([OPEN, *[LOST] * 4], (Disengagement("evaders", 2, 5),)),
+        ([WON, WON, OPEN, WON, WON], ()),
+        ([HALF_WON] * 9, ()),
+        ([WON, WON, LOST, LOST], ()),
+        ([(0.99, 0.01)] * 6, ()),
+        ([(0.97, 0.97)] * 6, ()),
+        ([(0.03, 0.03)] * 6, ()),
+        ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
+    ],
+)
+def test_disengagement_takes_both_team_phases_three_generations_in_a_row(
+    rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
+) -> None:
+    assert analysis.disengagements(rates) == expected
+
+
+def test_a_disengagement_names_the_team_that_needs_more_epochs() -> None:
+    stretch = Disengagement("pursuers", 4, 9)
+    assert str(stretch).startswith("generations 4 to 9: the pursuers win nearly all matches")
+    assert str(stretch).endswith("give the evaders more epochs")
+    assert str(Disengagement("evaders", 1, 3)).endswith("give the pursuers more epochs")
+
+
+def test_variance_of_fitness_within_each_generation() -> None:
+    np.testing.assert_allclose(
+        analysis.fitness_variance([[0.0, 1.0], [3.0, 3.0], [-1.0, 5.0]]), [0.25, 0.0, 9.0]
+    )
+
+
+def test_opponents_beaten_by_all_or_by_none_are_undecided() -> None:
+    # Opponent 0 is beaten by both, 1 and 4 by none (a draw is not a win), 2 and 3 by one.
+    outcomes = [[0.9, 0.1, 0.8, 0.2, 0.5], [0.7, 0.0, 0.3, 1.0, 0.5]]
+    found = analysis.undecided_opponents(outcomes)
+    assert found.beaten_by_all.tolist() == [0.2]
+    assert found.beaten_by_none.tolist() == [0.4]
+    np.testing.assert_allclose(found.share, [0.6])
+    both = analysis.undecided_opponents([outcomes, np.ones((2, 5))])
+    np.testing.assert_allclose(both.share, [0.6, 1.0])
+    assert analysis.undecided_opponents(outcomes, level=0.4).beaten_by_all.tolist() == [0.4]
+
+
+# ---- Elo, and cycles beside it -------------------------------------------------------------------
+
+
+EXACT = {"ridge": 0.0, "shrinkage": 1e-9}
+
+
+def sigmoid(x: np.ndarray) -> np.ndarray:
+    return 1 / (1 + np.exp(-x))
+
+
+def planted(rows: int, columns: int) -> tuple[np.ndarray, np.ndarray, float]:
+    rng = np.random.default_rng(rows)
+    a, b = rng.normal(0, 1, rows), rng.normal(0, 1, columns)
+    return a - a.mean(), b - b.mean(), 0.4
+
+
+def test_elo_recovers_known_ratings() -> None:
+    a, b, c = planted(7, 5)
+    matrix = sigmoid(a[:, None] - b + c)
+    found = analysis.elo(matrix, **EXACT)
+    np.testing.assert_allclose(found.pursuers, a, atol=1e-6)
+    np.testing.assert_allclose(found.evaders, b, atol=1e-6)
+    assert found.offset == pytest.approx(c, abs=1e-6)
+    np.testing.assert_allclose(found.predict(), matrix, atol=1e-6)
+    assert analysis.log_loss(matrix, found.predict()) < 1e-10
+
+
+def test_elo_minimises_its_documented_objective() -> None:
+    """Compare with a general minimiser of the objective."""
+    rng = np.random.default_rng(3)
+    matrix = rng.random((3, 4))
+    x = 0.01 + 0.98 * matrix
+
+    def objective(parameters: np.ndarray) -> float:
+        a, b, c = parameters[:3], parameters[3:7], parameters[7]
+        p = sigmoid(a[:, None] - b + c)
+        cross = -(x * np.log(p) + (1 - x) * np.log(1 - p)).sum()
+        return float(cross + RIDGE / 2 * (a @ a + b @ b))
+
+    best = minimize(objective, np.zeros(8), method="BFGS", options={"gtol": 1e-7}).x
+    found = analysis.elo(matrix)
+    np.testing.assert_allclose(found.pursuers, best[:3], atol=1e-4)
+    np.testing.assert_allclose(found.evaders, best[3:7], atol=1e-4)
+    assert found.offset == pytest.approx(best[7], abs=1e-4)
+
+
+def test_ratings_stay_finite_if_a_generation_always_wins() -> None:
+    for matrix in (np.ones((3, 4)), staircase(31), np.eye(2)):
+        found = analysis.elo(matrix)
+        assert np.abs(found.logits).max() < 30
+    assert analysis.elo(np.ones((3, 4))).offset == pytest.approx(np.log(0.99 / 0.01))
+
+
+def test_elo_rates_rock_paper_scissors_equal() -> None:
+    found = analysis.elo(ROCK_PAPER_SCISSORS)
+    np.testing.assert_allclose([*found.pursuers, *found.evaders, found.offset], 0, atol=1e-9)
+    np.testing.assert_allclose(found.predict(), 0.5)
+    cyclic = analysis.elo(ROCK_PAPER_SCISSORS, cycles=1)
+    np.testing.assert_allclose(cyclic.predict(), ROCK_PAPER_SCISSORS, atol=1e-9)
+
+
+def test_multi_elo_reproduces_a_known_cycle() -> None:
+    a, b, c = planted(9, 6)
+    turn = 2 * np.pi * (np.arange(9)[:, None] / 9 - np.arange(6) / 6)
+    cycle = 0.8 * np.cos(turn)
+    matrix = sigmoid(a[:, None] - b + c + cycle)
+    found = analysis.elo(matrix, cycles=1, **EXACT)
+    # Elo weights cells, so it takes up a little of the cycle, though its row means are 0.
+    assert np.abs(found.u @ found.v.T - cycle).max() < 0.35
+    assert analysis.log_loss(matrix, found.predict()) < 0.05 * analysis.log_loss(
+        matrix, analysis.elo(matrix, **EXACT).predict()
+    )
+    pure = analysis.elo(sigmoid(cycle), cycles=1, **EXACT)
+    np.testing.assert_allclose(pure.u @ pure.v.T, cycle, atol=1e-6)
+
+
+def test_more_dimensions_fit_better_and_all_of_them_exactly() -> None:
+    matrix = np.random.default_rng(5).random((6, 6))
+    losses = [analysis.log_loss(matrix, analysis.elo(matrix, cycles=k).predict()) for k in range(4)]
+    assert losses[0] > losses[1] > losses[2] > losses[3]
+    assert losses[3] < 1e-12
+
+
+def test_log_loss_by_hand() -> None:
+    assert analysis.log_loss([[0.3, 1.0]], [[0.3, 1.0]]) == 0.0
+    assert analysis.log_loss([[1.0]], [[0.5]]) == pytest.approx(np.log(2))
+    assert analysis.log_loss([[0.25]], [[0.5]]) == pytest.approx(
+        0.25 * np.log(0.5) + 0.75 * np.log(1.5)
+    )
+    assert analysis.log_loss([[0.5]], [[0.0]]) == np.inf

@@ -213,7 +213,7 @@ def test_parasites_may_have_a_fitness_of_your_own():
     assert drifted.objective[-50:, 1].mean() == pytest.approx(75, abs=5)
 
 
-# Synthetic races: tests/evolution/test_judgement_races.py looks at each kind
+# Synthetic races: tests/evolution/test_judgement_benchmark.py looks at each kind
 
 
 def test_an_unknown_kind_and_too_few_generations_are_refused():
