@@ -4,8 +4,7 @@
 
 An agent-step is one step of one living agent. Actions are random and are drawn before the
 measurement; resets of ended episodes are part of it. Each number is the median of some repeats. The
-process is bound to one core, and for two threads to two cores, if the system supports it. Before
-the measurement, the batches are compared with single worlds.
+process is bound to one core, and for two threads to two cores, if the system supports it.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from __future__ import annotations
 import click
 
 import matrixworld as mw
-from matrixworld.cli.bench import Timing, check_worlds, timings_of_worlds
+from matrixworld.cli.bench import Timing, timings_of_worlds
 from timing import bind, n_cores, print_table
 
 VARIANTS = ("O", "SDB")
@@ -23,7 +22,6 @@ def measured(variant: str, threads: int, seconds: float, repeats: int) -> list[T
     """Measure worlds of a variant on one thread and on several."""
     config = mw.WorldConfig(variant)
     bind(1)
-    check_worlds(config, threads)
     planned = timings_of_worlds(config, threads)
     for each in planned:
         bind(each.threads)
