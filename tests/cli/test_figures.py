@@ -86,25 +86,16 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
         (["--figure", "payoff"], "expected RUN..., or --figure rules"),
         (["{job}", "--figure", "rules"], "--figure rules: expected no RUN, got "),
         (["{job}", "--out", "x.svg"], "--out: expected one --figure of one run, got no --fi"),
-        (
-            ["{job}", "--figure", "payoff", "-o", "x.svg"],
-            "of one run, got 2 figures",
-        ),
+        (["{job}", "--figure", "payoff", "-o", "x.svg"], "of one run, got 2 figures"),
         (["--figure", "rules", "-o", "x.bmp"], "expected a name that ends in .png, .pdf, .svg, g"),
-        (
-            ["--figure", "rules", "-o", "x.svg", "--format", "png"],
-            "--format png: expected the",
-        ),
+        (["--figure", "rules", "-o", "x.svg", "--format", "png"], "--format png: expected the"),
         (["{pursuers}", "--figure", "payoff"], "expected a race, got a run of one team"),
         (["{pursuers}", "--figure", "seeds"], "expected a race, got a run of one team"),
         (["{job}/seed-5", "--figure", "comparison"], "expected at least two races, got 1"),
         (["{job}", "--baseline", "x"], "expected NAME=RUN, got 'x'"),
         (["{job}", "--baseline", "x=a", "--baseline", "x=b"], "expected each name once, got 'x'"),
         (["{job}", "--baseline", "x={job}"], "expected a run of one team, got a race"),
-        (
-            ["{job}", "--baseline", "x={root}/nothing"],
-            "nothing: expected a directory that holds runs, got none",
-        ),
+        (["{job}", "--baseline", "x={root}/nothing"], "nothing: expected a directory that holds r"),
     ],
 )
 def test_wrong_options(runs, drawn, options, message):

@@ -165,10 +165,9 @@ def test_what_cannot_be_judged_is_refused(job):
 
 def test_a_race_that_is_too_small_says_what_it_takes():
     np.savez("small.npz", capture_rates=np.random.default_rng(0).random((4, 4, 2)))
-    said = run_together(matrixworld_command("judge", "small.npz").stdout)
-    assert set(judged_in(matrixworld_command("judge", "small.npz").stdout).values()) == {
-        "cannot tell"
-    }
+    told = matrixworld_command("judge", "small.npz").stdout
+    said = run_together(told)
+    assert set(judged_in(told).values()) == {"cannot tell"}
     assert "It takes at least 4 episodes of each cell" in said
     assert "It takes at least 6 generations of each team to judge a race, and 12 to " in said
 

@@ -73,22 +73,14 @@ def test_the_range_of_seeds(command, seed):
 
 # Existing outputs
 
+TOURNAMENT = ["tournament", "run", "--episodes", 2]
 OUTPUTS = {
     "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
     "judge": (["judge", "circle.csv", "--json", "old.json"], "old.json"),
-    "tournament": (
-        ["tournament", "run", "--episodes", 2, "--out", "old.npz"],
-        "old.npz",
-    ),
-    "tournament's figure": (
-        ["tournament", "run", "--episodes", 2, "--out", "old.npz"],
-        "old.png",
-    ),
-    "tournament in the run": (
-        ["tournament", "run", "--episodes", 2],
-        "run/tournament-2x12-seed0.npz",
-    ),
+    "tournament": ([*TOURNAMENT, "--out", "old.npz"], "old.npz"),
+    "tournament's figure": ([*TOURNAMENT, "--out", "old.npz"], "old.png"),
+    "tournament in the run": (TOURNAMENT, "run/tournament-2x12-seed0.npz"),
     "a page": (["explore", "run", "--no-open"], "run/explorer.html"),
     "figures": (["explore", "--figures", "run"], "run/training.png"),
     "a figure": (["explore", "run", "--figure", "payoff", "--out", "old.png"], "old.png"),

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from command_line import JOB, MAIN_JOB, RACE, READING, matrixworld_command, run_together, words
+from command_line import MAIN_JOB, RACE, READING, matrixworld_command, run_together, words
 from matrixworld.cli import main, report
 from matrixworld.coevolution import PluginError, open_run
 from tiny_race import results
@@ -124,26 +124,6 @@ def test_resume_says_what_is_missing(straight):
         "named 'mine'); install the package that has it, or put its folder on PYTHONPATH"
     )
     assert {path: path.read_bytes() for path in Path("run").iterdir()} == before
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"learner": "nowhere:Learner"}, "learner: expected a module that can be imported, got '"),
-        (
-            {"learner": "mine:Learner", "learner.settings.sgima": 1},
-            "learner mine:Learner: expected its settings (sigma, shrink), got {'sgima': 1}",
-        ),
-        (
-            {"learner": "mine:Learner", "learner.sigma": 0.3},
-            "learner.sigma: expected one of the settings population, code, settings",
-        ),
-    ],
-)
-def test_bad_options_are_refused_before_anything_is_written(mine, options, message):
-    said = matrixworld_command("evolve", "--out", "out", *words({**JOB, **options}), code=2)
-    assert message in run_together(said.stderr)
-    assert not Path("out").exists()
 
 
 def test_values_of_all_kinds(mine):

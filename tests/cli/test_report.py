@@ -168,11 +168,8 @@ def test_a_job_of_which_nothing_is_finished_says_so(capsys):
 
 
 def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsys):
-    runs = {
-        "a/short": tiny_race(generations=1),
-        "a/long": tiny_race(),
-        "a/later": tiny_race(seed=9),
-    }
+    short, later = tiny_race(generations=1), tiny_race(seed=9)
+    runs = {"a/short": short, "a/long": tiny_race(), "a/later": later}
     results = [played(Path("mixed") / name, runs[name]) for name in ("a/short", "a/long")]
     report(job_of(runs), results, Path("mixed"), {}, threads=1)
     groups = load_json(Path("mixed/summary.json"))["groups"]

@@ -42,12 +42,7 @@ CRITIC = words({"learner": "actor-critic", **TINY})
         ["--out", "new", *CRITIC],
         ["--out", "new", "--schedule", "against", *CRITIC],
         ["--out", "new", "--seeds", "0-1", *CRITIC],
-        [
-            "--out",
-            "new",
-            *words({"schedule": "against", "opponent": "race", "start": "race"}),
-            *CRITIC,
-        ],
+        ["--out", "new", *words(AGAINST_A_RACE), *CRITIC],
         ["--resume", "begun"],
     ],
     ids=["races", "alone", "seeds", "start", "resume"],

@@ -140,14 +140,11 @@ ADVICE = (
 """What to try, in the order in which it is printed."""
 
 GENERAL = {
-    "intransitivity": "let both teams meet opponents of all generations, or a hall of fame",
-    "cycling": "let both teams meet opponents of all generations, or a hall of fame",
-    "forgetting": "let both teams meet opponents of all generations, or a hall of fame",
+    **dict.fromkeys(CYCLES, "let both teams meet opponents of all generations, or a hall of fame"),
     "disengagement": "make the weaker team stronger, or reward no candidate for winning everything",
     "one-sided progress": "give the team that does not gain more time to learn",
     "stagnation": "more candidates, another learner or a larger network",
-    "rise": "more generations show how long it goes on",
-    "arms race": "more generations show how long it goes on",
+    **dict.fromkeys(("rise", "arms race"), "more generations show how long it goes on"),
 }
 """What to try if the settings are not known."""
 

@@ -177,7 +177,8 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
 def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
     for team in TEAMS:
         payoff = "capture rate" if team == "pursuer" else "escape rate"
-        say(f"\nThe {team}s: mean {payoff} against all {_opponents(result, team)} opponents")
+        opponents = len(result.entries[other(team)])
+        say(f"\nThe {team}s: mean {payoff} against all {opponents} opponents")
         rows = [("rank", "name", "", "mean and 95 % interval")]
         rows += [
             (each.rank or "-", each.entry.name, each.entry.kind, str(each.score))
@@ -190,10 +191,6 @@ def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
             print_wrapped(f"{refusal.file}: {refusal.reason}")
     say(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
     say(f"--seed {result.seed} plays this tournament again.")
-
-
-def _opponents(result: ClassResult, team: Team) -> int:
-    return len(result.entries[other(team)])
 
 
 SUFFIX = ".npz"

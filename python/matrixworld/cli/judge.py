@@ -14,12 +14,7 @@ from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, print_wrapped, say
 from matrixworld.cli.groups import Group, groups_of, runs_argument
-from matrixworld.cli.options import (
-    force_option,
-    json_option,
-    refuse_existing,
-    write_json,
-)
+from matrixworld.cli.options import force_option, json_option, refuse_existing, write_json
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import print_judged
 
@@ -102,9 +97,7 @@ def _print(group: Group, everything: bool, explained: bool) -> None:
             print_wrapped(describe(matrices[0]))
     if everything:
         say(f"\n{measure_table(group.payoffs)}")
-    # Races only: `_check` has refused others.
-    settings = group.settings
-    lines = advice(judgement, settings)
+    lines = advice(judgement, group.settings)
     if lines:
         say("\nWhat to try:")
         for line in lines:

@@ -24,7 +24,7 @@ from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned
 from matrixworld.cli.groups import Group, Result, grouped
 from matrixworld.cli.score import play_held_out
-from matrixworld.cli.tables import held_out, of_one_team, over_seeds, print_missing, shown
+from matrixworld.cli.tables import held_out, of_one_team, over_seeds, print_missing
 from matrixworld.coevolution import Against, RunDirectory
 from matrixworld.coevolution.jobs.evolve import Job
 from matrixworld.coevolution.progress import Progress
@@ -124,7 +124,7 @@ def _lines(group: Group) -> list[str]:
     schedule, means = group.runs[0].settings.schedule, of_one_team(group)
     assert isinstance(schedule, Against)  # one team evolved
     return [
-        f"capture rate {shown(means['capture_rate'], '.3f')}",
+        f"capture rate {means['capture_rate']}",
         f"{schedule.team}s after {schedule.epochs:,} epochs against {schedule.opponent}",
         f"an episode takes {means['length'].value:.0f} steps",
     ]

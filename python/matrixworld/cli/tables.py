@@ -9,11 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.analysis import (
-    Estimate,
-    Judgement,
-    interval_over_runs,
-)
+from matrixworld.analysis import Estimate, Judgement, interval_over_runs
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.analysis.report import judgement_cells
@@ -21,27 +17,16 @@ from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
 from matrixworld.cli.groups import Group
 from matrixworld.coevolution.types import Team
 
-RATE = (0.0, 1.0)
-
 
 def print_head(text: str) -> None:
     """Print what a table is about, in bold, below an empty line."""
     say(f"\n{text}", bold=True)
 
 
-def shown(estimate: Estimate | None, form: str) -> str:
-    """Return an estimate with its interval, if there is one."""
-    if estimate is None:
-        return "-"
-    if estimate.low is None or estimate.high is None:
-        return format(estimate.value, form)
-    return f"{estimate.value:{form}} ({estimate.low:{form}} to {estimate.high:{form}})"
-
-
-def over_seeds(values: Any, bounds: tuple[float, float] = RATE) -> Estimate | None:
+def over_seeds(values: Any) -> Estimate | None:
     """Return the mean over the seeds for which a number is defined; None if there is none."""
     known = [float(value) for value in values if math.isfinite(value)]
-    return interval_over_runs(known, bounds=bounds) if known else None
+    return interval_over_runs(known, bounds=(0.0, 1.0)) if known else None
 
 
 # Verdicts:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
 
 import click
 
@@ -49,15 +49,7 @@ def _runs(ctx: click.Context, param: click.Parameter, value: Path) -> list[Path]
 @threads_option
 @cluster_option
 def tournament_command(
-    run: list[Path],
-    other: Path | None,
-    episodes: int,
-    steps: int | None,
-    seed: int,
-    out: Path | None,
-    force: bool,
-    threads: int | None,
-    where: str | None,
+    run: list[Path], other: Path | None, out: Path | None, force: bool, **chosen: Any
 ) -> None:
     """Play every generation against every other.
 
@@ -77,31 +69,30 @@ def tournament_command(
                 raise click.UsageError(
                     f"{option}: expected one race in RUN, got {len(run)}; --race NAME chooses one"
                 )
-        chosen = Chosen(episodes, steps, seed, threads, where)
         for each in run:
-            _one(each, other, chosen, out, force)
+            _one(each, other, out, force, **chosen)
 
 
-class Chosen(NamedTuple):
-    """How the matches of a tournament are played."""
-
-    episodes: int
-    steps: int | None
-    seed: int
-    threads: int | None
-    where: str | None
-
-
-def _one(run: Path, other: Path | None, chosen: Chosen, out: Path | None, force: bool) -> None:
+def _one(
+    run: Path,
+    other: Path | None,
+    out: Path | None,
+    force: bool,
+    *,
+    episodes: int,
+    seed: int,
+    steps: int | None,
+    **runner: Any,
+) -> None:
     """Play the tournament of one race, or of one against another, and print it."""
     ours = open_run(run)
     theirs = ours if other is None else open_run(other)
     _check_worlds(ours, theirs)
-    steps = chosen.steps or ours.settings.world.max_steps
+    steps = steps or ours.settings.world.max_steps
     against = "" if other is None else f"-against-{other.name}"
-    name = f"tournament{against}-{chosen.episodes}x{steps}-seed{chosen.seed}{SUFFIX}"
+    name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
     target = _checked(out or run / name, force)
-    payoff = _play(ours, theirs, chosen.episodes, steps, chosen.seed, chosen.threads, chosen.where)
+    payoff = _play(ours, theirs, episodes, steps, seed, **runner)
     # Generations of two runs have no common order in time, and are not judged.
     judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
     title, rival = run_title(run, ours.settings), run_title(other or run, theirs.settings)
