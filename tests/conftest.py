@@ -1,10 +1,11 @@
-"""The option for slow tests, settings of random ones, quick jobs, and the worlds of each case."""
+"""The option for slow tests, settings of random ones, quick jobs, a race, and worlds of cases."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,7 +13,9 @@ from hypothesis import HealthCheck, settings
 
 import matrixworld as mw
 from drawing import Cells, Start
+from matrixworld.coevolution import finish
 from reference import ReferenceWorld
+from tiny_race import tiny_race
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
@@ -51,6 +54,14 @@ def no_processes() -> Iterator[None]:
         module = import_module("matrixworld.coevolution.jobs.evolve")
         patch.setattr(module, "WorkerProcesses", ThreadPoolExecutor)
         yield
+
+
+@pytest.fixture(scope="session")
+def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished race; not to be changed."""
+    directory = tmp_path_factory.mktemp("race") / "run"
+    finish(tiny_race(), directory, threads=1)
+    return directory
 
 
 def start_engine(

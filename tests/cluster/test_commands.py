@@ -32,36 +32,29 @@ def dask(dask: DaskCluster) -> DaskCluster:
     return dask
 
 
-@pytest.fixture(scope="module")
-def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("runs") / "run"
-    finish(tiny_race(), path, threads=1)
-    return path
-
-
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
         (("evolve", "--cluster", "nowhere"), "expected auto, an address such as tcp://HOST:8786"),
         (("evolve", *SCHEDULE, *AUTO), "--cluster: expected several runs, such as --seeds 0-9"),
         (("evolve", *AUTO, "--seeds", "0-1", "--threads", "2"), "--threads: expected "),
-        (("exploit", "{run}", "--champion", "evader", *AUTO), "--cluster: expected several runs"),
+        (("exploit", "{race}", "--champion", "evader", *AUTO), "--cluster: expected several runs"),
     ],
 )
 def test_bad_use_is_refused(
-    run: Path, tmp_path: Path, arguments: tuple[str, ...], problem: str
+    race: Path, tmp_path: Path, arguments: tuple[str, ...], problem: str
 ) -> None:
     out = tmp_path / "out"
-    command = [each.format(run=run) for each in arguments]
+    command = [each.format(race=race) for each in arguments]
     assert problem in run_together(matrixworld_command(*command, "--out", out, code=2).output)
     assert not out.exists()
 
 
 def test_without_dask_the_extra_is_named(
-    run: Path, dask: DaskCluster, monkeypatch: pytest.MonkeyPatch
+    race: Path, dask: DaskCluster, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
-    done = matrixworld_command("tournament", run, "--cluster", dask.file, code=1)
+    done = matrixworld_command("tournament", race, "--cluster", dask.file, code=1)
     assert "pip install 'matrixworld-pursuit[cluster]'" in done.output
 
 
@@ -69,19 +62,19 @@ COMMANDS = {
     "evolve": ("--seeds", "0-3", *OPTIONS),
     "exploit": ("{job}", "--champion", "evader", "--matches", 100, "--episodes", 5),
     "score": ("{job}", "--episodes", 5, "--generation", "all"),
-    "tournament": ("{run}", "--episodes", 4),
+    "tournament": ("{race}", "--episodes", 4),
 }
 """Commands that a cluster plays, and their arguments."""
 
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_cluster_gives_the_same_files(
-    name: str, run: Path, dask: DaskCluster, tmp_path: Path
+    name: str, race: Path, dask: DaskCluster, tmp_path: Path
 ) -> None:
     job = tmp_path / "job"
     if "{job}" in COMMANDS[name]:
         evolve([tiny_race(seed=seed) for seed in (0, 1)], job, threads=1)
-    arguments = [str(each).format(job=job, run=run) for each in COMMANDS[name]]
+    arguments = [str(each).format(job=job, race=race) for each in COMMANDS[name]]
     out = {"evolve": "--out", "exploit": "--out", "score": "--json", "tournament": "--out"}[name]
     made = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
     for target, where in zip(made, ((), ("--cluster", dask.file)), strict=True):

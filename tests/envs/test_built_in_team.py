@@ -10,10 +10,9 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import _core
-from matrixworld.coevolution import TEAMS, held_out, open_run, start
+from matrixworld.coevolution import TEAMS, held_out, open_run
 from matrixworld.coevolution.types import other
 from rows import CUSTOM, config_of, play_turns, random_team
-from tiny_race import tiny_race
 
 TOGETHER = ["D", "R", "S", "SDB", "wall-R"]
 IN_TURNS = ["TO", "swarm-D", "swarm-SD", "agents-R", "agents-S"]
@@ -110,25 +109,18 @@ def test_only_the_other_team_has_spaces_observations_and_results() -> None:
 # ---- What can play -----------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("runs") / "race"
-    start(tiny_race(), path, threads=1).run()
-    return path
-
-
-def test_held_out_genomes_runs_and_policies_are_opponents(run: Path) -> None:
-    saved = open_run(run)
+def test_held_out_genomes_runs_and_policies_are_opponents(race: Path) -> None:
+    saved = open_run(race)
     config = saved.settings.world
     archive = saved.teams["evader"].genomes
     policy = saved.policy("evader", 1)
     for given, genomes in [
-        (str(run), archive[-1:]),
-        (run, archive[-1:]),
+        (str(race), archive[-1:]),
+        (race, archive[-1:]),
         (saved, archive),
         (saved.teams["evader"], archive),
         (policy, archive[1:2]),
-        ([policy, run], archive[1:3]),
+        ([policy, race], archive[1:3]),
     ]:
         opponents = mw.parallel_env(config, evaders=given).opponents
         assert np.array_equal(np.concatenate([each.genomes for each in opponents]), genomes)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from matrixworld._util.files import DamagedFileError
 from matrixworld.episodes.episode import Episode
 from rows import random_walks
 
@@ -93,14 +94,24 @@ def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
         ({"payoff": np.zeros(3)}, r"expected entries .* got .*'payoff'"),
         ({"map": np.array([{}], object)}, "cut, altered or not an npz file"),
         ({"alive": np.zeros((30, 12), bool)}, "not an episode .*alive: expected shape"),
+        ({"positions": None}, "expected entries"),
+        ({"config": np.array("[" * 100_000)}, ""),
+        ({"config": np.array("[]")}, ""),
+        ({"n_pursuers": np.array(np.inf)}, ""),
+        ({"n_pursuers": np.array([1, 2])}, ""),
+        ({"positions": EPISODE.positions + 100}, ""),
+        ({"last_positions": EPISODE.last_positions - 100}, ""),
+        ({"map": np.zeros((0, 0), bool)}, ""),
+        ({"format": np.array("x" * 10**6)}, ""),
     ],
 )
 def test_foreign_archives_are_refused(changes: dict[str, Any], says: str, tmp_path: Path) -> None:
     EPISODE.save(tmp_path / "foreign.npz")
     with np.load(tmp_path / "foreign.npz") as stored:
-        entries = {**stored, **changes}
+        changed = {**stored, **changes}
+    entries = {name: each for name, each in changed.items() if each is not None}
     np.savez(tmp_path / "foreign.npz", **entries)
-    with pytest.raises(ValueError, match=f"foreign.npz: {says}"):
+    with pytest.raises(DamagedFileError, match=f"foreign.npz: {says}"):
         Episode.load(tmp_path / "foreign.npz")
 
 

@@ -12,7 +12,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import open_run, start
-from tiny_race import tiny_race, tiny_single
+from tiny_race import tiny_single
 
 VIEWS = (np.random.default_rng(5).random((200, 3, 5, 5)) < 0.3).astype(np.uint8)
 
@@ -144,9 +144,8 @@ def test_a_missing_library_is_named(
 # ---- Policies of saved runs --------------------------------------------------------------------
 
 
-def test_a_generation_of_a_run_plays_in_an_environment(tmp_path: Path) -> None:
-    start(tiny_race(), tmp_path / "race", threads=1).run()
-    run = open_run(tmp_path / "race")
+def test_a_generation_of_a_run_plays_in_an_environment(race: Path) -> None:
+    run = open_run(race)
     policy = run.policy("pursuer", -1, seed=0)
     assert np.array_equal(policy.genome, run.teams["pursuer"].genomes[-1])
     assert np.array_equal(run.policy("pursuer", 0).genome, run.teams["pursuer"].genomes[0])

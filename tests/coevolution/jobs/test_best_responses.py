@@ -47,13 +47,6 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-@pytest.fixture(scope="module")
-def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("races") / "race"
-    finish(tiny_race(), path, threads=1)
-    return path
-
-
 def last(run: Any, team: str) -> Population:
     return Population(run.teams[team].genomes[-1], run.teams[team].network)
 
