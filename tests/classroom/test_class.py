@@ -338,9 +338,6 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
         assert pool.submit(int).result() == 0
 
 
-ENDLESS = "import _thread\nlock = _thread.allocate_lock()\nlock.acquire(); lock.acquire()\n"
-
-
 @pytest.mark.parametrize("pause", [0.0, 0.06, 0.3])
 def test_two_interruptions_end_the_command(tmp_path: Path, pause: float) -> None:
     with playing(tmp_path) as command:
@@ -362,7 +359,7 @@ def test_a_killed_command_leaves_no_process(tmp_path: Path) -> None:
 @contextlib.contextmanager
 def playing(path: Path) -> Iterator[subprocess.Popen[bytes]]:
     """Run the command with programs that do not answer."""
-    write_programs(path, dict.fromkeys("abc", ENDLESS))
+    write_programs(path, dict.fromkeys("abc", REFUSED_PROGRAMS["deadlock"][0]))
     words = [sys.executable, "-m", "matrixworld", "class", str(path), "--wait", "60", "--no-open"]
     command = subprocess.Popen(
         [*words, "--threads", "2"],
@@ -464,20 +461,18 @@ def test_system_calls_by_number_fail(pool: MatchPool, call: int) -> None:
     )
 
 
-MEMORY = (
-    "import gc\nimport sys\n"
-    "seen = [*gc.get_objects(), *sys.modules]\n"
-    "for kind in [type(each) for each in seen] + object.__subclasses__():\n"
-    "    place = getattr(kind, '__module__', '')\n"
-    "    assert not str(place).startswith(('matrixworld.world', 'matrixworld._core')), kind\n"
-    "ours = sorted(name for name in sys.modules if name.startswith('matrixworld'))\n"
-    "assert ours == ['matrixworld._util.checks', 'matrixworld.classroom.policy_server',\n"
-    "                'matrixworld.classroom.sandbox'], ours\n"
-)
-
-
 def test_the_memory_of_a_program_holds_no_world(pool: MatchPool) -> None:
-    assert_plays(pool, MEMORY)
+    assert_plays(
+        pool,
+        "import gc\nimport sys\n"
+        "seen = [*gc.get_objects(), *sys.modules]\n"
+        "for kind in [type(each) for each in seen] + object.__subclasses__():\n"
+        "    place = getattr(kind, '__module__', '')\n"
+        "    assert not str(place).startswith(('matrixworld.world', 'matrixworld._core')), kind\n"
+        "ours = sorted(name for name in sys.modules if name.startswith('matrixworld'))\n"
+        "assert ours == ['matrixworld._util.checks', 'matrixworld.classroom.policy_server',\n"
+        "                'matrixworld.classroom.sandbox'], ours\n",
+    )
 
 
 @pytest.mark.parametrize("name", ["matrixworld", "matrixworld._core", "os", "sys", "gc", "ctypes"])

@@ -157,9 +157,8 @@ def test_three_seeds_could_not_tell(scores: dict[str, np.ndarray]) -> None:
     assert verdict(scores["generalist_generalist"][:5], "intransitivity") == "cannot tell"
 
 
-@pytest.mark.parametrize("count", [40, 200])
-def test_the_simple_rule_is_fooled_by_one_race_of_four(count: int) -> None:
-    alarms = [last_beats_first(noisy_race("noise only, .5", seed)) for seed in range(count)]
+def test_the_simple_rule_is_fooled_by_one_race_of_four() -> None:
+    alarms = [last_beats_first(noisy_race("noise only, .5", seed)) for seed in range(200)]
     assert 0.15 < np.mean(alarms) < 0.35
 
 
