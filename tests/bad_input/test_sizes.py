@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from command_line import RACE, matrixworld_command, words
 from matrixworld._util import memory
 from matrixworld.coevolution import score_population, start
 from matrixworld.coevolution import tournament as play_tournament
@@ -222,22 +221,4 @@ def test_animations_have_a_largest_size(
     monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
         replay.save(random_walks(), tmp_path / f"x{suffix}")
-    assert list(tmp_path.iterdir()) == []
-
-
-# The command line
-
-
-@pytest.mark.usefixtures("half_a_gigabyte")
-@pytest.mark.parametrize("output", [["--out", "new"], []], ids=["named", "default"])
-@pytest.mark.parametrize(
-    ("option", "number"),
-    [("threads", 1025), ("population", 2 * 10**9), ("evaluation_episodes", 10**21)],
-)
-def test_evolve_makes_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: list[str], option: str, number: int
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    said = matrixworld_command("evolve", *output, *words(RACE | {option: number}), code=2).stderr
-    assert option in said or "an estimate of" in said
     assert list(tmp_path.iterdir()) == []

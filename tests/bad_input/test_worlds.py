@@ -68,16 +68,6 @@ def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], 
     np.testing.assert_array_equal(world.positions, twin.positions)
 
 
-def test_actions_of_gone_agents_are_ignored() -> None:
-    world = mw.World("D", rows=3, cols=4, n_pursuers=2, n_evaders=2)
-    world.reset(pursuers=[[0, 0], [2, 3]], evaders=[[0, 3], [2, 0]])
-    world.step([mw.Action.NORTH, 0, mw.Action.NORTH, 0])
-    assert world.alive.tolist() == [False, True, False, True]
-    world.step([-1, 0, 10**9, 0])
-    with pytest.raises(ValueError, match=r"got 9 \(world 0, agent 3\)"):
-        world.step([-1, 0, -1, 9])
-
-
 def test_diagonal_actions_need_a_diagonal_world() -> None:
     with pytest.raises(ValueError, match="expected 0 to 4, got 5"):
         mw.World(CONFIG).step([mw.Action.NORTHEAST, 0, 0])

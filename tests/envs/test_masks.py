@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from reference import MOVES
 from rows import NAMES, config_of, play_turns
-
-STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
 
 
 def expected_mask(position: Any, obstacles: np.ndarray, n_actions: int) -> list[int]:
@@ -18,7 +17,7 @@ def expected_mask(position: Any, obstacles: np.ndarray, n_actions: int) -> list[
     if position[0] < 0:
         return [1] * n_actions
     mask = [1]
-    for d_row, d_col in STEPS[1:n_actions]:
+    for d_row, d_col in MOVES[1:n_actions]:
         row, col = position[0] + d_row, position[1] + d_col
         inside = 0 <= row < obstacles.shape[0] and 0 <= col < obstacles.shape[1]
         mask.append(int(inside and not obstacles[row, col]))

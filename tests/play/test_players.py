@@ -11,9 +11,9 @@ import pytest
 from scipy import stats
 
 import matrixworld as mw
+from reference import MOVES
 from rows import config_of
 
-MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
 Cell = tuple[int, int]
 CHASERS = ("chaser", "hunter", "surrounder")
 SEARCHERS = ("hunter", "surrounder")

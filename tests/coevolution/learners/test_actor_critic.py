@@ -294,9 +294,8 @@ def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 @pytest.mark.parametrize("switch", ["no_grad", "inference_mode"])
-def test_it_learns_where_a_caller_has_switched_gradients_off(switch, tmp_path):
-    torch = pytest.importorskip("torch")
-    settings = tiny_single(learner="actor-critic", population=3, actor_rate=0.01, epochs=2)
+def test_it_learns_where_a_caller_has_switched_gradients_off(torch, switch, tmp_path):
+    settings = tiny_single(**LEARNER, epochs=2)
     plain, within = (start(settings, tmp_path / name, threads=1) for name in ("plain", "within"))
     plain.run()
     with getattr(torch, switch)():

@@ -18,9 +18,9 @@ from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
+from reference import MOVES
 from tiny_race import tiny_race, tiny_single
 
-MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
 EVADERS, PURSUERS, OBSTACLES = range(3)
 
 
