@@ -91,7 +91,8 @@ UNREADABLE = (
 
 def load_toml(path: Path) -> dict[str, Any]:
     """Return the values of a TOML file."""
-    return tomllib.loads(path.read_text(encoding="utf-8"))
+    values: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
+    return values
 
 
 class DamagedFileError(ValueError):
