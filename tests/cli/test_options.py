@@ -10,14 +10,13 @@ import subprocess
 import sys
 from collections import defaultdict
 from pathlib import Path
-from unittest.mock import Mock
 
 import click
 import numpy as np
 import pytest
 
 from command_line import matrixworld_command
-from matrixworld.cli import main, options
+from matrixworld.cli import main
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings import MOST_SEED
 
@@ -150,13 +149,6 @@ def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
 
 
 # Environment variables
-
-
-@pytest.mark.parametrize("name", main.commands)
-def test_kernels_that_do_not_exist_are_told_in_a_sentence(name: str, monkeypatch):
-    message = "MATRIXWORLD_KERNELS: expected base"
-    monkeypatch.setattr(options._core, "kernel_level", Mock(side_effect=ValueError(message)))
-    assert matrixworld_command(name, "--help", code=1).stderr == f"Error: {message}\n"
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import shutil
 import textwrap
 import time
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -80,14 +81,13 @@ def _draw(finished: Sequence[Group], root: Path) -> None:
     """Draw the figures and write the page; figures of an earlier report are replaced."""
     if not finished:
         return
-    figures = planned(finished, root)
+    steps = [partial(draw, {file: figure}) for file, figure in planned(finished, root).items()]
+    steps.append(partial(write_explorer, finished, root / PAGE))
     with progress("files") as show:
-        for number, (file, figure) in enumerate(figures.items()):
-            show(Progress("figures, page", number, len(figures) + 1))
-            draw({file: figure})
-        show(Progress("figures, page", len(figures), len(figures) + 1))
-        write_explorer(finished, root / PAGE)
-        show(Progress("figures, page", len(figures) + 1, len(figures) + 1))
+        for number, step in enumerate(steps):
+            show(Progress("figures, page", number, len(steps)))
+            step()
+        show(Progress("figures, page", len(steps), len(steps)))
 
 
 def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:

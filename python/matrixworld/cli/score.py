@@ -200,10 +200,5 @@ def play_held_out(races: Sequence[Result], threads: int | None) -> None:
     played = score_all([*missing], episodes=SCORED_EPISODES, seed=SCORED_SEED, threads=threads)
     for path, files in missing.items():
         teams = {f"{team}s": each.to_json() for team, each in played[path].items()}
-        values = {
-            "matrixworld": __version__,
-            "episodes": SCORED_EPISODES,
-            "seed": SCORED_SEED,
-            **teams,
-        }
-        save_json(path / SCORES, values, owner=owner_of_scores(files))
+        played_by = {"matrixworld": __version__, "episodes": SCORED_EPISODES, "seed": SCORED_SEED}
+        save_json(path / SCORES, {**played_by, **teams}, owner=owner_of_scores(files))
