@@ -31,7 +31,7 @@ from class_submissions import (
     write_hostile_files,
     write_programs,
 )
-from matrixworld import Network, NetworkPolicy, World, WorldConfig, record_actions
+from matrixworld import Action, Network, NetworkPolicy, World, WorldConfig, record_actions
 from matrixworld.classroom import Limits, play_class, save_genome, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
 from matrixworld.classroom.policy_server import MODULES, NOT_CONFINED
@@ -552,6 +552,27 @@ def test_a_kernel_holds_the_limits_of_a_process() -> None:
 # ---- docs/class.md: its examples work, and its numbers are those of the code ---------------------
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+PROMISES = {
+    "The world is played in the process of the command, which": "submissions_with_names_of_modules",
+    "Each program has a process of its own for each match": "the_next_program_finds_nothing",
+    "It gets the views of its agents as bytes and answers": "writes protocol, floods protocol",
+    "So a program cannot change the world, see more": "forges actions, a_program_that_changes",
+    "Its process holds no world, no engine, no script": "the_memory_of_a_program_holds_no_world",
+    "Its random numbers and the starts come from": "equal_results, random_numbers_tell_nothing",
+    "The generator `rng` tells neither": "random_numbers_tell_nothing",
+    "It can import the modules": "what_is_not_on_the_list, programs_as_on_the_page, late_imports",
+    "On Linux (x86-64 and ARM64) the process gives up": "endless import, system_calls_by_number",
+    "A filter of system calls (seccomp) allows": "numbers_of_system_calls, limits_and_options",
+    "All others fail": "reads, lists, removes, socket, fork bomb, thread, kills parent, by ctypes",
+    "Open are `/dev/null`": "prints, finds no environment and no other open file",
+    "The environment is empty": "finds no environment and no other open file",
+    "The kernel limits memory": "slow memory, ignores signals, a_kernel_holds_the_limits",
+    "When a match is over": "an_interruption_ends, a_killed_command, two_interruptions",
+    "The command refuses a directory": "submissions_with_names_of_modules",
+    "On other systems, and in containers": "genomes_play_where_programs_cannot",
+    "Genomes are played everywhere": "genomes_play_where_programs_cannot",
+}
+"""The sentences of the section on what a program cannot do, and the programs and tests of each."""
 PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)
 LISTED = set(
     re.findall(r"`([\w.]+)`", PAGE.partition("A program can import")[2].partition("\n\n")[0])
@@ -579,6 +600,30 @@ def test_programs_as_on_the_page_can_be_handed_in(tmp_path: Path) -> None:
     result = small(tmp_path)
     students = [entry.name for entry in result.entries["pursuer"] if entry.file]
     assert (students, result.refusals) == (["anna", "bo"], ())
+
+
+def test_each_sentence_on_what_a_program_cannot_do_is_tested() -> None:
+    section = PAGE.partition("## What a program cannot do")[2].partition("###")[0]
+    plain = " ".join(section.replace("\n- ", "\n").split())
+    told = re.split(r"(?<=[.;])\s+(?=[A-Z])", plain)
+    assert len(told) == len(PROMISES)
+    for sentence, (begin, evidence) in zip(told, PROMISES.items(), strict=True):
+        assert sentence.startswith(begin)
+        for name in evidence.split(", "):
+            programs = name in REFUSED_PROGRAMS or name in HARMLESS_ATTACKS
+            assert programs or any(each.startswith(f"test_{name}") for each in globals()), name
+
+
+def test_views_are_as_the_page_says() -> None:
+    """0 or 1, where several agents share a cell, too."""
+    world = World(WorldConfig("O", rows=3, cols=3, n_pursuers=1, n_evaders=8, fov=5, max_steps=9))
+    world.reset(0)
+    world.step(np.full(9, Action.NORTH))
+    views, positions, alive = world.read("views", "positions", "alive").values()
+    evaders = positions[1:][alive[1:]]
+    assert len(np.unique(evaders, axis=0)) < len(evaders)
+    assert np.unique(views).tolist() == [0, 1]
+    assert "One agent or several in a cell are the same 1" in PAGE
 
 
 def test_limits_and_options_are_those_of_the_command() -> None:
