@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from functools import partial
 from html import unescape
@@ -294,6 +295,22 @@ def test_an_address_leads_to_a_match_and_its_step(opened: Browser) -> None:
     assert browser.js("window.matrixworldExplorer.step") == 5
     browser.driver.execute_script("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
     browser.wait("location.hash.startsWith('#run=1&pursuers=2&evaders=0')")
+    assert browser.errors() == []
+
+
+@pytest.mark.parametrize("first", ["", "AAAA", "!", "AADAfwAAwH8AAMB/"])
+def test_damaged_genomes_are_told_where_the_match_would_be(
+    browser: Browser, job: Job, tmp_path: Path, first: str
+) -> None:
+    """A genome is missing or cut, is no base64, or holds a NaN."""
+    start, genomes, end = re.split(
+        r'(?<=id="genomes-0-evader">)([^<]+)', explorer_page([job["race"]]), maxsplit=1
+    )
+    write_page(tmp_path / "page.html", start + first + genomes[16:] + end)
+    browser.open(tmp_path / "page.html")
+    problem = browser.js("document.querySelector('#match .problem').textContent")
+    assert problem.startswith("The page is damaged: it does not hold the ")
+    assert problem.endswith(" numbers of the evaders' genomes. Write it again from its run.")
     assert browser.errors() == []
 
 

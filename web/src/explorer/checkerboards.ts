@@ -8,7 +8,7 @@ import { playerBar } from "../board/player_bar.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { viridisText } from "./colormap.ts";
-import { isKept } from "./data.ts";
+import { whyNot } from "./data.ts";
 import type { Checkerboard, Run } from "./data.ts";
 import { rate } from "./format.ts";
 import { card } from "./panel.ts";
@@ -56,7 +56,7 @@ function miniature(run: Run, board: Checkerboard, open: (board: Checkerboard) =>
 
 /** Play the four matches of a checkerboard, step by step together. */
 function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, store: Store, engine: Engine): void {
-  const playable = cellsOf(board).filter(([g, h]) => isKept(run, "pursuer", g) && isKept(run, "evader", h));
+  const playable = cellsOf(board).filter(([g, h]) => !whyNot(run, "pursuer", g) && !whyNot(run, "evader", h));
   const matches = playable.map(([pursuer, evader]) =>
     playedMatch(engine, run, { run: store.selected.run, pursuer, evader, episode: 0, seed: null }));
   const player = new Player(Math.max(0, ...matches.map((match) => match.length)), { speed: 16, still: stillMotion() });

@@ -140,10 +140,16 @@ export function cellOf(run: Run, g: number, h: number): { rate: number; rates: r
   return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]![column]! };
 }
 
-/** Return whether the page can play a generation of a team. */
-export function isKept(run: Run, team: Team, generation: number): boolean {
-  const data = run.teams[team];
-  return data.script !== null || data.kept.includes(generation);
+/** Return why the page cannot play a generation of a team; empty if it can. */
+export function whyNot(run: Run, team: Team, generation: number): string {
+  const { script, network, kept, genomes } = run.teams[team];
+  if (script !== null || network === null) return "";
+  if (!kept.includes(generation)) {
+    return `The page holds no genome of ${team}s ${generation}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
+  }
+  const expected = kept.length * network.genome_size;
+  if (genomesOf(genomes).length === expected) return "";
+  return `The page is damaged: it does not hold the ${expected} numbers of the ${team}s' genomes. Write it again from its run.`;
 }
 
 /** Return what plays for a team: the genome of a generation, or a script. */
@@ -159,11 +165,18 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
 
 const decoded = new Map<string, Float32Array>();
 
-/** Return the genomes of an archive, decoded when a match first needs them. */
+/** Return the genomes of an archive, decoded when a match first needs them; none if damaged. */
 function genomesOf(identifier: string): Float32Array {
   const known = decoded.get(identifier);
   if (known) return known;
-  const genomes = new Float32Array(bytesOf(identifier).buffer);
+  let genomes = new Float32Array();
+  try {
+    const found = new Float32Array(bytesOf(identifier).buffer);
+    if (found.every(Number.isFinite)) genomes = found;
+  } catch (error) {
+    // Text that is no base64, or a part of a number: `whyNot` says so.
+    if (!(error instanceof DOMException || error instanceof RangeError)) throw error;
+  }
   decoded.set(identifier, genomes);
   return genomes;
 }

@@ -8,7 +8,7 @@ import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import type { PageData } from "../playground/data.ts";
-import { isKept } from "./data.ts";
+import { TEAMS, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { Inspector } from "./inspector.ts";
@@ -115,11 +115,9 @@ export class MatchPanel {
     this.player.pause();
     this.#entitle();
     const { selected } = this.#store;
-    const missing = (["pursuer", "evader"] as const).find((team) => !isKept(this.#run, team, selected[team]));
-    this.#problem.textContent = missing
-      ? `The page holds no genome of ${missing}s ${selected[missing]}: it would be too large. Choose a generation of ${this.#run.teams[missing].kept.join(", ")}.`
-      : "";
-    if (missing || !this.#engine) return;
+    const problem = TEAMS.map((team) => whyNot(this.#run, team, selected[team])).find(Boolean) ?? "";
+    this.#problem.textContent = problem;
+    if (problem || !this.#engine) return;
     this.#match = playedMatch(this.#engine, this.#run, selected);
     this.#recording = recordingOf(this.#match);
     this.#strip.show(this.#engine, this.#run, this.#match);

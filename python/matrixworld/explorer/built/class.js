@@ -1,8 +1,8 @@
-/* built from web/ by "npm run build"; sources b97d147f7526c1b2506c76387666e9660bb5bd11eafe9363efcb93d2fb35fe34 */
-"use strict";(()=>{var sr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},W=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#s=0;#a=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
+/* built from web/ by "npm run build"; sources f53b286b83d8089a95541ed96e1d57e3387cb0890f57982973e8c1a6f1ec0274 */
+"use strict";(()=>{var sr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#s=0;#a=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#o=r.still??!1,this.#r=r.clock??sr}get step(){return this.#n}get time(){return this.#o?this.#n:this.#s}get arrived(){return this.#s===
 this.#n}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get speed(){return this.#t}set speed(e){
-this.#t=e,this.#c("state")}changeSpeed(e){let r=W.findIndex(n=>n>=this.#t);this.speed=W[Math.min(W.length-1,Math.max(0,r+e))]}play(){this.#a||!this.#e||(this.#n===
+this.#t=e,this.#c("state")}changeSpeed(e){let r=F.findIndex(n=>n>=this.#t);this.speed=F[Math.min(F.length-1,Math.max(0,r+e))]}play(){this.#a||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#a=!0,this.#c("state"),this.#m())}pause(){this.#a&&(this.#a=!1,this.#c("state"))}toggle(){this.#a?this.pause():this.play()}move(e){this.
 pause();let r=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(r-this.#s)>1?this.jump(r):this.#i(r),this.#m()}jump(e){this.#s=Math.min(this.#e,Math.max(0,Math.round(
 e))),this.#i(this.#s),this.#c("frame")}#i(e){e!==this.#n&&(this.#n=e,this.#c("step"),this.#o&&this.#c("frame"))}#m(){this.#l===null&&(this.#d=this.#r.now(),this.#l=
@@ -11,7 +11,7 @@ this.#r.request(()=>this.#u()))}#u(){this.#l=null;let e=this.#r.now();this.#h(Ma
 pause();this.#i(this.#n+1)}let n=this.#a?this.#t:1/this.glide,o=this.#n-this.#s,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#s=s===Math.abs(o)?this.#n:this.#s+Math.
 sign(o)*s}this.#a&&this.#s===this.#e&&this.pause()}#c(e){this.dispatchEvent(new Event(e))}};function Y(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let r=e.shiftKey?
 10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),"+":()=>t.changeSpeed(1),"-":()=>t.
-changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var De={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},F={DISAPPEAR:0,REACH:1,BOUNCE:2},We={OCCUPATION:0,SURROUND:1},Fe={FAULT:0,INVOLVED:1};var Be=["obstacle","teammate","adversary"],fe=["vertex","edge","chain"],He=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],ye=["p\
+changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var De={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},W={DISAPPEAR:0,REACH:1,BOUNCE:2},Fe={OCCUPATION:0,SURROUND:1},We={FAULT:0,INVOLVED:1};var Be=["obstacle","teammate","adversary"],fe=["vertex","edge","chain"],He=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],ye=["p\
 ursuer_{number}","evader_{number}"],Ge={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},B={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},ze="{event}: {outcome}",be={random:"any action, all equally likely",
@@ -36,12 +36,12 @@ of(e)}function ee(t,e){if(typeof e!="boolean")throw b(t,"true or false",e);retur
 hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw b(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Ae(t,e){if(typeof e!="number"||!(Math.
 abs(e)<=hr))throw b(t,"a finite number",e);return e}function O(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;if(n<0n||
 n>pr)throw b(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function fr(t){return{"rules.interaction":E("interaction",t.interaction,De),"rules\
-.obstacle":E("obstacle",t.obstacle,F),"rules.teammate":E("teammate",t.teammate,F),"rules.evader":E("evader",t.evader,F),"rules.pursuer":E("pursuer",t.pursuer,F),
-"rules.capture":E("capture",t.capture,We),"rules.captured_disappear":ee("captured_disappear",t.captured_disappear)}}function Je(t,e){let r=typeof e=="number"?[e,
+.obstacle":E("obstacle",t.obstacle,W),"rules.teammate":E("teammate",t.teammate,W),"rules.evader":E("evader",t.evader,W),"rules.pursuer":E("pursuer",t.pursuer,W),
+"rules.capture":E("capture",t.capture,Fe),"rules.captured_disappear":ee("captured_disappear",t.captured_disappear)}}function Je(t,e){let r=typeof e=="number"?[e,
 e,e]:e;if(!Array.isArray(r)||r.length!==3)throw b(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Ae(t,n))}function yr(t){let e=(r,n)=>Float32Array.of(Ae(r,
 t[r]),Ae(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.step":e("pu\
 rsuer_step","evader_step"),"rewards.pursuer_collide":Je("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Je("evader_collide",t.evader_collide),"rew\
-ards.blame":E("blame",t.blame,Fe),"rewards.capture_repeats":ee("capture_repeats",t.capture_repeats)}}function Qe(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+ards.blame":E("blame",t.blame,We),"rewards.capture_repeats":ee("capture_repeats",t.capture_repeats)}}function Qe(t){if(t===void 0||typeof t=="number")return new Uint8Array(
 0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=je;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw b(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!r.includes(a));if(s)throw b(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,s)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function Ze(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
@@ -126,9 +126,9 @@ function Dr({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Mt(t,x(e,o+.5),A(e,
 cell*.17),t.lineCap="round",t.stroke()}function Ot({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.
 max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[x(e,i)+s,A(e,a)+s,e.cell-2*s,e.cell-
 2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Lt({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=
-a,V(t,x(e,n),A(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Wr=.8,Fr=.92,Br=15,Hr=7,Pe=9;function $t(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Gr(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of j(e,r).values())a.length>
+a,V(t,x(e,n),A(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Fr=.8,Wr=.92,Br=15,Hr=7,Pe=9;function $t(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Gr(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of j(e,r).values())a.length>
 Pe&&zr(t,n[a[Pe-1]],a.length-Pe+1)}function Gr(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:c}=t,d=k(e,n),[m,h]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
-o.size*(d?Fr:Wr)),y=U(t,e,n),f=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?At:V)(i,m,h,p),p>Hr*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
+o.size*(d?Wr:Fr)),y=U(t,e,n),f=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?At:V)(i,m,h,p),p>Hr*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
 p*.1),i.stroke()),i.fillStyle=f?c.paper:y,i.fill(),f&&(V(i,m,h,p*.82),i.strokeStyle=y,i.lineWidth=p*.18,i.stroke()),!s||p<Br*a)return;let v=String(d?n:n-e.nPursuers);
 i.font=`700 ${Math.round(p*(d?.4:.5)*(v.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?y:c.paper,i.fillText(
 v,m,h+p*(d?.17:.03))}function zr({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
@@ -137,14 +137,14 @@ s,a)}var jr=.46,Vr=.86,Kr=.66,Ut=.48,qr=.78,Xr=.58;function Dt(t,e,r,n){let[o,s]
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<s.alive.length;c++)oe(o,s,c)&&Jr(t,e,g(o,c),se(o,s,c));a.globalAlpha=
 1}function Jr({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>x(e,n[1]+.5+s*m),l=m=>A(e,n[0]+.5+a*m),c=Ee(r,o)?qr:Xr;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Ut),l(Ut)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
-s*d),t.lineTo(i(c)+a*d,l(c)-s*d),t.stroke()}function Wt(t,e,r,n,o,s){let a=Te[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,d=Ee(e,[n[0]+a[0],n[1]+a[1]])?Vr:
+s*d),t.lineTo(i(c)+a*d,l(c)-s*d),t.stroke()}function Ft(t,e,r,n,o,s){let a=Te[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,d=Ee(e,[n[0]+a[0],n[1]+a[1]])?Vr:
 Kr,m=jr*o.size,h=[x(l,o.x+a[1]*m),A(l,o.y+a[0]*m),x(l,o.x+a[1]*d),A(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
 p*2.1],[U(t,e,r),p]])i.strokeStyle=y,i.lineWidth=f,_t(i,...h,l.cell*.2),i.stroke()}var Bt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null};function Ht(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(Math.ceil(r),e.
 moments.length-1),c=e.moments[l],d=r===l,m=le(e,r),h=d?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Ct(t);for(let f of n.viewers)m[f]?.
 alpha&&Nt(t,e,f,...vt(e,f,r));kt(t,e),n.axes&&Rt(t,o),Pt(t,e,r,n.trail,m),Ot(t,c.contested??[],h),It(t,e,r),Dt(t,e,l,h),m.forEach(({x:f,y:v,size:_},R)=>{let N=pt(
-c,R)?.4:0,X=ke(c,R)?1:N;X&&Lt(t,f,v,_,X*h)});let p=d?c:e.moments[Math.max(0,l-1)];if($t(t,e,p,m,n.numbers,o),d&&n.plan)for(let[f,v]of m.entries())v.alpha&&Wt(t,
-e,f,g(c,f),v,n.plan[f]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===null?void 0:m[n.selected];y?.alpha&&Ft(t,y.x,y.y,y.size*.96),n.
-cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Ft(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash([]))}function Ft({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),
+c,R)?.4:0,X=ke(c,R)?1:N;X&&Lt(t,f,v,_,X*h)});let p=d?c:e.moments[Math.max(0,l-1)];if($t(t,e,p,m,n.numbers,o),d&&n.plan)for(let[f,v]of m.entries())v.alpha&&Ft(t,
+e,f,g(c,f),v,n.plan[f]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===null?void 0:m[n.selected];y?.alpha&&Wt(t,y.x,y.y,y.size*.96),n.
+cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Wt(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash([]))}function Wt({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),
 t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var Gt=(t,e)=>(e+.24)/(t+.24);function zt(t,e,r,n,o,s){let a=r?28*s:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function jt(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
 0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Yr={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
@@ -173,7 +173,7 @@ step ${t.step} of ${t.length}`,s.textContent=`${t.step} / ${t.length}`,s.style.m
 "step",a),t.addEventListener("state",a),e.addEventListener("keydown",i=>{!(i.target instanceof HTMLSelectElement||i.key===" "&&i.target!==n)&&Y(t,i)&&i.preventDefault()}),
 a(),e}function Zr(t){let e=document.createElement("input");return e.type="range",e.className="player-scrub",e.min="0",e.step="1",e.ariaLabel="Step",e.addEventListener(
 "input",()=>{t.pause(),t.jump(Number(e.value))}),e}function en(t){let e=document.createElement("select");return e.className="player-speed",e.ariaLabel="Speed",e.
-title="Steps a second (+ and -)",e.append(...W.map(r=>new Option(`${r} / s`,String(r)))),e.addEventListener("change",()=>{t.speed=Number(e.value)}),e}var w=(t,e=2)=>t==null?"-":t.toFixed(e);function Xt(t,e,r,n=2){return e===null||r===null?t.toFixed(n):`${t.toFixed(n)} (${e.toFixed(n)} to ${r.toFixed(n)})`}var Jt=(t,e)=>t<e?`pursuer_${t}`:`evader_${t-e}`;function Yt(t,e,r){if(r===0)return[{kind:"start",text:tn(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=d=>Jt(d,t.config.n_pursuers),a=ae(e,n,o),i=t.conflicts(
+title="Steps a second (+ and -)",e.append(...F.map(r=>new Option(`${r} / s`,String(r)))),e.addEventListener("change",()=>{t.speed=Number(e.value)}),e}var w=(t,e=2)=>t==null?"-":t.toFixed(e);function Xt(t,e,r,n=2){return e===null||r===null?t.toFixed(n):`${t.toFixed(n)} (${e.toFixed(n)} to ${r.toFixed(n)})`}var Jt=(t,e)=>t<e?`pursuer_${t}`:`evader_${t-e}`;function Yt(t,e,r){if(r===0)return[{kind:"start",text:tn(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=d=>Jt(d,t.config.n_pursuers),a=ae(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${s(d)} is captured`,agents:[d]}));for(let d of ie(n,o))!a.includes(d)&&!l.has(d)&&c.push(
 {kind:"end",text:`${s(d)} disappears`,agents:[d]});return c.push(...i.map(({kind:d,text:m,agents:h})=>({kind:d,text:m,agents:h}))),r===t.length&&c.unshift({kind:"\
 end",text:rn(t),agents:[]}),c}function tn({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources b97d147f7526c1b2506c76387666e9660bb5bd11eafe9363efcb93d2fb35fe34 */
+/* built from web/ by "npm run build"; sources f53b286b83d8089a95541ed96e1d57e3387cb0890f57982973e8c1a6f1ec0274 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},mt={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
