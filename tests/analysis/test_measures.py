@@ -259,24 +259,6 @@ def test_a_disengagement_names_the_team_that_needs_more_epochs() -> None:
     assert str(Disengagement("evaders", 1, 3)).endswith("give the pursuers more epochs")
 
 
-def test_variance_of_fitness_within_each_generation() -> None:
-    np.testing.assert_allclose(
-        analysis.fitness_variance([[0.0, 1.0], [3.0, 3.0], [-1.0, 5.0]]), [0.25, 0.0, 9.0]
-    )
-
-
-def test_opponents_beaten_by_all_or_by_none_are_undecided() -> None:
-    # Opponent 0 is beaten by both, 1 and 4 by none (a draw is not a win), 2 and 3 by one.
-    outcomes = [[0.9, 0.1, 0.8, 0.2, 0.5], [0.7, 0.0, 0.3, 1.0, 0.5]]
-    found = analysis.undecided_opponents(outcomes)
-    assert found.beaten_by_all.tolist() == [0.2]
-    assert found.beaten_by_none.tolist() == [0.4]
-    np.testing.assert_allclose(found.share, [0.6])
-    both = analysis.undecided_opponents([outcomes, np.ones((2, 5))])
-    np.testing.assert_allclose(both.share, [0.6, 1.0])
-    assert analysis.undecided_opponents(outcomes, level=0.4).beaten_by_all.tolist() == [0.4]
-
-
 # ---- Elo, and cycles beside it -------------------------------------------------------------------
 
 

@@ -176,23 +176,18 @@ def test_with_one_opponent_it_is_welchs_t_test() -> None:
     assert analysis.dominance_tournament(scores, level=p - 1e-6).pursuers.generations == (0,)
 
 
+def test_counts_of_won_episodes_are_scores() -> None:
+    wins = np.array([[1], [9], [9]])  # of 10; the third pursuers are no better than the second
+    ladders = analysis.dominance_tournament(np.arange(10) < wins[..., None])
+    assert ladders.pursuers.generations == (0, 1)
+
+
 def test_noise_alone_rarely_gives_a_dominant_generation() -> None:
     rng = np.random.default_rng(1)
     false = [
         len(analysis.dominance_tournament(rng.random((2, 5, 8))).pursuers) - 1 for _ in range(2000)
     ]
     assert 0.035 < np.mean(false) < 0.065
-
-
-def test_dominance_of_counts() -> None:
-    # By hand: q = 2/12 and 10/12, variance 20/144/10 each, z = .8 / sqrt(2 * .01389) = 4.8.
-    ladders = analysis.dominance_of_counts([[1], [9], [9]], 10)
-    assert ladders.pursuers.generations == (0, 1)
-    expected = float(stats.norm.sf(0.8 / np.sqrt(2 * (2 / 12) * (10 / 12) / 10)))
-    assert ladders.pursuers.p_values == pytest.approx((expected,))
-    # Two of two against none of two: p = .042 by the shrunken variance; one of one is no evidence.
-    assert len(analysis.dominance_of_counts([[0], [2]], 2).pursuers) == 2
-    assert len(analysis.dominance_of_counts([[0], [1]], [[1], [1]], level=0.02).pursuers) == 1
 
 
 @given(scores_of_races)

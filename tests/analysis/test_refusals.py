@@ -50,8 +50,7 @@ def test_bad_matrices_are_refused(
         function(bad)
 
 
-counts, stretches = analysis.dominance_of_counts, analysis.disengagements
-undecided, variance = analysis.undecided_opponents, analysis.fitness_variance
+stretches = analysis.disengagements
 over_runs, difference = analysis.interval_over_runs, analysis.difference_of_runs
 band, judge = analysis.band_over_runs, analysis.judge
 mean, linear = analysis.mean_over_episodes, analysis.linear_over_episodes
@@ -87,20 +86,10 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: dominance(np.zeros((2, 2, 1))), "at least 2 episodes a cell, got 1"),
     (lambda: dominance(np.zeros((2, 2))), "3 dimension"),
     (lambda: dominance(np.zeros((2, 2, 2)), level=0.6), "got 0.6"),
-    (lambda: counts([[3]], 2), r"got 3 of 2 at index \(0, 0\)"),
-    (lambda: counts([[0, -1]], 2), "got -1 of 2"),
-    (lambda: counts([[0.5]], 2), "whole numbers"),
-    (lambda: counts([[0]], 0), "got 0 of 0"),
-    (lambda: counts([[np.nan]], 2), "got nan of 2"),
     # Engagement
     (lambda: stretches([[0.5, 0.5, 0.5]]), r"shape \(K, 2\), got \(1, 3\)"),
     (lambda: stretches([0.5, 0.5]), r"got shape \(2,\)"),
     (lambda: stretches([[0.5, np.nan]]), "got nan"),
-    (lambda: variance([1.0, 2.0]), r"\(generations, individuals\), got \(2,\)"),
-    (lambda: variance(np.empty((0, 3))), r"got \(0, 3\)"),
-    (lambda: variance([[1.0, np.inf]]), "finite fitness, got"),
-    (lambda: undecided([0.5]), "3 dimension"),
-    (lambda: undecided([[0.5]], level=2), r"level in \[0, 1\], got 2"),
     # Strength, ratings
     (lambda: analysis.forgetting(PENNIES, [[0.5]]), r"of shape \(2, 2\), got \(1, 1\)"),
     (lambda: elo(ridge=-1.0), "ridge of at least 0, got -1.0"),

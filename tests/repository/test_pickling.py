@@ -177,7 +177,6 @@ def _of_analysis() -> Iterator[Any]:
     yield payoffs.late
     yield analysis.dominance_tournament(scores)
     yield noise_reference(scores, margin=0.1, simulations=5)
-    yield analysis.undecided_opponents(scores[0])
     yield analysis.disengagements(np.ones((9, 2)))
     yield strength_gain(payoff[0], payoff[0])
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))

@@ -22,11 +22,7 @@ from matrixworld.analysis.cycles import (
     transitive_share_over_episodes,
     two_way_parts,
 )
-from matrixworld.analysis.engagement import (
-    disengagements,
-    fitness_variance,
-    undecided_opponents,
-)
+from matrixworld.analysis.engagement import disengagements
 from matrixworld.analysis.games import (
     alpha_rank,
     exploitability,
@@ -53,7 +49,6 @@ from matrixworld.analysis.payoffs import (
 )
 from matrixworld.analysis.progress import (
     ciao,
-    dominance_of_counts,
     dominance_tournament,
     generalization,
     global_progress,
@@ -98,13 +93,11 @@ __all__ = [
     "difference_of_runs",
     "difference_over_episodes",
     "disengagements",
-    "dominance_of_counts",
     "dominance_tournament",
     "elo",
     "explain",
     "exploitability",
     "fewest_runs",
-    "fitness_variance",
     "forgetting",
     "generalization",
     "generalization_over_episodes",
@@ -133,5 +126,4 @@ __all__ = [
     "transitive_share",
     "transitive_share_over_episodes",
     "two_way_parts",
-    "undecided_opponents",
 ]

@@ -1,20 +1,18 @@
 """Disengagement: one team wins nearly all matches, so neither team gets a signal to learn from.
 
-It is measured over generations (which team wins both team phases) and within one generation
-(whether its individuals differ in fitness, and whether opponents distinguish them).
+It is measured over generations, by which team wins both team phases.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import groupby
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
+from matrixworld.analysis.payoffs import Rates, check_rates, require
 
 PURSUERS_WIN, EVADERS_WIN = 0.97, 0.03
 """Capture rates above which the pursuers, and below which the evaders have won; races with too few
@@ -43,22 +41,6 @@ class Disengagement:
             f"generations {self.first} to {self.last}: the {self.winner} win nearly all matches, "
             f"so neither team has much to learn from; give the {loser} more epochs"
         )
-
-
-class Undecided(NamedTuple):
-    """Shares of the opponents that do not distinguish the individuals of a generation, in [0, 1].
-
-    Both have the shape (generations,): opponents that every individual beats, which are too easy,
-    and opponents that no individual beats, which are too hard.
-    """
-
-    beaten_by_all: Rates
-    beaten_by_none: Rates
-
-    @property
-    def share(self) -> Rates:
-        """Sum of both shares, shape (generations,); 1 is disengagement."""
-        return self.beaten_by_all + self.beaten_by_none
 
 
 def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
@@ -123,51 +105,6 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
     best = int(payoffs.argmax())
     low, high = float(lows[best]), float(highs.max())
     return Estimate(float(payoffs[best]), low, high, "episodes", biased_low=low, biased_high=high)
-
-
-def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:
-    """Return the variance of the fitness within each generation, shape (generations,).
-
-    Where it is 0, selection has no effect. Compare it with the variance of one individual's fitness
-    over repeated episodes, which is noise.
-
-    Parameters
-    ----------
-    fitness : array_like of float, shape (generations, individuals)
-
-    References
-    ----------
-    Watson and Pollack (2001), "Coevolutionary dynamics in a minimal substrate": loss of gradient.
-    """
-    array = check_finite(fitness, "fitness", "(generations, individuals)", ndim=2)
-    # The variance of these individuals, not an estimate for a larger population: divided by n.
-    variance: NDArray[np.float64] = array.var(axis=1)
-    return variance
-
-
-def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided:
-    """Return the shares of opponents that all, and that none, of the individuals beat.
-
-    Parameters
-    ----------
-    outcomes : array_like of float, shape (generations, individuals, opponents)
-        Payoff to each individual, in [0, 1]: capture rates for pursuers, escape rates for evaders.
-        A single generation may have the shape (individuals, opponents).
-    level : float, optional
-        An opponent is beaten if the payoff is above this, in [0, 1].
-
-    References
-    ----------
-    Cartlidge and Bullock (2004), "Combating coevolutionary disengagement by reducing parasite
-    virulence".
-    """
-    require(0.0 <= level <= 1.0, "a level in [0, 1]", level)
-    # A draw at the level is no win, as in `checkerboards`.
-    single = np.ndim(outcomes) == 2
-    what = "outcomes ([generations,] individuals, opponents)"
-    array = check_rates(outcomes, ndim=2 if single else 3, what=what)
-    wins = (array[None] if single else array) > level
-    return Undecided(wins.all(axis=1).mean(axis=-1), (~wins.any(axis=1)).mean(axis=-1))
 
 
 def _check_team_phases(rates: ArrayLike) -> Rates:

@@ -404,7 +404,7 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> B
     ``m^2``. A generation has to pass against *all* dominant ones, which needs no correction for
     multiple tests. But each new generation is another chance to pass: among k equal generations at
     most about ``k * level`` are dominant by chance. Where no score varies, every difference is
-    significant.
+    significant. Counts of won episodes are scores, too: ``np.arange(episodes) < wins[..., None]``.
 
     References
     ----------
@@ -413,55 +413,16 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> B
     (1946).
     """
     array = check_cells(scores, level)
+    require(0.0 < level <= 0.5, "a level in (0, 0.5]", level)
     episodes = array.shape[2]
     means, variances = array.mean(axis=2), array.var(axis=2, ddof=1) / episodes
-    return _both_ladders(means, variances, episodes - 1, level)
-
-
-def dominance_of_counts(
-    wins: ArrayLike, episodes: ArrayLike, *, level: float = SIGNIFICANCE
-) -> ByTeam[Ladder]:
-    """Find the dominant generations, as `dominance_tournament` does, from counts of won episodes.
-
-    Parameters
-    ----------
-    wins : array_like of whole numbers, shape (n, m)
-        Episodes of each cell that the pursuers won.
-    episodes : array_like of whole numbers, shape (n, m) or ()
-        Episodes of each cell, or one number for all cells.
-    level : float, optional
-        Significance level of the one-sided test, in (0, 1/2].
-
-    Notes
-    -----
-    The variance of a cell is ``q (1 - q) / episodes`` with ``q = (wins + 1) / (episodes + 2)``
-    (Agresti and Caffo 2000), so a cell without losses still has some variance. The test is the
-    normal limit of Welch's t.
-    """
-    won, played = np.broadcast_arrays(np.asarray(wins, float), np.asarray(episodes, float))
-    whole = np.isfinite(won) & np.isfinite(played) & (won % 1 == 0) & (played % 1 == 0)
-    bad = np.argwhere(~(whole & (played >= 1) & (won >= 0) & (won <= played)))
-    if len(bad):
-        where = tuple(int(i) for i in bad[0])
-        raise ValueError(
-            "expected whole numbers 0 <= wins <= episodes and episodes >= 1, "
-            f"got {won[where]:g} of {played[where]:g} at index {where}"
-        )
-    means = check_payoff(won / played)
-    # One win and one loss are added: otherwise a cell without losses would have no variance.
-    shrunken = (won + 1.0) / (played + 2.0)
-    return _both_ladders(means, shrunken * (1.0 - shrunken) / played, np.inf, level)
-
-
-def _both_ladders(means: Rates, variances: Rates, freedom: float, level: float) -> ByTeam[Ladder]:
-    require(0.0 < level <= 0.5, "a level in (0, 0.5]", level)
     return ByTeam(
-        _ladder(_totals(means, variances, freedom), level),
-        _ladder(_totals(1.0 - means.T, variances.T, freedom), level),
+        _ladder(_totals(means, variances, episodes - 1), level),
+        _ladder(_totals(1.0 - means.T, variances.T, episodes - 1), level),
     )
 
 
-def _totals(means: Rates, variances: Rates, freedom: float) -> _Scores:
+def _totals(means: Rates, variances: Rates, freedom: int) -> _Scores:
     # A score is the mean of m cells, so each cell's variance counts 1 / m^2.
     parts = variances / means.shape[1] ** 2
     return _Scores(means.mean(axis=1), parts.sum(axis=1), (parts**2 / freedom).sum(axis=1))
@@ -487,6 +448,6 @@ def _p_value(scores: _Scores, one: int, other: int) -> float:
     if abs(difference) <= _ROUNDING or variance == 0.0:  # Welch's t is not defined
         return 0.0 if difference > _ROUNDING else 1.0
     spread = float(scores.spread[one] + scores.spread[other])
-    # Infinite degrees of freedom make Student's t the normal distribution.
+    # The squares of tiny variances are 0 in floating point.
     freedom = variance**2 / spread if spread > 0.0 else np.inf
     return float(stdtr(freedom, -difference / np.sqrt(variance)))
