@@ -7,6 +7,7 @@ of time, and it may saturate. A checkerboard contradicts every such order.
 
 from __future__ import annotations
 
+import heapq
 import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -202,18 +203,6 @@ def checkerboards(
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 
 
-def _margins(matrix: Rates, p: int) -> Rates:
-    """Return by how much the better cells of row p with each later row exceed the worse ones.
-
-    Shape (later rows, m, m): the evaders that p beats, and those that the later row beats. Rows are
-    in one order and evaders in both, so each checkerboard is in one place.
-    """
-    row, later = matrix[p], matrix[p + 1 :]
-    margins: Rates = np.minimum(row[:, None], later[:, None, :])
-    margins -= np.maximum(row, later[:, :, None])
-    return margins
-
-
 def clear_checkerboards(matrix: Rates) -> Checkerboards:
     """Return the checkerboards that judgement, tables and texts count: with `MARGIN`, no level.
 
@@ -230,20 +219,34 @@ def strongest_checkerboards(
     No two have more than two generations in common: a strong one has many neighbours that show the
     same. The largest of many margins is larger than the true one; `noise_reference` says how many
     checkerboards noise alone makes.
+
+    Of two rows, no margin exceeds what one gains over the other in some column, and loses in
+    another. In the order of these bounds, found in time O(n^2 m), some dozens of pairs have to be
+    looked at in time O(m^2), and in the worst case all of them.
     """
-    boards = []
-    for p in range(len(matrix) - 1):
-        for q, margins in enumerate(_margins(matrix, p), p + 1):
-            best = divmod(int(margins.argmax()), len(margins))
-            boards.append(Checkerboard((p, q), best, float(margins[best])))
-    boards.sort(key=lambda board: -board.margin)
+    pairs: list[tuple[float, int, int, Checkerboard | None]] = []
+    for p, row in enumerate(matrix[:-1]):
+        gains = row - matrix[p + 1 :]
+        bounds = np.minimum(gains.max(axis=1), -gains.min(axis=1)).tolist()
+        pairs += [(-most, p, q, None) for q, most in enumerate(bounds, p + 1) if most > margin]
+    heapq.heapify(pairs)
     chosen: list[Checkerboard] = []
-    for board in boards:
-        if board.margin <= margin or len(chosen) == count:
-            break
-        if all(_in_common(board, other) <= 2 for other in chosen):
+    while pairs and len(chosen) < count:
+        _, p, q, board = heapq.heappop(pairs)
+        if board is None:
+            board = _strongest_of(matrix, p, q)
+            if board.margin > margin:
+                heapq.heappush(pairs, (-board.margin, p, q, board))
+        elif all(_in_common(board, other) <= 2 for other in chosen):
             chosen.append(board)
     return tuple(chosen)
+
+
+def _strongest_of(matrix: Rates, p: int, q: int) -> Checkerboard:
+    row, later = matrix[p], matrix[q]
+    margins = np.minimum(row[:, None], later) - np.maximum(row, later[:, None])
+    a, b = divmod(int(margins.argmax()), len(row))
+    return Checkerboard((p, q), (a, b), float(margins[a, b]))
 
 
 def _in_common(one: Checkerboard, other: Checkerboard) -> int:
