@@ -206,3 +206,8 @@ def test_a_page_without_room_keeps_the_best_and_worst_matches(
         if kept:
             assert browser.js("document.querySelector('.check').dataset.equal") == "true"
     assert browser.errors() == []
+
+
+@pytest.mark.slow
+def test_readers_with_disabilities_are_not_hindered(browser: Browser, page: Path) -> None:
+    assert browser.hindrances(page) == {}

@@ -204,6 +204,17 @@ def test_a_checkerboard_plays_four_matches(
     assert browser.errors() == []
 
 
+@pytest.mark.slow
+def test_readers_with_disabilities_are_not_hindered(
+    browser: Browser, job: Job, tmp_path: Path
+) -> None:
+    """Contrast, labels and landmarks of the page and of its dialogs."""
+    page = tmp_path / "page.html"
+    write_page(page, explorer_page(list(job.values()), note="Some runs are left out."))
+    press = "document.querySelector('{}').click()".format
+    assert browser.hindrances(page, *map(press, (".keys-button", ".miniature"))) == {}
+
+
 @pytest.mark.parametrize("size", [DESKTOP, PHONE])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_is_wider_than_the_window(

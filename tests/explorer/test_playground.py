@@ -390,6 +390,15 @@ def test_readers_of_the_page_hear_what_happened(page: PlaygroundPage) -> None:
     assert unnamed == 0
 
 
+@pytest.mark.slow
+def test_readers_with_disabilities_are_not_hindered(browser: Browser, tmp_path: Path) -> None:
+    Playground().save(tmp_path / "page.html")
+    buttons = ("Share", "Keys")
+    find = "[...document.querySelectorAll('.top button')].find((b) => b.textContent === '{}')"
+    scripts = [f"{find.format(name)}.click()" for name in buttons]
+    assert browser.hindrances(tmp_path / "page.html", *scripts) == {}
+
+
 # The same as in the package:
 
 

@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,8 @@ NAMES = ("chromium", "chromium-browser", "google-chrome")
 DRIVERS = ("chromedriver",)
 DESKTOP, LAPTOP, PHONE = (1920, 1080), (1280, 800), (390, 844)
 """Sizes of windows: width and height in CSS pixels."""
+AXE = Path(__file__).parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
+"""What `Browser.violations` runs; ``npm ci`` in web/ installs it, as .ci/run does."""
 READY = "document.body.dataset.ready === 'true'"
 """What the script of a page says when it is ready."""
 
@@ -101,6 +104,33 @@ class Browser:
         """Return the errors and warnings in the console since the last call."""
         found: list[dict[str, Any]] = self.driver.get_log("browser")  # type: ignore[no-untyped-call]
         return [each["message"] for each in found if each["level"] in ("SEVERE", "WARNING")]
+
+    def violations(self) -> list[str]:
+        """Return what hinders readers with disabilities, as axe-core finds it: rule and element."""
+        if not AXE.exists():
+            pytest.skip("expected axe-core in web/node_modules (npm ci in web/), found none")
+        self.driver.execute_script(AXE.read_text(encoding="utf-8"))
+        found: list[str] = self.driver.execute_async_script(
+            """const done = arguments[0];
+            axe.run(document, {resultTypes: ["violations"]}).then(({ violations }) => done(
+              violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`))));"""
+        )
+        return found
+
+    def hindrances(self, page: Path, *dialogs: str) -> dict[tuple[str, ...], list[str]]:
+        """Return the violations of a page and of the dialogs that scripts open.
+
+        Light and dark, on a laptop and on a phone; by width, scheme and script.
+        """
+        found = {}
+        for (width, height), scheme in product((LAPTOP, PHONE), ("light", "dark")):
+            self.prefer(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
+            for script in ("", *dialogs):
+                self.open(page, (width, height))
+                self.driver.execute_script(script)
+                found[str(width), scheme, script] = self.violations()
+        self.prefer()
+        return {where: violations for where, violations in found.items() if violations}
 
     def screenshot(self, file: Path, *, whole: bool = False) -> None:
         """Write what the window shows, or the whole page, as PNG."""

@@ -2,7 +2,7 @@
 
 import { html, svg } from "../page/dom.ts";
 import type { Team } from "../explorer/data.ts";
-import { viridis, viridisGradient, viridisText } from "../explorer/colormap.ts";
+import { inkOn, viridisGradient, viridisText } from "../explorer/colormap.ts";
 import { interval, rate } from "../explorer/format.ts";
 import type { Data, Pair } from "./data.ts";
 import type { Store } from "./store.ts";
@@ -79,10 +79,8 @@ export class MatrixPanel {
     if (Math.max(this.#rows.length, this.#columns.length) > READABLE) return [];
     return this.#rows.flatMap((g, row) => this.#columns.map((h, column) => {
       const value = this.#data.capture_rate[g]![h]!;
-      const [red, green, blue] = viridis(value);
-      const fill = 0.299 * red + 0.587 * green + 0.114 * blue > 140 ? "#111" : "#fff";
       return svg("text", {
-        x: (column + 0.5) * size, y: (row + 0.5) * size, fill, "font-size": Math.min(30, 0.32 * size), class: "in-cell",
+        x: (column + 0.5) * size, y: (row + 0.5) * size, fill: inkOn(value), "font-size": Math.min(30, 0.32 * size), class: "in-cell",
       }, rate(value));
     }));
   }

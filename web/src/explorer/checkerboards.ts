@@ -7,7 +7,7 @@ import { Player, playerKey } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import { viridisText } from "./colormap.ts";
+import { inkOn, viridisText } from "./colormap.ts";
 import { whyNot } from "./data.ts";
 import type { Checkerboard, Run } from "./data.ts";
 import { rate } from "./format.ts";
@@ -44,12 +44,13 @@ function miniature(run: Run, board: Checkerboard, open: (board: Checkerboard) =>
   const [a, b] = board.evaders;
   const cells = cellsOf(board).map(([g, h]) => {
     const value = run.payoff.capture_rate[g]![h]!;
-    const cell = html("span", { class: value > 0.55 ? "cell light" : "cell" }, rate(value));
+    const cell = html("span", { class: "cell" }, rate(value));
     cell.style.backgroundColor = viridisText(value);
+    cell.style.color = inkOn(value);
     return cell;
   });
-  return html("button", { type: "button", class: "miniature numbers", onclick: () => open(board), "aria-label": `Pursuers ${p} and ${q}, evaders ${a} and ${b}: four matches` },
-    html("span", {}), html("span", { class: "evader" }, a), html("span", { class: "evader" }, b),
+  return html("button", { type: "button", class: "miniature numbers", onclick: () => open(board) },
+    html("span", {}, html("span", { class: "heard" }, `Four matches of pursuers ${p} and ${q}, evaders ${a} and ${b}:`)), html("span", { class: "evader" }, a), html("span", { class: "evader" }, b),
     html("span", { class: "pursuer" }, p), cells[0]!, cells[1]!,
     html("span", { class: "pursuer" }, q), cells[2]!, cells[3]!);
 }

@@ -1,6 +1,7 @@
 // CIAO: current individuals against ancestral opponents, a triangle for each team.
 
 import { html, svg } from "../page/dom.ts";
+import { listenToArrows } from "./arrow_keys.ts";
 import { viridis } from "./colormap.ts";
 import type { Run, Team } from "./data.ts";
 import { rate } from "./format.ts";
@@ -30,7 +31,7 @@ function triangle(run: Run, team: Team, numbers: string, store: Store): { elemen
   const [rows, columns] = [run.payoff.shape[own], run.payoff.shape[1 - own]!];
   const score = (row: number, column: number): number =>
     team === "pursuer" ? run.payoff.capture_rate[row]![column]! : 1 - run.payoff.capture_rate[column]![row]!;
-  const canvas = html("canvas", { width: columns, height: rows, role: "img", "aria-label": `CIAO of the ${team}s: ${numbers}` });
+  const canvas = html("canvas", { width: columns, height: rows, "aria-hidden": "true" });
   const ctx = canvas.getContext("2d");
   const image = ctx?.createImageData(columns, rows);
   for (let row = 0; image && row < rows; row++) {
@@ -42,7 +43,8 @@ function triangle(run: Run, team: Team, numbers: string, store: Store): { elemen
   const place = svg("rect", { class: "chosen", width: 1, height: 1 });
   const under = svg("rect", { class: "chosen under", width: 1, height: 1 });
   const overlay = svg("svg", { viewBox: `0 0 ${columns} ${rows}`, preserveAspectRatio: "none", "aria-hidden": "true" }, under, place);
-  const frame = html("div", { class: "triangle" }, canvas, overlay);
+  const frame = html("div", { class: "triangle", "aria-label": `CIAO of the ${team}s: ${numbers}. Arrow keys choose a match.` }, canvas, overlay);
+  listenToArrows(frame, store, () => run.payoff.shape, team);
   frame.style.aspectRatio = `${columns} / ${rows}`;
   const at = (event: MouseEvent): [number, number] | null => {
     const box = frame.getBoundingClientRect();

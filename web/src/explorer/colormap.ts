@@ -15,6 +15,12 @@ export function viridis(rate: number): readonly [number, number, number] {
   return [mix(0), mix(1), mix(2)];
 }
 
+/** Return the colour of text that can be read on a rate's colour: with a contrast of at least 4.5. */
+export function inkOn(rate: number): "#000" | "#fff" {
+  const [red, green, blue] = viridis(rate).map((each) => ((each / 255 + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue! > 0.179 ? "#000" : "#fff";
+}
+
 export const viridisText = (rate: number): string => `rgb(${viridis(rate).join(" ")})`;
 
 /** Return stops of a CSS gradient that shows the scale. */

@@ -1,5 +1,6 @@
 // Training curve, lag profile and ratings.
 
+import { listenToArrows } from "./arrow_keys.ts";
 import { chart, frame, legend, line, mark } from "./chart.ts";
 import type { Run, Team } from "./data.ts";
 import { rate, thousands } from "./format.ts";
@@ -10,6 +11,7 @@ import type { Store } from "./store.ts";
 const LEARNERS = ["of-pursuers", "of-evaders", "of-both"] as const;
 /** More points than that fill the chart with thick lines. */
 const MANY = 2500;
+const KEYS = "Arrow keys choose generations.";
 const RATE = { low: 0, high: 1, label: "capture rate" };
 
 /** Capture rate over training, in the colour of the team that learns. */
@@ -24,7 +26,7 @@ export function trainingPanel(run: Run, store: Store): Panel {
     const inside = generation.flatMap((each, i) => (each === chosen && (learner[i] === team || learner[i] === 2) ? [i] : []));
     return inside.length ? [epoch[inside[0]!]!, epoch[inside.at(-1)!]!] : null;
   };
-  const made = chart(`Capture rate in ${last} epochs of training`, (width, height) => {
+  const made = chart(`Capture rate in ${last} epochs of training. ${KEYS}`, (width, height) => {
     const into = frame(width, height, { low: 0, high: last, label: "epoch", whole: true }, RATE);
     for (const [style, values] of [["raw", capture_rate], [dense, smooth]] as const) {
       for (const [team, name] of LEARNERS.entries()) {
@@ -49,6 +51,7 @@ export function trainingPanel(run: Run, store: Store): Panel {
       if (learner[at] !== 0) store.select({ evader: Math.min(chosen, run.payoff.shape[1] - 1) });
     },
   });
+  listenToArrows(made.element, store, () => run.payoff.shape);
   const learning = [...new Set(learner)].sort().map((team) =>
     [["pursuers learn", "evaders learn", "both teams learn"][team]!, LEARNERS[team]!] as const);
   return {
@@ -97,7 +100,7 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const room = 0.06 * (high - low || 1);
   const last = Math.max(...run.payoff.shape) - 1;
-  const made = chart("Elo ratings by generation", (width, height) => {
+  const made = chart(`Elo ratings by generation. ${KEYS}`, (width, height) => {
     const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: low - room, high: high + room, label: "Elo points" });
     for (const team of ["pursuer", "evader"] as const) line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
     return into;
@@ -116,6 +119,7 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
       if (generation >= 0 && generation < curves[team].length) store.select({ [team]: generation });
     },
   });
+  listenToArrows(made.element, store, () => run.payoff.shape);
   return {
     element: card("Ratings", `One number for each generation, which cycles do not fit. The game itself: ${rate(ratings.offset, 0)} points for the pursuers.`,
       legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element),

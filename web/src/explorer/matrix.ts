@@ -2,6 +2,7 @@
 // sides the mean score of each generation against all opponents.
 
 import { html, svg } from "../page/dom.ts";
+import { listenToArrows } from "./arrow_keys.ts";
 import { cellOf } from "./data.ts";
 import type { Band, Run } from "./data.ts";
 import { viridisGradient } from "./colormap.ts";
@@ -49,7 +50,7 @@ export class MatrixPanel {
     [this.#runs, this.#store] = [runs, store];
     this.#room = html(
       "div",
-      { class: "matrix", id: "matrix", tabindex: 0, role: "application", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it." },
+      { class: "matrix", id: "matrix", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it." },
       this.#canvas, this.#overlay,
     );
     const readout = html("header", { class: "readout", "aria-live": "polite" },
@@ -67,7 +68,10 @@ export class MatrixPanel {
       event.preventDefault();
       if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     });
-    this.#room.addEventListener("keydown", (event) => this.#key(event));
+    listenToArrows(this.#room, store, () => this.#run.payoff.shape);
+    this.#room.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") this.#play();
+    });
     store.on("run", () => this.#draw());
     store.on("match", () => this.#mark());
     store.on("hover", () => this.#mark());
@@ -191,23 +195,11 @@ export class MatrixPanel {
     const at = this.#under(event);
     if (!at) return;
     this.#store.select({ ...(at.g < 0 ? {} : { pursuer: at.g }), ...(at.h < 0 ? {} : { evader: at.h }) });
-    if (at.inside) this.#room.dispatchEvent(new CustomEvent("play", { bubbles: true }));
+    if (at.inside) this.#play();
   }
 
-  #key(event: KeyboardEvent): void {
-    const moves: Record<string, readonly [number, number]> = {
-      ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1],
-    };
-    const move = moves[event.key];
-    if (event.key === "Enter") this.#room.dispatchEvent(new CustomEvent("play", { bubbles: true }));
-    else if (move) {
-      const many = event.shiftKey ? 5 : 1;
-      const [rows, columns] = this.#run.payoff.shape;
-      const { pursuer, evader } = this.#store.selected;
-      this.#store.select({ pursuer: clamp(pursuer + many * move[0], rows), evader: clamp(evader + many * move[1], columns) });
-    } else return;
-    event.preventDefault();
-    event.stopPropagation();
+  #play(): void {
+    this.#room.dispatchEvent(new CustomEvent("play", { bubbles: true }));
   }
 }
 
@@ -217,8 +209,6 @@ function scaleOfRates(): HTMLElement {
   bar.style.backgroundImage = viridisGradient();
   return html("p", { class: "scale-of-rates small muted" }, "0 all escape", bar, "1 all caught");
 }
-
-const clamp = (value: number, count: number): number => Math.min(count - 1, Math.max(0, value));
 
 function axes({ left, top, cell, rows, columns }: Places): SVGElement {
   const made = svg("g", { class: "axes" });

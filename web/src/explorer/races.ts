@@ -10,7 +10,7 @@ const SIDE = 84;
 /** Return the tabs of the runs. They show the selected cell in every matrix. */
 export function raceTabs(runs: readonly Run[], store: Store): HTMLElement {
   const tabs = runs.map((run, number) => tab(run, number, store));
-  const list = html("nav", { class: "races", role: "tablist", "aria-label": "Runs" }, ...tabs.map((each) => each.button));
+  const list = html("nav", { class: "races", "aria-label": "Runs" }, ...tabs.map((each) => each.button));
   const update = (): void => tabs.forEach((each, number) => each.update(number === store.selected.run));
   store.on("match", update);
   store.on("hover", update);
@@ -27,7 +27,7 @@ function tab(run: Run, number: number, store: Store): { button: HTMLButtonElemen
   const mark = html("span", { class: "place" });
   const button = html(
     "button",
-    { type: "button", role: "tab", class: "race", title: `Key ${number + 1}`, onclick: () => choose(run, number, store) },
+    { type: "button", class: "race", title: `Key ${number + 1}`, onclick: () => choose(run, number, store) },
     html("span", { class: "small-matrix" }, canvas, mark),
     html("span", { class: "race-text" },
       html("strong", {}, run.name),
@@ -35,7 +35,7 @@ function tab(run: Run, number: number, store: Store): { button: HTMLButtonElemen
       run.schedule === run.name ? null : html("span", { class: "small muted" }, `${run.schedule}, seed ${run.seed}`)),
   );
   const update = (selected: boolean): void => {
-    button.ariaSelected = String(selected);
+    button.setAttribute("aria-current", String(selected));
     const g = store.hover.pursuer ?? store.selected.pursuer;
     const h = store.hover.evader ?? store.selected.evader;
     mark.hidden = g >= rows || h >= columns;
