@@ -15,6 +15,7 @@ import pytest
 
 from browser import DESKTOP, LAPTOP, PHONE, READY, Browser
 from matrixworld import World, WorldConfig, analysis
+from matrixworld.analysis.report import headline_numbers
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import explore
@@ -381,6 +382,7 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     found = as_read(race)["findings"]
     judgement = analysis.judge(race.payoff().capture_rates, per_episode=True)
     assert found["headline"] == analysis.headline(judgement)
+    assert found["numbers"] == headline_numbers(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
 

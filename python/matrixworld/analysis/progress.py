@@ -276,9 +276,9 @@ def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
     """Compare current individuals with ancestral opponents, in a triangle of each team.
 
     Both triangles contain the diagonal, which is the current opponent; evaders stand in the rows of
-    theirs. Stripes show cycling. Fading away from the diagonal shows that a team loses to opponents
-    that it once beat. A race in which both teams keep improving shows neither, since old opponents
-    are easy.
+    theirs. Stripes show intransitivity. Fading away from the diagonal shows that a team loses to
+    opponents that it once beat. A race in which both teams keep improving shows neither, since old
+    opponents are easy.
 
     Parameters
     ----------

@@ -24,6 +24,7 @@ from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN, noise_reference, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
+from matrixworld.analysis.report import headline_numbers
 from matrixworld.coevolution.schedules import Against, HallOfFame
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -286,6 +287,7 @@ def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dic
     judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
     return {
         "headline": analysis.headline(judgement),
+        "numbers": headline_numbers(judgement),
         "window": judgement.window,
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),

@@ -20,7 +20,7 @@ export function ciaoPanel(run: Run, store: Store): Panel | null {
     return triangle(run, team, numbers, store);
   });
   return {
-    element: card("CIAO", "Current individuals against ancestral opponents, by the team's own score. Stripes that come back: cycling. Darker away from the diagonal: forgetting.",
+    element: card("CIAO", "Current individuals against ancestral opponents, by the team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier strategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",
       html("div", { class: "triangles" }, ...triangles.map((each) => each.element))),
     update: () => triangles.forEach((each) => each.update()),
   };

@@ -70,6 +70,7 @@ interface OfTeams<Value> {
 
 export interface Findings {
   readonly headline: string;
+  readonly numbers: readonly string[];
   readonly window: string;
   readonly table: readonly (readonly [string, string, string, string])[];
   readonly reasons: readonly string[];

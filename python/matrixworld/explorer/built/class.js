@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources d47905dfa709968df1c3a4d9b062b0a6d061b8d34a57bbb2d74c77786d564c07 */
+/* built from web/ by "npm run build"; sources b913cd257b1a9ce9e7cc59416cdf56784242f9935f6210119e3ef7525a9df4d8 */
 "use strict";(()=>{var ar={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#s=0;#a=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#o=r.still??!1,this.#r=r.clock??ar}get step(){return this.#n}get time(){return this.#o?this.#n:this.#s}get arrived(){return this.#s===
 this.#n}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get speed(){return this.#t}set speed(e){

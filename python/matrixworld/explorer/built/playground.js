@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources d47905dfa709968df1c3a4d9b062b0a6d061b8d34a57bbb2d74c77786d564c07 */
+/* built from web/ by "npm run build"; sources b913cd257b1a9ce9e7cc59416cdf56784242f9935f6210119e3ef7525a9df4d8 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},mt={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
