@@ -243,8 +243,8 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield saved
     yield saved.policy("pursuer", -1, seed=0)
     yield from (saved.payoff(), saved, saved.files, coevolution.score(saved, episodes=2))
-    yield coevolution.best_response(
-        saved, "pursuer", 100, directory / "response", evaluation_episodes=5
+    yield coevolution.best_responses(
+        {"a": saved}, "pursuer", 100, directory / "response", evaluation_episodes=5
     )
     yield from (
         coevolution.DamagedFileError(Path("payoff.npz"), "cut or altered"),

@@ -29,10 +29,7 @@ from matrixworld.coevolution.evaluation.scores import (
 )
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
-from matrixworld.coevolution.jobs.best_responses import (
-    best_response,
-    best_responses,
-)
+from matrixworld.coevolution.jobs.best_responses import best_responses
 from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
 from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
 from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
@@ -123,7 +120,6 @@ __all__ = [
     "Team",
     "WorkerDiedError",
     "available",
-    "best_response",
     "best_responses",
     "check_learner",
     "check_sampler",

@@ -1,4 +1,4 @@
-"""Best responses to the champions of runs: alone, side by side, and by the command."""
+"""Best responses to the champions of runs, and the command that evolves them."""
 
 from __future__ import annotations
 
@@ -15,22 +15,21 @@ from command_line import matrixworld_command
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import exploit
 from matrixworld.coevolution import (
-    Against,
     EvolutionStrategySettings,
-    best_response,
+    SavedRun,
     best_responses,
     evolve,
     finish,
     open_run,
     start,
 )
-from matrixworld.coevolution.jobs.best_responses import response_settings
+from matrixworld.coevolution.jobs.best_responses import BestResponse, response_settings
 from matrixworld.coevolution.jobs.evolve import job_of, save_job
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.policy import Population
-from tiny_race import StopAt, results, tiny_race, tiny_single
+from tiny_race import StopAt, tiny_race, tiny_single
 
 pytestmark = pytest.mark.usefixtures("no_processes")
 BUDGET = 100  # matches: 2 epochs of 48
@@ -47,6 +46,11 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+def respond(run: SavedRun, *args: Any, **changes: Any) -> BestResponse:
+    [response] = best_responses({"x": run}, *args, **changes).values()
+    return response
+
+
 def last(run: Any, team: str) -> Population:
     return Population(run.teams[team].genomes[-1], run.teams[team].network)
 
@@ -54,7 +58,7 @@ def last(run: Any, team: str) -> Population:
 @pytest.mark.parametrize("champion", ["pursuer", "evader"])
 def test_what_is_played(race, tmp_path, champion):
     run, learner = open_run(race), other(champion)
-    result = best_response(run, champion, 450, tmp_path / "x", evaluation_episodes=EPISODES)
+    result = respond(run, champion, 450, tmp_path, evaluation_episodes=EPISODES)
     response = open_run(tmp_path / "x")
     assert response.settings.schedule.team == learner
     assert np.array_equal(response.teams[champion].genomes, last(run, champion).genomes)
@@ -83,26 +87,14 @@ def test_what_is_played(race, tmp_path, champion):
     assert "no weakness was found" in words  # with so few matches
 
 
-@pytest.mark.parametrize("call", [0, 1, 2])
-def test_an_interrupted_response_continues(race, tmp_path, call):
-    run, arguments = open_run(race), {**CHOSEN, "schedule": Against(archive_every=1)}
-    straight = best_response(run, "pursuer", BUDGET, tmp_path / "straight", **arguments)
-    with pytest.raises(KeyboardInterrupt):
-        best_response(run, "pursuer", BUDGET, tmp_path / "x", play=StopAt(call), **arguments)
-    for _ in range(2):  # continued, and then only opened
-        again = best_response(run, "pursuer", BUDGET, tmp_path / "x", **arguments)
-        assert results(tmp_path / "x") == results(tmp_path / "straight")
-        assert again.gain == straight.gain
-
-
 def test_a_weak_champion_is_exploited(tmp_path):
     """An untrained team hardly moves: its response learns to capture far more."""
     settings = tiny_race(
         fov=5, hidden=(), train_steps=20, max_steps=20, generations=1, pursuer_epochs=1,
         evader_epochs=1, population=2, sigma=1e-6, learning_rate=1e-6, initial_head=0.01,
     )  # fmt: skip
-    result = best_response(
-        finish(settings, tmp_path / "race"), "evader", 9600, tmp_path / "x",
+    result = respond(
+        finish(settings, tmp_path / "race"), "evader", 9600, tmp_path / "responses",
         evaluation_episodes=300,
         learner=EvolutionStrategySettings(population=48, learning_rate=0.05, sigma=0.2),
     )  # fmt: skip
@@ -134,27 +126,19 @@ def test_a_scripted_champion_is_refused(race, tmp_path):
     with pytest.raises(ValueError, match=r"team: expected one that learned in .*run, got 'evader'"):
         best_responses(runs, "evader", BUDGET, tmp_path / "x")
     assert not (tmp_path / "x").exists()
-    result = best_response(run, "pursuer", BUDGET, tmp_path / "x", evaluation_episodes=2)
+    result = respond(run, "pursuer", BUDGET, tmp_path / "x", evaluation_episodes=2)
     assert result.gain.budget == 96
 
 
-def test_another_response_in_the_directory_is_refused(race, tmp_path):
+def test_another_champion_at_the_same_place_is_refused(race, tmp_path):
     copy = tmp_path / "race"
     shutil.copytree(race, copy)
-    run = open_run(copy)
-    best_response(run, "pursuer", 48, tmp_path / "x", evaluation_episodes=2)
-    for name, arguments in {
-        "evaluation_episodes": ("pursuer", 48, 3),
-        "schedule.epochs": ("pursuer", 96, 2),
-        "schedule.team": ("evader", 48, 2),
-    }.items():
-        *same, episodes = arguments
-        with pytest.raises(ValueError, match=f"x: holds a run with other settings: .*{name}$"):
-            best_response(run, *same, tmp_path / "x", evaluation_episodes=episodes)
+    respond(open_run(copy), "pursuer", 48, tmp_path / "to", evaluation_episodes=2)
     shutil.rmtree(copy)
+    # The response has the settings that are asked for, but its champion is no longer there.
     anew = finish(tiny_race(generations=1), copy)
     with pytest.raises(ValueError, match="x: holds a run against another champion"):
-        best_response(anew, "pursuer", 48, tmp_path / "x", evaluation_episodes=2)
+        respond(anew, "pursuer", 48, tmp_path / "to", evaluation_episodes=2)
 
 
 # The command:
@@ -165,17 +149,18 @@ def test_the_command(job: Path, tmp_path: Path) -> None:
     command = ["exploit", copy, *COMMAND]
     told = matrixworld_command(*command).stdout
     beside = tmp_path / f"job-response-to-pursuers-{BUDGET}x{EPISODES}-seed0"
-    gains = []
-    for seed in (0, 1, 2):
-        run, made = (place / SCHEDULE / f"seed-{seed}" for place in (copy, beside))
-        response = best_response(open_run(run), "pursuer", BUDGET, made, **CHOSEN)
-        gains.append(response.gain.gain.value)
+    runs = {f"{SCHEDULE}/seed-{n}": open_run(copy / SCHEDULE / f"seed-{n}") for n in range(3)}
+    # What the command has finished is only read.
+    found = best_responses(runs, "pursuer", BUDGET, beside, **CHOSEN)
+    for seed, response in enumerate(found.values()):
         line = rf"^ +{seed}  +{response.before.mean():.3f} +{response.after.mean():.3f}  "
         assert re.search(line + re.escape(str(response.gain.gain)), told, re.MULTILINE)
+    gains = [response.gain.gain.value for response in found.values()]
     mean = interval_over_runs(gains, bounds=(-1.0, 1.0))
     assert f"{mean.value:.3f} ({mean.low:.3f} to {mean.high:.3f})" in told
     assert "288 matches of evolution and 72 of evaluation" in told
     assert f"matrixworld replay {beside / SCHEDULE / 'seed-0'}" in told
+    made = response.directory
     files = {path: path.read_bytes() for path in made.iterdir()}
     assert matrixworld_command(*command).stdout == told
     assert {path: path.read_bytes() for path in made.iterdir()} == files

@@ -11,7 +11,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import RaceSettings, best_response, finish, open_run, start
+from matrixworld.coevolution import RaceSettings, best_responses, finish, open_run, start
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
@@ -269,7 +269,7 @@ def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Pat
     run = finish(more, tmp_path / "second", threads=1)
     first = open_run(tmp_path / "first").teams["pursuer"].genomes[-1]
     np.testing.assert_array_equal(run.teams["pursuer"].genomes[0], first)
-    best_response(run, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
+    best_responses({"a": run}, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
 
 
 def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,12 +19,10 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.jobs.evolve import evolve
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.runs.start import finish
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
-from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.rules import Rewards
 
@@ -63,71 +61,6 @@ class BestResponse:
         }
 
 
-def best_response(
-    run: SavedRun,
-    team: Team,
-    matches: int,
-    directory: str | Path,
-    *,
-    threads: int | None = None,
-    play: Rollout = rollout,
-    report: Report = silent,
-    **changes: Any,
-) -> BestResponse:
-    """Evolve a response to the last genome of `team` in a run, and measure its gain.
-
-    The response starts untrained and plays against the champion only. It is a run of its own in
-    `directory`: called again with the same arguments, the function continues an interrupted
-    response, and only reads a finished one.
-
-    Parameters
-    ----------
-    run : SavedRun
-        The run of the champion.
-    team : {"pursuer", "evader"}
-        Team of the champion.
-    matches : int
-        Budget of the response. Only complete epochs are played; the result holds the budget used.
-    directory : str or Path
-        Directory of the response.
-    threads, play, report
-        As in `finish`.
-    **changes
-        Fields of `RaceSettings` of the response, such as ``match_episodes=2``.
-
-    Raises
-    ------
-    ValueError
-        If the budget is smaller than one epoch, a setting is bad, `team` did not learn in `run`, or
-        the directory holds a run of other settings or against another champion.
-
-    Notes
-    -----
-    The gain is a lower bound of the champion's exploitability (see `analysis.response_gain`): a
-    longer search may find more.
-    """
-    settings = response_settings(run, team, matches, **changes)
-    response = finish(settings, directory, threads=threads, play=play, report=report)
-    last = {name: _last(policy) for name, policy in run.teams.items()}
-    # The run may have gone on, or been made anew in the same place.
-    if not np.array_equal(_genomes(response.teams[team]), _genomes(last[team])):
-        raise ValueError(f"{directory}: holds a run against another champion")
-    before = tournament(
-        settings.world,
-        last["pursuer"],
-        last["evader"],
-        seed=settings.seed,
-        episodes=settings.evaluation_episodes,
-        threads=threads,
-        play=play,
-    )
-    scores = _scores(before.capture_rates, team), _scores(response.payoff().capture_rates, team)
-    gain = response_gain(*scores, budget=response.files.summary()["training_matches"])
-    result = BestResponse(team, *scores, gain, response.files.path)
-    save_json(response.files.path / RESPONSE, result.to_json())
-    return result
-
-
 def best_responses(
     runs: Mapping[str, SavedRun],
     team: Team,
@@ -139,30 +72,65 @@ def best_responses(
     report: Report = silent,
     **changes: Any,
 ) -> dict[str, BestResponse]:
-    """Evolve a response to the last genome of `team` in each run, side by side; results by name.
+    """Evolve a response to the last genome of `team` in each run; measure its gain, by name.
+
+    A response starts untrained and plays against the champion only. It is a run of its own in
+    `directory`: called again with the same arguments, the function continues interrupted responses,
+    and only reads finished ones.
 
     Parameters
     ----------
     runs : mapping of str to SavedRun
         The runs of the champions, by the names that the responses get in `directory`.
-    team, matches, **changes
-        As in `best_response`, for each response.
+    team : {"pursuer", "evader"}
+        Team of the champions.
+    matches : int
+        Budget of each response. Only complete epochs are played; the result holds the budget used.
     directory : str or Path
-        Directory of all responses; the same call continues what is unfinished in it.
+        Directory of all responses.
     executor, threads, report
-        As in `evolve`.
+        As in `evolve`. The matches that measure the gains are played here.
+    **changes
+        Fields of `RaceSettings` of the responses, such as ``match_episodes=2``.
+
+    Raises
+    ------
+    ValueError
+        If the budget is smaller than one epoch, a setting is bad, `team` did not learn in a run, or
+        the directory holds runs of other settings or against another champion. Other errors are
+        those of `evolve`.
 
     Notes
     -----
-    Errors are those of `best_response` and `evolve`. The matches that measure the gains are played
-    here.
+    The gain is a lower bound of the champion's exploitability (see `analysis.response_gain`): a
+    longer search may find more.
     """
     settings = {n: response_settings(run, team, matches, **changes) for n, run in runs.items()}
-    evolve(settings, directory, executor=executor, threads=threads, report=report)
-    return {
-        name: best_response(run, team, matches, Path(directory) / name, threads=threads, **changes)
-        for name, run in runs.items()
-    }
+    found = evolve(settings, directory, executor=executor, threads=threads, report=report)
+    pairs = zip(runs.items(), found, strict=True)
+    return {name: _measured(run, team, response, threads) for (name, run), response in pairs}
+
+
+def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None) -> BestResponse:
+    """Return the gain of a finished response to the last genome of `team` in a run."""
+    settings = response.settings
+    last = {name: _last(policy) for name, policy in run.teams.items()}
+    # The run may have gone on, or been made anew in the same place.
+    if not np.array_equal(_genomes(response.teams[team]), _genomes(last[team])):
+        raise ValueError(f"{response.files.path}: holds a run against another champion")
+    before = tournament(
+        settings.world,
+        last["pursuer"],
+        last["evader"],
+        seed=settings.seed,
+        episodes=settings.evaluation_episodes,
+        threads=threads,
+    )
+    scores = _scores(before.capture_rates, team), _scores(response.payoff().capture_rates, team)
+    gain = response_gain(*scores, budget=response.files.summary()["training_matches"])
+    result = BestResponse(team, *scores, gain, response.files.path)
+    save_json(response.files.path / RESPONSE, result.to_json())
+    return result
 
 
 def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -> RaceSettings:
