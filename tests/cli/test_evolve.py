@@ -316,7 +316,7 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
 def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
     against = words({"schedule": "against", "opponent": copy / PLACES[0], "fov": 5})
     result = matrixworld_command("evolve", "--out", "out", *against, code=2)
-    assert "opponents: expected genomes for fov 5" in result.stderr
+    assert "opponents: expected a network for fov 5" in result.stderr
     result = matrixworld_command("evolve", "--out", "out", *against[:-2], "--set",
                                  f"schedule.start={copy}", code=2)  # fmt: skip
     assert "schedule.start: expected one run, got a directory of several" in result.stderr

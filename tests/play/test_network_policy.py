@@ -153,7 +153,7 @@ def test_a_generation_of_a_run_plays_in_an_environment(race: Path) -> None:
     observations, _ = env.reset(seed=0)
     while env.agents:
         observations, *_ = env.step({agent: policy(observations[agent]) for agent in env.agents})
-    with pytest.raises(IndexError, match="pursuer: expected a generation from 0 to 2, got 9"):
+    with pytest.raises(IndexError, match="generation: expected a generation from 0 to 2, got 9"):
         run.policy("pursuer", 9)
     with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
         run.policy("both")

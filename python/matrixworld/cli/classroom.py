@@ -222,9 +222,6 @@ def export_command(run: Path, team: Team, generation: int, out: Path, force: boo
     refuse_existing(out, force=force)
     with failures():
         with usage_errors():
-            try:
-                policy = open_run(run).policy(team, generation)
-            except IndexError as error:  # which begins with the team
-                raise IndexError(f"generation: {str(error).partition(': ')[2]}") from error
+            policy = open_run(run).policy(team, generation)
         save_genome(out, team, policy)
         say(out)

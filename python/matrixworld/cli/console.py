@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TextIO
+from typing import Any
 
 import click
 from tqdm import tqdm
@@ -60,19 +60,12 @@ def warnings_as_notes() -> Iterator[None]:
         warnings.simplefilter("always", UserWarning)
         plain = warnings.showwarning
 
-        def show(
-            message: Warning | str,
-            category: type[Warning],
-            filename: str,
-            lineno: int,
-            file: TextIO | None = None,
-            line: str | None = None,
-        ) -> None:
+        def show(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
             # Other warnings, such as those of libraries, are for developers: they keep their form.
             if issubclass(category, UserWarning):
                 note(f"Warning: {message}")
             else:
-                plain(message, category, filename, lineno, file, line)
+                plain(message, category, *place, **more)
 
         warnings.showwarning = show
         yield

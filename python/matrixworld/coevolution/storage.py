@@ -30,8 +30,8 @@ import csv
 import io
 import os
 import warnings
-from collections.abc import Mapping, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -109,6 +109,34 @@ class OtherVersionError(ValueError):
     """A file of a run is complete, but of another version of the package."""
 
 
+def load_format(path: Path, expected: int) -> dict[str, Any]:
+    """Return a sealed JSON object; OtherVersionError if its format is another than expected."""
+    values = load_json(path)
+    # Before any other entry is read: another format may not have it.
+    if values.get("format") != expected:
+        raise OtherVersionError(
+            f"{path}: expected format {expected}, got {one_line(values.get('format'))} "
+            f"(written by matrixworld {one_line(values.get('matrixworld', 'unknown'))})"
+        )
+    return values
+
+
+@contextmanager
+def settings_of_this_version(path: Path, values: Mapping[str, Any]) -> Iterator[None]:
+    """Turn errors of settings that `load_format` has read into OtherVersionError.
+
+    Their checksum was correct, so that the file is not damaged.
+    """
+    try:
+        yield
+    except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
+        version = one_line(values.get("matrixworld", "unknown"))
+        raise OtherVersionError(
+            f"{path}: expected settings of matrixworld {__version__}, got those of {version}: "
+            f"{one_line(error)}"
+        ) from error
+
+
 class Restored(NamedTuple):
     """What all stages have added, the genomes in them, and the state from which to go on."""
 
@@ -162,28 +190,13 @@ class RunDirectory:
     @cached_property
     def config(self) -> dict[str, Any]:
         """The content of config.json; OtherVersionError if it has another format."""
-        path = self.path / CONFIG
-        config = load_json(path)
-        # Before any other entry is read: another format may not have it.
-        if config.get("format") != FORMAT:
-            raise OtherVersionError(
-                f"{path}: expected format {FORMAT}, got {one_line(config.get('format'))} "
-                f"(written by matrixworld {_version(config)})"
-            )
-        return config
+        return load_format(self.path / CONFIG, FORMAT)
 
     @cached_property
     def settings(self) -> RaceSettings:
         """Settings of the run; OtherVersionError if this version cannot read them."""
-        config = self.config
-        try:
-            return RaceSettings.from_json(config["settings"])
-        except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
-            # The checksum was correct, so that the file is not damaged.
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected settings of matrixworld "
-                f"{__version__}, got those of {_version(config)}: {one_line(error)}"
-            ) from error
+        with settings_of_this_version(self.path / CONFIG, self.config):
+            return RaceSettings.from_json(self.config["settings"])
 
     @cached_property
     def _owner(self) -> str:
@@ -396,11 +409,6 @@ def _as_csv(rows: Sequence[Row]) -> str:
     return text.getvalue()
 
 
-def _version(config: dict[str, Any]) -> str:
-    """Return the version of the package that wrote a config.json."""
-    return one_line(config.get("matrixworld", "unknown"))
-
-
 # Runs to read, whether they are still training or not:
 
 
@@ -491,7 +499,7 @@ class SavedRun:
         episode : int, optional
             Number of the episode of this pair.
         """
-        g, h = self._generation("pursuer", pursuer), self._generation("evader", evader)
+        g, h = self.generation("pursuer", pursuer), self.generation("evader", evader)
         return record(
             self.settings.world,
             self.teams["pursuer"],
@@ -533,16 +541,21 @@ class SavedRun:
         policy = self.teams[team]
         if isinstance(policy, str):
             raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
-        genome = policy.genomes[self._generation(team, generation)]
+        genome = policy.genomes[self.generation(team, generation, "generation")]
         return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
 
-    def _generation(self, name: Team, index: int) -> int:
-        team = self.teams[name]
-        if isinstance(team, str):
+    def generation(self, team: Team, index: int, name: str = "") -> int:
+        """Return a generation from 0 on, of an index that may count from the end; 0 of a script.
+
+        IndexError, which begins with `name` or the team, if there is no such generation.
+        """
+        policy = self.teams[team]
+        if isinstance(policy, str):
             return 0
-        count = len(team.genomes)
+        count = len(policy.genomes)
         if not -count <= index < count:
-            raise IndexError(f"{name}: expected a generation from 0 to {count - 1}, got {index}")
+            expected = f"a generation from 0 to {count - 1}"
+            raise IndexError(f"{name or team}: expected {expected}, got {index}")
         return index % count
 
 

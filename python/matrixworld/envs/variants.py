@@ -19,15 +19,11 @@ from pettingzoo.env_registry.registration import register
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
+from matrixworld._util.files import load_toml
 from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldParallel
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 AECWrapper: TypeAlias = OrderEnforcingWrapper
 
@@ -95,8 +91,8 @@ class VariantText(NamedTuple):
     observe: str
 
 
-_TEXTS = Path(__file__).with_name("variants.toml").read_text(encoding="utf-8")
-VARIANT_TEXTS = {name: VariantText(**text) for name, text in tomllib.loads(_TEXTS).items()}
+_TEXTS = load_toml(Path(__file__).with_name("variants.toml"))
+VARIANT_TEXTS = {name: VariantText(**text) for name, text in _TEXTS.items()}
 """The texts by the names of `matrixworld.VARIANTS`."""
 
 

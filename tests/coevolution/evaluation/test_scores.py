@@ -178,7 +178,7 @@ def test_bad_arguments_are_refused(race):
         held_out("both", "O")
     with pytest.raises(ValueError, match="^variant: expected one of D, R, B"):
         held_out("pursuer", "Q")
-    with pytest.raises(IndexError, match="generation: expected 0 to 2 for pursuers, got 3"):
+    with pytest.raises(IndexError, match="generation: expected a generation from 0 to 2, got 3"):
         score(open_run(race), generation=3)
     with pytest.raises(ValueError, match="episodes: expected at least 2, got 1"):
         score(open_run(race), episodes=1)
@@ -209,7 +209,7 @@ def test_the_command_prints_and_writes_the_scores(race, tmp_path):
     assert lines[1:4] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
     for option, message in (
         (("--generation", "first"), "expected a generation or all, got 'first'"),
-        (("--generation", "3"), "--generation: expected 0 to 2 for pursuers, got 3"),
+        (("--generation", "3"), "--generation: expected a generation from 0 to 2, got 3"),
         (("--episodes", "1"), "1 is not in the range 2<=x"),
     ):
         assert message in matrixworld_command("score", race, *option, code=2).stderr

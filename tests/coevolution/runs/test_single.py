@@ -122,7 +122,7 @@ def test_bad_opponents_and_starts_are_refused(tmp_path, other_run):
     settings = tiny_single()
     wide = Network(hidden=(4,), fov=5)
     genomes = np.zeros((1, wide.genome_size), dtype=np.float32)
-    with pytest.raises(ValueError, match=r"opponents: expected genomes for fov 3 .* got fov 5"):
+    with pytest.raises(ValueError, match=r"opponents: expected a network for fov 3 .* got fov 5"):
         SingleTeam(settings, tmp_path / "run", opponents=Population(genomes, wide))
     size = settings.network.genome_size
     for start in (np.zeros(size - 1), np.full(size, np.nan)):

@@ -232,7 +232,6 @@ def score_population(
     threads: int | None = None,
     on_row: Callable[[int], None] = lambda played: None,
     executor: Executor | None = None,
-    block_seconds: float = BLOCK_SECONDS,
 ) -> HeldOutScores:
     """Play every genome of a team against every held-out opponent.
 
@@ -258,7 +257,7 @@ def score_population(
         Seed of the episodes.
     on_row : callable, optional
         Called after each opponent, or each block, with the number of episodes played so far.
-    threads, executor, block_seconds
+    threads, executor
         As in `tournament`.
 
     Raises
@@ -286,7 +285,7 @@ def score_population(
         )
     captured = np.empty((count, len(opponents), episodes))
     played = 0
-    blocks = play_blocks(each, count, threads, executor, block_seconds)
+    blocks = play_blocks(each, count, threads, executor, BLOCK_SECONDS)
     for (number, genomes), statistics in blocks:
         captured[genomes, number] = statistics.capture_rate
         played += statistics.capture_rate.size
@@ -376,11 +375,7 @@ def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Populati
     archive = cast(Population, run.teams[team])  # never a script, because the team learned
     numbers = list(range(len(archive.genomes)))
     if generation is not None:
-        if not -len(numbers) <= generation < len(numbers):
-            raise IndexError(
-                f"generation: expected 0 to {len(numbers) - 1} for {team}s, got {generation}"
-            )
-        numbers = [numbers[generation]]
+        numbers = [run.generation(team, generation, "generation")]
     return Population(archive.genomes[numbers], archive.network), numbers
 
 
@@ -507,18 +502,11 @@ def _plays(policy: Plays | NetworkPolicy) -> Plays:
     raise TypeError(f"policy: expected a function, a NetworkPolicy or a Population, got {policy!r}")
 
 
-def scores_in_race(
-    race: SavedRun,
-    team: Team,
-    policy: TeamPolicy,
-    *,
-    episodes: int | None = None,
-    threads: int | None = None,
-) -> NDArray[np.float64]:
+def scores_in_race(race: SavedRun, team: Team, policy: TeamPolicy) -> NDArray[np.float64]:
     """Return the mean scores (generations,) of a policy against a race's other team.
 
-    Capture rates, or for evaders 1 minus them; `policy` is one genome or a script. `episodes` of
-    each pair are by default those of the race's evaluation. ValueError if the run is not a race.
+    Capture rates, or for evaders 1 minus them; `policy` is one genome or a script. There are as
+    many episodes as in the race's evaluation. ValueError if the run is not a race.
     """
     check_choice("team", team, TEAMS)
     settings = race.settings
@@ -530,8 +518,7 @@ def scores_in_race(
         sides["pursuer"],
         sides["evader"],
         seed=settings.seed,
-        episodes=episodes or settings.evaluation_episodes,
-        threads=threads,
+        episodes=settings.evaluation_episodes,
     )
     # A row or a column of generations.
     rates = payoff.capture_rate.ravel()

@@ -21,9 +21,7 @@ from matrixworld._util.checks import check_instance, check_threads, shown
 from matrixworld._util.files import (
     DamagedFileError,
     is_temporary,
-    load_json,
     locked,
-    one_line,
     remove_temporary_files,
     save_json,
 )
@@ -52,7 +50,9 @@ from matrixworld.coevolution.storage import (
     OtherVersionError,
     RunDirectory,
     SavedRun,
+    load_format,
     open_run,
+    settings_of_this_version,
 )
 from matrixworld.version import __version__
 from matrixworld.world.policy import SCRIPTS
@@ -171,27 +171,15 @@ def open_job(directory: str | Path) -> Job | None:
     path = Path(directory) / JOB
     if not path.exists():
         return None
-    values = load_json(path)
-    if values.get("format") != FORMAT:
-        got = one_line(values.get("format"))
-        raise OtherVersionError(f"{path}: expected format {FORMAT}, got {got}")
-    try:
-        job = {name: each for group in values["groups"] for name, each in _runs_in(group)}
+    values = load_format(path, FORMAT)
+    with settings_of_this_version(path, values):
+        job = {
+            name: RaceSettings.from_json({**group["settings"], "seed": seed})
+            for group in values["groups"]
+            for name, seed in group["seeds"].items()
+        }
         _check_names(job)
-    except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
-        # The checksum was correct, so that the file is not damaged.
-        raise OtherVersionError(
-            f"{path}: expected settings of matrixworld {__version__}, got those of "
-            f"{one_line(values.get('matrixworld', 'unknown'))}: {one_line(error)}"
-        ) from error
     return job
-
-
-def _runs_in(group: Mapping[str, Any]) -> list[tuple[str, RaceSettings]]:
-    return [
-        (name, RaceSettings.from_json({**group["settings"], "seed": seed}))
-        for name, seed in group["seeds"].items()
-    ]
 
 
 # Playing:

@@ -18,11 +18,10 @@ class Maximize(base.Fitness):  # type: ignore[misc]
 
     weights: tuple[float, ...] = (1.0,)
 
-    def __init__(self, values: tuple[float, ...] = ()) -> None:
+    def __init__(self) -> None:
         # DEAP's own constructor checks the weights for each new fitness, which takes longer than
         # all other work of making an individual.
-        if values:
-            self.values = values
+        pass
 
 
 class Individual:

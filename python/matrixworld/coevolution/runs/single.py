@@ -27,6 +27,7 @@ from matrixworld.coevolution.storage import (
     script_of,
 )
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, Team, other
+from matrixworld.play.network_policy import check_fits
 from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
@@ -187,12 +188,7 @@ def _opponents(settings: RaceSettings, given: Population | None) -> TeamPolicy:
     if given is None and schedule.opponent in SCRIPTS:
         return script_of(schedule.opponent)
     population = given or last_generation(schedule.opponent, other(schedule.team))
-    found, expected = population.network, settings.network
-    if (found.fov, found.n_actions) != (expected.fov, expected.n_actions):
-        raise ValueError(
-            f"opponents: expected genomes for fov {expected.fov} and {expected.n_actions} "
-            f"actions, got fov {found.fov} and {found.n_actions} actions"
-        )
+    check_fits("opponents", population.network, settings.world)
     return population
 
 
