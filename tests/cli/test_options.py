@@ -16,6 +16,7 @@ import click
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from PIL import Image
 
 from command_line import matrixworld_command, words
 from matrixworld.cli import main
@@ -119,6 +120,20 @@ def test_numbers_on_standard_output(run):
         assert [*json.loads(done.stdout)["groups"]] == ["run"]
         assert "run" in done.stderr
     assert not Path("-").exists()
+
+
+@pytest.mark.parametrize("suffix", ["gif", "mp4", "png"])
+def test_a_picture_of_an_episode_is_drawn_again_and_a_user_s_is_kept(suffix):
+    if suffix == "mp4":
+        pytest.importorskip("imageio_ffmpeg")
+    draw = ["replay", "O", "--pursuer", "random", "--every", 1, "--out", f"it.{suffix}"]
+    matrixworld_command(*draw)
+    drawn = Path(f"it.{suffix}").read_bytes()
+    matrixworld_command(*draw, "--seed", 1)
+    assert Path(f"it.{suffix}").read_bytes() != drawn
+    Image.new("RGB", (8, 8)).save("mine.png")
+    Path(f"it.{suffix}").write_bytes(Path("mine.png").read_bytes())
+    assert "give --force to replace it" in matrixworld_command(*draw, code=2).stderr
 
 
 @pytest.mark.parametrize("force", [[], ["--force"]])

@@ -297,13 +297,16 @@ DRAWN = (
     b"Software\0matrixworld",
     b"/Creator (matrixworld",
     b"<dc:title>matrixworld<",
+    b"!\xfe\x0bmatrixworld",  # comment of a GIF
+    b"data\0\0\0\1\0\0\0\0matrixworld",  # comment of an MP4
 )
-"""What this package writes into pages and figures; they are drawn again without a question."""
+"""What this package writes into pages and pictures; they are drawn again without a question."""
 
 
 def is_drawn(file: Path) -> bool:
-    """Return whether a file is a page or a figure that this package has written."""
-    size, part = file.stat().st_size, 4096
+    """Return whether a file is a page or a picture that this package has written."""
+    # A film has its comment behind a table of its frames.
+    size, part = file.stat().st_size, 1 << 16
     with file.open("rb") as stream:
         ends = stream.read(part)
         stream.seek(max(0, size - part))

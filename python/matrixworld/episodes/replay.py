@@ -15,6 +15,7 @@ from typing import Any, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 from typing_extensions import Unpack
 
 from matrixworld._util.checks import check_instance, check_integer, check_keywords, check_number
@@ -136,12 +137,13 @@ def save(
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
     pictures = _Pictures(episode, look)
     if suffix == ".png":
-        picture = Image.fromarray(pictures.draw(step))
+        picture, drawn = Image.fromarray(pictures.draw(step)), PngInfo()
+        drawn.add_text("Software", "matrixworld")
     else:
         pictures.check_frames(times := _times(episode, every), fps=fps, hold=hold)
     with replacing(path) as file:
         if suffix == ".png":
-            picture.save(file, "PNG")
+            picture.save(file, "PNG", pnginfo=drawn)
         else:
             write = write_gif if suffix == ".gif" else write_mp4
             write(file, pictures.draw, times, fps=fps, hold=hold)

@@ -26,7 +26,7 @@ LONGEST_HOLD = 600.0  # seconds; the format has 16 bits for hundredths
 TRAILER = b";"  # the last byte of a GIF
 
 # A browser can start before it has the whole file.
-FORMAT = ("-f", "mp4", "-movflags", "+faststart")
+FORMAT = ("-f", "mp4", "-movflags", "+faststart", "-metadata", "comment=matrixworld")
 QUALITY = ("-crf", "16", "-tune", "animation")
 # Without these tags browsers guess the colour space from the height of the film.
 COLOURS = (
@@ -83,6 +83,7 @@ def _encoded(indices: NDArray[np.uint8], palette: Image.Image, duration: int) ->
         "GIF",
         duration=10 * duration,
         loop=0,
+        comment=b"matrixworld",
         transparency=int(UNCHANGED),
         disposal=1,  # the next image is drawn over this one
         optimize=False,  # which would renumber the palette
