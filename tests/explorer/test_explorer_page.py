@@ -23,6 +23,7 @@ from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import (
     archives_of,
     explorer_page,
+    heading,
     kept_generations,
     run_data,
     training_curve,
@@ -31,7 +32,7 @@ from tiny_race import tiny_race, tiny_single
 
 Job = dict[str, SavedRun]
 CELLS = 10
-HOME, RIGHT, DOWN, ESCAPE = "\ue011", "\ue014", "\ue015", "\ue00c"
+HOME, END, RIGHT, DOWN, ESCAPE = "\ue011", "\ue010", "\ue014", "\ue015", "\ue00c"
 PLAYED = "document.querySelector('#match').dataset.played"
 
 # What a test reads of the match that is shown.
@@ -126,9 +127,10 @@ def test_clicks_play_the_matches_of_the_run(opened: Browser, job: Job) -> None:
             seen += len(texts)
     assert seen > 20
     select(opened, 0, 2, 1)
+    opened.press(END)  # the other episodes are played while nothing moves
     opened.wait("document.querySelector('.check').dataset.equal === 'true'")
     rate = job["race"].payoff().capture_rate[2, 1]
-    assert opened.js("document.querySelector('.check').textContent") == (
+    assert opened.js("document.querySelector('.check').title") == (
         f"Played here: all 3 episodes, mean capture rate {rate:.3f}. The cell says {rate:.3f}."
     )
     assert opened.errors() == []
@@ -227,6 +229,21 @@ def test_nothing_is_wider_than_the_window(
     assert browser.errors() == []
 
 
+def test_the_page_introduces_itself(opened: Browser) -> None:
+    """It says what it shows, and plays the whole first match in about 12 s."""
+    assert opened.js("document.querySelector('h1').textContent") == "Three runs"
+    opened.wait("window.matrixworldExplorer.step > 2", 3)
+    length, pace = opened.js(
+        "[window.matrixworldExplorer.match.length, window.matrixworldExplorer.pace]"
+    )
+    assert pace == max(2, length / 12)
+    after, before = (
+        f"window.matrixworldExplorer.match.ever_captured.slice({at})" for at in ("3", "0, -3")
+    )
+    changes = f"Array.from({after}).filter((now, i) => now > Array.from({before})[i]).length"
+    assert 0 < opened.js("document.querySelectorAll('.captures i').length") <= opened.js(changes)
+
+
 def test_the_page_does_not_jump_when_the_match_arrives(opened: Browser) -> None:
     shift = opened.driver.execute_async_script(
         """const done = arguments[0]; let sum = 0;
@@ -242,7 +259,7 @@ def test_texts_from_files_stay_texts(browser: Browser, job: Job, tmp_path: Path)
     source = job["race"].files.path
     shutil.copytree(source, tmp_path / name)
     show(browser, explore(tmp_path / name).path)
-    assert browser.js("document.querySelector('h1').textContent") == name
+    assert browser.js("document.querySelector('footer').textContent").startswith(name)
     assert browser.js("document.title").startswith(name)
     assert browser.js("document.images.length") == 0
     assert browser.errors() == []
@@ -376,6 +393,13 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
     assert shown["world.rows"]["value"] == "6"
     changed = [shown[name]["changed"] for name in ("world.rows", "learner", "seed")]
     assert changed == [True, False, False]
+
+
+def test_pages_are_entitled_in_words(job: Job) -> None:
+    assert heading([job["race"]] * 3) == "Three races: predators and prey"
+    assert heading([job["turns"]]) == "One race: cops and robbers"
+    assert heading([job["race"], job["turns"]]) == "Two races"
+    assert heading([job["single"]]) == "One run: predators and prey"
 
 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:

@@ -31,11 +31,13 @@ from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run
 from matrixworld.coevolution.types import TEAMS, Payoff, Team
+from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.version import __version__
 from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.rules import VARIANTS
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
@@ -138,6 +140,7 @@ def explorer_page(
     data = {
         "version": __version__,
         "title": title,
+        "heading": heading(runs),
         "note": note,
         "step": archives.step,
         "playground": page_data(),
@@ -146,6 +149,28 @@ def explorer_page(
     playground = without_engine(Playground().html()).encode()
     blobs = {**archives.blobs, "playground": playground}
     return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
+
+
+# fmt: off
+NUMBERS = (
+    "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven",
+    "Twelve",
+)
+# fmt: on
+
+
+def heading(runs: Sequence[SavedRun]) -> str:
+    """Return what a page shows in words, such as "Three races: predators and prey"."""
+    kind = "race" if all(run.settings.is_race for run in runs) else "run"
+    words = f"{NUMBERS[len(runs) - 1]} {kind}{'s' if len(runs) > 1 else ''}"
+    games = {
+        next((name for name, rules in VARIANTS.items() if rules == run.settings.world.rules), "")
+        for run in runs
+    }
+    if len(games) > 1 or not games <= VARIANT_TEXTS.keys():
+        return words
+    title = VARIANT_TEXTS[games.pop()].title.partition(":")[0]
+    return f"{words}: {title[0].lower()}{title[1:]}"
 
 
 # ---- A run ---------------------------------------------------------------------------------------

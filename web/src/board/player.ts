@@ -15,6 +15,10 @@ const FRAMES: Clock = {
 
 /** Steps a second that can be chosen. */
 export const SPEEDS: readonly number[] = [0.5, 1, 2, 4, 8, 16, 32, 64];
+/** The speed that shows a whole recording, however long, in `WHOLE` seconds; short ones are faster. */
+export const FITTING = 0;
+export const WHOLE = 12;
+const SLOWEST_FITTING = 2;
 
 /**
  * A moment of a recording that moves with time.
@@ -37,6 +41,7 @@ export class Player extends EventTarget {
   #playing = false;
   #frame: number | null = null;
   #last = 0;
+  #marks: readonly number[] = [];
 
   /** Seconds of a single step forward or back. */
   glide = 0.28;
@@ -80,7 +85,22 @@ export class Player extends EventTarget {
     this.#emit("state");
   }
 
-  /** Steps a second. */
+  /** Steps that stand out, such as captures. */
+  get marks(): readonly number[] {
+    return this.#marks;
+  }
+
+  set marks(steps: readonly number[]) {
+    this.#marks = steps;
+    this.#emit("state");
+  }
+
+  /** Steps a second that are played now. */
+  get pace(): number {
+    return this.#speed || Math.max(SLOWEST_FITTING, this.#length / WHOLE);
+  }
+
+  /** Steps a second, or `FITTING`. */
   get speed(): number {
     return this.#speed;
   }
@@ -92,7 +112,7 @@ export class Player extends EventTarget {
 
   /** Change the speed to the next one of `SPEEDS`: +1 is faster, -1 slower. */
   changeSpeed(by: number): void {
-    const now = SPEEDS.findIndex((speed) => speed >= this.#speed);
+    const now = SPEEDS.findIndex((speed) => speed >= this.pace);
     this.speed = SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, now + by))]!;
   }
 
@@ -168,7 +188,7 @@ export class Player extends EventTarget {
         if (this.#step === this.#length) return this.pause();
         this.#aim(this.#step + 1);
       }
-      const rate = this.#playing ? this.#speed : 1 / this.glide;
+      const rate = this.#playing ? this.pace : 1 / this.glide;
       const distance = this.#step - this.#time;
       const reach = Math.min(Math.abs(distance), left * rate);
       left -= reach / rate;

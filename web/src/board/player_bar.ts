@@ -1,6 +1,7 @@
 // The buttons of a player: the same on every page.
 
-import { Player, SPEEDS, playerKey } from "./player.ts";
+import { html } from "../page/dom.ts";
+import { FITTING, Player, SPEEDS, WHOLE, playerKey } from "./player.ts";
 
 const ICONS = {
   first: "M6 5v14M19 5 9 12l10 7z",
@@ -49,6 +50,7 @@ export function playerBar(player: Player): HTMLElement {
   bar.ariaLabel = "Player";
   const play = button("play", "Play", "Space", () => player.toggle());
   const scrub = scrubber(player);
+  const marks = html("div", { class: "captures", "aria-hidden": "true", title: "Captures" });
   const speed = speeds(player);
   const count = document.createElement("output");
   count.className = "player-count";
@@ -58,8 +60,13 @@ export function playerBar(player: Player): HTMLElement {
     play,
     button("forward", "Step forward", "→", () => player.move(1)),
     button("last", "Last step", "End", () => player.move(player.length)),
-    scrub, count, speed,
+    html("div", { class: "scrub" }, marks, scrub), count, speed,
   );
+  const mark = (): void => marks.replaceChildren(...player.marks.map((step) => {
+    const tick = html("i");
+    tick.style.left = `${(100 * step) / Math.max(1, player.length)}%`;
+    return tick;
+  }));
   const update = (): void => {
     play.replaceChildren(icon(player.playing ? "pause" : "play"));
     play.ariaLabel = player.playing ? "Pause" : "Play";
@@ -74,6 +81,7 @@ export function playerBar(player: Player): HTMLElement {
   };
   player.addEventListener("step", update);
   player.addEventListener("state", update);
+  player.addEventListener("state", mark);
   bar.addEventListener("keydown", (event) => {
     // A list keeps its own keys, and a button Space, which clicks it.
     const own = event.target instanceof HTMLSelectElement || (event.key === " " && event.target !== scrub);
@@ -102,7 +110,7 @@ function speeds(player: Player): HTMLSelectElement {
   speed.className = "player-speed";
   speed.ariaLabel = "Speed";
   speed.title = "Steps a second (+ and -)";
-  speed.append(...SPEEDS.map((each) => new Option(`${each} / s`, String(each))));
+  speed.append(new Option(`all in ${WHOLE} s`, String(FITTING)), ...SPEEDS.map((each) => new Option(`${each} / s`, String(each))));
   speed.addEventListener("change", () => {
     player.speed = Number(speed.value);
   });

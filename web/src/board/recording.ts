@@ -92,6 +92,11 @@ export function newlyCaptured(recording: Recording, before: Moment, after: Momen
     .map((evader) => recording.nPursuers + evader);
 }
 
+/** Return the steps of a recording in which evaders are captured. */
+export const captureSteps = (recording: Recording): number[] =>
+  recording.moments.flatMap((after, step) =>
+    step && newlyCaptured(recording, recording.moments[step - 1]!, after).length ? [step] : []);
+
 /** Return the agents that disappeared in the step `before` -> `after`. */
 export function disappeared(before: Moment, after: Moment): number[] {
   const agents = Array.from({ length: after.alive.length }, (_, agent) => agent);

@@ -25,7 +25,7 @@ function about({ world, episodes, seed, matrixworld }: Data): string {
 const READING = [
   "Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the package's own policies, for comparison; they have no rank.",
   "A rank such as 2 to 5 means that these episodes cannot tell which of these ranks is the true one: the difference to some others is within chance. Each range misses the true rank with a probability of at most 5 %.",
-  "Triangles pursue, discs evade; a ring is a captured evader, a star a capture, dashed cells are conflicts. Keys: Space plays, ← and → step, D changes light and dark; in the matrix arrow keys choose a match and Enter plays it.",
+  "Keys: Space plays, ← and → step, D changes light and dark; in the matrix arrow keys choose a match and Enter plays it.",
 ];
 
 document.getElementById("page")!.replaceWith(

@@ -1,8 +1,10 @@
 // The selected match: its first episode, played again from the recorded actions.
 
 import { Board, stillMotion } from "../board/board.ts";
-import { Player } from "../board/player.ts";
+import { legend } from "../board/legend.ts";
+import { FITTING, Player } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
+import { captureSteps } from "../board/recording.ts";
 import type { Engine } from "../engine/engine.ts";
 import { rate } from "../explorer/format.ts";
 import { wordsOf } from "../explorer/words.ts";
@@ -14,7 +16,7 @@ import type { Store } from "./store.ts";
 
 export class MatchPanel {
   readonly element: HTMLElement;
-  readonly player = new Player(0, { speed: 8, still: stillMotion() });
+  readonly player = new Player(0, { speed: FITTING, still: stillMotion() });
   readonly #data: Data;
   readonly #store: Store;
   readonly #recordings: Recordings;
@@ -34,7 +36,7 @@ export class MatchPanel {
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },
       html("header", { class: "match-head" }, this.#title, this.#tally),
       html("div", { class: "stage" }, canvas),
-      playerBar(this.player), this.#note, this.#words,
+      playerBar(this.player), this.#note, legend(), this.#words,
     );
     this.player.addEventListener("frame", () => this.#replay && this.#board.show(this.#replay.recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
@@ -70,6 +72,7 @@ export class MatchPanel {
     this.element.dataset["played"] = this.#replay ? `${pair.pursuer} ${pair.evader}` : "";
     this.element.classList.toggle("without-recording", !this.#replay);
     this.player.length = this.#replay?.told.length ?? 0;
+    this.player.marks = this.#replay ? captureSteps(this.#replay.recording) : [];
     this.player.jump(0);
     this.#check();
     this.#tell();

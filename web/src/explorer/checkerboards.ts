@@ -3,7 +3,7 @@
 
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
-import { Player, playerKey } from "../board/player.ts";
+import { FITTING, Player, playerKey } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
@@ -60,7 +60,7 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
   const playable = cellsOf(board).filter(([g, h]) => !whyNot(run, "pursuer", g) && !whyNot(run, "evader", h));
   const matches = playable.map(([pursuer, evader]) =>
     playedMatch(engine, run, { run: store.selected.run, pursuer, evader, episode: 0, seed: null }));
-  const player = new Player(Math.max(0, ...matches.map((match) => match.length)), { speed: 16, still: stillMotion() });
+  const player = new Player(Math.max(0, ...matches.map((match) => match.length)), { speed: FITTING, still: stillMotion() });
   const views = matches.map((match, i) => {
     const [g, h] = playable[i]!;
     const canvas = html("canvas", { "aria-label": `Pursuers ${g} against evaders ${h}` });
@@ -69,23 +69,29 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
       dialog.close();
       store.select({ pursuer: g, evader: h });
     };
-    const element = html("figure", {},
-      html("figcaption", {},
-        html("span", {}, html("span", { class: "pursuer" }, g), " against ", html("span", { class: "evader" }, h), html("span", { class: "muted small" }, ` cell ${rate(run.payoff.capture_rate[g]![h])}`)),
-        tally, html("button", { type: "button", class: "small", title: "Show this match alone", onclick: go }, "open")),
-      canvas);
+    const element = html("figure", {}, canvas,
+      html("figcaption", { class: "small" }, tally, html("span", { class: "muted" }, `cell ${rate(run.payoff.capture_rate[g]![h])}`),
+        html("button", { type: "button", title: "Show this match alone", onclick: go }, "open")));
+    element.style.gridArea = `${board.pursuers.indexOf(g) + 2} / ${board.evaders.indexOf(h) + 2}`;
     return { element, match, recording: recordingOf(match), board: new Board(canvas, { numbers: false }), tally };
   });
   const draw = (): void => views.forEach((view) => view.board.show(view.recording, player.time));
   const tell = (): void => views.forEach(({ recording, match, tally }) => {
     const moment = recording.moments[Math.min(player.step, match.length)]!;
-    tally.textContent = `${Array.from(moment.everCaptured).filter(Boolean).length} of ${match.config.n_evaders}`;
+    tally.textContent = `${Array.from(moment.everCaptured).filter(Boolean).length} of ${match.config.n_evaders} captured`;
   });
   player.addEventListener("frame", draw);
   player.addEventListener("step", tell);
   dialog.replaceChildren(
     html("header", {}, html("h2", {}, "Four matches of a checkerboard"), html("button", { type: "button", onclick: () => dialog.close() }, "Close")),
-    html("div", { class: "grid-of-four" }, ...views.map((view) => view.element)),
+    html("div", { class: "grid-of-four" },
+      html("span"), ...board.evaders.map((h) => html("h3", { class: "evader" }, `evaders ${h}`)),
+      ...board.pursuers.map((g, row) => {
+        const heading = html("h3", { class: "pursuer" }, `pursuers ${g}`);
+        heading.style.gridArea = `${row + 2} / 1`;
+        return heading;
+      }),
+      ...views.map((view) => view.element)),
     playerBar(player));
   const key = (event: KeyboardEvent): void => {
     const own = event.target instanceof HTMLSelectElement || (event.target instanceof HTMLButtonElement && event.key === " ");
@@ -98,6 +104,7 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
     views.forEach((view) => view.board.close());
     dialog.replaceChildren();
   }, { once: true });
+  store.dispatchEvent(new Event("rest"));
   dialog.showModal();
   draw();
   tell();

@@ -121,7 +121,9 @@ export interface Run {
 
 export interface Data {
   readonly version: string;
+  /** The name of the directory, and what the page shows in words. */
   readonly title: string;
+  readonly heading: string;
   readonly note: string;
   readonly step: number;
   readonly playground: PageData;

@@ -71,11 +71,10 @@ export class EpisodeStrip {
       each && (Math.abs(each.rate - cell.rates[episode]!) > 1e-6 || each.length !== cell.lengths[episode]) ? [episode + 1] : []);
     const mean = done.reduce((sum, each) => sum + each.rate, 0) / done.length;
     this.#check.dataset["equal"] = String(!wrong.length && done.length === cell.rates.length);
-    this.#check.textContent = wrong.length
-      ? `Episode ${wrong.join(", ")} differs from the evaluation.`
-      : done.length < cell.rates.length
-        ? `Played here: ${done.length} of ${cell.rates.length} episodes, all as in the evaluation.`
-        : `Played here: all ${done.length} episodes, mean capture rate ${rate(mean, 3)}. The cell says ${rate(cell.rate, 3)}.`;
+    this.#check.textContent = wrong.length ? `Episode ${wrong.join(", ")} differs from the evaluation.` : "As in the evaluation";
+    this.#check.title = done.length < cell.rates.length
+      ? `Played here: ${done.length} of ${cell.rates.length} episodes.`
+      : `Played here: all ${done.length} episodes, mean capture rate ${rate(mean, 3)}. The cell says ${rate(cell.rate, 3)}.`;
   }
 
   #button(value: number, episode: number): HTMLButtonElement {

@@ -36,7 +36,7 @@ export function helpDialog(): HTMLDialogElement {
     html("h2", { id: "help-title" }, "Keys"),
     html("dl", { class: "keys" }, ...rows),
     html("p", { class: "muted small" },
-      "The page holds the genomes and the engine of this run. A click on a cell plays that very match: same seed, same moves. Triangles pursue, discs evade; a ring is a captured evader, a star a capture, dashed cells are conflicts. The page loads nothing from elsewhere; share the file as it is."),
+      "The page holds the genomes and the engine of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."),
     html("button", { type: "button", onclick: () => dialog.close() }, "Close"));
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   return dialog;

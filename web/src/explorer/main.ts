@@ -27,23 +27,19 @@ const matrix = new MatrixPanel(runs, store);
 const help = helpDialog();
 let engine: Engine | null = null;
 
-function about(): string {
-  const [only] = runs;
-  const made = `matrixworld ${data.version}`;
-  if (runs.length > 1 || !only) return made;
-  return only.race ? `${only.schedule}, seed ${only.seed} · ${made}` : `${only.learning.join(" and ")}s learn, seed ${only.seed} · ${made}`;
-}
+const LEAD = "Each cell is a match: pursuers of one generation against evaders of another. "
+  + "Bright: many are captured. Click a cell to watch it.";
 
 document.getElementById("page")!.replaceWith(
   html("header", { class: "top" },
-    html("h1", {}, data.title),
-    html("p", { class: "muted small about" }, about()),
+    html("div", {}, html("h1", {}, data.heading), html("p", { class: "lead" }, LEAD)),
     html("div", { class: "tools" }, themeButton(),
       html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?"))),
   ...(data.note ? [html("aside", { class: "note small muted" }, data.note)] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
   panels(runs, store, () => engine),
+  html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
   help,
 );
 // For the browser's console, and for tests.
@@ -51,12 +47,14 @@ Object.assign(window, {
   matrixworldExplorer: {
     get match() { return match.match; },
     get step() { return match.player.step; },
+    get pace() { return match.player.pace; },
     play: (episode: number) => engine && playedMatch(engine, runs[store.selected.run]!, { ...store.selected, episode }),
     get shape() { return runs[store.selected.run]!.payoff.shape; },
   },
 });
 matrix.element.addEventListener("play", () => match.playSoon());
 match.goTo(step);
+if (!step) match.playSoon();
 followAddress(runs, store, match);
 listenToKeys(runs, store, match, help, () => openPlayground(match.shown, data.playground));
 

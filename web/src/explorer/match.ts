@@ -2,8 +2,10 @@
 
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
-import { Player } from "../board/player.ts";
+import { legend } from "../board/legend.ts";
+import { FITTING, Player } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
+import { captureSteps } from "../board/recording.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
@@ -22,7 +24,7 @@ const REST = 60;
 
 export class MatchPanel {
   readonly element: HTMLElement;
-  readonly player = new Player(0, { speed: 8, still: stillMotion() });
+  readonly player = new Player(0, { speed: FITTING, still: stillMotion() });
   readonly inspector: Inspector;
   readonly #board: Board;
   readonly #runs: readonly Run[];
@@ -52,13 +54,14 @@ export class MatchPanel {
         html("header", { class: "match-head" }, this.#title, this.#tally),
         this.#problem,
         html("div", { class: "stage" }, canvas),
-        html("div", { class: "aside" }, this.#words, playgroundButton(() => this.shown, playground), this.inspector.element),
+        html("div", { class: "aside" }, this.#words, legend(), playgroundButton(() => this.shown, playground), this.inspector.element),
         playerBar(this.player),
         this.#strip.element),
     );
     this.player.addEventListener("frame", () => this.#recording && this.#board.show(this.#recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
     store.on("match", () => this.#rest());
+    store.on("rest", () => this.player.pause());
     this.#entitle();
     this.#count(0, 0);
   }
@@ -123,6 +126,7 @@ export class MatchPanel {
     this.#strip.show(this.#engine, this.#run, this.#match);
     this.inspector.show(this.#engine, this.#run, this.#match, selected);
     this.player.length = this.#match.length;
+    this.player.marks = captureSteps(this.#recording);
     this.player.jump(this.#goal);
     this.#goal = 0;
     this.#tell();

@@ -43,7 +43,7 @@ export class MatrixPanel {
   readonly #pair = html("h2");
   readonly #rate = html("strong", { class: "rate numbers" });
   readonly #more = html("span", { class: "small muted" });
-  readonly #all = html("p", { class: "small muted numbers" });
+  readonly #all = html("p", { class: "of-both-teams small muted numbers" });
   #places: Places | null = null;
 
   constructor(runs: readonly Run[], store: Store) {
@@ -93,7 +93,7 @@ export class MatrixPanel {
     this.#places = places;
     drawCells(this.#canvas, this.#run.payoff, { left, top, width: columns * cell, height: rows * cell });
     this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.#overlay.replaceChildren(axes(places), diagonal(places), ...this.#curves(places), this.#marks);
+    this.#overlay.replaceChildren(axes(places), ...diagonal(places), ...this.#curves(places), this.#marks);
     this.#mark();
   }
 
@@ -228,10 +228,10 @@ function axes({ left, top, cell, rows, columns }: Places): SVGElement {
 }
 
 /** Lines above and below the cells of equal generations, which stay visible. */
-function diagonal({ left, top, cell, rows, columns }: Places): SVGElement {
+function diagonal({ left, top, cell, rows, columns }: Places): SVGElement[] {
   const made = svg("g", { class: "diagonal" });
   const cells = Math.min(rows, columns);
-  if (cells < 3) return made;
+  if (cells < 3) return [];
   const bottom = top + rows * cell;
   for (const first of ["H", "V"]) {
     let path = `M${left} ${bottom}`;
@@ -241,7 +241,9 @@ function diagonal({ left, top, cell, rows, columns }: Places): SVGElement {
     }
     made.append(svg("path", { d: path, class: "under" }), svg("path", { d: path }));
   }
-  return made;
+  // Beside the stair, parallel to it.
+  const [x, y] = [left + (cells / 2) * cell - 0.7 * cell - 4, bottom - (cells / 2) * cell - 0.7 * cell - 4];
+  return [made, svg("text", { class: "on-cells", transform: `translate(${x} ${y}) rotate(-45)`, "text-anchor": "middle" }, "same generation")];
 }
 
 /** The place of a score on the curve on the right, and on the curve above. */

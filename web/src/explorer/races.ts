@@ -21,18 +21,20 @@ export function raceTabs(runs: readonly Run[], store: Store): HTMLElement {
 
 function tab(run: Run, number: number, store: Store): { button: HTMLButtonElement; update(selected: boolean): void } {
   const [rows, columns] = run.payoff.shape;
+  // Directories of a job are named after what the tab says anyway.
+  const named = !run.name.startsWith(run.schedule);
   const cell = SIDE / Math.max(rows, columns);
   const canvas = html("canvas", { "aria-hidden": "true" });
   drawCells(canvas, run.payoff, { left: 0, top: 0, width: columns * cell, height: rows * cell });
   const mark = html("span", { class: "place" });
   const button = html(
     "button",
-    { type: "button", class: "race", title: `Key ${number + 1}`, onclick: () => choose(run, number, store) },
+    { type: "button", class: "race", title: `${run.name} (key ${number + 1})`, onclick: () => choose(run, number, store) },
     html("span", { class: "small-matrix" }, canvas, mark),
     html("span", { class: "race-text" },
-      html("strong", {}, run.name),
+      html("strong", {}, named ? run.name : run.schedule),
       html("span", { class: "small" }, run.findings ? run.findings.headline : `${run.learning.join(" and ")}s against ${scriptOf(run)}`),
-      run.schedule === run.name ? null : html("span", { class: "small muted" }, `${run.schedule}, seed ${run.seed}`)),
+      html("span", { class: "small muted" }, `${named ? `${run.schedule}, ` : ""}seed ${run.seed}`)),
   );
   const update = (selected: boolean): void => {
     button.setAttribute("aria-current", String(selected));
