@@ -69,7 +69,7 @@ def mine() -> Path:
 
 @pytest.fixture(scope="module")
 def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished race, made by the command in a process of its own."""
+    """A finished race of the installed command, with a learner of the current folder."""
     folder = tmp_path_factory.mktemp("straight")
     (folder / "mine.py").write_text(MINE)
     assert evolve(folder, "--out", "run", *words({**RUN_OPTIONS, **OWN})) == 0
@@ -78,10 +78,14 @@ def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
     """Run ``matrixworld evolve`` in a process of its own; return its exit code."""
-    paths = [str(folder), str(Path(__file__).parents[1] / "support")]
+    paths = [str(Path(__file__).parents[1] / "support")]
     paths += filter(None, [os.environ.get("PYTHONPATH")])
+    # As pip installs it: Python looks for modules where this file lies. -m would look in `folder`.
+    command = folder / "bin" / "matrixworld"
+    command.parent.mkdir(exist_ok=True)
+    command.write_text("from matrixworld.cli import main\n\nmain()\n")
     done = subprocess.run(
-        [sys.executable, "-m", "matrixworld", "evolve", *map(str, args), "--threads", "1"],
+        [sys.executable, command, "evolve", *map(str, args), "--threads", "1"],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(paths), "KILLED_AT": str(killed_at)},
         capture_output=True,
