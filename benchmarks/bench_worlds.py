@@ -42,8 +42,8 @@ def main(seconds: float, repeats: int) -> None:
             lines[0].what,
             lines[0].at_once,
             lines[0].threads,
-            *(f"{line.per_second['agent_steps'] / 1e6:.1f}" for line in lines),
-            *(f"{line.per_second['world_steps'] / 1e6:.3f}" for line in lines),
+            *(f"{line.rate * line.agent_steps / 1e6:.1f}" for line in lines),
+            *(f"{line.rate * line.world_steps / 1e6:.3f}" for line in lines),
         )
         for lines in zip(*by_variant, strict=True)
     ]

@@ -30,9 +30,7 @@ def own_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def timing(what: str, threads: int, *rates: float) -> Timing:
     """A timing of calls that play 10 worlds or matches, of 500 agent-steps in all."""
-    amounts = {"agent_steps": 500, "world_steps": 20}
-    amounts |= {"matches": 10} if "matches" in what else {}
-    return Timing(what, 10, threads, lambda call: None, amounts, [*rates])
+    return Timing(what, 10, threads, lambda call: None, 500, 20, "matches" in what, [*rates])
 
 
 # What it prints and writes

@@ -77,23 +77,22 @@ LEGEND = (
 
 @dataclass
 class Timing:
-    """A call that plays `at_once` worlds or matches, and the rates (calls a second) so far.
-
-    `amounts` says how many ``"agent_steps"``, ``"world_steps"`` and ``"matches"`` one call plays.
-    """
+    """A call that plays `at_once` worlds or matches, and the rates (calls a second) so far."""
 
     what: str
     at_once: int
     threads: int
     play: Callable[[int], object]
-    amounts: Mapping[str, float]
+    agent_steps: float
+    world_steps: float
+    of_matches: bool = False
     rates: list[float] = field(default_factory=list)
 
     def repeat(self, seconds: float) -> None:
         """Call for so many seconds, at least once, and append the rate to `rates`."""
         # An untimed call fills the caches, which the timing before has used. A call of matches is
         # so long that this does not matter.
-        if "matches" not in self.amounts:
+        if not self.of_matches:
             self.play(0)
         calls, passed, start = 0, 0.0, time.perf_counter()
         while calls == 0 or passed < seconds:
@@ -103,10 +102,22 @@ class Timing:
         self.rates.append(calls / passed)
 
     @property
-    def per_second(self) -> dict[str, float]:
-        """What is played in a second, by the median of the repeats."""
-        rate = statistics.median(self.rates)
-        return {name: rate * amount for name, amount in self.amounts.items()}
+    def rate(self) -> float:
+        """Calls a second: the median of the repeats."""
+        return statistics.median(self.rates)
+
+    def line(self, one: Timing) -> dict[str, Any]:
+        """Return the figures; `one` is the same call with one thread."""
+        return {
+            "what": self.what,
+            "at_once": self.at_once,
+            "threads": self.threads,
+            "agent_steps_per_second": self.rate * self.agent_steps,
+            "world_steps_per_second": self.rate * self.world_steps,
+            "matches_per_second": self.rate * self.at_once if self.of_matches else None,
+            "over_one_thread": self.rate / one.rate if self.threads > 1 else None,
+            "spread": (max(self.rates) - min(self.rates)) / self.rate,
+        }
 
 
 def random_actions(config: WorldConfig, worlds: int) -> Callable[[int], NDArray[np.uint8]]:
@@ -138,8 +149,8 @@ def timings_of_worlds(config: WorldConfig, threads: int) -> list[Timing]:
         game, actions = played[what](worlds, n), random_actions(config, worlds)
         if isinstance(game, VectorEnv):
             game.reset(seed=0)
-        amounts = {"agent_steps": worlds * config.n_agents * alive, "world_steps": worlds}
-        return Timing(what, worlds, n, lambda call: game.step(actions(call)), amounts)
+        agent_steps = worlds * config.n_agents * alive
+        return Timing(what, worlds, n, lambda call: game.step(actions(call)), agent_steps, worlds)
 
     # Threads divide the worlds, so one world is played by one thread. Steps without views are, too:
     # they are the cost of the rules alone.
@@ -185,15 +196,11 @@ def timings_of_matches(race: RaceSettings, threads: int) -> list[Timing]:
     match = partial(rollout, race.training_world, pursuers, evaders, drawn)
     # Every call plays the same matches, so their steps are counted once.
     scores = match(threads=threads)
-    amounts = {
-        "agent_steps": int(scores.agent_steps.sum()),
-        "world_steps": int(scores.length.sum()),
-        "matches": size,
-    }
+    steps = int(scores.agent_steps.sum()), int(scores.length.sum())
     what = f"matches, hidden {','.join(map(str, race.policy.hidden)) or 'none'}"
 
     def timing(n: int) -> Timing:
-        return Timing(what, size, n, lambda call: match(threads=n), amounts)
+        return Timing(what, size, n, lambda call: match(threads=n), *steps, of_matches=True)
 
     return [timing(n) for n in dict.fromkeys((1, threads))]
 
@@ -208,7 +215,7 @@ def seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | No
         return None
     timing = timings_of_matches(races[0], check_threads(threads))[-1]
     timing.repeat(0)
-    return matches_of(races) / timing.per_second["matches"]
+    return matches_of(races) / (timing.rate * timing.at_once)
 
 
 def matches_of(races: Sequence[RaceSettings]) -> float:
@@ -279,9 +286,9 @@ def bench_command(
         _measure(timings, seconds / REPEATS)
         lines = lines_of(timings)
         print_lines(lines)
-        # That of the first network, with the most threads.
+        # Of the first network, with the most threads.
         one = [each for each in of_matches if each.what == of_matches[0].what][-1]
-        took = matches_of(jobs[0]) / one.per_second["matches"]
+        took = matches_of(jobs[0]) / (one.rate * one.at_once)
         print_wrapped(
             f"The matches of matrixworld evolve in this world ({one.what}) take about "
             f"{in_words(took)} with --threads {threads}. The time of the learners is not included."
@@ -328,23 +335,8 @@ def print_head(variant: str, world: WorldConfig) -> dict[str, Any]:
 
 def lines_of(timings: Sequence[Timing]) -> list[dict[str, Any]]:
     """Return the figures of each timing; those of several threads are compared with one."""
-    speeds = {(each.what, each.at_once, each.threads): each.per_second for each in timings}
-    lines = []
-    for each in timings:
-        found, one = each.per_second, speeds[each.what, each.at_once, 1]["world_steps"]
-        lines.append(
-            {
-                "what": each.what,
-                "at_once": each.at_once,
-                "threads": each.threads,
-                "agent_steps_per_second": found["agent_steps"],
-                "world_steps_per_second": found["world_steps"],
-                "matches_per_second": found.get("matches"),
-                "over_one_thread": found["world_steps"] / one if each.threads > 1 else None,
-                "spread": (max(each.rates) - min(each.rates)) / statistics.median(each.rates),
-            }
-        )
-    return lines
+    alone = {(each.what, each.at_once): each for each in timings if each.threads == 1}
+    return [each.line(alone[each.what, each.at_once]) for each in timings]
 
 
 def print_lines(lines: Sequence[Mapping[str, Any]]) -> None:
