@@ -22,9 +22,9 @@ from matrixworld.coevolution import (
     Team,
     open_run,
     resume,
+    score_policy,
     tournament,
 )
-from matrixworld.coevolution.evaluation.scores import score_population
 from matrixworld.coevolution.types import other
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
@@ -286,7 +286,7 @@ def held_out(plan: Plan, team: Team, runs: Runs, threads: int | None) -> np.ndar
     own = [of_seed[kind].teams[team] for kind in CANDIDATES[team] for of_seed in runs]
     candidates = mw.Population(np.stack([each.genomes[-1] for each in own]), own[0].network)
     world = plan.race.world
-    scores = score_population(world, team, candidates, episodes=10 * plan.episodes, threads=threads)
+    scores = score_policy(candidates, team, world, episodes=10 * plan.episodes, threads=threads)
     return scores.means.reshape(len(CANDIDATES[team]), len(runs))
 
 
@@ -348,7 +348,7 @@ def _tenths(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
         each = mw.Matches.of(0, np.arange(len(evaders.genomes)), FIRST_TEST_SEED)
         scores = mw.rollout(world, "random", evaders, each, episodes=episodes, threads=threads)
         found["random"].append(1.0 - scores.capture_rate.mean(axis=1))
-        against = score_population(world, "evader", evaders, episodes=episodes, threads=threads)
+        against = score_policy(evaders, "evader", world, episodes=episodes, threads=threads)
         found["held-out"].append(against.means)
     return {f"plateau: {name}": np.array(rates, np.float32) for name, rates in found.items()}
 

@@ -115,7 +115,7 @@ CALLS = [
     partial(coevolution.start, settings=tiny_race(), directory="new", threads=1),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
-        coevolution.score_population, config=CONFIG, team="pursuer", population=TEAM, episodes=2,
+        coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,
         seed=0, threads=1,
     ),
     partial(replay.scene, episode=EPISODE, step=0, trail=2),

@@ -13,7 +13,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld._util import memory
-from matrixworld.coevolution import score_population, start
+from matrixworld.coevolution import score_policy, start
 from matrixworld.coevolution import tournament as play_tournament
 from matrixworld.envs import vector
 from matrixworld.episodes import replay
@@ -42,7 +42,7 @@ TOO_LARGE = {
         mw.WorldConfig(rows=4096, cols=4096), "still", "still", MATCH, episodes=2**16, threads=1024
     ),
     "tournament": lambda: play_tournament(CONFIG, TEAM, TEAM, seed=0, episodes=MANY),
-    "scores": lambda: score_population(CONFIG, "pursuer", TEAM, episodes=MANY),
+    "scores": lambda: score_policy(TEAM, "pursuer", CONFIG, episodes=MANY),
 }
 
 

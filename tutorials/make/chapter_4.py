@@ -22,8 +22,7 @@ import numpy as np
 import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
-from matrixworld.coevolution.evaluation.scores import score_population
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score_policy
 from matrixworld.tutorial.course import DATA
 
 SEEDS = range(10)
@@ -65,9 +64,7 @@ def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
     found = []
     for team in TEAMS:
         genomes = mw.Population(run.teams[team].genomes[generations], run.teams[team].network)
-        scored = score_population(
-            world, team, genomes, generations=generations.tolist(), episodes=EPISODES
-        )
+        scored = score_policy(genomes, team, world, episodes=EPISODES)
         found.append(scored.means.astype(np.float32))
     return found
 

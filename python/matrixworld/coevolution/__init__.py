@@ -25,7 +25,6 @@ from matrixworld.coevolution.evaluation.scores import (
     held_out,
     score,
     score_policy,
-    score_population,
 )
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
@@ -135,7 +134,6 @@ __all__ = [
     "resume",
     "score",
     "score_policy",
-    "score_population",
     "start",
     "tournament",
 ]

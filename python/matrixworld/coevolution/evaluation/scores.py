@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from matrixworld._util.checks import (
     SEED_MAX,
     check_choice,
-    check_instance,
     check_integer,
     check_threads,
 )
@@ -32,16 +31,17 @@ from matrixworld.coevolution.evaluation.tournament import (
     BLOCK_SECONDS,
     Pairs,
     play_blocks,
+    team_size,
     tournament,
 )
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Genomes, Team, other
+from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
-from matrixworld.play.rollout import Matches, match_seed, rollout
+from matrixworld.play.rollout import match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TeamPolicy
 from matrixworld.world.rules import VARIANTS, Capture, Rules, rules_of
@@ -71,22 +71,12 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
     return SURROUNDERS if rules.capture is Capture.SURROUND else OCCUPIERS
 
 
-def held_out_genomes(team: Team, variant: Rules | str) -> Genomes:
-    """Return the genomes of `NETWORK` (n, genes) of a team that come with the package.
-
-    They are from ``evolution/evolve_held_out.py``, rounded to float16; none (n = 0) for other rules
-    than those of `VARIANTS`, and for a variant without shipped ones.
-    """
-    genomes = _shipped().get(f"{_variant_name(rules_of(variant))}.{team}s")
-    if genomes is None:
-        return np.empty((0, NETWORK.genome_size), np.float32)
-    return genomes.astype(np.float32)
-
-
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     """Return the held-out opponents of a variant by name.
 
     First the scripts, then genomes, each a population of one and named ``evolved-1`` and so on.
+    Genomes are from ``evolution/evolve_held_out.py``, rounded to float16. There are none for other
+    rules than those of `VARIANTS`, and for a variant without shipped ones.
 
     Parameters
     ----------
@@ -101,8 +91,9 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
         If there is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
-    for number, genome in enumerate(held_out_genomes(team, variant), start=1):
-        opponents[f"evolved-{number}"] = Population(genome, NETWORK)
+    genomes = _shipped().get(f"{_variant_name(rules_of(variant))}.{team}s", ())
+    for number, genome in enumerate(genomes, start=1):
+        opponents[f"evolved-{number}"] = Population(genome.astype(np.float32), NETWORK)
     return opponents
 
 
@@ -219,65 +210,28 @@ def _plain(estimate: Estimate) -> dict[str, float | None]:
     return {"value": estimate.value, "low": estimate.low, "high": estimate.high}
 
 
-def score_population(
+def _by_engine(
     config: WorldConfig,
     team: Team,
-    population: Population,
+    policy: TeamPolicy,
+    opponents: Mapping[str, TeamPolicy],
     *,
-    opponents: Mapping[str, TeamPolicy] | None = None,
-    generations: Sequence[int] | None = None,
-    left_out: str = "",
-    episodes: int = 100,
-    seed: int = 0,
-    threads: int | None = None,
-    on_row: Callable[[int], None] = lambda played: None,
+    episodes: int,
+    seed: int,
+    threads: int | None,
+    on_row: Callable[[int], None],
     executor: Executor | None = None,
-) -> HeldOutScores:
-    """Play every genome of a team against every held-out opponent.
+) -> NDArray[np.float64]:
+    """Return the scores (G, N, episodes) of the genomes of a team against opponents.
 
-    Parameters
-    ----------
-    config : WorldConfig
-        The world.
-    team : {"pursuer", "evader"}
-        Team that is scored.
-    population : Population
-        Its G genomes.
-    opponents : mapping of str to Population or str, optional
-        N opponents by name. By default the held-out opponents of the world's rules that fit its
-        views and actions.
-    generations : sequence of int, length G, optional
-        Generations of the genomes. The default is 0, 1, ...
-    left_out : str, optional
-        Which opponents are left out, and why, if `opponents` are given.
-    episodes : int, optional
-        Episodes of each pair, at least 2. Their seeds depend only on `seed` and on the position of
-        the opponent, so that all genomes of all runs play the same episodes.
-    seed : int, optional
-        Seed of the episodes.
-    on_row : callable, optional
-        Called after each opponent, or each block, with the number of episodes played so far.
-    threads, executor
-        As in `tournament`.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than 2 episodes, or if the network does not fit the world.
+    `on_row` gets the number of episodes played so far.
     """
-    check_instance("config", config, WorldConfig)
-    check_choice("team", team, TEAMS)
-    check_instance("population", population, Population)
-    episodes = check_integer("episodes", episodes, 2)
-    check_threads(threads)
-    if opponents is None:
-        opponents, left_out = opponents_of(team, config)
-    count = len(population.genomes)
+    count = team_size(policy)
     # Rates of the opponents so far, and the statistics of one more.
     check_memory("scores", rates=count * episodes * (EPISODE_BYTES + 2 * RATE * len(opponents)))
     each = []
     for number, opponent in enumerate(opponents.values()):
-        sides: dict[Team, TeamPolicy] = {team: population, other(team): opponent}
+        sides: dict[Team, TeamPolicy] = {team: policy, other(team): opponent}
         # All genomes play the same episodes.
         seeds = np.full(count, held_out_seed(seed, team, number), np.uint64)
         each.append(
@@ -290,9 +244,7 @@ def score_population(
         captured[genomes, number] = statistics.capture_rate
         played += statistics.capture_rate.size
         on_row(played)
-    rates = captured if team == "pursuer" else 1.0 - captured
-    numbers = range(count) if generations is None else generations
-    return HeldOutScores(team, tuple(numbers), tuple(opponents), rates, left_out)
+    return captured if team == "pursuer" else 1.0 - captured
 
 
 def held_out_seed(seed: int, team: Team, number: int) -> int:
@@ -342,6 +294,8 @@ def score(
     The world is that of the run. A script that the run trained against is left out, and so are
     evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
+    episodes = check_integer("episodes", episodes, 2)
+    check_threads(threads)
     world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
     chosen = {team: _chosen(run, team, generation) for team in run.settings.learning_teams}
     unseen = {team: _unseen(run, team, world) for team in chosen}
@@ -354,19 +308,11 @@ def score(
 
     for team, (population, generations) in chosen.items():
         opponents, left_out = unseen[team]
-        scores[team] = score_population(
-            world,
-            team,
-            population,
-            opponents=opponents,
-            generations=generations,
-            left_out=left_out,
-            episodes=episodes,
-            seed=seed,
-            threads=threads,
-            on_row=partial(report_row, team),
-            executor=executor,
-        )
+        rates = _by_engine(
+            world, team, population, opponents, episodes=episodes, seed=seed, threads=threads,
+            on_row=partial(report_row, team), executor=executor,
+        )  # fmt: skip
+        scores[team] = HeldOutScores(team, tuple(generations), tuple(opponents), rates, left_out)
     return scores
 
 
@@ -406,13 +352,13 @@ def score_policy(
 ) -> HeldOutScores:
     """Play a policy of one team against every held-out opponent, as ``matrixworld score`` does.
 
-    In the result the policy is generation 0.
+    In the result the policy is generation 0; the genomes of a population are generations 0, 1, ...
 
     Parameters
     ----------
-    policy : callable, NetworkPolicy or Population of one
+    policy : callable, NetworkPolicy or Population
         A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
-        their actions, integers (n,). The agents may be of several episodes. A network is played
+        their actions, integers (n,). The agents may be of several episodes. Networks are played
         inside the engine.
     team : {"pursuer", "evader"}
         Team that it plays for.
@@ -429,8 +375,8 @@ def score_policy(
     Raises
     ------
     ValueError, TypeError
-        If there are fewer than 2 episodes, and if the policy returns something else than a legal
-        action for each observation.
+        If there are fewer than 2 episodes, if a network does not fit the world, and if the policy
+        returns something else than a legal action for each observation.
 
     Notes
     -----
@@ -438,8 +384,8 @@ def score_policy(
     same world, seed and number of episodes, scores of policies and of runs can be compared. A
     function that chooses what a genome would choose gets the scores of the genome.
 
-    All episodes against an opponent are played side by side. Where the rules take turns, they are
-    played turn by turn in Python, which is slower.
+    All episodes against an opponent are played side by side. Where the rules take turns, functions
+    are played turn by turn in Python, which is slower.
 
     Examples
     --------
@@ -453,53 +399,64 @@ def score_policy(
     check_choice("team", team, TEAMS)
     episodes = check_integer("episodes", episodes, 2)
     seed = check_integer("seed", seed, 0, SEED_MAX)
+    check_threads(threads)
     left_out = ""
     if opponents is None:
         opponents, left_out = opponents_of(team, config)
-    mine = _plays(policy)
-    theirs = {name: _plays(opponent) for name, opponent in opponents.items()}
+    mine = _plays("policy", policy)
+    theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
         raise ValueError("opponents: expected at least one, got none")
-    for opponent in theirs.values():
-        if isinstance(opponent, str):
-            check_choice("opponents", opponent, SCRIPTS)
-    columns: list[NDArray[np.float64]] = []
-    for number, opponent in enumerate(theirs.values()):
-        match = held_out_seed(seed, team, number)
-        sides = (mine, opponent) if team == "pursuer" else (opponent, mine)
-        captured = _captured(config, *sides, seed=match, episodes=episodes, threads=threads)
-        columns.append(captured if team == "pursuer" else 1.0 - captured)
-        what = f"{team}s against held-out opponents"
-        report(Progress(what, len(columns), len(opponents)))
-    return HeldOutScores(team, (0,), tuple(opponents), np.stack(columns)[None], left_out)
+    total = team_size(mine) * len(theirs) * episodes
+
+    def on_row(played: int) -> None:
+        report(Progress(f"{team}s against held-out opponents", played, total))
+
+    if any(map(callable, [mine, *theirs.values()])):
+        rates = _by_functions(config, team, mine, theirs, episodes, seed, on_row)
+    else:
+        rates = _by_engine(
+            config, team, mine, theirs, episodes=episodes, seed=seed, threads=threads,
+            on_row=on_row,
+        )  # fmt: skip
+    return HeldOutScores(team, tuple(range(len(rates))), tuple(theirs), rates, left_out)
 
 
-def _captured(
+def _by_functions(
     config: WorldConfig,
-    pursuers: Plays,
-    evaders: Plays,
-    *,
-    seed: int,
+    team: Team,
+    policy: Plays,
+    opponents: Mapping[str, Plays],
     episodes: int,
-    threads: int | None,
+    seed: int,
+    on_row: Callable[[int], None],
 ) -> NDArray[np.float64]:
-    """Return the capture rate of each episode of a match, played by the engine if it can."""
-    if callable(pursuers) or callable(evaders):
-        return capture_rates(config, pursuers, evaders, seed=seed, episodes=episodes)
-    match = Matches.of(0, 0, np.uint64(seed))
-    scores = rollout(config, pursuers, evaders, match, episodes=episodes, threads=threads)
-    return np.asarray(scores.capture_rate[0], np.float64)
+    """Return what `_by_engine` does, where functions decide for a team."""
+    mine: list[Plays] = [policy]
+    if isinstance(policy, Population):
+        mine = [Population(genome, policy.network) for genome in policy.genomes]
+    captured = np.empty((len(mine), len(opponents), episodes))
+    for number, opponent in enumerate(opponents.values()):
+        match = held_out_seed(seed, team, number)
+        for row, one in zip(captured, mine, strict=True):
+            sides = (one, opponent) if team == "pursuer" else (opponent, one)
+            row[number] = capture_rates(config, *sides, seed=match, episodes=episodes)
+        on_row((number + 1) * len(mine) * episodes)
+    return captured if team == "pursuer" else 1.0 - captured
 
 
-def _plays(policy: Plays | NetworkPolicy) -> Plays:
-    """Return a policy in the form that is played."""
+def _plays(name: str, policy: Any, most: int | None = None) -> Any:
+    """Return a policy in the form that is played, of so many genomes at most."""
     if isinstance(policy, NetworkPolicy):
         return policy.population()
-    if isinstance(policy, Population) and len(policy.genomes) != 1:
-        raise ValueError(f"policy: expected a single genome, got {len(policy.genomes)}")
-    if callable(policy) or isinstance(policy, Population | str):
-        return policy
-    raise TypeError(f"policy: expected a function, a NetworkPolicy or a Population, got {policy!r}")
+    if isinstance(policy, str):
+        check_choice(name, policy, SCRIPTS)
+    elif not callable(policy) and not isinstance(policy, Population):
+        expected = "a function, a NetworkPolicy or a Population"
+        raise TypeError(f"{name}: expected {expected}, got {policy!r}")
+    elif most is not None and team_size(policy) > most:
+        raise ValueError(f"{name}: expected a single genome, got {team_size(policy)}")
+    return policy
 
 
 def scores_in_race(race: SavedRun, team: Team, policy: TeamPolicy) -> NDArray[np.float64]:

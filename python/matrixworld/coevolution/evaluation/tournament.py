@@ -87,7 +87,7 @@ def tournament(
         check_team(name, team)
     episodes = check_integer("episodes", episodes, 1)
     check_threads(threads)
-    size = _count(pursuers), _count(evaders)
+    size = team_size(pursuers), team_size(evaders)
     # The statistics of all episodes are kept until the end.
     check_memory("tournament", episodes=EPISODE_BYTES * size[0] * size[1] * episodes)
     generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
@@ -136,7 +136,7 @@ class Pairs:
         play: Rollout,
     ) -> Pairs:
         """Return all pairs, with the seed of each, row by row: evaders 0, 1, ... of pursuer 0."""
-        rows, columns = np.indices((_count(pursuers), _count(evaders)))
+        rows, columns = np.indices((team_size(pursuers), team_size(evaders)))
         matches = Matches.of(rows.ravel(), columns.ravel(), seeds)
         return cls(config, pursuers, evaders, matches, episodes, play)
 
@@ -206,8 +206,9 @@ def play_blocks(
             future.cancel()
 
 
-def _count(team: TeamPolicy) -> int:
-    return 1 if isinstance(team, str) else len(team.genomes)
+def team_size(team: TeamPolicy) -> int:
+    """Return how many candidates a team has: its genomes, or one."""
+    return len(team.genomes) if isinstance(team, Population) else 1
 
 
 def _met(team: TeamPolicy, numbers: NDArray[Any]) -> tuple[TeamPolicy, NDArray[Any]]:
