@@ -406,8 +406,8 @@ Part = TypeVar("Part", CheckedLearner, CheckedSampler)
 Step = Callable[[Part, int], list[np.ndarray[Any, Any]]]
 """Plays one epoch with a part of a run, and returns copies of what the part decided."""
 
-EPOCHS = 6
-"""Epochs of a check; states are restored at the end of each."""
+EPOCHS, GENES = 6, 20
+"""Epochs of a check, at the end of which states are restored, and genes of its candidates."""
 
 
 def check_learner(
@@ -415,8 +415,6 @@ def check_learner(
     settings: Mapping[str, Any] | None = None,
     *,
     samples: int = 8,
-    genes: int = 20,
-    seed: int = 0,
 ) -> None:
     """Check that a learner of one's own has the interface `Learner` and keeps its promises.
 
@@ -430,10 +428,8 @@ def check_learner(
         A class, a function that returns a learner, or its name as in the settings.
     settings : mapping of str to bool, int, float or str, optional
         Settings of its own.
-    samples, genes : int, optional
-        Candidates per epoch, and genes of a candidate.
-    seed : int, optional
-        Seed of genomes, generators and fitness.
+    samples : int, optional
+        Candidates per epoch.
 
     Raises
     ------
@@ -448,16 +444,16 @@ def check_learner(
     >>> coevolution.check_learner(coevolution.CmaEs, {"sigma": 0.1})
     """
     plugin, own = find(learner, LEARNER), own_settings("settings", settings or {})
-    genomes, target = np.random.default_rng(seed).normal(size=(2, samples, genes))
+    genomes, target = np.random.default_rng(0).normal(size=(2, samples, GENES))
 
     def new() -> CheckedLearner:
-        rng, start = np.random.default_rng([seed, EPOCHS]), genomes.astype(np.float32)
+        rng, start = np.random.default_rng([0, EPOCHS]), genomes.astype(np.float32)
         return CheckedLearner(plugin, start, rng, samples=samples, epochs=EPOCHS, settings=own)
 
     groups = new().seed_groups.copy()
 
     def step(part: CheckedLearner, epoch: int) -> list[np.ndarray[Any, Any]]:
-        candidates = part.ask(np.random.default_rng([seed, epoch])).copy()
+        candidates = part.ask(np.random.default_rng([0, epoch])).copy()
         # Equal values are usual at the start of a race, and a learner may then take another path.
         distance: FloatArray = ((candidates - target[0]) ** 2).mean(axis=1)
         part.tell(np.zeros(samples) if epoch % 3 == 1 else -distance)
@@ -473,7 +469,6 @@ def check_sampler(
     settings: Mapping[str, Any] | None = None,
     *,
     count: int = 2,
-    seed: int = 0,
 ) -> None:
     """Check that a sampler of one's own has the interface `OpponentSampler` and keeps its promises.
 
@@ -488,8 +483,6 @@ def check_sampler(
         Settings of its own.
     count : int, optional
         Opponents an epoch.
-    seed : int, optional
-        Seed of generators and scores.
 
     Examples
     --------
@@ -499,7 +492,7 @@ def check_sampler(
     plugin, own = find(sampler, OPPONENT), own_settings("settings", settings or {})
 
     def step(part: CheckedSampler, epoch: int) -> list[np.ndarray[Any, Any]]:
-        rng = np.random.default_rng([seed, epoch])
+        rng = np.random.default_rng([0, epoch])
         # Several epochs with the same opponents, then one more, as in a race.
         chosen = part.sample(1 + epoch // 2, epoch, rng)
         part.tell(chosen, rng.random((4, len(chosen))))

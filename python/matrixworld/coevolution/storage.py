@@ -601,16 +601,14 @@ def run_directories(path: Path) -> list[Path]:
     return [*found, *nested]
 
 
-def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]:
-    """Return the runs of a job, or of any directory that holds runs, by name and then by seed.
+def open_runs(directory: str | Path) -> list[SavedRun]:
+    """Return the finished runs of a job, or of any directory, by name and then by seed.
 
     Parameters
     ----------
     directory : str or Path
         A run directory, or one with run directories one or two levels below, such as
         ``<schedule>/seed-<n>``.
-    finished : bool, optional
-        Whether runs that are not finished are left out.
 
     Raises
     ------
@@ -620,7 +618,7 @@ def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]
     paths = run_directories(Path(directory))
     if not paths:
         raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-    runs = [open_run(path) for path in paths if not finished or RunDirectory(path).finished]
+    runs = [open_run(path) for path in paths if RunDirectory(path).finished]
     return sorted(runs, key=lambda run: (run.files.path.parent, run.settings.seed, run.files.path))
 
 

@@ -53,13 +53,7 @@ class Stateless(Saved):
 
 @dataclass(frozen=True)
 class Counted(Stateless):
-    """Base of the samplers whose one setting is the number of opponents.
-
-    Parameters
-    ----------
-    count : int, optional
-        Opponents an epoch; all, if fewer are available.
-    """
+    """Base of the samplers with one setting: `count` opponents an epoch, at most all."""
 
     count: int = 1
 
