@@ -77,6 +77,8 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
     ]  # fmt: skip
     figures_command(runs / "pursuers", "--figure", "training")
     assert list(drawn)[-1] == "training.png"
+    figures_command(runs / "pursuers", "--width", "3.35")
+    assert drawn["training.png"].get_figwidth() == pytest.approx(3.35)
 
 
 @pytest.mark.parametrize(

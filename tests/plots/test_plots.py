@@ -6,6 +6,7 @@ import io
 import subprocess
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.text import Text
 from PIL import Image
 
 from matrices import circular, logistic
@@ -149,7 +151,9 @@ def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     rates, learners = [0.5, 0.9, 0.2, 0.8], [0, 0, 1, 0]
     figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2], unit="team phase")
     (axes,) = figure.axes
-    curve, points = axes.collections
+    shade, curve, points = axes.collections
+    # From half an epoch before the evaders' one to half an epoch after it.
+    assert {*shade.get_paths()[0].vertices[:, 0]} <= {2.5, 3.0, 3.5}
     assert isinstance(curve, LineCollection)
     pieces = np.array(curve.get_segments())
     np.testing.assert_allclose(pieces[:, 0], [[1, 0.5], [2, 0.9], [3, 0.2]])
@@ -190,9 +194,11 @@ def test_a_moving_average_is_before_the_raw_curve_and_has_fewer_points_at_the_en
     rates: list[float], window: int, expected: list[float]
 ) -> None:
     figure = plots.training_curve(rates, np.zeros(len(rates), int), window=window)
-    for drawn, heights in zip(figure.axes[0].collections, (rates, expected), strict=False):
+    curves = [each for each in figure.axes[0].collections if isinstance(each, LineCollection)]
+    for drawn, heights in zip(curves, (rates, expected), strict=True):
         pieces = np.array(drawn.get_segments())
         np.testing.assert_allclose([*pieces[:, 0, 1], pieces[-1, 1, 1]], heights)
+    assert legend_texts(figure)[1:] == ["each epoch", f"mean of {window} epochs"]
     saved(figure)
 
 
@@ -225,13 +231,13 @@ def test_comparison_puts_races_side_by_side() -> None:
         for line, curve in zip(scores[column].lines, analysis.generalization(matrix), strict=True):
             np.testing.assert_array_equal(line.get_ydata(), curve)
     assert figure.get_suptitle() == "Two races"
-    assert len(legend_texts(figure)) == 2
+    assert len(legend_texts(figure)) == 3
     saved(figure)
 
 
-def heads(figure: Figure, races: int) -> list[tuple[str, str]]:
-    """Return the numbers and the judgement above each heat map."""
-    return [tuple(text.get_text() for text in axes.texts[:2]) for axes in figure.axes[:races]]
+def heads(figure: Figure, races: int) -> list[str]:
+    """Return the judgement and the numbers above each heat map."""
+    return [axes.texts[0].get_text().replace("\n", " ") for axes in figure.axes[:races]]
 
 
 def judged(payoff: np.ndarray) -> analysis.Judgement:
@@ -240,11 +246,10 @@ def judged(payoff: np.ndarray) -> analysis.Judgement:
 
 def test_comparison_says_what_was_judged_and_claims_nothing_else() -> None:
     figure = plots.comparison({"a": CYCLE, "b": RACE}, {"b": judged(RACE)})
-    (first, nothing), (second, race) = heads(figure, 2)
+    first, second = heads(figure, 2)
     assert first.startswith("last half: transitive share 0.0")
-    assert second.startswith("last half: transitive share 0.9")
+    assert second.startswith("ARMS RACE last half: transitive share 0.9")
     assert second.endswith("checkerboards 0.0%")
-    assert (nothing, race) == ("", "ARMS RACE")
 
 
 SLOW_RACES = [pytest.param(races, marks=pytest.mark.slow) for races in (3, 5)]
@@ -283,7 +288,7 @@ def test_many_compared_races_are_in_rows() -> None:
 
 def test_comparison_of_a_race_that_has_not_moved_yet() -> None:
     figure = plots.comparison({"new": np.full((2, 2), 0.5)})
-    assert heads(figure, 1) == [("whole: checkerboards 0.0%", "")]
+    assert heads(figure, 1) == ["whole: checkerboards 0.0%"]
     saved(figure)
 
 
@@ -513,6 +518,80 @@ def test_triangles_are_those_of_ciao() -> None:
         np.testing.assert_allclose(drawn, triangle.payoff.T)
         assert axes.get_xlabel() == f"generation of {name}"
     saved(figure)
+
+
+# ---- On paper ------------------------------------------------------------------------------------
+
+
+SCORES = {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}
+PANELS = {
+    "heat map": lambda: plots.payoff_heatmap(RACE),
+    "lags": lambda: plots.lag_profile_curve(RACE),
+    "ciao": lambda: plots.ciao_triangles(RACE),
+    "comparison": lambda: plots.comparison(
+        {f"specialists {n}": RACE for n in range(3)}, {"specialists 0": judged(RACE)}
+    ),
+    "generalization": lambda: plots.generalization_curves(RACE),
+    "over seeds": lambda: plots.generalization_over_seeds({"one": MATRICES, "two": MATRICES[:3]}),
+    "training": lambda: plots.training_curve(
+        RNG.random(620), np.arange(620) // 10 % 2, generations=1 + np.arange(620) // 20, window=5
+    ),
+    "collisions": lambda: plots.collision_rates(RNG.random((31, 2, 3))),
+    "bands": lambda: plots.seed_bands({f"group {n}": MATRICES[:3] for n in range(3)}),
+    "strip": lambda: plots.verdict_strip({"a": judged_seeds(3)}, {"a": (2, 5, 9)}),
+    "scores": lambda: plots.seed_scores({"specialists": SCORES, "generalists": SCORES}),
+    "dots": lambda: plots.run_dots({"one": RNG.random(7)}, label="score", levels={"random": 0.3}),
+    "curves": lambda: plots.run_curves({"one": RNG.random((5, 9))}, label="score"),
+}
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_a_figure_for_a_column_has_type_that_can_be_read(name: str, tmp_path: Path) -> None:
+    with plots.at_width(3.35):
+        figure = PANELS[name]()
+        with Image.open(plots.save_figure(figure, tmp_path / "x.png")) as image:
+            assert image.width == pytest.approx(3.35 * DPI, abs=1)
+    texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
+    assert min(text.get_fontsize() for text in texts) >= 6.0
+    edge = figure.bbox.padded(2)
+    names = [axis.label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
+    names += [axes.title for axes in figure.axes] + [figure._suptitle or Text()]
+    shown = [name for name in names if name.get_text()]
+    for box in (each.get_window_extent() for each in [*figure.legends, *shown]):
+        assert edge.x0 <= box.x0 <= box.x1 <= edge.x1
+        assert edge.y0 <= box.y0 <= box.y1 <= edge.y1
+    # Neighbours do not reach into each other.
+    boxes = [axes.get_tightbbox() for axes in figure.axes]
+    assert not any(
+        one.padded(-2).overlaps(other) for n, one in enumerate(boxes) for other in boxes[n + 1 :]
+    )
+    # The shape of the panels, not of the page.
+    panel = figure.axes[0].get_window_extent()
+    assert 0.5 < panel.height / panel.width < 1.05
+
+
+def test_widths_that_texts_do_not_fit_are_refused() -> None:
+    with plots.at_width(6.9):
+        assert plots.rules_table().get_figwidth() == pytest.approx(6.9)
+        with pytest.raises(ValueError, match="width: expected at least 7.5 inches .* got 6.9"):
+            plots.interaction_models()
+    with pytest.raises(ValueError, match="width: expected a number at least 3"), plots.at_width(2):
+        pass
+    assert plots.lag_profile_curve(RACE).get_figwidth() == 6.4
+
+
+@pytest.mark.parametrize("name", ["comparison", "generalization", "over seeds", "bands"])
+def test_evaders_are_dashed_and_pursuers_are_not(name: str) -> None:
+    lines = [line for axes in PANELS[name]().axes for line in axes.lines]
+    of_teams = [line for line in lines if line.get_linewidth() == 1.7]
+    styles = {color: {each.get_linestyle() for each in of_teams if each.get_color() == color}
+              for color in colors.TEAMS}  # fmt: skip
+    assert styles == {colors.PURSUER: {"-"}, colors.EVADER: {"--"}}
+
+
+def test_generations_on_top_of_a_training_curve_are_round_numbers() -> None:
+    (top,) = PANELS["training"]().axes[0].child_axes
+    assert [tick.get_text() for tick in top.get_xticklabels()] == [*map(str, range(5, 32, 5))]
 
 
 # ---- What cannot be drawn ------------------------------------------------------------------------

@@ -65,6 +65,13 @@ def open_page(page: Path) -> None:
     "[default: that of --out, else png]",
 )
 @baseline_option
+@click.option(
+    "--width",
+    type=click.FloatRange(3, 12),
+    metavar="INCHES",
+    help="make figures for paper: of this width, with type of 6 to 9 points. A column has about "
+    "3.35 inches, a page 6.9",
+)
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
 @force_option
 def explore_command(
@@ -75,6 +82,7 @@ def explore_command(
     figure: str | None,
     suffix: str | None,
     baselines: Mapping[str, Path],
+    width: float | None,
     each: bool,
     force: bool,
 ) -> None:
@@ -90,10 +98,11 @@ def explore_command(
     Without RUN, --figure draws the game: its rules (the variants as a table), conflicts (what the
     engine makes of the same moves under each outcome) and interaction (who acts together).
     """
-    given = {"--format": suffix, "--baseline": baselines, "--each": each}
+    given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
     with failures():
         if figures or figure:
-            selection = Selection(figure, _format(out, suffix), open_baselines(baselines), each)
+            suffix = _format(out, suffix)
+            selection = Selection(figure, suffix, open_baselines(baselines), each, width)
             _draw(runs, selection, out, force)
             return
         for option, value in given.items():
@@ -173,7 +182,7 @@ def _draw(runs: Sequence[Path], selection: Selection, out: Path | None, force: b
     # All files are checked before the first is drawn.
     refuse_existing(*files, force=force)
     for file, figure in files.items():
-        draw({file: figure})
+        draw({file: figure}, selection.width)
         say(file)
 
 

@@ -7,6 +7,7 @@ figures need not wait.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -55,7 +56,7 @@ Draw = Callable[[], "Figure"]
 
 @dataclass(frozen=True)
 class Selection:
-    """Which figures are drawn (all, or the one of this name), and in which format.
+    """Which figures are drawn (all, or the one of this name), in which format, for which width.
 
     `each`: those of each run, too, beside those of several seeds.
     """
@@ -64,6 +65,7 @@ class Selection:
     suffix: str = "png"
     baselines: Baselines = field(default_factory=dict)
     each: bool = False
+    width: float | None = None
 
 
 ALL = Selection()
@@ -105,12 +107,13 @@ def _together(
     return ("comparison",) if len(races) > 1 else ()
 
 
-def draw(planned: Mapping[Path, Draw]) -> None:
-    """Draw figures into their files, each complete or not at all."""
+def draw(planned: Mapping[Path, Draw], width: float | None = None) -> None:
+    """Draw figures into their files, each complete or not at all, perhaps for a width of paper."""
     from matrixworld import plots
 
     for file, figure in planned.items():
-        plots.save_figure(figure(), file)
+        with nullcontext() if width is None else plots.at_width(width):
+            plots.save_figure(figure(), file)
 
 
 def run_title(path: Path, settings: RaceSettings) -> str:

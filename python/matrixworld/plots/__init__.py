@@ -2,7 +2,8 @@
 
 They need no display and do not touch the state of ``pyplot``. Save a figure with
 ``plots.save_figure(figure, path)``, as pixels or as vector graphics, or show it as the last
-expression of a notebook cell after ``%matplotlib inline``. Arguments that are not as a docstring
+expression of a notebook cell after ``%matplotlib inline``. Within ``plots.at_width(3.35)`` they
+have that width, and type for it. Arguments that are not as a docstring
 describes them, and mappings without an entry, raise a ValueError.
 """
 
@@ -18,10 +19,11 @@ from matrixworld.plots.payoffs import (
     payoff_heatmap,
 )
 from matrixworld.plots.runs import run_curves, run_dots, seed_bands, seed_scores, verdict_strip
-from matrixworld.plots.style import save_figure
+from matrixworld.plots.style import at_width, save_figure
 from matrixworld.plots.training import collision_rates, training_curve
 
 __all__ = [
+    "at_width",
     "ciao_triangles",
     "collision_rates",
     "comparison",

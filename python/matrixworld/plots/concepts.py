@@ -59,7 +59,7 @@ def learning_concepts() -> Figure:
     Sun et al. (2023), "MatrixWorld", section 2; Leibo et al. (2019), "Autocurricula and the
     emergence of innovation from social interaction".
     """
-    figure = new_figure(8.0, 5.0)
+    figure = new_figure(8.0, 5.0, shrinks=False)
     axes = figure.subplots()
     axes.set(xlim=(0.0, 10.0), ylim=(0.0, 6.0))
     axes.axis("off")
@@ -69,7 +69,7 @@ def learning_concepts() -> Figure:
         x = area.x + 0.25 if area is AREAS[0] else area.x + area.width - 0.25
         side = "left" if area is AREAS[0] else "right"
         top = area.y + area.height - 0.28
-        axes.text(x, top, area.name, ha=side, va="center", weight="bold", size=12)
+        axes.text(x, top, area.name, ha=side, va="center", weight="bold", size="large")
     _draw_area(axes, SHARED, alpha=1.0)
     for note in NOTES:
         _draw_note(axes, note)
@@ -90,11 +90,10 @@ def _draw_note(axes: Axes, note: Note) -> None:
     lines = note.name.count("\n") + 1 if note.name else 0
     if note.name:
         axes.text(
-            note.x, note.y, note.name, ha="center", va="center", weight="bold", size=10,
-            linespacing=1.1,
-        )  # fmt: skip
+            note.x, note.y, note.name, ha="center", va="center", weight="bold", linespacing=1.1
+        )
     below = note.y - 0.13 * lines - 0.08 if lines else note.y + 0.2
-    axes.text(note.x, below, note.text, ha="center", va="top", size=9, linespacing=1.15)
+    axes.text(note.x, below, note.text, ha="center", va="top", size="small", linespacing=1.15)
 
 
 def _draw_arms_race(axes: Axes) -> None:
@@ -105,7 +104,7 @@ def _draw_arms_race(axes: Axes) -> None:
                 (begin, y), (end, y), arrowstyle="-|>", mutation_scale=12, color=colors.INK
             )
         )
-    axes.text(5.0, 3.28, "arms race", ha="center", va="center", weight="bold", size=10)
-    axes.text(5.0, 2.6, "each adapts to the other", ha="center", va="center", size=9)
-    axes.text(4.2, 2.95, "●", color=colors.PURSUER, ha="right", va="center", size=14)
-    axes.text(5.8, 2.95, "●", color=colors.EVADER, ha="left", va="center", size=14)
+    axes.text(5.0, 3.28, "arms race", ha="center", va="center", weight="bold")
+    axes.text(5.0, 2.6, "each adapts to the other", ha="center", va="center", size="small")
+    axes.plot(4.0, 2.95, "^", color=colors.PURSUER, markersize=9)
+    axes.plot(6.0, 2.95, "o", color=colors.EVADER, markersize=8)

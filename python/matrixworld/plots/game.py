@@ -165,7 +165,7 @@ def conflict_outcomes() -> Figure:
     reach and bounce.
     """
     heights = [CELL * situation.rows + BELOW for situation in SITUATIONS]
-    figure = new_figure(8.0, 1.1 + sum(heights))
+    figure = new_figure(8.0, 1.1 + sum(heights), shrinks=False)
     grid = figure.subplots(len(SITUATIONS), 4, height_ratios=heights)
     for row, (situation, panels) in enumerate(zip(SITUATIONS, grid, strict=True)):
         _draw_plan(panels[0], situation)
@@ -257,7 +257,7 @@ def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int
         axes.add_patch(triangle)
     else:
         axes.add_patch(Circle((x, y), radius, **look))
-    size = 8 if among == 1 else 6
+    size = "small" if among == 1 else "xx-small"
     _write(axes, x, y + 0.02, name, color=colors.PAPER, size=size, fontweight="bold", zorder=4)
 
 
@@ -334,7 +334,7 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
     """
     if not rules:
         raise ValueError("rules: expected at least one row, got none")
-    figure = new_figure(9.2, 1.15 + ROW * len(rules))
+    figure = new_figure(9.2, 1.15 + ROW * len(rules), shrinks=False)
     axes = figure.add_subplot()
     axes.set(xlim=(0, WIDTH), ylim=(len(rules) - 0.5, -2.1))
     axes.set_axis_off()
@@ -418,7 +418,7 @@ def interaction_models() -> Figure:
     """
     models = list(Interaction)
     rounds = [turns_of(each) for each in models]
-    figure = new_figure(10.0, 3.9)
+    figure = new_figure(10.0, 3.9, shrinks=False)
     panels = figure.subplots(1, len(models), width_ratios=[len(turns) + 0.9 for turns in rounds])
     for axes, interaction, turns in zip(panels, models, rounds, strict=True):
         _draw_round(axes, turns)

@@ -20,7 +20,6 @@ Baselines = Mapping[str, Mapping[str, ArrayLike]]
 TEAMS = ("pursuer", "evader")
 SCORES = ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)")
 OVER_SEEDS = "95% interval of the mean over seeds"
-_NAME = 28  # characters of a line of a race's name
 
 
 def generalization_curves(
@@ -81,16 +80,22 @@ def generalization_over_seeds(
     for name in [name for team in baselines for name in team if name not in payoffs]:
         raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
     figure = style.new_figure(max(5.6, 1.0 + 3.6 * len(payoffs)), 4.4)
-    panels = figure.subplots(1, len(payoffs), sharey=True, squeeze=False)[0]
-    for axes, (name, matrices) in zip(panels, payoffs.items(), strict=True):
+    lines, columns = style.rows_of(len(payoffs), style.beside(len(payoffs)))
+    panels = figure.subplots(lines, columns, sharey=True, squeeze=False).ravel()
+    for axes in panels[len(payoffs) :]:
+        axes.remove()
+    for axes, (name, matrices) in zip(panels, payoffs.items(), strict=False):
         bands = analysis.race_bands(matrices)
         draw_teams(axes, (bands[f"{team}_generalization"] for team in TEAMS), OVER_SEEDS)
         style.unit_axis(axes)
         for team, color in zip(baselines, colors.TEAMS, strict=True):
             _draw_baselines(axes, team.get(name, {}), color)
-        axes.set_title(style.wrapped(name, _NAME), size="medium", fontweight="bold")
-    panels[0].set_ylabel("mean score (0 to 1)")
-    style.legend_below(figure, style.labelled(*panels))
+        axes.set_title(
+            style.wrapped(name, style.room(figure, columns, 1.2)), size="medium", fontweight="bold"
+        )
+    for axes in panels[::columns]:
+        axes.set_ylabel("mean score (0 to 1)")
+    style.legend_below(figure, style.labelled(*panels[: len(payoffs)]))
     figure.suptitle(style.fitting(figure, title))
     return figure
 
@@ -99,7 +104,7 @@ def _draw_baselines(axes: Axes, baselines: Mapping[str, ArrayLike], color: str) 
     for index, (name, scores) in enumerate(baselines.items()):
         values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
         level = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
-        dashes = style.DASHES[index % len(style.DASHES)]
+        dashes = style.LEVELS[index % len(style.LEVELS)]
         axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
         if level.low is not None and level.high is not None:
             axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
@@ -124,16 +129,14 @@ def draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> Non
     style.unit_axis(axes)
 
 
-def draw_teams(
-    axes: Axes, bands: Iterable[analysis.Band], interval: str, *, evaders: str = "-"
-) -> None:
-    """Draw the curves of both teams, and the intervals if they have some; `evaders` is a style."""
-    looks = zip(bands, colors.TEAMS, ("-", evaders), SCORES, strict=True)
+def draw_teams(axes: Axes, bands: Iterable[analysis.Band], interval: str) -> None:
+    """Draw the curves of both teams, evaders dashed, and the intervals if they have some."""
+    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), SCORES, strict=True)
     for band, color, line, label in looks:
         style.draw_band(axes, band, color, line, label=label)
     if band.low is not None:
         # An empty band for the legend, whose entry is of both teams.
         axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
     axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(style.whole_numbers(6))
+    axes.xaxis.set_major_locator(style.whole_numbers())
     axes.margins(x=0.02)

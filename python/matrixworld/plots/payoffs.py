@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -28,11 +29,10 @@ FEWEST_CELLS = 5
 
 COLUMNS = 4
 """The most races beside each other in `comparison`; further ones are in rows below."""
-WIDEST, WIDEST_NAME = 42, 32
-"""Characters of a line of a judgement, and of a name, in `comparison`."""
-_LINE = 14  # height of a line above a heat map, in points
+_LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
 _SCALE = "capture rate (0 all escape, 1 all caught)"
+_LAG = "lag: pursuer minus evader generation"
 
 
 def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
@@ -68,6 +68,7 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     axes = figure.add_subplot()
     _draw_lag_profile(axes, payoff)
     axes.set_title(style.fitting(figure, title))
+    style.legend_below(figure, style.labelled(axes))
     return figure
 
 
@@ -75,12 +76,12 @@ def ciao_triangles(
     payoff: ArrayLike,
     *,
     names: tuple[str, str] = ("pursuers", "evaders"),
-    title: str = "Current individuals against ancestral opponents",
+    title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
-    """Draw the CIAO plots of both teams; see :func:`matrixworld.analysis.ciao`.
+    """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
 
     Light cells are wins of the team. The upper edge of a triangle is the current opponent; the
-    further down, the older the opponent.
+    further down, the older the opponent. See :func:`matrixworld.analysis.ciao`.
 
     Parameters
     ----------
@@ -97,9 +98,12 @@ def ciao_triangles(
     ):
         image = _draw_cells(axes, triangle.payoff.T, interpolation="nearest", aspect="auto")
         axes.set(xlabel=f"generation of {name}", ylabel=f"generation of {other}")
-        axes.set_title(f"wins of {name}", color=color)
+        axes.set_title(f"score of {name}", color=color, size="medium")
         axes.spines[["top", "right"]].set_visible(False)
-    figure.colorbar(image, ax=list(panels), label="payoff (0 loses, 1 wins)", shrink=0.9)
+    figure.colorbar(
+        image, ax=list(panels), label="score (0 loses, 1 wins)", location="bottom", shrink=0.6,
+        aspect=30,
+    )  # fmt: skip
     figure.suptitle(style.fitting(figure, title))
     return figure
 
@@ -127,16 +131,17 @@ def comparison(
     title : str, optional
     """
     style.check_some(payoffs, "race")
-    lines, columns = style.rows_of(len(payoffs), COLUMNS)
+    lines, columns = style.rows_of(len(payoffs), style.beside(COLUMNS))
     figure = style.new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
     panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.7, 1.0, 1.0))
     for column, payoff in zip(panels, payoffs.values(), strict=True):
         _draw_race(column, payoff, per_episode)
     means = {name: mean_of(payoff, per_episode) for name, payoff in payoffs.items()}
-    _write_heads([column[0] for column in panels], means, judgements or {})
+    width = style.room(figure, columns + 0.3)
+    _write_heads([column[0] for column in panels], means, judgements or {}, width)
     _share_legends(figure, panels, columns)
     if title:
-        figure.suptitle(title)
+        figure.suptitle(style.fitting(figure, title))
     # A first pass of the layout: one alone leaves the names of three races above the edge.
     layout = figure.get_layout_engine()
     if layout is not None:
@@ -155,7 +160,7 @@ def _share_legends(figure: Figure, panels: Sequence[Sequence[Axes]], columns: in
         # The scales are shared, so one label per row is enough.
         for axes in [axes for column in row[1:] for axes in column]:
             axes.set_ylabel("")
-    style.legend_below(figure, style.labelled(panels[0][2]), columns=min(columns, 3))
+    style.legend_below(figure, style.labelled(panels[0][2], panels[0][1]), columns=min(columns, 3))
 
 
 def _draw_race(column: Sequence[Axes], payoff: ArrayLike, per_episode: bool) -> None:
@@ -171,27 +176,26 @@ def _write_heads(
     heatmaps: Sequence[Axes],
     payoffs: Mapping[str, Rates],
     judgements: Mapping[str, analysis.Judgement],
+    width: int,
 ) -> None:
-    """Write name, judgement and numbers of each race above its heat map."""
-    verdicts = {
-        name: textwrap.wrap(analysis.headline(judgements[name]), WIDEST)
-        if name in judgements
-        else []
-        for name in payoffs
+    """Write name, judgement and numbers of each race above its heat map, so wide."""
+    heads = {
+        name: textwrap.wrap(
+            analysis.headline(judgements[name]) if name in judgements else "", width
+        )
+        + textwrap.wrap(_numbers(payoff), width)
+        for name, payoff in payoffs.items()
     }
     # The names of all races are at the same height.
-    lines = 1 + max(map(len, verdicts.values()))
-    for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
-        axes.set_title(style.wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + _LINE * lines)
-        _write_above(axes, _numbers(payoff), 5, "small")
-        _write_above(axes, "\n".join(verdicts[name]), 5 + _LINE, "medium")
-
-
-def _write_above(axes: Axes, text: str, points: float, size: str) -> None:
-    axes.annotate(
-        text, (0.5, 1.0), xytext=(0, points), xycoords="axes fraction",
-        textcoords="offset points", ha="center", va="bottom", size=size,
-    )  # fmt: skip
+    pad = 5 + _LINE * mpl.rcParams["font.size"] * max(map(len, heads.values()))
+    for axes, (name, lines) in zip(heatmaps, heads.items(), strict=True):
+        # Bold, and larger than the lines below it.
+        named = style.wrapped(name, int(width / style.LARGE / 1.1))
+        axes.set_title(named, fontweight="bold", pad=pad)
+        axes.annotate(
+            "\n".join(lines), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
+            textcoords="offset points", ha="center", va="bottom", in_layout=False,
+        )  # fmt: skip
 
 
 def _numbers(payoff: ArrayLike) -> str:
@@ -215,7 +219,7 @@ def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
 
 def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(style.whole_numbers(6))
+        axis.set_major_locator(style.whole_numbers())
     return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
 
 
@@ -232,14 +236,16 @@ def _enclose_diagonal(axes: Axes, cells: int) -> None:
 def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
     profile = analysis.lag_profile(payoff)
     # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
-    solid = profile.cells >= min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
-    axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0)
+    cells = min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
+    solid = profile.cells >= cells
+    faint = f"lags with fewer than {cells} cells"
+    axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
     axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
-    axes.set(xlabel="lag: pursuer minus evader generation", ylabel="mean capture rate")
-    axes.xaxis.set_major_locator(style.whole_numbers(8))
+    axes.set(xlabel=_LAG, ylabel="mean capture rate")
+    axes.xaxis.set_major_locator(style.whole_numbers())
     axes.margins(x=0.02)
     style.unit_axis(axes)
     aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
-    axes.text(0.02, 0.97, "evaders are later", ha="left", va="top", **aside)
-    axes.text(0.98, 0.03, "pursuers are later", ha="right", va="bottom", **aside)
+    axes.text(0.02, 0.97, "later evaders", ha="left", va="top", **aside)
+    axes.text(0.98, 0.03, "later pursuers", ha="right", va="bottom", **aside)

@@ -21,8 +21,8 @@ from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.plots import style
 from matrixworld.plots.generalization import OVER_SEEDS, TEAMS, draw_teams
 
-WIDEST = 26
-"""Characters of a line of a group's name."""
+NAMES = 3
+"""Share of the width that the names of groups may take: a third."""
 
 
 def run_dots(
@@ -34,6 +34,8 @@ def run_dots(
     title: str | None = None,
 ) -> Figure:
     """Draw one number of each run as a dot, and the mean of each group with its 95% interval.
+
+    The axis shows all of [0, 1] if the numbers are in it and reach half of it, as scores do.
 
     Parameters
     ----------
@@ -59,9 +61,15 @@ def run_dots(
         axes.axvline(level, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
     axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
     axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
-    axes.set_yticks(range(len(groups)), [style.wrapped(name, WIDEST) for name in groups])
+    axes.set_yticks(
+        range(len(groups)), [style.wrapped(name, style.room(figure, NAMES)) for name in groups]
+    )
     axes.set_ylim(len(groups) - 0.5, -0.5)
     axes.set_xlabel(label)
+    low, high = axes.get_xlim()
+    numbers = np.concatenate([np.ravel(values) for values in groups.values()])
+    if numbers.min() >= 0.0 and 0.5 <= numbers.max() <= 1.0:
+        axes.set_xlim(min(low, -0.02), max(high, 1.02))
     style.plain_axis(axes)
     axes.grid(visible=False, axis="y")
     style.legend_below(figure, style.labelled(axes), columns=4)
@@ -119,7 +127,7 @@ def run_curves(
         axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single run")
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
-    axes.xaxis.set_major_locator(style.whole_numbers(8))
+    axes.xaxis.set_major_locator(style.whole_numbers())
     axes.margins(x=0.02)
     style.plain_axis(axes)
     entries = style.labelled(axes)
@@ -163,11 +171,13 @@ def seed_scores(
     }
     teams = [team for team in SCORES if any(team in each for each in arrays.values())]
     figure = style.new_figure(9.4, 0.9 + max(3.0, 0.55 * len(arrays) + 1.4) * len(teams))
-    grid = figure.subplots(len(teams), 2, squeeze=False, width_ratios=(1.25, 1.0))
+    columns = style.beside(2, 3.0)
+    shape = (2 * len(teams) // columns, columns)
+    grid = figure.subplots(*shape, width_ratios=(1.25, 1.0)[:columns]).reshape(-1, 2)
     for (left, right), team in zip(grid, teams, strict=True):
         of_team = {group: each[team] for group, each in arrays.items() if team in each}
         _draw_profiles(left, of_team, team)
-        _draw_middles(right, of_team, team)
+        _draw_middles(right, of_team, team, style.room(figure, NAMES))
     _write_legend(figure, arrays)
     figure.suptitle(style.fitting(figure, title))
     return figure
@@ -190,7 +200,7 @@ def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     style.unit_axis(axes)
 
 
-def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
+def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str, width: int) -> None:
     for row, ((color, _), values) in enumerate(zip(style.LINES, scores.values(), strict=False)):
         middle = analysis.interquartile_mean(values)
         means = values.mean(axis=1)
@@ -201,7 +211,7 @@ def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
             axes.plot([middle.low, middle.high], [row - 0.22] * 2, color=color, linewidth=2.2)
         axes.plot(middle.value, row - 0.22, marker="D", markersize=6, color=color)
     names = [
-        f"{style.wrapped(name, WIDEST)} ({len(values)} seeds)" for name, values in scores.items()
+        style.wrapped(f"{name} ({len(values)} seeds)", width) for name, values in scores.items()
     ]
     axes.set_yticks(np.arange(len(names)), names, size="small")
     axes.set(xlim=(-0.02, 1.02), ylim=(len(names) - 0.5, -0.5), xlabel=SCORES[team])
@@ -226,8 +236,6 @@ def _write_legend(figure: Figure, groups: Iterable[str]) -> None:
 
 GROUPS = 5
 """The most groups of seeds beside each other; further ones are in rows below."""
-WIDEST_HEAD = 32
-"""Characters of a line above a column."""
 
 
 def seed_bands(
@@ -251,14 +259,15 @@ def seed_bands(
     title : str, optional
     """
     style.check_some(payoffs)
-    lines, columns = style.rows_of(len(payoffs), GROUPS)
+    lines, columns = style.rows_of(len(payoffs), style.beside(GROUPS))
     figure = style.new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
     panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.0, 1.0, 1.0))
     groups = {name: [analysis.check_payoff(m) for m in each] for name, each in payoffs.items()}
     ratings = []
     for column, (name, matrices) in zip(panels, groups.items(), strict=True):
         ratings.append(_draw_group(column, matrices))
-        _write_head(column[0], name, len(matrices), (judgements or {}).get(name))
+        width = style.room(figure, max(2, columns) + 0.3)
+        _write_head(column[0], name, len(matrices), (judgements or {}).get(name), width)
     _share_scales(panels, columns, ratings)
     entries = style.labelled(*(column[0] for column in panels))
     style.legend_below(figure, entries, columns=2 if columns < 3 else 4)
@@ -277,7 +286,7 @@ def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[floa
         names = [f"{team}_{number}" for team in TEAMS]
         for name, color in zip(names, colors.TEAMS, strict=True):
             _draw_singles(axes, singles, name, color)
-        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS, evaders=style.DASHES[0])
+        draw_teams(axes, (bands[name] for name in names), OVER_SEEDS)
     if singles:
         scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single seed")
     _draw_singles(lags, singles, "lag_profile", colors.INK)
@@ -285,7 +294,7 @@ def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[floa
     lags.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     lags.set_xlabel("lag: pursuer minus\nevader generation")
     for axes in column:
-        axes.xaxis.set_major_locator(style.whole_numbers(5))
+        axes.xaxis.set_major_locator(style.whole_numbers())
         axes.margins(x=0.02)
         style.plain_axis(axes)
     style.unit_axis(scores)
@@ -299,10 +308,10 @@ def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, 
         axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
 
 
-def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None) -> None:
+def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None, width: int) -> None:
     counted = "1 seed: no band" if seeds == 1 else f"{seeds} seeds"
     found = "" if judgement is None else analysis.headline(judgement)
-    lines = [style.wrapped(name, WIDEST_HEAD), counted, *textwrap.wrap(found, WIDEST_HEAD)]
+    lines = [style.wrapped(name, width), counted, *textwrap.wrap(found, width)]
     axes.set_title("\n".join(lines), size="medium")
 
 
@@ -366,7 +375,8 @@ def verdict_strip(
     for axes, (name, judgement) in zip(panels, judgements.items(), strict=True):
         columns = _columns(judgement, seeds[name], absent.get(name, ()))
         _draw_verdicts(axes, columns, judgement, most)
-        axes.set_title(f"{name}: {analysis.headline(judgement)}", size="medium", loc="left")
+        head = style.wrapped(f"{name}: {analysis.headline(judgement)}", style.room(figure, 1.3))
+        axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
     style.legend_below(figure, {name: Patch(**look) for name, look in LOOKS.items()}, columns=4)
     figure.suptitle(style.fitting(figure, title))

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util import colors
@@ -17,6 +18,9 @@ from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
 _TEAMS = ("pursuers", "evaders")
+ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))
+"""Distances of ticks at round numbers."""
+_SHADE = "#EFEFEF"  # lighter than the lines of the grid
 _MARKED = 100  # curves with up to this many points have a marker at each
 
 
@@ -52,6 +56,8 @@ def training_curve(
     axes = figure.add_subplot()
     if window > 1:
         axes.add_collection(_in_pieces(values, shades, alpha=0.25, linewidth=0.6))
+    if learners is not None:
+        _shade_evaders(axes, np.asarray(learners) == 1)
     smooth = _moving_average(values, window)
     axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
     if len(values) <= _MARKED:
@@ -59,18 +65,30 @@ def training_curve(
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
     axes.set_title(style.fitting(figure, title))
     axes.set(xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
-    axes.xaxis.set_major_locator(style.whole_numbers(10))
+    axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
         _generation_axis(axes, np.asarray(generations), len(values))
-    learning = {
-        f"{team} learn": Line2D([], [], color=color)
-        for team, color in zip(_TEAMS, colors.TEAMS, strict=True)
+    entries: dict[str, Any] = {
+        f"{team} learn": (*behind, Line2D([], [], color=color))
+        for team, color, behind in zip(
+            _TEAMS, colors.TEAMS, ((), (Patch(color=_SHADE),)), strict=True
+        )
         if color in shades
     }
-    if learning:
-        style.legend_below(figure, learning)
+    if window > 1:
+        entries[f"each {unit}"] = Line2D([], [], color=colors.MUTED, alpha=0.5, linewidth=0.6)
+        entries[f"mean of {window} {unit}s"] = Line2D([], [], color=colors.MUTED, linewidth=1.6)
+    if entries:
+        style.legend_below(figure, entries, columns=4)
     return figure
+
+
+def _shade_evaders(axes: Axes, learn: NDArray[np.bool_]) -> None:
+    """Shade where the evaders learn: in grey the curves of both teams have the same tone."""
+    place = np.arange(1, len(learn) + 1)
+    look: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "step": "mid", "zorder": 0}
+    axes.fill_between(place, 0, 1, where=learn, color=_SHADE, linewidth=0, **look)
 
 
 def collision_rates(
@@ -110,7 +128,7 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
         )  # fmt: skip
     axes.set_title(team, color=color)
     axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(style.whole_numbers(6))
+    axes.xaxis.set_major_locator(style.whole_numbers())
     style.plain_axis(axes)
 
 
@@ -149,7 +167,8 @@ def _generation_axis(axes: Axes, generations: NDArray[np.int64], length: int) ->
     """Add a second axis on top that shows where each generation begins."""
     require(generations.shape == (length,), f"generations of shape ({length},)", generations.shape)
     names, starts = np.unique(generations, return_index=True)
-    every = max(1, round(len(names) / 10))
+    every = next(each for each in ROUND if len(names) <= 10 * each)
+    shown = names % every == 0
     top = axes.secondary_xaxis("top")
-    top.set_xticks(starts[::every] + 1, [str(name) for name in names[::every]])
+    top.set_xticks(starts[shown] + 1, [str(name) for name in names[shown]])
     top.set_xlabel("generation")
