@@ -157,6 +157,7 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
     m.def("batch_fields", [] { return to_list(batch_fields()); });
     bind_worlds(m);
     bind_rollouts(m);
+    bind_solve(m);
     m.def("philox", &philox_block, py::arg("counter"), py::arg("key"));
     m.def("kernel_level", [] { return kernels().level; });
 }

@@ -7,5 +7,6 @@ namespace matrixworld {
 
 void bind_worlds(pybind11::module_& m);    // World, Batch
 void bind_rollouts(pybind11::module_& m);  // Network, rollout, record
+void bind_solve(pybind11::module_& m);     // States
 
 }  // namespace matrixworld

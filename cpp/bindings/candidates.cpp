@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "solve/table_policy.hpp"
+
 namespace matrixworld {
 
 namespace {
@@ -25,6 +27,12 @@ HeldCandidates to_candidates(const std::string& name, const py::object& given,
             throw py::value_error(name + ": expected one of " + script_names() + ", got '" +
                                   script + "'");
         }
+        return held;
+    }
+    if (py::isinstance<Tables>(given)) {
+        const auto tables = given.cast<std::shared_ptr<Tables>>();
+        tables->check(config);
+        held.candidates.make = [tables] { return std::make_unique<TablePolicy>(tables); };
         return held;
     }
     const auto pair = given.cast<std::pair<Network, Array<float>>>();

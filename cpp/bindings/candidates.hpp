@@ -14,7 +14,7 @@ struct HeldCandidates {
     Array<float> genomes;
 };
 
-// From a script's name, or from (Network, genomes (n, genome_size) float32). `name` is the argument's
+// From a script's name, from tables, or from (Network, genomes (n, genome_size) float32). `name` is the argument's
 // in error messages.
 HeldCandidates to_candidates(const std::string& name, const py::object& given,
                              const Config& config);

@@ -93,6 +93,16 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     scratch.participants = s.participants;
 }
 
+void World::put(const IntArray& cells, const ByteArray& captured, Scratch& scratch) {
+    captured_ = captured;
+    ever_captured_ = captured;
+    terminated_ = truncated_ = false;
+    first_turn_ = true;  // so that its captures are judged anew, for all evaders
+    may_overlap_ = true;
+    place_living(cells, scratch);
+    count_captures();
+}
+
 void World::place_living(const IntArray& cells, Scratch& scratch) {
     living_.clear();
     n_living_[0] = n_living_[1] = 0;

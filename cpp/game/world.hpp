@@ -73,6 +73,12 @@ class World {
     Snapshot snapshot(const Scratch& scratch) const;
     void restore(const Snapshot& snapshot, Scratch& scratch);
 
+    // Continues from a moment between two turns of which only this is known: where agents stand, by
+    // agent, kGone when gone; and which evaders count as captured. What is left out decides rewards
+    // and reports only. Nothing is checked or allocated: who enumerates states calls it for each.
+    // Preconditions: the world was reset before; no world has entered the scratch.
+    void put(const IntArray& cells, const ByteArray& captured, Scratch& scratch);
+
     // Enters the agents into the occupancy of the scratch, or removes them from it. A world is
     // played and observed between the two.
     void enter(Scratch& scratch) const;
@@ -121,6 +127,7 @@ class World {
     // Evaders that count as captured: under occupation those captured at any time, under surround
     // those captured at this moment.
     int n_captured() const { return n_captured_; }
+    bool counts_as_captured(int evader) const;
     int n_ever_captured() const { return static_cast<int>(ever_captured_.cast<int>().sum()); }
 
     const FloatArray& rewards() const { return rewards_; }          // by agent, of the last round
@@ -168,7 +175,6 @@ class World {
     void add_captor(int evader, int pursuer);
     void set_captured(int evader, bool captured);
     void clear_capture(int evader);
-    bool counts_as_captured(int evader) const;
     void pay_captures();
     void remove_captured(Scratch& scratch);
     void pay_actors(const Turn& turn, const Scratch& scratch);

@@ -22,7 +22,7 @@ using Block = std::array<std::uint64_t, kDrawsPerBlock>;
 
 // What numbers are drawn for. Each purpose has its own counters, so that a change in how many
 // numbers one of them takes leaves the others as they are.
-enum class Purpose : std::uint64_t { Reset = 1, Decide = 2, Walk = 3 };
+enum class Purpose : std::uint64_t { Reset = 1, Decide = 2, Walk = 3, DecideTogether = 4 };
 
 // Four random 64-bit words. The constants and the ten rounds are those of the paper.
 inline Block philox(Block counter, std::uint64_t key0, std::uint64_t key1) {

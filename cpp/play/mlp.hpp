@@ -78,6 +78,8 @@ class Mlp {
     void act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,
              const std::vector<float>& units, std::vector<std::uint8_t>& actions);
 
+    bool samples() const { return network_.sampled; }
+
     // The outputs of the last `act`, (n agents, padded(n_actions)).
     const float* logits() const { return activations_.back()[0]; }
 

@@ -1,5 +1,10 @@
 #include "play/policy.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
 namespace matrixworld {
 
 // Lists the living agents and their draws.
@@ -45,6 +50,25 @@ void NetworkPolicy::choose(const World& world, const Occupancy& occupancy) {
     mlp_.act(world, occupancy, agents_, units_, chosen_);
 }
 
+void NetworkPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
+    units_.assign(agents_.size(), 0.0f);
+    mlp_.act(world, occupancy, agents_, units_, chosen_);
+    const int n_actions = world.config().n_actions();
+    const int width = padded(n_actions);
+    for (std::size_t i = 0; i < agents_.size(); ++i, out += n_actions) {
+        std::fill_n(out, n_actions, 0.0);
+        if (!mlp_.samples()) {
+            out[chosen_[i]] = 1;
+            continue;
+        }
+        const float* const logits = mlp_.logits() + i * width;
+        const double largest = *std::max_element(logits, logits + n_actions);
+        double total = 0;
+        for (int a = 0; a < n_actions; ++a) total += out[a] = std::exp(logits[a] - largest);
+        for (int a = 0; a < n_actions; ++a) out[a] /= total;
+    }
+}
+
 void ScriptedPolicy::choose(const World& world, const Occupancy& occupancy) {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
         // One draw serves two independent decisions: `kSlipSteps` is a power of two, so the lowest
@@ -56,20 +80,30 @@ void ScriptedPolicy::choose(const World& world, const Occupancy& occupancy) {
     }
 }
 
-int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, int agent,
-                              std::uint32_t draw) {
-    if (!script_.goals) return 0;
+void ScriptedPolicy::look(const World& world, const Occupancy& occupancy, int agent) {
     sight_.look(world, occupancy, agent);
     goals_.clear();
     script_.goals(sight_, goals_);
-    if (goals_.empty() && script_.stride > 0) {
+}
+
+int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, int agent,
+                              std::uint32_t draw) {
+    if (!script_.goals) return 0;
+    look(world, occupancy, agent);
+    if (walks()) {
         const int move = walk_on(world, agent);
         if (sight_.is_free({kRowStep[move], kColStep[move]})) return move;
     }
+    int moves[kDiagonalMoves];
+    const int n_best = find_best(world.config().n_actions(), moves);
+    return moves[below(draw, n_best)];
+}
+
+// Lists the moves of the highest worth, and returns how many there are.
+int ScriptedPolicy::find_best(int n_actions, int* moves) const {
     int best = 0;
     int n_best = 0;
-    int moves[kDiagonalMoves];
-    for (int move = 0; move < world.config().n_actions(); ++move) {
+    for (int move = 0; move < n_actions; ++move) {
         const Offset there{kRowStep[move], kColStep[move]};
         if (move != 0 && !sight_.is_free(there)) continue;
         const int worth = script_.worth(sight_, goals_, there);
@@ -79,7 +113,28 @@ int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, in
         }
         if (worth == best) moves[n_best++] = move;
     }
-    return moves[below(draw, n_best)];
+    return n_best;
+}
+
+void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
+    const int n_actions = world.config().n_actions();
+    const double slips = static_cast<double>(script_.slips) / kSlipSteps;
+    for (int agent : agents_) {
+        std::fill_n(out, n_actions, slips / n_actions);
+        int moves[kDiagonalMoves] = {0};
+        int n_best = 1;
+        if (script_.goals) {
+            look(world, occupancy, agent);
+            if (walks()) {
+                throw std::invalid_argument(std::string(script_.name) +
+                                            ": expected a script that sees what it looks for in "
+                                            "every state, got one that walks on in some");
+            }
+            n_best = find_best(n_actions, moves);
+        }
+        for (int i = 0; i < n_best; ++i) out[moves[i]] += (1 - slips) / n_best;
+        out += n_actions;
+    }
 }
 
 // The direction of the present stride. It is drawn from the number of the stride, so that no policy
@@ -96,6 +151,8 @@ LoadedPolicy::LoadedPolicy(const Candidates& candidates, const Setup& setup)
         auto policy = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
         network_ = policy.get();
         policy_ = std::move(policy);
+    } else if (candidates.make) {
+        policy_ = candidates.make();
     } else {
         policy_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -26,10 +27,19 @@ class Policy {
         for (std::size_t i = 0; i < agents_.size(); ++i) actions[agents_[i]] = chosen_[i];
     }
 
+    // Writes the probabilities with which `decide` would choose each action, (n living agents in
+    // [first, last), n_actions): a network's are the softmax of its outputs, or 1 for the largest
+    // one. Throws std::invalid_argument where choices depend on more than the present moment.
+    void weigh(const World& world, const Occupancy& occupancy, int first, int last, double* out) {
+        draw(world, first, last);
+        if (!agents_.empty()) weigh(world, occupancy, out);
+    }
+
   protected:
     // Writes chosen_[i] for each agents_[i]. Called once for all agents of a turn, not once for each,
     // so that a network reads its weights once and the virtual call costs nothing.
     virtual void choose(const World& world, const Occupancy& occupancy) = 0;
+    virtual void weigh(const World& world, const Occupancy& occupancy, double* out) = 0;
 
     std::vector<int> agents_;           // the living agents that act, ascending
     std::vector<std::uint32_t> draws_;  // by agent that acts: 32 random bits
@@ -47,6 +57,7 @@ class NetworkPolicy : public Policy {
 
   private:
     void choose(const World& world, const Occupancy& occupancy) override;
+    void weigh(const World& world, const Occupancy& occupancy, double* out) override;
 
     Mlp mlp_;
     std::vector<float> units_;  // the draws as numbers in [0, 1)
@@ -58,6 +69,10 @@ class ScriptedPolicy : public Policy {
 
   private:
     void choose(const World& world, const Occupancy& occupancy) override;
+    void weigh(const World& world, const Occupancy& occupancy, double* out) override;
+    void look(const World& world, const Occupancy& occupancy, int agent);
+    bool walks() const { return goals_.empty() && script_.stride > 0; }
+    int find_best(int n_actions, int* moves) const;
     int best_move(const World& world, const Occupancy& occupancy, int agent, std::uint32_t draw);
     int walk_on(const World& world, int agent) const;
 
@@ -66,12 +81,13 @@ class ScriptedPolicy : public Policy {
     Offsets goals_;  // of the agent that decides
 };
 
-// One team's candidates: n genomes of one network, or one script.
+// One team's candidates: n genomes of one network, one script, or any other policy.
 struct Candidates {
     std::optional<Network> network;
     const float* genomes = nullptr;  // (n, genome_size), owned by the caller
     int n = 1;
-    const Script* script = nullptr;  // without a network
+    const Script* script = nullptr;                 // without a network
+    std::function<std::unique_ptr<Policy>()> make;  // without both
 };
 
 // Draws for each agent of a world, alive or gone, the number in [0, 1) with which a policy that

@@ -13,7 +13,7 @@ _Map: TypeAlias = NDArray[np.uint8] | None  # (rows, cols), 1 for an obstacle
 _Positions: TypeAlias = NDArray[np.int32] | None  # (n, 2) rows and columns
 _ByTeam: TypeAlias = tuple[float, float]  # the pursuers' and the evaders'
 _ByKind: TypeAlias = tuple[float, float, float]  # with an obstacle, a teammate, an adversary
-_Candidates: TypeAlias = tuple[Network, NDArray[np.float32]] | str  # or the name of a script
+_Candidates: TypeAlias = tuple[Network, NDArray[np.float32]] | Tables | str  # a script's name
 # turn, kind, form, first agent, second agent or -1, cell; at fault, held and doomed as bits, of
 # which bit 0 is the first agent's and bit 1 the second's
 _Conflict: TypeAlias = tuple[int, int, int, int, int, tuple[int, int], int, int, int]
@@ -200,6 +200,47 @@ class Batch(metaclass=_Pybind11Type):
 
     def snapshot(self, world: int) -> dict[str, Any]:
         """The state of one of the worlds, for `World.restore`."""
+
+class States(metaclass=_Pybind11Type):
+    """The states of a small world: S in a turn, with P and Q joint actions of the teams."""
+
+    def __init__(self, setup: Setup, n_threads: int) -> None: ...
+    def n_turns(self) -> int:
+        """The number of turns in a round."""
+
+    def starts(self) -> NDArray[np.int32]:
+        """The states of the first turn in which an episode starts."""
+
+    def describe(self, turn: int) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
+        """Cells (S, A), -1 for gone agents, and captured (S, E)."""
+
+    def successors(self, turn: int) -> NDArray[np.int32]:
+        """States of the next turn, (S, P, Q), read-only."""
+
+    def weigh(
+        self, turn: int, evaders: bool, policy: _Candidates, n_threads: int
+    ) -> NDArray[np.float64]:
+        """Probabilities of a team's joint actions, (S, P) or (S, Q)."""
+
+    def backup(
+        self,
+        turn: int,
+        next: NDArray[np.float64],
+        pursuers: NDArray[np.float64] | None,
+        evaders: NDArray[np.float64] | None,
+        chosen: bool,
+        n_threads: int,
+    ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
+        """Values (S,) from those of the next turn, the largest gap, and how the teams play.
+
+        A team whose probabilities are given plays by them, another one its best."""
+
+class Tables(metaclass=_Pybind11Type):
+    """Probabilities of a team's joint actions by turn: (rounds, S, P or Q) each."""
+
+    def __init__(
+        self, states: States, evaders: bool, steps: int, by_turn: Sequence[NDArray[np.float32]]
+    ) -> None: ...
 
 def rollout(
     setup: Setup,

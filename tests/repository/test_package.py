@@ -145,6 +145,7 @@ PUBLIC = (
     "matrixworld.envs",
     "matrixworld.plots",
     "matrixworld.episodes.replay",
+    "matrixworld.solve",
     "matrixworld.toys",
 )
 SECTIONS = ("Parameters", "Other Parameters", "Attributes")
@@ -220,7 +221,8 @@ ALLOWED = {
     "game": {"grid"},
     "observe": {"grid", "kernels", "game"},
     "play": {"grid", "kernels", "game", "observe"},
-    "bindings": {"grid", "kernels", "game", "observe", "play"},
+    "solve": {"grid", "kernels", "game", "observe", "play"},
+    "bindings": {"grid", "kernels", "game", "observe", "play", "solve"},
     "tests": {"grid", "kernels", "game", "observe", "play"},
 }
 INCLUDE = re.compile(r'^#include "(?:(\w+)/)?([\w.]+)"', re.MULTILINE)
@@ -240,7 +242,7 @@ def test_every_folder_is_a_room_of_the_table() -> None:
 
 @pytest.mark.parametrize("room", ALLOWED)
 def test_includes_run_one_way(room: str) -> None:
-    """grid <- game <- observe <- play <- bindings, with kernels beside game."""
+    """grid <- game <- observe <- play <- solve <- bindings, with kernels beside game."""
     wrong = [
         f"cpp/{file.relative_to(CPP)} includes {other}/{header}: "
         f"expected {room} to include {sorted(ALLOWED[room]) or 'no other room'}"

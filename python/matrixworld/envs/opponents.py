@@ -20,17 +20,17 @@ from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Population
+from matrixworld.world.policy import SCRIPTS, Population, TablePolicy
 from matrixworld.world.world import World
 
 if TYPE_CHECKING:
     from matrixworld.coevolution import SavedRun, Team
 
-Opponent: TypeAlias = "str | Path | Population | NetworkPolicy | SavedRun | Callback"
+Opponent: TypeAlias = "str | Path | Population | NetworkPolicy | SavedRun | TablePolicy | Callback"
 """What can play for a team: the name of a script or of a held-out opponent (``"evolved-2"``), a run
 directory (its last generation), a population or a saved run (each genome is an opponent), a
-`NetworkPolicy`, or a function from observations of n living agents, uint8 (n, 3, fov, fov), to
-actions (n,)."""
+`NetworkPolicy`, a solved policy, or a function from observations of n living agents, uint8
+(n, 3, fov, fov), to actions (n,)."""
 
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
@@ -227,7 +227,7 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
     if isinstance(given, Population):
         check_fits(name, given.network, config)
         return [Population(genome, given.network) for genome in given.genomes]
-    if callable(given):
+    if callable(given) or isinstance(given, TablePolicy):
         return [given]
     raise TypeError(
         f"{name}: expected the name of a script or held-out opponent, a run directory, a "

@@ -21,7 +21,7 @@ from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.maps import MapLike
-from matrixworld.world.policy import TeamPolicy, check_team
+from matrixworld.world.policy import EnginePolicy, check_team
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
 
@@ -159,8 +159,8 @@ def record_actions(
 
 def record(
     config: WorldConfig | Rules | str,
-    pursuers: TeamPolicy,
-    evaders: TeamPolicy,
+    pursuers: EnginePolicy,
+    evaders: EnginePolicy,
     *,
     seed: int,
     pursuer: int = 0,

@@ -14,14 +14,14 @@ from matrixworld.play.network_policy import check_fits
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import EnginePolicy, Population
 from matrixworld.world.world import World
 
 Callback: TypeAlias = Callable[[NDArray[np.uint8]], ArrayLike]
 """A policy as a function: observations uint8 (n, 3, fov, fov) of n living agents of one team, to
 actions (n,), integers."""
 
-Plays: TypeAlias = TeamPolicy | Callback
+Plays: TypeAlias = EnginePolicy | Callback
 """What chooses a team's actions: a population of one genome, the name of a script, a function."""
 
 Chooser: TypeAlias = Callable[[NDArray[np.bool_], NDArray[np.uint8]], ArrayLike]
@@ -80,7 +80,7 @@ def capture_rates(
     return play_episodes(config, first, second, seed=seed, episodes=episodes)
 
 
-def _chooser(name: str, policy: Plays, config: WorldConfig) -> TeamPolicy | Chooser:
+def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Chooser:
     if callable(policy):
         return lambda asked, views: checked_actions(policy, views, config.n_actions)
     if isinstance(policy, Population):
@@ -109,7 +109,7 @@ class _Together:
         """Yield the agents that act in each turn of the next round."""
         yield range(self._batch.config.n_agents)
 
-    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+    def decide(self, policy: EnginePolicy, agents: range, actions: NDArray[np.int64]) -> None:
         """Write the actions (W, A) that a population of one genome or a script chooses."""
         self._batch.decide([policy], np.zeros(len(actions), np.int32), agents, actions)
 
@@ -137,7 +137,7 @@ class _InTurns:
         while world.turn:
             yield world.actors
 
-    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+    def decide(self, policy: EnginePolicy, agents: range, actions: NDArray[np.int64]) -> None:
         for world, row in zip(self._worlds, actions, strict=True):
             world.decide(policy, agents, row)
 
@@ -148,8 +148,8 @@ class _InTurns:
 
 def play_episodes(
     config: WorldConfig,
-    pursuers: TeamPolicy | Chooser,
-    evaders: TeamPolicy | Chooser,
+    pursuers: EnginePolicy | Chooser,
+    evaders: EnginePolicy | Chooser,
     *,
     seed: int,
     episodes: int,

@@ -15,7 +15,7 @@ from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.short_repr import short_repr
 from matrixworld.world.arrays import workspace_bytes
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy, check_team
+from matrixworld.world.policy import EnginePolicy, Population, check_team
 from matrixworld.world.rules import Rules
 
 
@@ -111,8 +111,8 @@ Rollout = Callable[..., EpisodeStatistics]
 
 def rollout(
     config: WorldConfig | Rules | str,
-    pursuers: TeamPolicy,
-    evaders: TeamPolicy,
+    pursuers: EnginePolicy,
+    evaders: EnginePolicy,
     matches: Matches,
     *,
     episodes: int = 1,

@@ -29,7 +29,7 @@ from matrixworld.world.arrays import (
 )
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.maps import MapLike, read_map
-from matrixworld.world.policy import TeamPolicy, check_agents, check_team
+from matrixworld.world.policy import EnginePolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
 
@@ -167,7 +167,7 @@ class Batch:
 
     def decide(
         self,
-        policies: Sequence[TeamPolicy | None],
+        policies: Sequence[EnginePolicy | None],
         chosen: ArrayLike,
         agents: range,
         actions: NDArray[np.int64],

@@ -253,10 +253,23 @@ TeamPolicy: TypeAlias = Population | Script
 """What plays for a team: genomes of a network, or the name of a script."""
 
 
-def check_team(name: str, team: TeamPolicy) -> Any:
+@dataclass(frozen=True, eq=False)
+class TablePolicy:
+    """Joint actions of a team by state; `matrixworld.solve` makes it."""
+
+    core: _core.Tables
+
+
+EnginePolicy: TypeAlias = TeamPolicy | TablePolicy
+"""All that the engine can play for a team."""
+
+
+def check_team(name: str, team: EnginePolicy) -> Any:
     """Return the engine's form of a team policy."""
     if isinstance(team, Population):
         return team.network.core, team.genomes
+    if isinstance(team, TablePolicy):
+        return team.core
     if not isinstance(team, str):
         raise TypeError(f"{name}: expected a Population or the name of a script, got {team!r}")
     check_choice(name, team, SCRIPTS)

@@ -25,7 +25,7 @@ from matrixworld.world.arrays import (
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.maps import MapLike, read_map
-from matrixworld.world.policy import TeamPolicy, check_agents, check_team
+from matrixworld.world.policy import EnginePolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
 
 
@@ -203,7 +203,7 @@ class World(WorldArrays):
         self._explained = keeps_list
         return self.rewards
 
-    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+    def decide(self, policy: EnginePolicy, agents: range, actions: NDArray[np.int64]) -> None:
         """Write the actions that a policy chooses at this moment for agents of one team.
 
         The policy, a population of one genome or the name of a script, uses the random numbers that

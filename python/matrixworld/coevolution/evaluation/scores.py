@@ -43,7 +43,14 @@ from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.rollout import match_seed, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TeamPolicy
+from matrixworld.world.policy import (
+    SCRIPTS,
+    Network,
+    Population,
+    Script,
+    TablePolicy,
+    TeamPolicy,
+)
 from matrixworld.world.rules import VARIANTS, Capture, Rules, rules_of
 
 FILE = "held_out.npz"
@@ -340,7 +347,7 @@ def _unseen(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, Te
 
 
 def score_policy(
-    policy: Callback | NetworkPolicy | Population,
+    policy: Callback | NetworkPolicy | Population | TablePolicy,
     team: Team,
     config: WorldConfig | Rules | str = "O",
     *,
@@ -356,10 +363,10 @@ def score_policy(
 
     Parameters
     ----------
-    policy : callable, NetworkPolicy or Population
+    policy : callable, NetworkPolicy, Population, or what `solve.Solution.policy` returns
         A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
-        their actions, integers (n,). The agents may be of several episodes. Networks are played
-        inside the engine.
+        their actions, integers (n,). The agents may be of several episodes. What is no function is
+        played inside the engine.
     team : {"pursuer", "evader"}
         Team that it plays for.
     config : WorldConfig, Rules or str, optional
@@ -451,7 +458,7 @@ def _plays(name: str, policy: Any, most: int | None = None) -> Any:
         return policy.population()
     if isinstance(policy, str):
         check_choice(name, policy, SCRIPTS)
-    elif not callable(policy) and not isinstance(policy, Population):
+    elif not callable(policy) and not isinstance(policy, Population | TablePolicy):
         expected = "a function, a NetworkPolicy or a Population"
         raise TypeError(f"{name}: expected {expected}, got {policy!r}")
     elif most is not None and team_size(policy) > most:

@@ -18,7 +18,7 @@ from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff, Seeds
 from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy, check_team
+from matrixworld.world.policy import EnginePolicy, Population, check_team
 
 BLOCK_SECONDS = 20.0
 """Seconds of work in a block that an executor plays: many times what it takes to hand it out, and
@@ -34,8 +34,8 @@ STATISTICS = ("capture_rate", "length", *MEANS)
 
 def tournament(
     config: WorldConfig,
-    pursuers: TeamPolicy,
-    evaders: TeamPolicy,
+    pursuers: EnginePolicy,
+    evaders: EnginePolicy,
     *,
     seed: int,
     episodes: int,
@@ -119,8 +119,8 @@ class Pairs:
     """Pairs of pursuers and evaders that play one match each."""
 
     config: WorldConfig
-    pursuers: TeamPolicy
-    evaders: TeamPolicy
+    pursuers: EnginePolicy
+    evaders: EnginePolicy
     matches: Matches
     episodes: int
     rollout: Rollout
@@ -129,8 +129,8 @@ class Pairs:
     def all_of(
         cls,
         config: WorldConfig,
-        pursuers: TeamPolicy,
-        evaders: TeamPolicy,
+        pursuers: EnginePolicy,
+        evaders: EnginePolicy,
         seeds: Seeds,
         episodes: int,
         play: Rollout,
@@ -206,14 +206,14 @@ def play_blocks(
             future.cancel()
 
 
-def team_size(team: TeamPolicy) -> int:
+def team_size(team: EnginePolicy) -> int:
     """Return how many candidates a team has: its genomes, or one."""
     return len(team.genomes) if isinstance(team, Population) else 1
 
 
-def _met(team: TeamPolicy, numbers: NDArray[Any]) -> tuple[TeamPolicy, NDArray[Any]]:
+def _met(team: EnginePolicy, numbers: NDArray[Any]) -> tuple[EnginePolicy, NDArray[Any]]:
     """Return the genomes of a team that play, and where each of `numbers` is among them."""
-    if isinstance(team, str):
+    if not isinstance(team, Population):
         return team, numbers
     met, places = np.unique(numbers, return_inverse=True)
     if len(met) == len(team.genomes):

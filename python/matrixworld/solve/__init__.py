@@ -1,0 +1,40 @@
+"""Small worlds solved exactly: values, perfect play, and best responses to a champion.
+
+A team is one player here: it sees the whole world and chooses for all its members together. Small
+means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8 cells::
+
+    from matrixworld import WorldConfig, record
+    from matrixworld.solve import best_response, solve
+
+    config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=5)
+    solution = solve(config)
+    solution.value  # the capture rate when both teams play perfectly
+    best_response(solution.states, "chaser", "pursuer").value  # the same against chasers
+    record(config, "chaser", solution.policy("evader"), seed=0)
+
+``docs/ground_truth.md`` says how it is done and what the numbers mean.
+"""
+
+from __future__ import annotations
+
+from matrixworld.solve.solution import (
+    Champion,
+    Solution,
+    best_response,
+    expected_payoff,
+    exploitability,
+    nash_conv,
+    solve,
+)
+from matrixworld.solve.states import States
+
+__all__ = [
+    "Champion",
+    "Solution",
+    "States",
+    "best_response",
+    "expected_payoff",
+    "exploitability",
+    "nash_conv",
+    "solve",
+]

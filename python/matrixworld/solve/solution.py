@@ -1,0 +1,422 @@
+"""Backward induction: values and perfect play of both teams, or of one against a champion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import _core
+from matrixworld._core import Interaction
+from matrixworld._util.checks import check_choice, check_integer, check_number
+from matrixworld._util.memory import check_memory
+from matrixworld._util.short_repr import short_repr
+from matrixworld.solve.states import TEAMS, States
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, Script, TablePolicy
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution import Team
+
+Payoff: TypeAlias = Literal["capture-rate", "capture-time"]
+PAYOFFS: tuple[Payoff, Payoff] = ("capture-rate", "capture-time")
+
+Champion: TypeAlias = "Population | Script | Solution | Sequence[tuple[float, Champion]]"
+"""What a team plays whose play is known: a population of one genome, the name of a script, its part
+of a solution, or weights (their sum is 1) with champions: the team draws one of them in every turn
+anew, for all its members."""
+
+_FLOAT = 8
+"""Bytes of a float64."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Fixed:
+    """The play of a team that is known: probabilities (S, joint actions) by turn."""
+
+    team: Team
+    parts: tuple[tuple[float, tuple[NDArray[np.float64], ...] | Solution], ...]
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether the play does not depend on the rounds left."""
+        return not any(isinstance(part, Solution) for _, part in self.parts)
+
+    def at(self, turn: int, rounds: int) -> NDArray[np.float64]:
+        """Return the probabilities with so many rounds left, this one included."""
+        rows = [
+            weight
+            * (
+                part.probabilities(self.team, rounds, turn)
+                if isinstance(part, Solution)
+                else part[turn]
+            )
+            for weight, part in self.parts
+        ]
+        return np.asarray(sum(rows))
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Values of all states of a world for every number of rounds left, and who plays how.
+
+    `solve` returns one in which both teams play perfectly, `best_response` one in which a team
+    replies to a champion.
+
+    Parameters
+    ----------
+    states : States
+        The states.
+    steps : int
+        Rounds of an episode, T.
+    payoff : {"capture-rate", "capture-time"}
+        What the pursuers maximize: the capture rate after the last round; or minus the rounds until
+        all evaders are captured, where T counts if they are not.
+    values : tuple of ndarray of float64, each (R + 1, S)
+        What the pursuers get from each state of each turn when r rounds are left, this one included
+        (for later turns of a round, row 0 has no meaning and is 0). R is at most T: more rounds
+        have the values of the last row.
+    gap : float
+        The largest difference, over all states and rounds, between what the strategies of the two
+        teams guarantee in the game of one turn: rounding. Over an episode T times as much.
+    fixed : dict
+        The champion of the team that has one.
+    """
+
+    states: States
+    steps: int
+    payoff: Payoff
+    values: tuple[NDArray[np.float64], ...]
+    gap: float
+    fixed: dict[Team, _Fixed]
+
+    __repr__ = short_repr
+
+    @property
+    def value(self) -> float:
+        """Mean over the starts: the capture rate, or the rounds until all evaders are captured."""
+        mean = float(self.values[0][-1][self.states.starts].mean())
+        return mean if self.payoff == "capture-rate" else -mean
+
+    def probabilities(
+        self, team: Team, rounds: int | None = None, turn: int = 0
+    ) -> NDArray[np.float64]:
+        """Return with which probabilities a team plays, float64 (S, its joint actions).
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team. An end has probability 1 for joint action 0 if there is no game to solve.
+        rounds : int, optional
+            Rounds left, this one included, at least 1. The default is all.
+        turn : int, optional
+            The turn of the round.
+        """
+        check_choice("team", team, TEAMS)
+        left = check_integer("rounds", self.steps if rounds is None else rounds, 1, self.steps)
+        check_integer("turn", turn, 0, self.states.n_turns - 1)
+        if team in self.fixed:
+            return self.fixed[team].at(turn, left)
+        found = _backup(self.states, self._after(turn, left), turn, left, self.fixed, chosen=True)
+        played = found[2] if team == "pursuer" else found[3]
+        assert played is not None  # it was asked for
+        return played
+
+    def _after(self, turn: int, rounds: int) -> NDArray[np.float64]:
+        """Return the values of the next turn's states."""
+        last = turn + 1 == self.states.n_turns
+        values = self.values[0 if last else turn + 1]
+        row: NDArray[np.float64] = values[min(rounds - last, len(values) - 1)]
+        return row
+
+    def policy(self, team: Team) -> TablePolicy:
+        """Return a team's play as a policy for rollouts, recordings, environments and scores.
+
+        All its members act on one draw of their joint action.
+        """
+        rounds = len(self.values[0]) - 1
+        shapes = [self.states.successors(turn).shape for turn in range(self.states.n_turns)]
+        axis = 1 + TEAMS.index(team)
+        # Copied once on the way into the engine.
+        check_memory("policy", tables=8 * rounds * sum(s[0] * s[axis] for s in shapes))
+        tables = [
+            np.stack(
+                [
+                    self.probabilities(team, left, turn).astype(np.float32)
+                    for left in range(1, rounds + 1)
+                ]
+            )
+            for turn in range(self.states.n_turns)
+        ]
+        return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
+
+    @cached_property
+    def capture_times(self) -> NDArray[np.float64]:
+        """Rounds (S,) to the capture of all evaders under perfect play without a limit of rounds.
+
+        Infinite where the evaders can prevent it. Only where the teams take turns, by retrograde
+        analysis: ValueError otherwise.
+        """
+        states = self.states
+        if states.config.rules.interaction is Interaction.SIMULTANEOUS:
+            raise ValueError("capture_times: expected a game in turns, got simultaneous moves")
+        # An end is won or not, and wins within n rounds can only become more with n.
+        won = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)
+        times = np.where(won == 1.0, 0.0, np.inf)
+        for rounds in range(1, states.count() + 1):
+            before = won
+            for turn in reversed(range(states.n_turns)):
+                won = _backup(states, won, turn, rounds, {})[0]
+            if (won == before).all():
+                break
+            times[(won == 1.0) & (before < 1.0)] = rounds
+        return times
+
+    @property
+    def capture_time(self) -> float:
+        """Rounds to capture when the pursuers choose the best cells first, then the evaders theirs.
+
+        The classical capture time of cops and robbers. The evaders start on other cells than the
+        pursuers.
+        """
+        cells = self.states.cells()[self.states.starts, : self.states.config.n_pursuers]
+        _, number = np.unique(cells, axis=0, return_inverse=True)
+        worst = np.zeros(number.max() + 1)
+        np.maximum.at(worst, number.ravel(), self.capture_times[self.states.starts])
+        return float(worst.min())
+
+
+def _backup(
+    states: States,
+    after: NDArray[np.float64],
+    turn: int,
+    rounds: int,
+    fixed: dict[Team, _Fixed],
+    chosen: bool = False,
+) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
+    """Return values, gap, and if wanted the play of both teams in one turn."""
+    given = [fixed[team].at(turn, rounds) if team in fixed else None for team in TEAMS]
+    return states.core.backup(turn, after, given[0], given[1], chosen, states.threads)
+
+
+def _induct(
+    world: WorldConfig | States, steps: int | None, payoff: Payoff, fixed: dict[Team, _Fixed]
+) -> Solution:
+    """Go back from the last round to the first."""
+    check_choice("payoff", payoff, PAYOFFS)
+    states = States.of(world)
+    limit = check_integer("steps", states.config.max_steps if steps is None else steps, 1)
+    n_turns = states.n_turns
+    counts = [states.count(turn) for turn in range(n_turns)]
+    captures = payoff == "capture-rate"
+    # Rounds of which no more change the values add no rows.
+    kept = [[np.zeros(count) for count in counts]]
+    kept[0][0] = states.payoffs if captures else kept[0][0]
+    gap, constant = 0.0, all(each.is_constant for each in fixed.values())
+    for left in range(1, limit + 1):
+        check_memory("values", rounds=2 * _FLOAT * left * sum(counts))
+        row = [kept[-1][0]] * n_turns
+        for turn in reversed(range(n_turns)):
+            after = row[(turn + 1) % n_turns]
+            row[turn], wrong, _, _ = _backup(states, after, turn, left, fixed)
+            gap = max(gap, wrong)
+        if not captures:
+            row[0] = row[0] - 1.0
+            row[0][states.n_ends - 1] = 0.0
+        kept.append(row)
+        if constant and (row[0] == kept[-2][0]).all():
+            break
+    values = tuple(np.stack([row[turn] for row in kept]) for turn in range(n_turns))
+    return Solution(states, limit, payoff, values, gap, fixed)
+
+
+def solve(
+    world: WorldConfig | States, *, steps: int | None = None, payoff: Payoff = "capture-rate"
+) -> Solution:
+    """Return values and perfect play of both teams in a small world.
+
+    Backward induction over the rounds. Where both teams move at once, each state and round is a
+    matrix game, in which it can be best to mix (Shapley 1953, "Stochastic games", PNAS 39); in
+    turns, a maximum or a minimum.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states, which several calls can share.
+    steps : int, optional
+        Rounds of an episode. The default is the world's `max_steps`.
+    payoff : {"capture-rate", "capture-time"}, optional
+        What the teams play for, see `Solution`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `States` does, and for arguments out of range.
+
+    Examples
+    --------
+    >>> from matrixworld import WorldConfig
+    >>> from matrixworld.solve import solve
+    >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1)
+    >>> round(solve(config, steps=5).value, 3)
+    0.839
+    """
+    return _induct(world, steps, payoff, {})
+
+
+def best_response(
+    world: WorldConfig | States,
+    champion: Champion,
+    team: Team,
+    *,
+    steps: int | None = None,
+    payoff: Payoff = "capture-rate",
+) -> Solution:
+    """Return the best that the other team can do against a champion, and how.
+
+    The responder knows the champion's play, sees the whole world and is one player. So no opponent
+    gets more, whatever it is trained with.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states.
+    champion : Champion
+        What the champion plays.
+    team : {"pursuer", "evader"}
+        The champion's team.
+    steps, payoff
+        As in `solve`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `solve` does; if a network does not see the whole world from every cell; if a script does
+        not see what it looks for; if weights do not sum to 1.
+
+    Examples
+    --------
+    How often evaders at best escape from two chasers:
+
+    >>> from matrixworld import WorldConfig
+    >>> from matrixworld.solve import best_response
+    >>> config = WorldConfig("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
+    >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
+    0.674
+    """
+    states = States.of(world)
+    return _induct(states, steps, payoff, {team: _fixed(states, champion, team)})
+
+
+def expected_payoff(
+    world: WorldConfig | States,
+    pursuers: Champion,
+    evaders: Champion,
+    *,
+    steps: int | None = None,
+    payoff: Payoff = "capture-rate",
+) -> float:
+    """Return what a pair comes to on average, exactly: a cell of the payoff matrix without noise.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states.
+    pursuers, evaders : Champion
+        What the teams play.
+    steps, payoff
+        As in `solve`.
+    """
+    states = States.of(world)
+    both = dict(zip(TEAMS, (pursuers, evaders), strict=True))
+    fixed = {team: _fixed(states, champion, team) for team, champion in both.items()}
+    return _induct(states, steps, payoff, fixed).value
+
+
+def exploitability(
+    world: WorldConfig | States, champion: Champion, team: Team, *, steps: int | None = None
+) -> float:
+    """Return by how much a champion's guaranteed capture or escape rate falls short of the value.
+
+    0 for perfect play, up to rounding.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states.
+    champion : Champion
+        What the champion plays.
+    team : {"pursuer", "evader"}
+        The champion's team.
+    steps : int, optional
+        As in `solve`.
+    """
+    states = States.of(world)
+    met = best_response(states, champion, team, steps=steps).value
+    short = solve(states, steps=steps).value - met
+    return short if team == "pursuer" else -short
+
+
+def nash_conv(
+    world: WorldConfig | States,
+    pursuers: Champion,
+    evaders: Champion,
+    *,
+    steps: int | None = None,
+) -> float:
+    """Return the NashConv of a pair: the sum of what both teams gain by a best response.
+
+    It is the sum of the exploitabilities of both teams, and 0 in a Nash equilibrium.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states.
+    pursuers, evaders : Champion
+        What the teams play.
+    steps : int, optional
+        As in `solve`.
+
+    References
+    ----------
+    Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
+    NeurIPS 30.
+    """
+    states = States.of(world)
+    against_evaders = best_response(states, evaders, "evader", steps=steps).value
+    return against_evaders - best_response(states, pursuers, "pursuer", steps=steps).value
+
+
+def _fixed(states: States, champion: Champion, team: Team) -> _Fixed:
+    """Return the play of a champion; its parts are what a nested mixture comes to."""
+    check_choice("team", team, TEAMS)
+    if isinstance(champion, Solution):
+        if champion.states is not states:
+            raise ValueError("champion: expected a solution of the same States, got one of others")
+        return _Fixed(team, ((1.0, champion),))
+    if isinstance(champion, str | Population):
+        _check_sees(states.config, champion)
+        return _Fixed(team, ((1.0, states.decisions(champion, team)),))
+    weights = [check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
+    if abs(sum(weights) - 1.0) > 1e-9:
+        raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")
+    parts = [
+        (weight * share, part)
+        for weight, (_, member) in zip(weights, champion, strict=True)
+        for share, part in _fixed(states, member, team).parts
+    ]
+    return _Fixed(team, tuple(parts))
+
+
+def _check_sees(config: WorldConfig, champion: Population | str) -> None:
+    """Raise ValueError for a network that does not see the whole world from every cell."""
+    needed = 2 * max(config.rows, config.cols) - 1
+    if isinstance(champion, Population) and config.fov < needed:
+        raise ValueError(
+            f"champion: expected a network that sees the whole world from every cell, with fov "
+            f"{needed} or more, got {config.fov}"
+        )
