@@ -23,12 +23,7 @@ from matrixworld.analysis.cycles import (
     two_way_parts,
 )
 from matrixworld.analysis.engagement import disengagements
-from matrixworld.analysis.games import (
-    alpha_rank,
-    exploitability,
-    nash_averaging,
-    response_gain,
-)
+from matrixworld.analysis.games import alpha_rank, exploitability, nash_averaging, response_gain
 from matrixworld.analysis.intervals import (
     Band,
     Estimate,
@@ -42,11 +37,7 @@ from matrixworld.analysis.intervals import (
 )
 from matrixworld.analysis.judge import CONDITIONS, Judgement, judge
 from matrixworld.analysis.measures import MEASURES, Measure, measure_all
-from matrixworld.analysis.payoffs import (
-    check_payoff,
-    last_half,
-    read_payoffs,
-)
+from matrixworld.analysis.payoffs import check_payoff, last_half, read_payoffs
 from matrixworld.analysis.progress import (
     ciao,
     dominance_tournament,

@@ -10,20 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    Estimate,
-    normal_quantile,
-    t_ends,
-    t_quantile,
-)
-from matrixworld.analysis.payoffs import (
-    ByTeam,
-    Rates,
-    check_payoff,
-    require,
-    swap_teams,
-)
+from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_ends, t_quantile
+from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, require, swap_teams
 
 GRID = 40
 """Values of each standard deviation over which the posterior is summed."""

@@ -23,14 +23,7 @@ from matrixworld.cli.console import say
 from matrixworld.cli.options import option_name
 from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
-from matrixworld.coevolution.sections import (
-    WORLD_HELP,
-    Section,
-    hints_of,
-    merged,
-    put,
-    sections_in,
-)
+from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, merged, put, sections_in
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 

@@ -21,11 +21,7 @@ from __future__ import annotations
 
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.evaluation.scores import (
-    held_out,
-    score,
-    score_policy,
-)
+from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.jobs.best_responses import best_responses
@@ -42,10 +38,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithmSettings,
 )
 from matrixworld.coevolution.learners.learner import Learner, LearnerSettings, NoiseTable
-from matrixworld.coevolution.learners.toolbox import (
-    Candidates,
-    generate_update_toolbox,
-)
+from matrixworld.coevolution.learners.toolbox import Candidates, generate_update_toolbox
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
 from matrixworld.coevolution.progress import Progress, ProgressBar
 from matrixworld.coevolution.runs.race import DisengagementWarning, Race

@@ -9,13 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_integer
-from matrixworld.episodes.episode import (
-    MOMENT_ARRAYS,
-    STEP_ARRAYS,
-    Episode,
-    capture_title,
-    scene,
-)
+from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.render import MARK_STEPS, Scene
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import WorldConfig

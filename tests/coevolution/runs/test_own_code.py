@@ -16,14 +16,7 @@ from matrixworld.coevolution import (
     start,
 )
 from own_code import HillClimber
-from tiny_race import (
-    StopAt,
-    alternating,
-    check_resumes,
-    hall_of_fame,
-    tiny_race,
-    tiny_single,
-)
+from tiny_race import StopAt, alternating, check_resumes, hall_of_fame, tiny_race, tiny_single
 
 LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
 SAMPLERS_OF_BOTH = {

@@ -17,12 +17,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import (
-    SEED_MAX,
-    check_choice,
-    check_integer,
-    check_threads,
-)
+from matrixworld._util.checks import SEED_MAX, check_choice, check_integer, check_threads
 from matrixworld._util.files import load_arrays
 from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.short_repr import short_repr

@@ -28,15 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld._util.checks import check_floats, shown
 from matrixworld.coevolution.learners.learner import Adam, LearnerSettings
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import (
-    BoolArray,
-    Genome,
-    Genomes,
-    Indices,
-    IntArray,
-    State,
-    Team,
-)
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State, Team
 from matrixworld.version import MissingExtraError, install_hint
 from matrixworld.world.policy import CHANNELS, Network
 from matrixworld.world.rules import Interaction

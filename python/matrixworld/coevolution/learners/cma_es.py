@@ -14,15 +14,7 @@ from threadpoolctl import ThreadpoolController
 from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import DivergedError, LearnerSettings, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import (
-    FloatArray,
-    Genome,
-    Genomes,
-    Indices,
-    Saved,
-    State,
-    Team,
-)
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Saved, State, Team
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.settings import RaceSettings

@@ -17,14 +17,7 @@ from numpy.typing import ArrayLike
 from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerSettings, NoiseTable, checked_fitness
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import (
-    FloatArray,
-    Genome,
-    Genomes,
-    Indices,
-    Saved,
-    Team,
-)
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Saved, Team
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.settings import RaceSettings

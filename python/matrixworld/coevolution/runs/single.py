@@ -10,10 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import does_not_vary, t_ends
-from matrixworld.coevolution.learners.genetic_algorithm import (
-    MUTATION,
-    GeneticAlgorithmSettings,
-)
+from matrixworld.coevolution.learners.genetic_algorithm import MUTATION, GeneticAlgorithmSettings
 from matrixworld.coevolution.opponents import RoundRobin
 from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import Against, Schedule
