@@ -117,7 +117,6 @@ def play_class(
         Limits of policies. The default is ``Limits()``.
     trust : bool, optional
         Whether programs run without a filter of system calls: only for programs that you have read.
-        The default is False.
     threads : int, optional
         Matches that are played side by side. The default is one for each core. The result does not
         depend on it.

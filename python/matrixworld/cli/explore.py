@@ -129,7 +129,7 @@ def write_explorer(groups: Sequence[Group], page: Path) -> None:
             "matrixworld explore RUN... makes one of others."
         )
         print_wrapped(left_out)
-    scores = {run.path: run.held_out for run in shown if run.is_race and run.held_out}
+    scores = {run.path: run.held_out for run in shown if run.settings.is_race and run.held_out}
     # A group of one run is judged already, or will be: the page need not do it again.
     alone = [group for group in groups if len(group.runs) == 1 and group.is_race]
     judgements = {group.runs[0].path: group.judgement for group in alone}
@@ -190,7 +190,7 @@ def _check_races(groups: Sequence[Group], selection: Selection) -> None:
     if selection.name in (None, "training"):
         return
     for run in [run for group in groups for run in group.runs]:
-        if not run.is_race:
+        if not run.settings.is_race:
             raise click.UsageError(
                 f"--figure {selection.name}: expected a race, got a run of one team: {run.path}"
             )

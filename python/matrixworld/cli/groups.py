@@ -49,11 +49,6 @@ class Result:
         """The run's directory."""
         return self.files.path
 
-    @property
-    def is_race(self) -> bool:
-        """Whether both teams evolved."""
-        return self.settings.is_race
-
     @cached_property
     def payoff(self) -> Payoff:
         """The content of payoff.npz."""
@@ -128,7 +123,7 @@ class Group:
     @property
     def is_race(self) -> bool:
         """Whether both teams evolved."""
-        return all(run.is_race for run in self.runs)
+        return all(run.settings.is_race for run in self.runs)
 
     @property
     def settings(self) -> RaceSettings | None:

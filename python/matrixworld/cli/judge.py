@@ -71,7 +71,7 @@ def _check(group: Group, everything: bool) -> None:
     """Refuse what cannot be judged, before anything is printed."""
     # The payoff of one team alone is a single cell.
     for run in group.runs:
-        if not run.is_race:
+        if not run.settings.is_race:
             raise click.UsageError(
                 f"{run.path}: expected a race, got a run in which one team evolved"
             )

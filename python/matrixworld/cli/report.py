@@ -203,7 +203,7 @@ def _plain(group: Group) -> dict[str, Any]:
 def _plain_run(single: Group) -> dict[str, Any]:
     """Return the numbers of a run, and of a race what was measured and judged."""
     [run] = single.runs
-    if not run.is_race:
+    if not run.settings.is_race:
         return run.numbers
     return {
         **run.numbers,

@@ -55,7 +55,6 @@ def parallel_env(
     ----------
     config : WorldConfig, Rules or str, optional
         The world, its rules, or the name of a variant such as ``"O"`` or ``"pursuit-evasion-o"``.
-        The default is ``"O"``.
     **settings
         Arguments of `MatrixWorldParallel`, and fields of `WorldConfig` to change.
     """

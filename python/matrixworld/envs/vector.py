@@ -99,11 +99,9 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     dtype : dtype, optional
         Dtype of the observations, uint8 (the default) or float32.
     flatten : bool, optional
-        Whether observations are ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``. The
-        default is False.
+        Whether observations are ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``.
     state : bool, optional
-        Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``. The default is
-        False.
+        Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``.
     action_mask : bool, optional
         Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
         border; needs a `fov` of at least 3. The default is False.

@@ -190,17 +190,14 @@ class Episode:
     def explain(self, step: int = -1) -> list[Conflict]:
         """Return the conflicts of one step: why agents bounced or disappeared in it.
 
+        They are those of `World.conflicts`; ``str`` of each is a sentence.
+
         Parameters
         ----------
         step : int, optional
             The number of the step, 1 to T: it led to the moment that `replay.scene` draws for the
             same number. Negative numbers count from the end; the default is the last step. Moment 0
             has no step and no conflicts.
-
-        Returns
-        -------
-        list of Conflict
-            The conflicts as `World.conflicts` gives them; ``str`` of each is a sentence.
 
         Raises
         ------

@@ -172,8 +172,7 @@ def record(
     pursuer, evader : int, optional
         Indices into the populations. The defaults are 0.
     episode : int, optional
-        The number of the seed's episode: that of world ``episode`` of the match in `rollout`. The
-        default is 0.
+        The number of the seed's episode: that of world ``episode`` of the match in `rollout`.
 
     Raises
     ------

@@ -57,7 +57,9 @@ def checked_actions(policy: Callback, views: NDArray[Any], n_actions: int) -> ND
 def capture_rates(
     config: WorldConfig, pursuers: Plays, evaders: Plays, *, seed: int, episodes: int
 ) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side and return their capture rates.
+    """Play the episodes of a match side by side and return their capture rates, (episodes,).
+
+    Capture rates are those of `matrixworld.EpisodeStatistics`.
 
     Parameters
     ----------
@@ -69,11 +71,6 @@ def capture_rates(
         The seed of the match. Episode j is the seed's episode j, as in `matrixworld.rollout`.
     episodes : int
         Number of episodes.
-
-    Returns
-    -------
-    ndarray of float64, shape (episodes,)
-        The capture rates, as in `matrixworld.EpisodeStatistics`.
     """
     first = _chooser("pursuers", pursuers, config)
     second = _chooser("evaders", evaders, config)

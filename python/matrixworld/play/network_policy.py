@@ -25,9 +25,14 @@ Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 _OPSET, _IR_VERSION = 13, 8
 
 
+def fits(network: Network, config: WorldConfig) -> bool:
+    """Return whether a network has the views and actions of a world."""
+    return (network.fov, network.n_actions) == (config.fov, config.n_actions)
+
+
 def check_fits(name: str, network: Network, config: WorldConfig) -> None:
     """Raise ValueError unless a network has the views and actions of a world."""
-    if (network.fov, network.n_actions) != (config.fov, config.n_actions):
+    if not fits(network, config):
         raise ValueError(
             f"{name}: expected a network for fov {config.fov} and {config.n_actions} actions, "
             f"got fov {network.fov} and {network.n_actions} actions"

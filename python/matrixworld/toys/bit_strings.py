@@ -273,11 +273,6 @@ def numbers_game(
         Per side, chooses among the other side's past champions. By default there are no matches
         with champions.
 
-    Returns
-    -------
-    History
-        What happened.
-
     Raises
     ------
     ValueError
@@ -323,11 +318,6 @@ def hosts_and_parasites(
         Individuals in a tournament.
     biases : tuple of float, optional
         Probability that a redrawn bit is a one, of the hosts and of the parasites.
-
-    Returns
-    -------
-    History
-        What happened.
     """
     select = partial(select_tournament, size=tournament)
     hosts, parasites = (

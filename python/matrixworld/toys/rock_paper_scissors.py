@@ -26,7 +26,7 @@ ROUNDING = 1e-9
 def capture_probabilities(
     pursuers: FloatArray, evaders: FloatArray, *, luck: float = 0.0
 ) -> FloatArray:
-    """Return the probability that each pursuer captures each evader; a draw counts one half.
+    """Return the probability (n, m) that each pursuer captures each evader; a draw is one half.
 
     Parameters
     ----------
@@ -34,11 +34,6 @@ def capture_probabilities(
         Strategies: probabilities of the hands. ``np.eye(3)[hands]`` are pure ones.
     luck : float, optional
         Probability, in [0, 1/2], that the worse hand wins.
-
-    Returns
-    -------
-    ndarray of float64, shape (n, m)
-        The probabilities.
 
     Raises
     ------
@@ -63,7 +58,7 @@ def best_response(team: Team, opponents: ArrayLike, rng: np.random.Generator) ->
 
 
 def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> HandHistory:
-    """Play an alternating race. Both teams start with rock.
+    """Play an alternating race, and return the hands of each team; both start with rock.
 
     A generation responds to the opponents that the schedule's sampler chooses in its epochs, each
     weighted by how often it was chosen.
@@ -78,11 +73,6 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
         Epochs of a generation.
     seed : int, optional
         Seed of all random numbers.
-
-    Returns
-    -------
-    dict
-        Hands of all generations of both teams, generation 0 included.
     """
     rng = np.random.default_rng(seed)
     samplers = {team: SCHEDULES[schedule].new_sampler(team) for team in TEAMS}

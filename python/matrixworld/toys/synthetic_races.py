@@ -198,11 +198,6 @@ def synthetic_race(kind: str, n: int, seed: int) -> SyntheticRace:
     seed : int
         Seed of the nuisance parameters.
 
-    Returns
-    -------
-    SyntheticRace
-        The race.
-
     Raises
     ------
     ValueError

@@ -77,17 +77,14 @@ def python_value(array: NDArray[Any]) -> Any:
 
 
 def array_specs(config: WorldConfig) -> Specs:
-    """Return shape and dtype of every array that a world can write.
+    """Return shape and dtype, by name, of every array that a world can write.
+
+    The shapes are those of one world, without an axis of worlds.
 
     Parameters
     ----------
     config : WorldConfig
-        The configuration, which gives the sizes.
-
-    Returns
-    -------
-    dict of str to (tuple of int, dtype)
-        By name: the shape for one world, without an axis of worlds, and the dtype.
+        It gives the sizes.
 
     Notes
     -----
@@ -134,7 +131,7 @@ def episode_specs(config: WorldConfig) -> Specs:
     Parameters
     ----------
     config : WorldConfig
-        The configuration, which gives the sizes.
+        It gives the sizes.
 
     Notes
     -----

@@ -106,8 +106,7 @@ class WorldConfig:
         Agents of each team, 1 to 4,194,303. The default is 8 pursuers and 30 evaders, or 20 and 5
         where capture is by surrounding, as in the paper.
     fov : int, optional
-        Side, in cells, of the square that an agent sees around itself; odd, at most 255. The
-        default is 11.
+        Side, in cells, of the square that an agent sees around itself; odd, at most 255.
     diagonal : bool, optional
         Whether agents move in 8 directions instead of 4. The default is False.
     max_steps : int, optional

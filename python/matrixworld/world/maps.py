@@ -22,18 +22,13 @@ BLOCKED = "#@OTW"
 
 
 def read_map(source: MapLike) -> NDArray[np.bool_]:
-    """Read an obstacle map.
+    """Return an obstacle map as a new bool array (rows, cols), True where an obstacle is.
 
     Parameters
     ----------
     source : ndarray of bool, sequence of str, or path
         A NumPy array of dtype bool and shape (rows, cols); rows of text with the characters of
         `FREE` and `BLOCKED`; or the path of a MovingAI ``.map`` file.
-
-    Returns
-    -------
-    ndarray of bool, shape (rows, cols)
-        A new array, True where an obstacle is.
 
     Raises
     ------

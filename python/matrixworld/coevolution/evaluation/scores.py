@@ -36,6 +36,7 @@ from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
+from matrixworld.play.network_policy import fits
 from matrixworld.play.rollout import match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import (
@@ -129,10 +130,7 @@ def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy]
 
 
 def _fits(opponent: TeamPolicy, config: WorldConfig) -> bool:
-    if isinstance(opponent, str):
-        return True
-    network = opponent.network
-    return (network.fov, network.n_actions) == (config.fov, config.n_actions)
+    return isinstance(opponent, str) or fits(opponent.network, config)
 
 
 # Scores of genomes and runs:

@@ -53,7 +53,13 @@ class Stateless(Saved):
 
 @dataclass(frozen=True)
 class Counted(Stateless):
-    """Base of the samplers with one setting: `count` opponents an epoch, at most all."""
+    """Base of the samplers whose one setting is the number of opponents.
+
+    Parameters
+    ----------
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+    """
 
     count: int = 1
 

@@ -214,7 +214,7 @@ def rgb(
     viewers: Sequence[int | str] = (),
     numbers: bool = False,
 ) -> NDArray[np.uint8]:
-    """Draw a scene as an array of pixels.
+    """Draw a scene as an array of pixels, uint8 (height, width, 3).
 
     Scenes of the same grid and cell size give pictures of the same size, as animations need.
 
@@ -232,11 +232,6 @@ def rgb(
     numbers : bool, optional
         Whether agents carry their numbers in their teams: 3 for ``pursuer_3`` and ``evader_3``.
         Cells then have at least 20 pixels. The default is False.
-
-    Returns
-    -------
-    ndarray of uint8, shape (height, width, 3)
-        The picture.
 
     Raises
     ------

@@ -54,7 +54,7 @@ Run = tuple[str, Ink]  # a piece of text of one colour
 
 
 def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
-    """Draw a scene as lines of text.
+    """Draw a scene as lines of text, without a newline at the end.
 
     A cell is two characters wide. The second one is the number of agents if there are several. If
     both teams share a cell, colored text shows the sign or the number of each team in its color;
@@ -70,11 +70,6 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
     compact : bool, optional
         Whether to draw half blocks: two rows of cells per line and one character per column. Only
         colors tell the teams apart then, so it needs colors.
-
-    Returns
-    -------
-    str
-        The lines, without a newline at the end.
 
     Raises
     ------
