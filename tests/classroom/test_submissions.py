@@ -16,7 +16,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from matrixworld.classroom.submissions import MOST_UNPACKED, read_file, read_genome, save_genome
+from matrixworld.classroom.submissions import (
+    MOST_UNPACKED,
+    read_file,
+    read_genome,
+    read_submissions,
+    save_genome,
+)
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network, Population
@@ -45,6 +51,29 @@ def test_a_genome_is_read_as_it_was(network: Network, tmp_path: Path) -> None:
     team, population = load(tmp_path / "a.npz")
     assert (team, population.network) == ("evader", network)
     np.testing.assert_array_equal(population.genomes[0], policy.genome)
+
+
+def test_names_of_learning_platforms_become_those_of_students(tmp_path: Path) -> None:
+    """Unless two students would have one name."""
+    files = {
+        "Anna Müller_1203_assignsubmission_file_/mine.py": "Anna Müller",
+        "Bo_Li_1204_assignsubmission_file_hunt.py": "Bo_Li",
+        "carterdee_LATE_10234_889231_pursue-2.py": "carterdee",
+        "carterdee_10234_889232_evade.py": "carterdee",
+        "300412-91823 - Dan O'Hara - Nov 20, 2026 1012 AM/a.npz": "Dan O'Hara",
+        "Project 2_eve17_attempt_2026-11-20-10-12-59_e.py": "eve17",
+        "Fay Ng_1300_assignsubmission_file_/a.py": "Fay Ng_1300_assignsubmission_file_",
+        "Fay Ng_1301_assignsubmission_file_/a.py": "Fay Ng_1301_assignsubmission_file_",
+        "run_2_3_best.py": "run_2_3_best",
+        "gus.py": "gus",
+        "gus.npz": "gus",
+    }
+    for file in files:
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_text("")
+    submissions, refusals = read_submissions(tmp_path)
+    assert {each.file: each.name for each in submissions} == files
+    assert refusals == []
 
 
 def test_another_team_is_refused_before_a_file_is_made(tmp_path: Path) -> None:

@@ -367,6 +367,34 @@ def test_nothing_is_cut_off_and_nothing_jumps(page: PlaygroundPage, size: tuple[
     page.browser.resize(*LAPTOP)
 
 
+def test_what_is_allowed_but_costs_is_told_with_its_sum(page: PlaygroundPage) -> None:
+    """Sharing a cell under -S: nobody is stopped, and both pay."""
+    page.load(next(each.scene for each in GALLERY if each.title == "Share a cell?"))
+    page.browser.press(ENTER)
+    read = "[...document.querySelectorAll('{}')].map((each) => each.textContent || each.title)"
+    assert page.browser.js(read.format(".story-part strong")) == ["Allowed, but it costs: −12."]
+    sums = page.browser.js(read.format(".reward").replace("textContent || each.", ""))
+    assert sums[2:4] == ["−12 collision, −0.05 step"] * 2
+    page.load("rules=S&size=3x4&walls=1.0&pursuers=0.2&evaders=0.0_2.3&next=400")
+    page.browser.press(ENTER)
+    assert page.browser.js(read.format(".reward:not([hidden]) .sum")) == [
+        "+10 capture, +0.1 neighbour, −0.05 step",
+        "−10 capture, −0.1 neighbour, −0.05 step",
+        "",
+    ]
+
+
+def test_the_caption_of_an_example_leaves_with_its_start(page: PlaygroundPage) -> None:
+    caption = "document.querySelector('.example-text').textContent"
+    page.load(GALLERY[0].scene)
+    page.browser.press(ENTER, "6")  # what agents do and the rules are what captions speak of
+    assert page.browser.js(caption).startswith("Two pursuers head")
+    page.browser.press("m", "+")
+    assert page.browser.js(caption).startswith("A scene of your own")
+    page.press("Undo")
+    assert page.browser.js(caption).startswith("Two pursuers head")
+
+
 def test_pages_without_motion_show_steps_at_once(page: PlaygroundPage) -> None:
     page.browser.prefer(prefers_reduced_motion="reduce")
     page.browser.reload()

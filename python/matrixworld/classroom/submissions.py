@@ -12,9 +12,11 @@ import hashlib
 import io
 import math
 import os
+import re
 import sys
 import unicodedata
 import zipfile
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from itertools import islice
@@ -48,6 +50,14 @@ MOST_OWN = 20
 """The most files in the directory of a student."""
 LONGEST_NAME = 60
 """The most characters of a name on the page."""
+PLATFORMS = (
+    r"(?P<student>.+)_(?P<number>\d+)_assignsubmission_.+",  # Moodle
+    r"(?P<student>[^_]+)_(?:LATE_)?(?P<number>\d{3,})_\d{3,}_.+",  # Canvas
+    r"(?P<number>\d+)-\d+ - (?P<student>.+?) - .+",  # Brightspace
+    r".+_(?P<student>(?P<number>[^_]+))_attempt_\d{4}(?:-\d\d){5}.*",  # Blackboard
+)
+"""Names that learning platforms give to files and directories: the student, and the number by which
+the platform knows students (Blackboard: by their user names)."""
 MOST_BYTES = {"genome": 8 * 2**20, "program": 2**18}
 """Most bytes of a file: a default genome has 48 kB, one with the published layers 1 MB."""
 
@@ -109,12 +119,11 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
     submissions: list[Submission] = []
     refusals: list[Refusal] = []
     pending = _listed(directory, MOST_FILES)[::-1]
+    names = students([_own_name(path) for path in pending])
     while pending:
         path = pending.pop()
         inside = path.relative_to(directory)
-        student = Path(inside.parts[0])
-        is_file = student.suffix.lower() in FILE_KINDS
-        name, file = _shown_name(student.stem if is_file else student.name), one_line(inside)
+        name, file = _shown_name(names[_own_name(Path(inside.parts[0]))]), one_line(inside)
         try:
             if len(inside.parts) == 1 and not path.is_symlink() and path.is_dir():
                 pending += _listed(path, MOST_OWN)[::-1]
@@ -127,6 +136,30 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
         if len(submissions) + len(refusals) > MOST_FILES:
             raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
     return submissions, refusals
+
+
+def _own_name(path: Path) -> str:
+    """Return the name of a student's file or directory without the suffix of a submission."""
+    return path.stem if path.suffix.lower() in FILE_KINDS else path.name
+
+
+def students(names: Sequence[str]) -> dict[str, str]:
+    """Return the name of the student by that of each file or directory.
+
+    It is the part that a learning platform has put there, unless two students have the same.
+    """
+    found = {
+        name: next(filter(None, (re.fullmatch(form, name, re.ASCII) for form in PLATFORMS)), None)
+        for name in names
+    }
+    cleaned = {name: match["student"].strip() if match else name for name, match in found.items()}
+    numbers: dict[str, set[str]] = {}
+    for name, match in found.items():
+        numbers.setdefault(_folded(cleaned[name]), set()).add(match["number"] if match else "")
+    return {
+        name: clean if len(numbers[_folded(clean)]) == 1 else name
+        for name, clean in cleaned.items()
+    }
 
 
 def _listed(directory: Path, most: int) -> list[Path]:
@@ -176,7 +209,11 @@ def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
 
 def _student_and_team(entry: Entry) -> tuple[str, Team]:
     """Return student and team of an entry; the case and the form of a name do not matter."""
-    return unicodedata.normalize("NFKC", entry.name).casefold().strip(), entry.team
+    return _folded(entry.name), entry.team
+
+
+def _folded(name: str) -> str:
+    return unicodedata.normalize("NFKC", name).casefold().strip()
 
 
 # ---- Reading a file ------------------------------------------------------------------------------

@@ -50,7 +50,7 @@ export class MatrixPanel {
     const [rows, columns] = [this.#rows.length, this.#columns.length];
     const size = SIDE / Math.max(rows, columns);
     const font = Math.min(26, Math.max(11, 0.78 * size));
-    const margin = font * 0.56 * Math.min(LONGEST, longestOf(this.#data)) + 10;
+    const margin = widest([...this.#data.names.pursuer, ...this.#data.names.evader].map(shortened), font) + 12;
     const drawing = svg("svg", {
       class: "matrix", tabindex: "0", role: "img", "aria-label": "Matrix of capture rates; arrow keys choose a match, Enter plays it",
       preserveAspectRatio: "xMidYMin meet",
@@ -162,5 +162,9 @@ function gradient(): HTMLElement {
   return strip;
 }
 
-const longestOf = (data: Data): number =>
-  Math.max(...[...data.names.pursuer, ...data.names.evader].map((name) => name.length));
+/** Return the width of the widest name, in bold as that of a selected pair. */
+function widest(names: readonly string[], font: number): number {
+  const ctx = document.createElement("canvas").getContext("2d")!;
+  ctx.font = `700 ${font}px ${getComputedStyle(document.body).fontFamily}`;
+  return Math.max(...names.map((name) => ctx.measureText(name).width));
+}

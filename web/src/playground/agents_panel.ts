@@ -6,7 +6,7 @@ import { rulesName } from "./arena.ts";
 import { agentName, nAgents, teamOf, withNext } from "./scene.ts";
 import type { Scene, Team } from "./scene.ts";
 import type { Store } from "./store.ts";
-import { DIRECTIONS, commandText } from "./words.ts";
+import { DIRECTIONS, commandText, signed, sumOf } from "./words.ts";
 
 /** Return the shape of a team's agents. */
 export function glyph(team: Team): SVGSVGElement {
@@ -96,14 +96,12 @@ function fill(store: Store, { element, choice, state, heard, rewards }: Row, age
     const other = store.games[place];
     cell.hidden = !other;
     const reward = other?.outcomes[player.step]?.rewards[agent];
-    cell.textContent = player.step && reward !== undefined ? signed(reward) : "";
+    const sum = other ? sumOf(scene, other, player.step, agent) : "";
+    cell.replaceChildren(
+      player.step && reward !== undefined ? signed(reward) : "",
+      store.games.length > 1 ? "" : html("span", { class: "sum small muted" }, sum));
+    cell.title = sum;
     const own = game.outcomes[player.step]?.rewards[agent];
     cell.classList.toggle("differs", place > 0 && reward !== undefined && own !== reward);
   });
-}
-
-/** Return a reward with its sign; engine numbers are float32, so that the last digits mean nothing. */
-function signed(reward: number): string {
-  const text = String(Number(Math.abs(reward).toPrecision(5)));
-  return reward < 0 ? `−${text}` : reward > 0 ? `+${text}` : "0";
 }

@@ -159,7 +159,7 @@ function snapshotOf(world: World, scene: Scene): Snapshot {
 }
 
 /** Return whether scenes differ at most in what agents do, and in the rules. */
-function sameStart(a: Scene, b: Scene): boolean {
+export function sameStart(a: Scene, b: Scene): boolean {
   const names = Object.keys(a) as (keyof Scene)[];
   return names.every((name) => ["played", "next", "rules", "others"].includes(name) || a[name] === b[name]);
 }

@@ -6,7 +6,7 @@ import { EngineError } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import type { Rules } from "../engine/types.ts";
 import type { Example, PageData } from "./data.ts";
-import { Game } from "./game.ts";
+import { Game, sameStart } from "./game.ts";
 import { MOST_STEPS, agents, stepped, steppedBack } from "./scene.ts";
 import type { Command, Scene } from "./scene.ts";
 
@@ -31,11 +31,13 @@ export class Store extends EventTarget {
   #mode: Mode = "act";
   #selected: number | null = 0;
   #example: Example | null = null;
+  /** The scene of the example, as it was chosen. */
+  #original: Scene;
 
   /** Throws EngineError if the engine refuses the scene. */
   constructor(engine: Engine, data: PageData, scene: Scene, example: Example | null = null) {
     super();
-    this.#example = example;
+    [this.#example, this.#original] = [example, scene];
     this.#engine = engine;
     this.data = data;
     this.#scene = scene;
@@ -82,9 +84,9 @@ export class Store extends EventTarget {
     return this.#running;
   }
 
-  /** The example of the gallery that the scene comes from. */
+  /** The example of the gallery that the scene starts from, whatever agents do and under any rules. */
   get example(): Example | null {
-    return this.#example;
+    return sameStart(this.#original, this.#scene) ? this.#example : null;
   }
 
   get canStep(): boolean {
@@ -106,7 +108,7 @@ export class Store extends EventTarget {
     }
     if (!options.part) this.#undo = [...this.#undo, this.#scene].slice(-MOST_UNDONE);
     this.#redo = [];
-    if (options.example !== undefined) this.#example = options.example;
+    if (options.example !== undefined) [this.#example, this.#original] = [options.example, scene];
     this.#later = [];
     this.#show(scene, games);
     return true;

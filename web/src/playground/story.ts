@@ -49,15 +49,16 @@ function section({ name, lines, ended }: Part, step: number): HTMLElement {
   return html("div", { class: "story-part" }, name && html("h3", {}, name), told);
 }
 
-function item({ kind, text, turn, blame }: Line): HTMLElement {
+function item({ kind, text, turn, blame, cost }: Line): HTMLElement {
   const label = turn ? `${LABELS[kind]}, turn ${turn}` : LABELS[kind];
   return html(
     "li", { class: `line line-${kind}` },
     label && html("span", { class: "tag" }, label),
     html("span", { class: "line-text" }, ...unbroken(text)),
     blame && html("span", { class: "line-blame muted" }, blame),
+    cost && html("strong", {}, cost),
   );
 }
 
 const spoken = ({ name, lines, ended }: Part): string =>
-  [name, ...(ended ? ["The episode had ended."] : lines.map(({ text, blame }) => `${text} ${blame}`))].filter(Boolean).join(" ");
+  [name, ...(ended ? ["The episode had ended."] : lines.map(({ text, blame, cost }) => [text, blame, cost].filter(Boolean).join(" ")))].filter(Boolean).join(" ");

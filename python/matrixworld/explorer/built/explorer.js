@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a52df2e678ecac6dc65d37d04e749c820c40852ae6209dcdea9aa3e42897b068 */
+/* built from web/ by "npm run build"; sources 27a2d2756e30ba3fddef1b2015502ec619798da757d967374b7e6c2add76e1a2 */
 "use strict";(()=>{var Tt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ne={DISAPPEAR:0,REACH:1,BOUNCE:2},Ct={OCCUPATION:0,SURROUND:1},_t={FAULT:0,INVOLVED:1};var kt=["obstacle","teammate","adversary"],Je=["vertex","edge","chain"],Rt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ze=["p\
 ursuer_{number}","evader_{number}"],$t={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},oe={"both held":"both bounce","both doomed":"\
