@@ -15,6 +15,7 @@ from matrixworld.cli.exploit import exploit_command
 from matrixworld.cli.explore import explore_command, playground_command
 from matrixworld.cli.judge import judge_command
 from matrixworld.cli.options import Commands
+from matrixworld.cli.play import play_command
 from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
 from matrixworld.cli.tournament import tournament_command
@@ -45,6 +46,7 @@ for command in (
     exploit_command,
     class_command,
     bench_command,
+    play_command,
     playground_command,
 ):
     main.add_command(command)

@@ -58,7 +58,7 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
     return value
 
 
-def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
+def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
     """Return a file, else a run directory, else the rules of a variant."""
     # Paths come first: a run may be called O, and `O` in another directory is the variant.
     if Path(value).is_file():
@@ -75,7 +75,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 
 
 @click.command("replay", epilog=EXAMPLES, short_help="Watch an episode, or write it to files.")
-@click.argument("source", metavar="RUN|FILE|VARIANT", callback=_source)
+@click.argument("source", metavar="RUN|FILE|VARIANT", callback=source_of)
 @race_option
 @click.option(
     "--pursuer",

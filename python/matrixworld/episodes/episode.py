@@ -44,6 +44,7 @@ _ARRAYS: dict[str, tuple[str, str]] = {
     "conflict_table": ("N 11", "int32"),
 }
 CONFLICTS = "conflict_table"  # the only array that a recording may lack
+OPTIONAL = {CONFLICTS, "seat"}  # entries that a file may lack
 # World arrays that a recording keeps, one of each moment or of each step. Actions are not among
 # them: they are the input of a step.
 MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
@@ -86,6 +87,9 @@ class Episode:
     conflict_table : ndarray of int32, shape (n, 11), optional
         All conflicts: the step, from 1, and the numbers that
         `matrixworld.world.conflicts.CONFLICT_COLUMNS` names. The default is None: not recorded.
+    seat : int, optional
+        The agent that a person has played, as on the page of ``matrixworld play``. The default is
+        None: nobody has.
 
     Raises
     ------
@@ -109,6 +113,7 @@ class Episode:
     n_pursuers: int
     config: Mapping[str, Any] = field(default_factory=dict)
     conflict_table: NDArray[np.int32] | None = None
+    seat: int | None = None
 
     def __post_init__(self) -> None:
         for name in self._names():
@@ -120,6 +125,8 @@ class Episode:
         if not isinstance(self.config, Mapping):
             raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
         self._check_shapes()
+        if self.seat is not None:
+            check_integer("seat", self.seat, 0, self.alive.shape[1] - 1)
         # Gone agents keep whatever action was passed for them.
         played = self.actions[self.alive[:-1]]
         if ((played < 0) | (played >= N_ACTIONS)).any():
@@ -218,6 +225,8 @@ class Episode:
         The file appears complete or not at all, and replaces an older one of this name.
         """
         arrays = {name: getattr(self, name) for name in self._names()}
+        if self.seat is not None:
+            arrays["seat"] = np.array(self.seat)
         with replacing(path) as file:
             np.savez_compressed(
                 file,
@@ -239,7 +248,7 @@ class Episode:
         if str(entries.pop("format", "")) != FORMAT:
             raise DamagedFileError(path, f"expected a file marked '{FORMAT}'")
         names = {each.name for each in fields(cls)}
-        if entries.keys() | {CONFLICTS} != names:
+        if entries.keys() | OPTIONAL != names:
             problem = f"expected entries {sorted(names)}, got {sorted(entries)}"
             raise DamagedFileError(path, problem)
         arrays = {name: entries[name] for name in _ARRAYS if name in entries}
@@ -247,7 +256,8 @@ class Episode:
             config = parse_json(path, str(entries["config"]))
             if "fov" in config:
                 check_integer("fov", config["fov"], 1, MOST_FOV)
-            return cls(n_pursuers=int(entries["n_pursuers"]), config=config, **arrays)
+            seat = int(entries["seat"]) if "seat" in entries else None
+            return cls(n_pursuers=int(entries["n_pursuers"]), config=config, seat=seat, **arrays)
         except DamagedFileError:
             raise
         except (OverflowError, TypeError, ValueError) as error:

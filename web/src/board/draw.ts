@@ -3,7 +3,7 @@
 import { drawAgents } from "./agents.ts";
 import { drawBounces, drawPlan } from "./arrows.ts";
 import {
-  drawAxes, drawContested, drawMarks, drawObstacles, drawPaper, drawRing, drawTrails, drawView,
+  drawAxes, drawContested, drawFog, drawMarks, drawObstacles, drawPaper, drawRing, drawTrails, drawView, drawYou,
 } from "./layers.ts";
 import type { Sheet } from "./layers.ts";
 import { centreBetween, posesBetween } from "./poses.ts";
@@ -25,10 +25,13 @@ export interface Look {
   /** An agent that is marked, and a cell that the keyboard has reached. */
   readonly selected: number | null;
   readonly cursor: Cell | null;
+  /** The agent that a person plays, and whether fog covers what it does not see. */
+  readonly you: number | null;
+  readonly fog: boolean;
 }
 
 export const PLAIN: Look = {
-  numbers: true, axes: false, trail: 6, viewers: [], plan: null, selected: null, cursor: null,
+  numbers: true, axes: false, trail: 6, viewers: [], plan: null, selected: null, cursor: null, you: null, fog: false,
 };
 
 /** Draw a recording at a time: moment 3 at 3, half of step 4 at 3.5. */
@@ -63,6 +66,10 @@ export function draw(sheet: Sheet, recording: Recording, time: number, look: Loo
     for (const [agent, pose] of poses.entries()) {
       if (pose.alpha) drawPlan(sheet, recording, agent, cellOf(moment, agent), pose, look.plan[agent] ?? 0);
     }
+  }
+  if (look.you !== null) {
+    if (look.fog) drawFog(sheet, recording, ...centreBetween(recording, look.you, time));
+    drawYou(sheet, poses[look.you]!, ratio);
   }
   ctx.lineWidth = Math.max(2, 2.5 * ratio);
   ctx.strokeStyle = colors.focus;

@@ -81,13 +81,56 @@ export function drawAxes({ ctx, grid, colors }: Sheet, ratio: number): void {
   }
 }
 
-/** The square that an agent sees, cut to the grid. */
-export function drawView(sheet: Sheet, recording: Recording, agent: number, x: number, y: number): void {
-  const { ctx, grid } = sheet;
+/** The square around a place that an agent there sees, cut to the grid: left, top, width and height. */
+function seenBox({ grid }: Sheet, recording: Recording, x: number, y: number): [number, number, number, number] {
   const reach = Math.floor(recording.fov / 2) + 0.5;
   const [x0, x1] = [Math.max(0, x - reach), Math.min(grid.cols, x + reach)];
   const [y0, y1] = [Math.max(0, y - reach), Math.min(grid.rows, y + reach)];
-  const box = [pixelX(grid, x0), pixelY(grid, y0), (x1 - x0) * grid.cell, (y1 - y0) * grid.cell] as const;
+  return [pixelX(grid, x0), pixelY(grid, y0), (x1 - x0) * grid.cell, (y1 - y0) * grid.cell];
+}
+
+/** Fog over all that an agent at a place does not see. */
+export function drawFog(sheet: Sheet, recording: Recording, x: number, y: number): void {
+  const { ctx, grid, colors } = sheet;
+  ctx.beginPath();
+  ctx.rect(0, 0, ctx.canvas.width, ctx.canvas.height);
+  ctx.rect(...seenBox(sheet, recording, x, y));
+  ctx.save();
+  ctx.clip("evenodd");
+  ctx.fillStyle = colors.line;
+  ctx.fillRect(grid.left, grid.top, grid.cols * grid.cell, grid.rows * grid.cell);
+  ctx.restore();
+}
+
+/** A square around the agent that a person plays, and the word "You". */
+export function drawYou({ ctx, grid, colors }: Sheet, { x, y, alpha }: { x: number; y: number; alpha: number }, ratio: number): void {
+  const side = Math.max(grid.cell, 16 * ratio) * 1.06;
+  const [left, top] = [pixelX(grid, x), pixelY(grid, y)];
+  ctx.globalAlpha = Math.max(alpha, 0.6); // where it disappeared, too
+  ctx.beginPath();
+  ctx.roundRect(left - side / 2, top - side / 2, side, side, side * 0.2);
+  ctx.strokeStyle = colors.focus;
+  ctx.lineWidth = Math.max(2, 2.5 * ratio);
+  ctx.stroke();
+  const size = Math.max(11 * ratio, Math.min(18 * ratio, grid.cell * 0.5));
+  ctx.font = `700 ${Math.round(size)}px system-ui, sans-serif`;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  const below = top - side / 2 < size * 1.2; // on the first rows there is no room above
+  const line = top + (below ? 1 : -1) * (side / 2 + size * 0.7);
+  ctx.strokeStyle = colors.paper;
+  ctx.lineJoin = "round";
+  ctx.lineWidth = size * 0.35;
+  ctx.strokeText("You", left, line);
+  ctx.fillStyle = colors.ink;
+  ctx.fillText("You", left, line);
+  ctx.globalAlpha = 1;
+}
+
+/** The square that an agent sees, cut to the grid. */
+export function drawView(sheet: Sheet, recording: Recording, agent: number, x: number, y: number): void {
+  const { ctx, grid } = sheet;
+  const box = seenBox(sheet, recording, x, y);
   const color = teamColor(sheet, recording, agent);
   ctx.globalAlpha = 0.11;
   ctx.fillStyle = color;

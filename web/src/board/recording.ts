@@ -48,6 +48,14 @@ export const MOVES: readonly Cell[] = [
   [0, 0], [-1, 0], [0, 1], [1, 0], [0, -1], [-1, 1], [1, 1], [1, -1], [-1, -1],
 ];
 
+/** Return the action that leads from a cell towards another one. */
+export function towards(from: Cell, to: Cell, diagonal: boolean): number {
+  let [down, right] = [to[0] - from[0], to[1] - from[1]];
+  if (!diagonal && Math.abs(down) > Math.abs(right)) right = 0;
+  else if (!diagonal) down = 0;
+  return MOVES.findIndex(([row, col]) => row === Math.sign(down) && col === Math.sign(right));
+}
+
 export const isPursuer = (recording: Recording, agent: number): boolean => agent < recording.nPursuers;
 
 export const cellOf = (moment: Moment, agent: number): Cell => [

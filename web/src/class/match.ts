@@ -9,9 +9,9 @@ import type { Engine } from "../engine/engine.ts";
 import { rate } from "../explorer/format.ts";
 import { wordsOf } from "../explorer/words.ts";
 import { html } from "../page/dom.ts";
+import type { Live } from "../play/live.ts";
 import type { Data } from "./data.ts";
 import { Recordings } from "./recordings.ts";
-import type { Replay } from "./recordings.ts";
 import type { Store } from "./store.ts";
 
 export class MatchPanel {
@@ -26,7 +26,7 @@ export class MatchPanel {
   readonly #words = html("ol", { class: "words", "aria-live": "off", "aria-label": "What happened in this step" });
   readonly #note = html("p", { class: "check small", "aria-live": "polite" });
   #engine: Engine | null = null;
-  #replay: Replay | null = null;
+  #replay: Live | null = null;
 
   constructor(data: Data, store: Store) {
     [this.#data, this.#store, this.#recordings] = [data, store, new Recordings(data)];
@@ -46,7 +46,7 @@ export class MatchPanel {
   }
 
   /** The match that is shown, for tests. */
-  get replay(): Replay | null {
+  get replay(): Live | null {
     return this.#replay;
   }
 
@@ -71,7 +71,7 @@ export class MatchPanel {
     this.#replay = this.#recordings.has(pair) ? this.#recordings.play(this.#engine, pair) : null;
     this.element.dataset["played"] = this.#replay ? `${pair.pursuer} ${pair.evader}` : "";
     this.element.classList.toggle("without-recording", !this.#replay);
-    this.player.length = this.#replay?.told.length ?? 0;
+    this.player.length = this.#replay?.length ?? 0;
     this.player.marks = this.#replay ? captureSteps(this.#replay.recording) : [];
     this.player.jump(0);
     this.#check();
@@ -85,7 +85,7 @@ export class MatchPanel {
       this.#note.textContent = "The page holds no recording of this match: it would be too large.";
       return;
     }
-    const [here, there] = [this.#replay.told.statistics.capture_rate, this.#data.first[pursuer]![evader]!];
+    const [here, there] = [this.#replay.statistics.capture_rate, this.#data.first[pursuer]![evader]!];
     const equal = Math.abs(here - there) < 1e-3;
     this.#note.dataset["equal"] = String(equal);
     this.#note.textContent = equal
@@ -106,11 +106,11 @@ export class MatchPanel {
       this.#tally.replaceChildren();
       return;
     }
-    const { told, recording } = this.#replay;
+    const { recording } = this.#replay;
     const step = this.player.step;
     const captured = Array.from(recording.moments[step]!.everCaptured).filter(Boolean).length;
     this.#tally.replaceChildren(
       html("strong", {}, captured), ` of ${this.#data.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
-    this.#words.replaceChildren(...wordsOf(told, recording, step).map((word) => html("li", { class: word.kind }, word.text)));
+    this.#words.replaceChildren(...wordsOf(this.#replay, recording, step).map((word) => html("li", { class: word.kind }, word.text)));
   }
 }

@@ -1,18 +1,10 @@
 // Recorded actions, played again by the engine in the page.
 
-import { momentOf, recording } from "../board/from_engine.ts";
-import type { Moment, Recording } from "../board/recording.ts";
 import type { Engine } from "../engine/engine.ts";
-import type { Conflict } from "../engine/types.ts";
 import { bytesOf } from "../explorer/data.ts";
-import type { Told } from "../explorer/words.ts";
+import { replayed } from "../play/live.ts";
+import type { Live } from "../play/live.ts";
 import type { Data, Pair } from "./data.ts";
-
-/** A match that was played again: its pictures, and what is told of it. */
-export interface Replay {
-  readonly recording: Recording;
-  readonly told: Told;
-}
 
 /** The recordings of the page: one after the other, row by row of the matrix. */
 export class Recordings {
@@ -52,24 +44,7 @@ export class Recordings {
   }
 
   /** Play the first episode of a pair again: same start, same actions. */
-  play(engine: Engine, pair: Pair): Replay {
-    const world = engine.world(this.#data.world);
-    world.reset({ seed: BigInt(this.#data.match_seed), episode: 0 });
-    const moments: Moment[] = [momentOf(world)];
-    const conflicts: Conflict[][] = [[]];
-    for (const actions of this.actions(pair)) {
-      world.step(actions);
-      conflicts.push(world.conflicts());
-      moments.push(momentOf(world, actions));
-    }
-    const told: Told = {
-      config: this.#data.world,
-      length: moments.length - 1,
-      statistics: { capture_rate: world.read("capture_rate")[0]! },
-      conflicts: (step) => conflicts[step]!,
-    };
-    const replay = { recording: recording(this.#data.world, world.map(), moments), told };
-    world.free();
-    return replay;
+  play(engine: Engine, pair: Pair): Live {
+    return replayed(engine, this.#data.world, { seed: BigInt(this.#data.match_seed) }, this.actions(pair));
   }
 }

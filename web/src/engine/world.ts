@@ -58,17 +58,14 @@ export class World {
   }
 
   /**
-   * Return the actions (A,) with those that a policy chooses now for the living agents of its team;
-   * other entries are those of `actions`. It uses the random numbers of a match for the same seed,
-   * episode and step.
+   * Return the actions (A,) with those that a policy chooses now for the living ones among the agents
+   * [first, last) of one team; other entries are those of `actions`. It uses the random numbers of a
+   * match for the same seed, episode and step.
    */
-  decide(policy: TeamPolicy, team: "pursuer" | "evader", actions: ArrayLike<number>): Uint8Array {
+  decide(policy: TeamPolicy, agents: "pursuer" | "evader" | readonly [first: number, last: number], given: ArrayLike<number>): Uint8Array {
     const { n_pursuers } = this.config;
-    const agents = team === "pursuer" ? ([0, n_pursuers] as const) : ([n_pursuers, this.n_agents] as const);
-    return this.choose(policy, agents, actions);
-  }
-
-  private choose(policy: TeamPolicy, [first, last]: readonly [number, number], given: ArrayLike<number>): Uint8Array {
+    const teams = { pursuer: [0, n_pursuers], evader: [n_pursuers, this.n_agents] } as const;
+    const [first, last] = typeof agents === "string" ? teams[agents] : agents;
     if (given.length !== this.n_agents) throw expected("actions", String(this.n_agents), given.length);
     const inputs = [policyInputs(policy), actionsInputs(given)] as const;
     const { actions } = this.call((block) =>
@@ -135,8 +132,12 @@ export class World {
 
   /** Return the conflicts of the last round (of its turns so far, in the middle of one). */
   conflicts(): Conflict[] {
-    const { conflict_table } = this.call(() => this.engine._world_conflicts(this.at));
-    return conflictsOf(conflict_table as Int32Array, this.config.n_pursuers);
+    return conflictsOf(this.conflictTable(), this.config.n_pursuers);
+  }
+
+  /** Return the same as numbers (n, 11), those of `Match`. */
+  conflictTable(): Int32Array {
+    return this.call(() => this.engine._world_conflicts(this.at))["conflict_table"] as Int32Array;
   }
 
   /** Return what a network answers to the view of a living agent. */
@@ -144,7 +145,7 @@ export class World {
     const inputs = policyInputs(policy);
     const { logits } = this.call((block) => this.engine._world_logits(this.at, block.arrays(inputs), agent));
     const outputs = logits as Float32Array;
-    const action = this.choose(policy, [agent, agent + 1], new Uint8Array(this.n_agents))[agent]!;
+    const action = this.decide(policy, [agent, agent + 1], new Uint8Array(this.n_agents))[agent]!;
     return { logits: outputs, probabilities: softmax(outputs), action };
   }
 

@@ -22,6 +22,7 @@ const KEYS: readonly (readonly [keys: readonly string[], text: string])[] = [
   [["M"], "to the matrix: arrow keys choose a match, Enter plays it"],
   [["A"], "next agent: what it sees; with Shift the one before"],
   [["Esc"], "no agent"],
+  [["T"], "take over the chosen agent, or an evader, from this step on"],
   [["G"], "this step in the playground: any other rules, actions and places"],
   [["1", "9"], "first to ninth run"],
   [["D"], "light or dark"],
@@ -43,7 +44,7 @@ export function helpDialog(): HTMLDialogElement {
 }
 
 /** Listen to the keys of the page. */
-export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPanel, help: HTMLDialogElement, playground: () => void): void {
+export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPanel, help: HTMLDialogElement, takeOver: () => void, playground: () => void): void {
   const step = (name: "pursuer" | "evader", by: number) => (): void => {
     const count = runs[store.selected.run]!.payoff.shape[name === "pursuer" ? 0 : 1];
     store.select({ [name]: Math.min(count - 1, Math.max(0, store.selected[name] + by)) });
@@ -58,6 +59,7 @@ export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPan
     a: () => match.inspector.next(1),
     A: () => match.inspector.next(-1),
     Escape: () => match.inspector.choose(null),
+    t: takeOver,
     g: playground,
     d: changeTheme,
     "?": () => help.showModal(),

@@ -14,6 +14,7 @@ import { panels } from "./panels.ts";
 import { playedMatch } from "./play.ts";
 import { raceTabs } from "./races.ts";
 import { Store } from "./store.ts";
+import { TakeOver } from "./take_over.ts";
 import { openPlayground } from "./to_playground.ts";
 
 const data = readData();
@@ -24,7 +25,9 @@ const { step, ...selected } = first;
 const store = new Store(selected);
 const match = new MatchPanel(runs, store, data.playground);
 const matrix = new MatrixPanel(runs, store);
+const takeOver = new TakeOver(runs, store, match);
 const help = helpDialog();
+const address = location.hash; // `followAddress` writes another one
 let engine: Engine | null = null;
 
 const LEAD = "Each cell is a match: pursuers of one generation against evaders of another. "
@@ -40,6 +43,7 @@ document.getElementById("page")!.replaceWith(
   html("main", { class: "stages" }, matrix.element, match.element),
   panels(runs, store, () => engine),
   html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
+  takeOver.dialog,
   help,
 );
 // For the browser's console, and for tests.
@@ -48,6 +52,7 @@ Object.assign(window, {
     get match() { return match.match; },
     get step() { return match.player.step; },
     get pace() { return match.player.pace; },
+    get playing() { return takeOver.view; },
     play: (episode: number) => engine && playedMatch(engine, runs[store.selected.run]!, { ...store.selected, episode }),
     get shape() { return runs[store.selected.run]!.payoff.shape; },
   },
@@ -56,13 +61,15 @@ matrix.element.addEventListener("play", () => match.playSoon());
 match.goTo(step);
 if (!step) match.playSoon();
 followAddress(runs, store, match);
-listenToKeys(runs, store, match, help, () => openPlayground(match.shown, data.playground));
+listenToKeys(runs, store, match, help, () => takeOver.open(), () => openPlayground(match.shown, data.playground));
+window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(engine, new URL(newURL).hash));
 
 // The page is drawn before the engine is compiled.
 requestAnimationFrame(() => setTimeout(() => {
   loadEngine().then((loaded) => {
     engine = loaded;
     match.start(loaded);
+    takeOver.start(loaded, address);
     document.body.dataset["ready"] = "true";
   }, (error: unknown) => {
     match.element.prepend(html("p", { class: "problem", role: "alert" }, `The engine does not start here: ${String(error)}`));

@@ -15,7 +15,7 @@ import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { Inspector } from "./inspector.ts";
 import { playedMatch } from "./play.ts";
-import type { Store } from "./store.ts";
+import type { Selection, Store } from "./store.ts";
 import { playgroundButton } from "./to_playground.ts";
 import { wordsOf } from "./words.ts";
 
@@ -54,7 +54,11 @@ export class MatchPanel {
         html("header", { class: "match-head" }, this.#title, this.#tally),
         this.#problem,
         html("div", { class: "stage" }, canvas),
-        html("div", { class: "aside" }, this.#words, legend(), playgroundButton(() => this.shown, playground), this.inspector.element),
+        html("div", { class: "aside" }, this.#words, legend(),
+          html("div", { class: "beside" },
+            html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over an agent"),
+            playgroundButton(() => this.shown, playground)),
+          this.inspector.element),
         playerBar(this.player),
         this.#strip.element),
     );
@@ -134,17 +138,22 @@ export class MatchPanel {
     this.#begin();
   }
 
+  /** Return the names of what plays for the teams of a match. */
+  names({ run, pursuer, evader }: Selection): [pursuers: string, evaders: string] {
+    const { teams } = this.#runs[run]!;
+    return [teams.pursuer.script ?? `pursuers ${pursuer}`, teams.evader.script ?? `evaders ${evader}`];
+  }
+
   #entitle(): void {
-    const { pursuer, evader, episode, seed } = this.#store.selected;
-    const { teams, payoff } = this.#run;
-    const name = (team: "pursuer" | "evader", generation: number): string =>
-      teams[team].script ?? `${team}s ${generation}`;
+    const { episode, seed } = this.#store.selected;
+    const { payoff } = this.#run;
+    const [pursuers, evaders] = this.names(this.#store.selected);
     const place = seed === null
       ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`
       : `seed ${seed}`;
     this.#title.replaceChildren(
-      html("span", { class: "pursuer" }, name("pursuer", pursuer)), " against ",
-      html("span", { class: "evader" }, name("evader", evader)), html("span", { class: "muted small" }, place),
+      html("span", { class: "pursuer" }, pursuers), " against ",
+      html("span", { class: "evader" }, evaders), html("span", { class: "muted small" }, place),
     );
   }
 

@@ -2,7 +2,7 @@
 // choose agents and their moves (mode "act"), or place agents and obstacles (mode "build").
 
 import { Board } from "../board/board.ts";
-import { MOVES } from "../board/recording.ts";
+import { MOVES, towards } from "../board/recording.ts";
 import type { Cell } from "../board/recording.ts";
 import { html } from "../page/dom.ts";
 import { agentOn, agentName, agents, isWall, moved, nAgents, removed, variantOf, withNext, withWall } from "./scene.ts";
@@ -65,14 +65,6 @@ export function rulesName(store: Store, place: number): string {
 }
 
 // ---- Pointer
-
-/** Return the action that leads from a cell towards another one. */
-export function towards(from: Cell, to: Cell, diagonal: boolean): number {
-  let [down, right] = [to[0] - from[0], to[1] - from[1]];
-  if (!diagonal && Math.abs(down) > Math.abs(right)) right = 0;
-  else if (!diagonal) down = 0;
-  return MOVES.findIndex(([row, col]) => row === Math.sign(down) && col === Math.sign(right));
-}
 
 /** Return the cell of an agent at the present moment; null if it is gone. */
 function present(store: Store, agent: number): Cell | null {

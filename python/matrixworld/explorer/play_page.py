@@ -1,0 +1,90 @@
+"""The page on which a person plays one agent of a match, against scripts or generations.
+
+>>> from matrixworld.explorer.play_page import play_page, shipped
+>>> html = play_page("matrixworld play", *shipped("SB"))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from matrixworld.analysis.plain_values import plain_values
+from matrixworld.coevolution.evaluation.scores import held_out
+from matrixworld.coevolution.storage import SavedRun
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.explorer.page import render_page
+from matrixworld.explorer.runs_page import archives_of, kept_generations
+from matrixworld.version import __version__
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.rules import Capture, Rules, rules_of
+
+PAGE = "play.html"
+"""Name of the page where no other is given."""
+
+Players = Mapping[Team, Mapping[str, TeamPolicy]]
+"""What plays for each team, by name, roughly from weak to strong; populations have one genome."""
+
+
+def shipped(variant: Rules | str) -> tuple[WorldConfig, Players]:
+    """Return a world that suits a person, and the opponents that come with the package."""
+    rules = rules_of(variant)
+    # It takes up to four pursuers to surround an evader.
+    sizes = (8, 4) if rules.capture is Capture.SURROUND else (4, 6)
+    config = WorldConfig(
+        rules, rows=20, cols=20, n_pursuers=sizes[0], n_evaders=sizes[1], max_steps=200
+    )
+    return config, {team: _by_strength(held_out(team, rules)) for team in TEAMS}
+
+
+def _by_strength(players: Mapping[str, TeamPolicy]) -> dict[str, TeamPolicy]:
+    """Return players with the networks between weak and strong scripts (see docs/held_out.md)."""
+    names = list(players)
+    networks = [name for name in names if isinstance(players[name], Population)]
+    scripts = [name for name in names if name not in networks]
+    return {name: players[name] for name in [*scripts[:2], *networks, *scripts[2:]]}
+
+
+def of_run(run: SavedRun) -> tuple[WorldConfig, Players]:
+    """Return the world of a run and its generations, as many as a page can hold."""
+    step = archives_of([run]).step
+    return run.settings.world, {team: _generations(run.teams[team], step) for team in TEAMS}
+
+
+def _generations(team: TeamPolicy, step: int) -> dict[str, TeamPolicy]:
+    if isinstance(team, str):
+        return {team: team}
+    kept = kept_generations(len(team.genomes), step)
+    return {f"generation {g}": Population(team.genomes[g], team.network) for g in kept}
+
+
+def play_page(title: str, config: WorldConfig, players: Players) -> str:
+    """Return the page as HTML."""
+    data = {
+        "version": __version__,
+        "title": title,
+        "world": config.to_json(),
+        "teams": {team: _plain(players[team]) for team in TEAMS},
+    }
+    blobs = {str(team): _genomes(players[team]) for team in TEAMS}
+    return render_page("play", title, data, blobs)
+
+
+def _plain(players: Mapping[str, TeamPolicy]) -> dict[str, Any]:
+    """Return the players of a team as plain values; None stands for the next genome."""
+    networks = [each.network for each in players.values() if isinstance(each, Population)]
+    known = [{**plain_values(each), "genome_size": each.genome_size} for each in networks[:1]]
+    return {
+        "names": list(players),
+        "scripts": [each if isinstance(each, str) else None for each in players.values()],
+        "network": known[0] if known else None,
+    }
+
+
+def _genomes(players: Mapping[str, TeamPolicy]) -> bytes:
+    """Return the genomes of a team one after the other: float32 in little-endian order."""
+    genomes = [each.genomes[0] for each in players.values() if isinstance(each, Population)]
+    return b"".join(np.ascontiguousarray(genome, "<f4").tobytes() for genome in genomes)

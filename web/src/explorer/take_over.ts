@@ -1,0 +1,84 @@
+// A person takes over an agent of the match that is shown, from its step on.
+
+import type { Engine } from "../engine/engine.ts";
+import { html } from "../page/dom.ts";
+import { agentName } from "../page/names.ts";
+import { comparison } from "../play/ending.ts";
+import { ladder, linkTo, movesOf, teamOf } from "../play/played.ts";
+import type { Moves } from "../play/played.ts";
+import { PlayView } from "../play/view.ts";
+import { placeOf } from "./address.ts";
+import { TEAMS, policyOf, whyNot } from "./data.ts";
+import type { Run } from "./data.ts";
+import type { MatchPanel } from "./match.ts";
+import type { Selection, Store } from "./store.ts";
+
+export class TakeOver {
+  readonly dialog = html("dialog", { class: "take-over", "aria-label": "Play an agent" });
+  readonly #runs: readonly Run[];
+  readonly #store: Store;
+  readonly #match: MatchPanel;
+  #engine: Engine | null = null;
+  #view: PlayView | null = null;
+
+  constructor(runs: readonly Run[], store: Store, match: MatchPanel) {
+    [this.#runs, this.#store, this.#match] = [runs, store, match];
+    match.element.addEventListener("takeover", () => this.open());
+    this.dialog.addEventListener("keydown", (event) => this.#view?.key(event) && event.preventDefault());
+    this.dialog.addEventListener("close", () => this.#view?.stop());
+  }
+
+  /** The match that a person plays, for tests. */
+  get view(): PlayView | null {
+    return this.#view;
+  }
+
+  /** Begin, with a match that the address holds. */
+  start(engine: Engine, address: string): void {
+    this.#engine = engine;
+    const place = placeOf(address, this.#runs, this.#store.selected);
+    const moves = movesOf(new URLSearchParams(address.replace(/^#/, "")), this.#runs[place.run]!.world);
+    if (moves) this.#play(place, moves);
+  }
+
+  /** Take over the chosen agent, or the first evader that is left; at its end a match begins anew. */
+  open(): void {
+    const shown = this.#match.shown;
+    if (!shown) return;
+    const { match, step } = shown;
+    this.#match.player.pause();
+    const chosen = this.#match.inspector.agent;
+    const here = step < match.length ? step : 0;
+    const alive = (agent: number, moment: number): boolean => Boolean(match.alive[moment * match.n_agents + agent]);
+    const order = Array.from({ length: match.n_agents }, (_, agent) => (agent + match.config.n_pursuers) % match.n_agents);
+    const seat = chosen ?? order.find((agent) => alive(agent, here))!;
+    const from = alive(seat, here) ? here : 0;
+    const moves = Array.from({ length: from }, (_, at) => match.actions[at * match.n_agents + seat]!);
+    this.#play(this.#store.selected, { seat, from, moves });
+  }
+
+  #play(place: Selection, moves: Moves): void {
+    const [engine, run] = [this.#engine, this.#runs[place.run]!];
+    if (!engine || TEAMS.some((each) => whyNot(run, each, place[each]))) return;
+    const { run: number, pursuer, evader, episode, seed } = place;
+    const team = teamOf(run.world, moves.seat);
+    const players = run.teams[team].kept.map((generation) => ({
+      name: run.teams[team].script ?? `generation ${generation}`, policy: () => policyOf(run, team, generation),
+    }));
+    if (!this.#view) {
+      this.#view = new PlayView(engine);
+      this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.#view.element);
+    }
+    if (!this.dialog.open) this.dialog.showModal();
+    this.#view.play({
+      title: `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`,
+      played: {
+        config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, ...moves,
+        policies: { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) },
+      },
+      ending: (live, played) => [comparison(engine, live, played, ladder(players))],
+      again: () => this.#play(place, { ...moves, moves: moves.moves.slice(0, moves.from) }),
+      link: (played) => linkTo({ run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) }, played),
+    });
+  }
+}

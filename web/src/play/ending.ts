@@ -1,0 +1,30 @@
+// The end of a played match: what generations make of the same seat.
+
+import type { Engine } from "../engine/engine.ts";
+import { html } from "../page/dom.ts";
+import type { Live } from "./live.ts";
+import { resultInSeat, resultOf, teamOf } from "./played.ts";
+import type { Played, Player, Result } from "./played.ts";
+
+/** Return a table of the person and of others in the same seat of the same match. */
+export function comparison(engine: Engine, live: Live, played: Played, players: readonly Player[]): HTMLElement {
+  const evader = teamOf(played.config, played.seat) === "evader";
+  const most = evader ? played.config.max_steps : played.config.n_evaders;
+  const table = html("table", { class: "numbers" },
+    html("caption", {}, evader ? "Steps in your seat: same start, same others" : "Captures of your team: same start, same others"));
+  const row = (name: string): ((result: Result) => void) => {
+    const [bar, value] = [html("span", { class: evader ? "bar evader" : "bar pursuer" }), html("td", {}, "…")];
+    table.append(html("tr", {}, html("th", { scope: "row" }, name), html("td", { class: "track", "aria-hidden": "true" }, bar), value));
+    return ({ lasted, captured }) => {
+      bar.style.width = `${(100 * (evader ? lasted : captured)) / most}%`;
+      value.textContent = String(evader ? lasted : captured);
+    };
+  };
+  row("You")(resultOf(live, played.seat));
+  // Each is a whole match: the page shows the end before they are played.
+  for (const { name, policy } of players) {
+    const fill = row(name);
+    setTimeout(() => fill(resultInSeat(engine, played, policy())));
+  }
+  return html("div", {}, table, html("p", { class: "small muted" }, "One match: luck has its part in it."));
+}

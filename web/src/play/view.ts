@@ -1,0 +1,248 @@
+// A match that a person plays, or watches: the board, what can be pressed, and what came out.
+
+import { Board, stillMotion } from "../board/board.ts";
+import { Player, playerKey } from "../board/player.ts";
+import { playerBar } from "../board/player_bar.ts";
+import { cellOf } from "../board/recording.ts";
+import type { Engine } from "../engine/engine.ts";
+import type { WorldConfig } from "../engine/types.ts";
+import { wordsOf } from "../explorer/words.ts";
+import { html } from "../page/dom.ts";
+import { agentName } from "../page/names.ts";
+import { hasAddress } from "../playground/address.ts";
+import { actionOf, bearing, listenToPointer, pad } from "./controls.ts";
+import { episodeFile } from "./file.ts";
+import type { Live } from "./live.ts";
+import { isDone, liveOf, resultOf, teamOf } from "./played.ts";
+import type { Played } from "./played.ts";
+
+/** Steps a second that can be chosen; 0 waits for each move. */
+const PACES = [0, 1, 2, 4, 8] as const;
+
+/** A match to play. */
+export interface Game {
+  readonly played: Played;
+  readonly title: string;
+  /** What is shown at the end, and what plays it again. */
+  ending(live: Live, played: Played): readonly (Node | string)[];
+  again(): void;
+  /** The link to a played match; null where the page has no address for it. */
+  link(played: Played): string | null;
+}
+
+export class PlayView {
+  readonly element: HTMLElement;
+  readonly player = new Player(0, { speed: 4, still: stillMotion() });
+  readonly #engine: Engine;
+  readonly #board: Board;
+  readonly #canvas = html("canvas", { tabindex: 0, "aria-describedby": "play-keys" });
+  readonly #title = html("h2");
+  readonly #told = html("p", { class: "play-told", role: "status" });
+  readonly #pad = pad((action) => this.act(action));
+  readonly #pace = html("select", {}, ...PACES.map((each) => html("option", { value: each }, each ? `${each} steps a second` : "step by step")));
+  readonly #fog = html("input", { type: "checkbox" });
+  readonly #ending = html("section", { class: "play-ending", tabindex: -1, "aria-label": "Result" });
+  readonly #bar = playerBar(this.player);
+  #game: Game | null = null;
+  #live: Live | null = null;
+  #moves: number[] = [];
+  #seat: number | null = null;
+  #held = 0;
+  #clock = 0;
+
+  constructor(engine: Engine) {
+    this.#engine = engine;
+    this.#board = new Board(this.#canvas, { numbers: false });
+    this.#canvas.setAttribute("role", "application");
+    this.#pace.addEventListener("change", () => this.#rest());
+    this.#fog.addEventListener("change", () => this.#look());
+    listenToPointer(this.#board, () => {
+      const cell = this.#seat !== null && this.#live && cellOf(this.#live.recording.moments.at(-1)!, this.#seat);
+      return cell ? { cell, diagonal: this.#live!.config.diagonal } : null;
+    }, (action) => this.act(action));
+    this.player.addEventListener("frame", () => this.#live && this.#board.show(this.#live.recording, this.player.time));
+    this.player.addEventListener("step", () => this.#tell());
+    this.element = html(
+      "div", { class: "play" },
+      html("header", { class: "play-head" }, this.#title, this.#told),
+      html("div", { class: "play-stage" }, this.#canvas),
+      html("div", { class: "play-side" },
+        this.#ending, this.#pad.element,
+        html("label", { class: "play-choice" }, "Pace ", this.#pace),
+        html("label", { class: "play-choice" }, this.#fog, " Fog: see only what it sees"),
+        html("p", { class: "small muted play-keys", id: "play-keys" }, "Arrow keys move and Space stays; Q W E A S D Z X C and the numeric keypad know diagonals, too. On the board: swipe, or tap where to go.")),
+      this.#bar,
+    );
+  }
+
+  /** What was played so far; null while a match is watched only. */
+  get played(): Played | null {
+    return this.#game && { ...this.#game.played, moves: this.#moves };
+  }
+
+  get live(): Live | null {
+    return this.#live;
+  }
+
+  /** Let a person play from where the moves of a match end. */
+  play(game: Game): void {
+    this.#show(liveOf(this.#engine, game.played), game.played.seat, game.title);
+    [this.#game, this.#moves, this.#held] = [game, [...game.played.moves], 0];
+    this.element.dataset["state"] = "playing";
+    this.#canvas.focus({ preventScroll: true });
+    if (isDone(this.#live!, game.played.seat)) this.#finish();
+  }
+
+  /** Show a match from its start; `seat` is the agent that a person has moved. */
+  watch(live: Live, seat: number | null, title: string): void {
+    this.#game = null;
+    this.#show(live, seat, title);
+    this.#watch();
+  }
+
+  /** Stop the clock: the match is left. */
+  stop(): void {
+    this.#rest();
+    this.player.pause();
+    this.#game = null;
+  }
+
+  /** Make a move; at a speed, the move is repeated until there is another one. */
+  act(action: number): void {
+    const [game, live] = [this.#game, this.#live];
+    if (!game || !live || this.element.dataset["state"] !== "playing") return;
+    this.#held = action;
+    const pace = Number(this.#pace.value);
+    if (this.#clock) return;
+    this.#step();
+    if (pace && this.element.dataset["state"] === "playing") this.#clock = setInterval(() => this.#step(), 1000 / pace);
+  }
+
+  /** Listen to keys; return whether one was done. */
+  key(event: KeyboardEvent): boolean {
+    const { target, key } = event;
+    const own = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && (target.type === "text" || key === " "));
+    if (own || (target instanceof HTMLButtonElement && (key === " " || key === "Enter")) || !this.#live) return false;
+    if (this.element.dataset["state"] !== "playing") return playerKey(this.player, event);
+    const action = actionOf(event, this.#live.config.diagonal);
+    if (action !== undefined) this.act(action);
+    return action !== undefined;
+  }
+
+  #show(live: Live, seat: number | null, title: string): void {
+    this.#rest();
+    this.player.pause();
+    [this.#live, this.#seat] = [live, seat];
+    this.#title.textContent = title;
+    this.#canvas.ariaLabel = `Board, ${live.config.rows} by ${live.config.cols} cells`;
+    this.#pad.show(live.config.diagonal);
+    this.#ending.replaceChildren();
+    this.player.length = live.length;
+    this.player.jump(live.length);
+    this.#look();
+    this.#tell();
+  }
+
+  #look(): void {
+    this.#board.look = { you: this.#seat, fog: this.#fog.checked, viewers: this.#seat === null ? [] : [this.#seat] };
+  }
+
+  #rest(): void {
+    clearInterval(this.#clock);
+    this.#clock = 0;
+    // At a speed, a sentence for each step would not be heard to its end.
+    this.#told.ariaLive = Number(this.#pace.value) ? "off" : "polite";
+  }
+
+  #step(): void {
+    const [{ policies, seat }, live] = [this.#game!.played, this.#live!];
+    live.step(policies, seat, this.#held);
+    this.#moves.push(this.#held);
+    this.player.length = live.length;
+    this.player.glide = Math.min(0.22, 0.9 / (Number(this.#pace.value) || 4));
+    this.player.move(live.length - this.player.step);
+    if (isDone(live, seat)) this.#finish();
+  }
+
+  #finish(): void {
+    this.#rest();
+    const [game, live, played] = [this.#game!, this.#live!, this.played!];
+    const link = hasAddress() ? game.link(played) : null;
+    this.#ending.replaceChildren(
+      html("h3", {}, headline(live, played.seat)), ...game.ending(live, played),
+      html("div", { class: "play-buttons" },
+        html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
+        html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
+        html("button", { type: "button", onclick: () => void this.#save(live, played.seat) }, "Save"),
+        link && html("button", { type: "button", onclick: ({ currentTarget }: MouseEvent) => copied(currentTarget as HTMLElement, link) }, "Link")));
+    this.element.dataset["state"] = "ended";
+    this.#ending.focus({ preventScroll: true });
+    this.#ending.scrollIntoView({ block: "nearest" });
+  }
+
+  #watch(): void {
+    this.element.dataset["state"] = "watched";
+    this.player.length = this.#live!.length;
+    this.player.jump(0);
+    if (!stillMotion()) this.player.play();
+  }
+
+  async #save(live: Live, seat: number): Promise<void> {
+    const file = new Blob([await episodeFile(this.#engine, live, seat)], { type: "application/octet-stream" });
+    // The address stays valid: browsers fetch what it names some time after the click.
+    html("a", { href: URL.createObjectURL(file), download: `${agentName(seat, live.config.n_pursuers)}-${live.length}-steps.npz` }).click();
+  }
+
+  #tell(): void {
+    const [live, seat, { step }] = [this.#live, this.#seat, this.player];
+    if (!live || step > live.length) return;
+    const about = wordsOf(live, live.recording, step).filter(({ agents }) => seat === null || agents.includes(seat));
+    const sentences = [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
+    if (this.#game && step === 0) sentences.push(goal(live.config, seat!));
+    else if (seat !== null) sentences.push(nearest(live, step, seat));
+    this.#told.textContent = sentences.filter(Boolean).map((text) => `${text}.`).join(" ");
+  }
+}
+
+/** Return what the agent in a seat is after. */
+function goal(config: WorldConfig, seat: number): string {
+  const all = config.rules.capture === "SURROUND";
+  return teamOf(config, seat) === "evader"
+    ? `Stay free: ${all ? "pursuers on all sides of you capture" : "a pursuer on your cell captures"} you`
+    : `Capture evaders: ${all ? "surround them together" : "reach their cell"}`;
+}
+
+/** Return where the nearest opponent is that an agent sees. */
+function nearest({ config, recording }: Live, step: number, seat: number): string {
+  const moment = recording.moments[step]!;
+  const team = teamOf(config, seat);
+  const other = team === "pursuer" ? "evader" : "pursuer";
+  if (!moment.alive[seat]) return "";
+  const own = cellOf(moment, seat);
+  const distance = (agent: number): number => {
+    const [row, col] = cellOf(moment, agent);
+    return Math.max(Math.abs(row - own[0]), Math.abs(col - own[1]));
+  };
+  const seen = Array.from({ length: moment.alive.length }, (_, agent) => agent).filter((agent) =>
+    teamOf(config, agent) === other && moment.alive[agent] && !moment.captured[agent - config.n_pursuers] && 2 * distance(agent) < config.fov);
+  if (!seen.length) return `No ${other} in view`;
+  const found = seen.reduce((a, b) => (distance(b) < distance(a) ? b : a));
+  return `Nearest ${other}: ${bearing(own, cellOf(moment, found))}`;
+}
+
+/** Return what came out for the person, in a sentence. */
+export function headline(live: Live, seat: number): string {
+  const [{ lasted, out, captured }, { config }] = [resultOf(live, seat), live];
+  if (teamOf(config, seat) === "pursuer") return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
+  return out ? `You lasted ${lasted} of ${config.max_steps} steps.` : `You escaped: ${lasted} steps.`;
+}
+
+const evaders = ({ n_evaders }: WorldConfig): string => `${n_evaders} evader${n_evaders === 1 ? "" : "s"}`;
+
+/** Put a link beside what was pressed, and copy it where the browser allows it. */
+function copied(button: HTMLElement, link: string): void {
+  const field = html("input", { type: "text", readonly: true, value: link, "aria-label": "Link to this match" });
+  button.replaceWith(field);
+  field.select();
+  void navigator.clipboard?.writeText(link).catch(() => {}); // it is selected: Ctrl+C copies it
+}
