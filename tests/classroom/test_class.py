@@ -34,13 +34,13 @@ from class_submissions import (
 from matrixworld import Action, Network, NetworkPolicy, World, WorldConfig, record_actions
 from matrixworld.classroom import Limits, play_class, save_genome, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
-from matrixworld.classroom.policy_server import MODULES, NOT_CONFINED
+from matrixworld.classroom.policy_server import FUNCTIONS, MODULES, NOT_CONFINED
 from matrixworld.classroom.sandbox import ALLOWED
 from matrixworld.classroom.submissions import MOST_BYTES, MOST_OWN, Entry, Refusal, Submission
 from matrixworld.classroom.tournament import ClassResult, MatchPool, admit
 from matrixworld.cli.classroom import play_command
 from matrixworld.cli.options import option_name
-from matrixworld.coevolution import TEAMS, Progress
+from matrixworld.coevolution import TEAMS, Progress, Team
 from matrixworld.play.rollout import match_seed
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
@@ -433,6 +433,12 @@ def test_a_program_that_changes_its_own_process_only_plays(
     [entry], refusals = admitted(pool, text)
     assert (entry.team, refusals) == ("pursuer", [])
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("team", TEAMS)
+def test_a_program_for_one_team_enters_that_team_only(pool: MatchPool, team: Team) -> None:
+    [entry], refusals = admitted(pool, f"def {FUNCTIONS[team]}(view, rng):\n    return 0\n")
+    assert (entry.team, refusals) == (team, [])
 
 
 def test_the_next_program_finds_nothing_of_the_one_before(pool: MatchPool) -> None:

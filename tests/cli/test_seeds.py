@@ -132,6 +132,24 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     assert results(Path(f"out/{MAIN_JOB[0]}/seed-1")) == results(Path("straight"))
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+def test_ctrl_c_in_a_single_run_leaves_what_its_continuation_needs():
+    # Long enough to be met in its middle: no worker process, whose start would take time, is there.
+    longer = {**RACE, "generations": 6, "pursuer_epochs": 40, "evader_epochs": 40}
+    process = process_of("--out", "out", "--schedule", MAIN_JOB[0], *words(longer))
+    run = Path("out") / MAIN_JOB[0] / f"seed-{RACE['seed']}"
+    wait_until((run / "stage-0001.npz").exists, "a stage")
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "matrixworld evolve --resume out\n" in errors
+    assert "Traceback" not in errors
+    assert not (run / "summary.json").exists()
+    matrixworld_command("evolve", "--resume", "out")
+    finish(tiny_race(**{**longer, "hidden": (4,)}, schedule=MAIN_JOB[0]), "straight")
+    assert results(run) == results(Path("straight"))
+
+
 def test_runs_that_were_put_together_by_hand_are_continued(tmp_path):
     for seed in (0, 1):
         finish(tiny_race(seed=seed), f"mine/{seed}")

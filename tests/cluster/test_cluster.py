@@ -13,22 +13,27 @@ import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from dask_cluster import DaskCluster, dask_cluster
 from matrixworld.cluster import ClusterLostError, cluster
 from matrixworld.cluster import executor as module
 from matrixworld.coevolution import (
+    TEAMS,
     DamagedFileError,
     FailedRunsError,
     RaceSettings,
     WorkerDiedError,
     evolve,
     finish,
+    tournament,
 )
+from matrixworld.world.policy import Population
 from scripts import wait_until
 from tiny_race import results, tiny_race
 
@@ -78,6 +83,20 @@ def test_errors_of_the_work_come_back(dask: DaskCluster) -> None:
             wrong.result()
     with pytest.raises(RuntimeError, match="submit: expected an executor that is not shut down"):
         executor.submit(operator.add, 1, 2)
+
+
+def test_a_tournament_in_blocks_is_the_one_of_this_process(dask: DaskCluster) -> None:
+    dask.workers(2)
+    settings = tiny_race()
+    sides = [Population(settings.untrained(team, 5), settings.network) for team in TEAMS]
+    play = partial(tournament, settings.world, *sides, seed=3, episodes=2)
+    rows: list[int] = []
+    with cluster(dask.address) as executor:
+        # So little time that each of the 25 pairs is a block.
+        found = play(executor=executor, block_seconds=1e-9, on_row=rows.append)
+    assert len(rows) == 25
+    for name, array in play().arrays().items():
+        np.testing.assert_array_equal(found.arrays()[name], array)
 
 
 def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ import shutil
 import sys
 import time
 import warnings
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -28,7 +29,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.storage import COLUMNS
-from tiny_race import StopAt, results, tiny_race, tiny_single
+from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
 SETTINGS = {
     "race": tiny_race(),
@@ -402,6 +403,31 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_pa
 
 def interrupted(*args, **options):
     raise KeyboardInterrupt
+
+
+@contextmanager
+def as_nobody():
+    """Give up the rights of root, who may write into every directory."""
+    own = os.geteuid()
+    os.seteuid(65534 if own == 0 else own)
+    try:
+        yield
+    finally:
+        os.seteuid(own)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs permissions")
+def test_a_directory_that_cannot_be_written_to_is_refused(stopped, straight):
+    with directory_in_memory() as place:
+        place.chmod(0o755)  # pytest's own directories are closed to other users
+        run = Path(shutil.copytree(stopped, place / "run"))
+        run.chmod(0o555)
+        with as_nobody():
+            said = matrixworld_command("evolve", "--resume", run, code=1).stderr
+        assert f"Error: [Errno 13] Permission denied: '{run}" in said
+        run.chmod(0o755)
+        matrixworld_command("evolve", "--resume", run)
+        assert results(run) == results(straight)
 
 
 def test_a_full_disk_is_reported_with_the_next_command(stopped, straight, tmp_path, monkeypatch):
