@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import re
 import shutil
+import zlib
 from functools import partial
 from html import unescape
 from pathlib import Path
@@ -25,6 +27,7 @@ from matrixworld.explorer.runs_page import (
     explorer_page,
     heading,
     kept_generations,
+    packed,
     run_data,
     training_curve,
 )
@@ -327,15 +330,21 @@ def test_an_address_leads_to_a_match_and_its_step(opened: Browser) -> None:
     assert browser.errors() == []
 
 
-@pytest.mark.parametrize("first", ["", "AAAA", "!", "AADAfwAAwH8AAMB/"])
+@pytest.mark.parametrize("damage", ["missing", "cut", "no base64", "a NaN"])
 def test_damaged_genomes_are_told_where_the_match_would_be(
-    browser: Browser, job: Job, tmp_path: Path, first: str
+    browser: Browser, job: Job, tmp_path: Path, damage: str
 ) -> None:
-    """A genome is missing or cut, is no base64, or holds a NaN."""
     start, genomes, end = re.split(
         r'(?<=id="genomes-0-evader">)([^<]+)', explorer_page([job["race"]]), maxsplit=1
     )
-    write_page(tmp_path / "page.html", start + first + genomes[16:] + end)
+    nan = packed(np.full_like(job["race"].teams["evader"].genomes, np.nan))
+    damaged = {
+        "missing": "",
+        "cut": genomes[:-40],
+        "no base64": f"!{genomes[1:]}",
+        "a NaN": base64.b64encode(nan).decode(),
+    }
+    write_page(tmp_path / "page.html", start + damaged[damage] + end)
     browser.open(tmp_path / "page.html")
     problem = browser.js("document.querySelector('#match .problem').textContent")
     assert problem.startswith("The page is damaged: it does not hold the ")
@@ -417,8 +426,11 @@ def test_genomes_are_exact(race: SavedRun) -> None:
         for number, teams in enumerate(archives.teams):
             assert teams[team]["genomes"] == f"genomes-{number}-{team}"
             population = race.teams[team]
-            raw = np.frombuffer(archives.blobs[f"genomes-{number}-{team}"], "<f4")
-            np.testing.assert_array_equal(raw.reshape(population.genomes.shape), population.genomes)
+            planes = zlib.decompress(archives.blobs[f"genomes-{number}-{team}"])
+            places = np.frombuffer(planes, np.uint8).reshape(4, -1).T
+            joined = np.ascontiguousarray(places).view("<u4").reshape(population.genomes.shape)
+            bits = np.bitwise_xor.accumulate(joined, axis=0)
+            np.testing.assert_array_equal(bits, population.genomes.view("<u4"))
             assert teams[team]["kept"] == [0, 1, 2]
 
 

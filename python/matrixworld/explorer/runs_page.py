@@ -12,6 +12,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,7 +31,7 @@ from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run
-from matrixworld.coevolution.types import TEAMS, Payoff, Team
+from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
 from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
@@ -395,8 +396,8 @@ MOST_BYTES = 48 * 2**20
 class Archives(NamedTuple):
     """The teams of the runs of a page, as plain values that name their genomes in the blobs.
 
-    A blob holds float32 in little-endian order, generation after generation. Every `step`
-    generations have a genome on the page.
+    A blob holds genomes as `packed` does, generation after generation. Every `step` generations
+    have a genome on the page.
     """
 
     teams: tuple[dict[Team, dict[str, Any]], ...]
@@ -442,7 +443,7 @@ def _plain_team(
     if isinstance(team, str):
         return {"script": team, "network": None, "generations": 1, "kept": [0], "genomes": ""}
     network, kept = team.network, kept_generations(len(team.genomes), step)
-    blobs[identifier] = np.ascontiguousarray(team.genomes[kept], dtype="<f4").tobytes()
+    blobs[identifier] = packed(team.genomes[kept])
     return {
         "script": None,
         "network": {**plain_values(network), "genome_size": network.genome_size},
@@ -450,3 +451,15 @@ def _plain_team(
         "kept": kept,
         "genomes": identifier,
     }
+
+
+def packed(genomes: Genomes) -> bytes:
+    """Return genomes (generations, genes) as bytes from which a page makes the very same numbers.
+
+    A generation differs from the one before it in the low bits of its numbers. So each is joined by
+    exclusive or with that one, equal places of the float32 come together, and are compressed.
+    """
+    bits = np.ascontiguousarray(genomes, dtype="<f4").view("<u4")
+    bits = np.concatenate([bits[:1], bits[1:] ^ bits[:-1]])
+    planes = bits.view(np.uint8).reshape(-1, bits.itemsize).T
+    return zlib.compress(planes.tobytes(), 9)

@@ -1,5 +1,6 @@
 // What the page holds of its runs; `matrixworld.explorer.runs_page` writes it.
 
+import { unzlibSync } from "fflate";
 import type { PageData } from "../playground/data.ts";
 import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
@@ -151,7 +152,7 @@ export function whyNot(run: Run, team: Team, generation: number): string {
     return `The page holds no genome of ${team}s ${generation}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
   }
   const expected = kept.length * network.genome_size;
-  if (genomesOf(genomes).length === expected) return "";
+  if (genomesOf(genomes, network.genome_size).length === expected) return "";
   return `The page is damaged: it does not hold the ${expected} numbers of the ${team}s' genomes. Write it again from its run.`;
 }
 
@@ -162,26 +163,41 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
   const place = kept.indexOf(generation);
   if (place < 0) throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
   const size = network.genome_size;
-  const genome = genomesOf(genomes).subarray(place * size, (place + 1) * size);
+  const genome = genomesOf(genomes, size).subarray(place * size, (place + 1) * size);
   return { hidden: network.hidden, activation: network.activation, sampled: network.sampled, genome } satisfies NetworkPolicy;
 }
 
+/** Bytes of a number. */
+const BYTES = 4;
 const decoded = new Map<string, Float32Array>();
 
 /** Return the genomes of an archive, decoded when a match first needs them; none if damaged. */
-function genomesOf(identifier: string): Float32Array {
+function genomesOf(identifier: string, size: number): Float32Array {
   const known = decoded.get(identifier);
   if (known) return known;
   let genomes = new Float32Array();
   try {
-    const found = new Float32Array(bytesOf(identifier).buffer);
+    const found = unpacked(bytesOf(identifier), size);
     if (found.every(Number.isFinite)) genomes = found;
   } catch (error) {
-    // Text that is no base64, or a part of a number: `whyNot` says so.
-    if (!(error instanceof DOMException || error instanceof RangeError)) throw error;
+    // Text that is no base64, or a part of the bytes: `whyNot` says so.
+    if (!(error instanceof DOMException || error instanceof RangeError || isCut(error))) throw error;
   }
   decoded.set(identifier, genomes);
   return genomes;
+}
+
+const isCut = (error: unknown): boolean => error instanceof Error && "code" in error;
+
+/** Return genomes of so many numbers, as `matrixworld.explorer.runs_page` packs them. */
+function unpacked(packed: Uint8Array, size: number): Float32Array<ArrayBuffer> {
+  const planes = unzlibSync(packed);
+  const count = planes.length / BYTES;
+  const bytes = new Uint8Array(planes.length);
+  for (let at = 0; at < bytes.length; at++) bytes[at] = planes[(at % BYTES) * count + Math.floor(at / BYTES)]!;
+  const bits = new Uint32Array(bytes.buffer);
+  for (let at = size; at < bits.length; at++) bits[at]! ^= bits[at - size]!;
+  return new Float32Array(bytes.buffer);
 }
 
 /** Return what a data element of the page holds as base64. */
