@@ -294,7 +294,9 @@ def test_a_headline_says_when() -> None:
         "CYCLING early, FORGETTING late": when(cycling="wf", forgetting="l"),
         "CYCLING, FORGETTING": when(cycling="wfl", forgetting="fl"),
         "CYCLING and FORGETTING late": when(cycling="l", forgetting="l"),
-        "FORGETTING throughout, CYCLING overall": when(cycling="w", forgetting="wfl"),
+        "ARMS RACE and FORGETTING overall, CYCLING early": when(
+            arms="w", cycling="wf", forgetting="wfl"
+        ),
         "cannot tell": when(arms="?"),
         "no condition is present": when(),
     }

@@ -38,7 +38,7 @@ SHORT = {
 """Short names of some numbers in the table of a judgement; the others have their labels."""
 TIMES = {"first half": "early", "last half": "late"}
 """Windows in a headline."""
-THROUGHOUT = "throughout"
+OVERALL = "overall"
 IMPLIED = {"arms race": "rise", "one-sided progress": "rise", "cycling": "intransitivity"}
 """Conditions that say what another one says, too; a headline leaves that one out."""
 GAINING = ("arms race", "one-sided progress", "rise")
@@ -54,30 +54,27 @@ RANKED_PAIRS = 1024
 def headline(judgement: Judgement) -> str:
     """Return what is present, and when, in one sentence; commands, figures and pages share it.
 
-    Such as ``"CYCLING early, FORGETTING late"``. A condition without a time is present in both
-    halves, or in a race too short to have halves; "overall" in the whole race, but in neither half
-    alone. "cannot tell" if nothing is present in any window and not everything is absent.
+    Such as ``"CYCLING early, FORGETTING late"``. "early" and "late" are the halves of a race. What is
+    present in both halves, or only in the whole race, is so "overall", or has no time. "cannot
+    tell" if nothing is present in any window and not everything is absent.
 
     Parameters
     ----------
     judgement : Judgement
     """
-    at: dict[str, list[str]] = {time: [] for time in (THROUGHOUT, "overall", *TIMES.values())}
+    at: dict[str, list[str]] = {time: [] for time in (OVERALL, *TIMES.values())}
     for name, windows in _present(judgement).items():
         halves = [TIMES[window] for window in windows if window in TIMES]
-        short = judgement.window not in TIMES
-        time = "overall" if not (halves or short) else halves[0] if len(halves) == 1 else THROUGHOUT
-        at[time].append(name.upper())
+        at[halves[0] if len(halves) == 1 else OVERALL].append(name.upper())
     if not any(at.values()):
         verdicts = {each.verdict for found in judgement.windows.values() for each in found.values()}
         return CANNOT_TELL if CANNOT_TELL in verdicts else "no condition is present"
-    if not any(names for time, names in at.items() if time != THROUGHOUT):
-        return ", ".join(at[THROUGHOUT])
+    if not (at["early"] or at["late"]):
+        return ", ".join(at[OVERALL])
     parts = [f"{' and '.join(names)} {time}" for time, names in at.items() if names]
-    early = [name.lower() for name in at["early"]]
-    if early and not (at["late"] or at[THROUGHOUT]):
-        undecided = any(judgement.headline[name].verdict == CANNOT_TELL for name in early)
-        parts.append("later undecided" if undecided else "not later")
+    if not (at["late"] or at[OVERALL]):
+        early = (judgement.headline[name.lower()].verdict for name in at["early"])
+        parts.append("later undecided" if CANNOT_TELL in early else "not later")
     return ", ".join(parts)
 
 
