@@ -96,6 +96,13 @@ class Claim:
     published: str = ""
     squared: bool = False
 
+    def tested(self) -> str:
+        """Return statement, number, threshold and seeds as a cell in two lines."""
+        than = self.than**0.5 if self.squared else self.than
+        seeds = len(next(iter(self.values.values())))
+        published = f"; published: {self.published}" if self.published else ""
+        return f"{self.says}<br>*{self.measured} {self.side} {than:g}{published}; {seeds} seeds*"
+
     def p_value(self, column: str) -> float:
         """Return the p-value of the number in a column, not adjusted."""
         values = self.values[column]
@@ -117,7 +124,7 @@ class Claim:
             # Noise is subtracted from a square, so it may be negative.
             ends = (end and max(0.0, end) ** 0.5 for end in (found.value, found.low, found.high))
             found = analysis.Estimate(*ends)  # type: ignore[arg-type]  # the value is a number
-        return written(found)
+        return written(found, digits=0 if abs(found.value) > 1000 else 3)
 
 
 # Races, in parts of them:
@@ -474,6 +481,12 @@ NUMBER_OF = {
 """A number of each part, which shows that the part has been measured."""
 
 
+HEAD = """# Claims of the paper
+
+A cell holds the verdict, the mean over the seeds with its 95 % interval, and the p-value, adjusted
+for all tests of the same table. The last table holds the scores of all candidates."""
+
+
 def claims(numbers: Numbers) -> list[Claim]:
     """Return the claims of the parts that are measured, from the numbers of `measured`."""
     return [
@@ -489,7 +502,7 @@ def tables(numbers: Numbers) -> str:
     by_columns: dict[tuple[str, ...], list[Claim]] = {}
     for claim in claims(numbers):
         by_columns.setdefault(tuple(claim.values), []).append(claim)
-    parts = [table(columns, of_table) for columns, of_table in by_columns.items()]
+    parts = [HEAD, *(table(columns, of_table) for columns, of_table in by_columns.items())]
     missing = [part for part, number in NUMBER_OF.items() if number not in numbers]
     if missing:
         parts.append(f"Not measured: {', '.join(missing)} (`--parts`).")
@@ -500,25 +513,22 @@ def tables(numbers: Numbers) -> str:
 
 def table(columns: Sequence[str], of_table: Sequence[Claim]) -> str:
     """Return claims with the same columns as a table in Markdown, with p-values adjusted in it."""
-    names = [f"{column}: mean [95 %]" if column else "mean [95 %]" for column in columns]
-    heads = ["the paper's claim", "number", "claimed", "published", "seeds", *names]
+    heads = [
+        "the paper's claim, and the number that tests it",
+        *(each or "found" for each in columns),
+    ]
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     unadjusted = [claim.p_value(column) for claim in of_table for column in columns]
     adjusted = holm(unadjusted).reshape(len(of_table), len(columns))
     for claim, p_values in zip(of_table, adjusted, strict=True):
-        than = claim.than**0.5 if claim.squared else claim.than
-        cells = [
-            claim.says, claim.measured, f"{claim.side} {than:g}", claim.published,
-            str(len(claim.values[columns[0]])),
-            *(cell(claim, column, p) for column, p in zip(columns, p_values, strict=True)),
-        ]  # fmt: skip
-        lines.append(f"| {' | '.join(cells)} |")
+        cells = [cell(claim, column, p) for column, p in zip(columns, p_values, strict=True)]
+        lines.append(f"| {' | '.join([claim.tested(), *cells])} |")
     return "\n".join(lines)
 
 
 def cell(claim: Claim, column: str, p: float) -> str:
-    """Return mean, interval, adjusted p-value and verdict of a claim in a column."""
-    return f"{claim.shown(column)}; {shown_p(p)}; **{claim.verdict(column, p)}**"
+    """Return verdict, mean, interval and adjusted p-value of a claim in a column."""
+    return f"**{claim.verdict(column, p)}**<br>{claim.shown(column)}<br>{shown_p(p)}"
 
 
 def scores(numbers: Numbers) -> str:

@@ -15,6 +15,7 @@ from pathlib import Path
 import click
 import numpy as np
 import pytest
+from click.shell_completion import ShellComplete
 from click.testing import CliRunner
 from PIL import Image
 
@@ -187,6 +188,21 @@ def test_pages_are_written_without_docstrings():
     done = started("playground", {"PYTHONOPTIMIZE": "2"})
     assert done.returncode == 0, done.stderr
     assert Path("playground.html").exists()
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        (["evolve", "--variant", "s"], ["S", "SB", "SD", "SDB"]),
+        (["evolve", "--learner", "c"], ["cma"]),
+        (["evolve", "--schedule", "h"], ["hall-of-fame"]),
+        (["bench", "t"], ["TO"]),
+    ],
+)
+def test_a_shell_completes_names(typed: list[str], offered: list[str]):
+    *words, incomplete = typed
+    found = ShellComplete(main, {}, "matrixworld", "").get_completions(words, incomplete)
+    assert [item.value for item in found] == offered
 
 
 def started(command: str, environment: dict[str, str]) -> subprocess.CompletedProcess[str]:

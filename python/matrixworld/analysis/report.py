@@ -54,8 +54,8 @@ RANKED_PAIRS = 1024
 def headline(judgement: Judgement) -> str:
     """Return what is present, and when, in one sentence; commands, figures and pages share it.
 
-    Such as ``"CYCLING early, FORGETTING late"``. "early" and "late" are the halves of a race. What is
-    present in both halves, or only in the whole race, is so "overall", or has no time. "cannot
+    Such as ``"CYCLING early, FORGETTING late"``. "early" and "late" are the halves of a race. What
+    is present in both halves, or only in the whole race, is so "overall", or has no time. "cannot
     tell" if nothing is present in any window and not everything is absent.
 
     Parameters

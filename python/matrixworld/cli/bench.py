@@ -30,6 +30,7 @@ from matrixworld.cli.options import (
     FiniteRange,
     force_option,
     json_option,
+    one_of,
     refuse_existing,
     threads_option,
     write_json,
@@ -43,6 +44,7 @@ from matrixworld.world.arrays import array_specs, episode_specs
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population
+from matrixworld.world.rules import VARIANTS
 
 # The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ("32", "64,64", "400,300")
@@ -234,7 +236,12 @@ def matches_of(races: Sequence[RaceSettings]) -> float:
 
 
 @click.command("bench", short_help="Measure how fast this machine plays.")
-@click.argument("variant", default="O", type=click.types.FuncParamType(str.upper))
+@click.argument(
+    "variant",
+    default="O",
+    type=click.types.FuncParamType(str.upper),
+    shell_complete=one_of(VARIANTS),
+)
 @click.option(
     "--hidden",
     type=parsed,

@@ -32,6 +32,7 @@ from matrixworld.cli.options import (
     cluster_option,
     given_options,
     on_cluster,
+    one_of,
     option_name,
     seed_option,
     seeds_option,
@@ -157,6 +158,7 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
 )
 @click.option(
     "--learner",
+    shell_complete=one_of(kinds_in(HINTS["learner"])),
     metavar="NAME",
     help=f"{', '.join(kinds_in(HINTS['learner']))}, or one of your own, as module:object  "
     "[default: es]",

@@ -41,6 +41,13 @@ def option_name(field_name: str) -> str:
     return "--" + field_name.replace("_", "-")
 
 
+def one_of(names: Iterable[str]) -> Callable[[Any, Any, str], list[str]]:
+    """Return what completes these names in a shell, for options that take other words, too."""
+    return lambda ctx, param, typed: [
+        name for name in names if name.lower().startswith(typed.lower())
+    ]
+
+
 class FiniteRange(click.FloatRange):
     """A range of numbers that does not let nan pass."""
 
@@ -229,6 +236,7 @@ SPECIAL: dict[str, Callable[[Any], Any]] = {
     "variant": click.option(
         "--variant",
         type=click.types.FuncParamType(str.upper),
+        shell_complete=one_of(VARIANTS),
         metavar="NAME",
         help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
     ),
