@@ -266,7 +266,7 @@ def test_words_and_json() -> None:
     assert [row[0] for row in rows[: len(CONDITIONS)]] == list(CONDITIONS)
     circles = next(row for row in rows if row[0] == "intransitivity")
     # A cosine of amplitude .45 has .32; a part of it lies in the nearest order.
-    assert circles[2].startswith("intransitivity 0.28")
+    assert circles[2].startswith("deviation 0.28")
     told = analysis.explain(judgement)
     assert "Cycling: present, because strategies of the pursuers and the evaders return" in told
     plain = judgement.to_json()

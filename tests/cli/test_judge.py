@@ -59,9 +59,9 @@ def test_a_run_is_judged_by_its_episodes(job):
     }
     lines = result.stdout.splitlines()
     head = "1 run, 13 pursuer and 13 evader generations, 4 episodes of each pair"
-    assert lines[1] == f"{job / '1'}: {head}"
-    assert re.match(r"condition +verdict +95% interval +window$", lines[2])
-    assert max(map(len, lines[2:])) <= 100
+    assert lines[1:4] == [str(job / "1"), headline(expected), head]
+    assert re.match(r"condition +verdict +95% interval +window$", lines[4])
+    assert max(map(len, lines[2:])) <= 80
     said = run_together(result.stdout)
     assert "because" not in said
     assert said.endswith("Terms are explained in docs/glossary.md. Written: found.json")

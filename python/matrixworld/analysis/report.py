@@ -34,7 +34,7 @@ SHORT = {
     f"{team}_{number}": f"{team}s"
     for team in ("pursuer", "evader")
     for number in ("gain", "change", "recurrence", "forgetting")
-}
+} | {"one_sidedness": "winning team", "squared_intransitivity": "deviation"}
 """Short names of some numbers in the table of a judgement; the others have their labels."""
 TIMES = {"first half": "early", "last half": "late"}
 """Windows in a headline."""
@@ -154,7 +154,7 @@ def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
         # Numbers of an earlier row are named by its condition.
         owner = first.setdefault((numbers, window), condition)
         cell = f"as for {owner}" if numbers and owner != condition else numbers
-        rows.append((condition, verdict, cell.replace("), ", ")\n"), window))
+        rows.append((condition, verdict, cell.replace(", ", "\n"), window))
     return rows
 
 

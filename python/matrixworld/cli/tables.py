@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from matrixworld.analysis import Estimate, Judgement, interval_over_runs
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
-from matrixworld.analysis.report import judgement_cells
-from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
+from matrixworld.analysis.report import headline, judgement_cells
+from matrixworld.cli.console import columns, print_table, print_wrapped, say
 from matrixworld.cli.groups import Group
 from matrixworld.coevolution.types import Team
 
@@ -79,7 +79,8 @@ STRIP_LEGEND = (
 
 def print_judged(group: Group) -> None:
     """Print the judgement of a group, and of several seeds the verdict on each."""
-    print_head(f"{group.name}: {counts(group.judgement)}")
+    print_head(group.name)
+    say(f"{headline(group.judgement)}\n{counts(group.judgement)}")
     print_judgement(group.judgement)
     if group.several:
         say()
@@ -97,7 +98,7 @@ def print_missing(group: Group) -> None:
 def print_strip(group: Group) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     seeds = sorted([*group.seeds, *group.missing])
-    beside = max(1, (WIDEST - 50) // (2 + max(len(str(seed)) for seed in seeds)))
+    beside = max(1, (columns() - 50) // (2 + max(len(str(seed)) for seed in seeds)))
     for first in range(0, len(seeds), beside):
         part, is_last = seeds[first : first + beside], first + beside >= len(seeds)
         rows = [("seed", *map(str, part), TOGETHER if is_last else "")]
