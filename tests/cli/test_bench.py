@@ -88,7 +88,7 @@ def test_rates_are_medians_and_multiples_of_one_thread():
 
 
 def test_how_long_evolve_takes(tmp_path):
-    races = [RaceSettings(schedule=name) for name in MAIN_JOB[::2]]
+    races = [RaceSettings(schedule=name) for name in MAIN_JOB]
     # Elites and archives play no matches with the default settings.
     started = [start(race, tmp_path / race.schedule.name) for race in races]
     training = sum(race.training_matches() for race in started)

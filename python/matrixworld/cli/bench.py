@@ -49,6 +49,8 @@ from matrixworld.world.rules import VARIANTS
 # The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ("32", "64,64", "400,300")
 REPEATS, SECONDS, LONGEST = 5, 4.0, 3600.0
+LEARNED = 1.25
+"""How much longer matches take, on average, when teams have learned to move."""
 
 MANY = 1024
 MOST_VIEWS = 2**28
@@ -217,16 +219,18 @@ def seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | No
         return None
     timing = timings_of_matches(races[0], check_threads(threads))[-1]
     timing.repeat(0)
-    return matches_of(races) / (timing.rate * timing.at_once)
+    return LEARNED * matches_of(races) / (timing.rate * timing.at_once)
 
 
 def matches_of(races: Sequence[RaceSettings]) -> float:
     """Return how many matches races play, those of the evaluation in units of training matches."""
-    trained = sum(
-        race.schedule.total_epochs(team) * race.learner.population * race.match_episodes
-        for race in races
-        for team in TEAMS
-    )
+    trained = 0
+    for race in races:
+        schedule = race.schedule
+        # A match of two living individuals counts for the pursuers.
+        met = {"pursuer": schedule.opponents_met, "evader": schedule.sampled_opponents}
+        epochs = sum(schedule.total_epochs(team) * met[team] for team in TEAMS)
+        trained += epochs * race.learner.population * race.match_episodes
     # Generation 0 is evaluated, too; the matches of the evaluation are longer.
     evaluated = sum(race.schedule.entries**2 * race.evaluation_episodes for race in races)
     return trained + evaluated * races[0].world.max_steps / races[0].train_steps

@@ -66,7 +66,7 @@ from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TE
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
-SHOWN_SECONDS = 3.0
+SHOWN_SECONDS = 4.0
 """About what scores and figures of a race take, beside its matches."""
 
 # \b keeps click from wrapping the lines.
