@@ -238,6 +238,6 @@ def test_all_commands_come_to_the_same_judgement(run):
     payoff = planned([group], path)[path / "payoff.png"]().axes[0].get_title()
     assert payoff == f"specialist-specialist, seed 5\n{headline(expected)}"
     two = group_figure("comparison", {"a": group, "b": group}, {})
-    texts = [[run_together(text.get_text()) for text in axes.texts] for axes in two.axes[:2]]
-    assert all(headline(expected) in text for text in texts)
+    texts = [" ".join(text.get_text() for text in axes.texts) for axes in two.axes[:2]]
+    assert all(headline(expected) in run_together(text) for text in texts)
     assert plots.comparison({"a": rates.mean(axis=2)}).axes[0].texts[-1].get_text() == ""
