@@ -36,7 +36,7 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.setting_options import parsed, set_option, settings_of
-from matrixworld.coevolution import TEAMS, Progress, RaceSettings
+from matrixworld.coevolution import TEAMS, HallOfFame, Progress, RaceSettings
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
@@ -227,8 +227,9 @@ def matches_of(races: Sequence[RaceSettings]) -> float:
     trained = 0
     for race in races:
         schedule = race.schedule
-        # A match of two living individuals counts for the pursuers.
-        met = {"pursuer": schedule.opponents_met, "evader": schedule.sampled_opponents}
+        # A match of two living individuals is one match, here of the pursuers.
+        living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
+        met = {"pursuer": schedule.opponents_met, "evader": schedule.opponents_met - living}
         epochs = sum(schedule.total_epochs(team) * met[team] for team in TEAMS)
         trained += epochs * race.learner.population * race.match_episodes
     # Generation 0 is evaluated, too; the matches of the evaluation are longer.
