@@ -7,6 +7,10 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <exception>
+#include <string>
+#include <system_error>
+#include <utility>
 
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
@@ -104,6 +108,16 @@ std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
 // a second caller, and rollouts share nothing (see one_caller.hpp).
 PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
     m.doc() = "The engine of matrixworld. Use it through the package.";
+
+    // Threads that the system does not start, such as beyond the limit of `ulimit -u`.
+    py::register_local_exception_translator([](std::exception_ptr problem) {
+        try {
+            std::rethrow_exception(std::move(problem));
+        } catch (const std::system_error& error) {
+            const std::string expected = "threads: expected the system to start more, got: ";
+            py::set_error(PyExc_OSError, (expected + error.what()).c_str());
+        }
+    });
 
     py::native_enum<Outcome>(m, "Outcome", "enum.Enum", "What a collision does to an agent.")
         .value("DISAPPEAR", Outcome::Disappear)

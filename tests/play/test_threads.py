@@ -50,6 +50,25 @@ print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_
     assert output.split() == ["2", "True", "1", "0"]
 
 
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="the system tells no sizes")
+def test_threads_that_the_system_does_not_start_are_told() -> None:
+    """There is room for the stack of one thread, not for those of eight."""
+    output = run("""
+import resource
+from pathlib import Path
+
+taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+stack = max(resource.getrlimit(resource.RLIMIT_STACK)[0], 2**20)
+resource.setrlimit(resource.RLIMIT_AS, (taken + 2 * stack,) * 2)
+try:
+    mw.rollout("SB", "still", "still", mw.Matches.of(0, 0, np.arange(64)), threads=9)
+except OSError as error:
+    print(type(error).__name__, error)
+""")
+    expected = "OSError threads: expected the system to start more, got: Resource temporarily"
+    assert output.startswith(expected)
+
+
 @pytest.mark.parametrize(
     ("own", "limits", "cores"),
     [

@@ -5,9 +5,12 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 import time
+from multiprocessing.connection import Connection
 from pathlib import Path
 
+from matrixworld.coevolution.jobs import worker
 from own_code import HillClimber
 
 
@@ -16,6 +19,16 @@ def slow(seconds: float, directory: str) -> int:
     (Path(directory) / str(os.getpid())).touch()
     time.sleep(seconds)
     return os.getpid()
+
+
+def begin_without_threads(lifeline: Connection) -> None:
+    """Begin as a worker for which the system starts no thread."""
+
+    def fail(self: object) -> None:
+        raise RuntimeError("can't start new thread")
+
+    threading.Thread.start = fail  # type: ignore[method-assign]
+    worker._begin(lifeline)
 
 
 class Exits(HillClimber):

@@ -150,6 +150,8 @@ def failures() -> Iterator[None]:
         raise
     except FAILURES as error:
         raise click.ClickException(str(error)) from error
-    except MemoryError as error:
+    except (ImportError, MemoryError) as error:
+        if isinstance(error, ImportError) and "map segment" not in str(error):
+            raise
         # Estimates count what grows with the options, and other programs take memory meanwhile.
         raise click.ClickException("this machine has too little memory for these sizes") from error

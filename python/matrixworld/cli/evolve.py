@@ -280,9 +280,10 @@ def _resumable(root: Path) -> Iterator[None]:
 
     An error in the code of the user's own learner keeps its traceback.
     """
+    memory = ImportError, MemoryError
     try:
         yield
-    except (BrokenExecutor, KeyboardInterrupt, OSError, PluginError) as error:
+    except (*memory, BrokenExecutor, KeyboardInterrupt, OSError, PluginError) as error:
         if not can_resume(root):  # stopped before anything was made: the command itself is repeated
             raise
         note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")

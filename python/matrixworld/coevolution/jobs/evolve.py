@@ -436,8 +436,9 @@ class JobPlay:
                 starts_lost = 0 if in_work else starts_lost + 1
                 if starts_lost == TRIES:
                     raise BrokenExecutor(
-                        f"worker processes: expected some that start, lost {TRIES}; there is too "
-                        'little memory, or a script has no `if __name__ == "__main__":`'
+                        f"worker processes: expected some that start, lost {TRIES}; memory or "
+                        "the number of processes has too low a limit, or a script has no "
+                        '`if __name__ == "__main__":`'
                     ) from error
                 self._losses.update(in_work)
                 for name in in_work:

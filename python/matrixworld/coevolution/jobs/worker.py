@@ -214,26 +214,55 @@ class WorkerProcesses(ProcessPoolExecutor):
         # spawn: a fork would copy locks that other threads of this process hold.
         context = multiprocessing.get_context("spawn")
         # When this end closes, even because this process was killed, the workers end.
-        ends, self._lifeline = context.Pipe(duplex=False)
-        super().__init__(workers, context, _begin, (ends,))
-        self._ends = ends
+        with _starting():
+            self._ends, self._lifeline = context.Pipe(duplex=False)
+            super().__init__(workers, context, _begin, (self._ends,))
+        self._calls: list[Future[Any]] = []
+        self._problem: BrokenExecutor | None = None
+        self._hook, threading.excepthook = threading.excepthook, self._lost
+
+    def _lost(self, args: threading.ExceptHookArgs) -> None:
+        """Fail all calls if the thread that hands them out dies: they would wait for ever."""
+        manager: Any = self._executor_manager_thread
+        if args.thread is not manager:
+            self._hook(args)
+            return
+        self._problem = BrokenExecutor(str(args.exc_value))
+        for call in self._calls:
+            if not call.done():
+                call.set_exception(self._problem)
 
     def submit(self, fn: Callable[..., Result], /, *args: Any, **kwargs: Any) -> Future[Result]:
         """Return the future of a call; OSError if a process cannot be started."""
-        try:
-            with without_interrupts():
-                return super().submit(fn, *args, **kwargs)
-        except BrokenExecutor:
-            raise
-        except (OSError, RuntimeError) as error:  # such as the limits of ulimit -u and -n
-            raise OSError(f"worker processes: expected to start one, got: {error}") from error
+        with _starting():
+            self._calls.append(super().submit(fn, *args, **kwargs))
+        if self._problem:
+            raise self._problem
+        return self._calls[-1]
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
         """End the workers at once, whatever they do: files are safe at any moment."""
         self._lifeline.close()
+        # Those that have not begun do not look at their end. Python 3.14 has kill_workers.
+        for process in (processes := [*(self._processes or {}).values()]):
+            process.kill()
         with suppress(RuntimeError):  # its own thread could not be started, either
             super().shutdown(wait, cancel_futures=cancel_futures)
+        for process in processes:
+            process.join()
+        threading.excepthook = self._hook
         self._ends.close()
+
+
+@contextmanager
+def _starting() -> Iterator[None]:
+    try:
+        with without_interrupts():
+            yield
+    except BrokenExecutor:
+        raise
+    except (OSError, RuntimeError) as error:  # such as the limits of ulimit -u and -n
+        raise OSError(f"worker processes: expected to start one, got: {error}") from error
 
 
 @contextmanager
@@ -259,7 +288,10 @@ def _begin(lifeline: Connection) -> None:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
     warnings.simplefilter("ignore", DisengagementWarning)
-    threading.Thread(target=_end_with, args=(lifeline,), daemon=True).start()
+    try:
+        threading.Thread(target=_end_with, args=(lifeline,), daemon=True).start()
+    except RuntimeError:  # the limit of ulimit -u: the main process counts the workers it loses
+        os._exit(1)
 
 
 def _end_with(lifeline: Connection) -> None:
