@@ -6,6 +6,7 @@ import base64
 import json
 import re
 import shutil
+import time
 import zlib
 from functools import partial
 from html import unescape
@@ -14,13 +15,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image, ImageSequence
 
 from browser import DESKTOP, LAPTOP, PHONE, READY, Browser
 from matrixworld import World, WorldConfig, analysis
+from matrixworld.analysis.cycles import Checkerboard
 from matrixworld.analysis.report import headline_numbers
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import explore
+from matrixworld.explorer.guided_minute import guided_minute
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import (
     archives_of,
@@ -198,7 +202,7 @@ def test_an_agent_shows_its_view_and_the_answer_of_its_network(opened: Browser, 
 def test_a_checkerboard_plays_four_matches(
     browser: Browser, job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    board = {"pursuers": [0, 2], "evaders": [1, 0], "margin": 0.4}
+    board = Checkerboard((0, 2), (1, 0), 0.4)
     found = "matrixworld.explorer.runs_page.strongest_checkerboards"
     monkeypatch.setattr(found, lambda matrix, **options: [board])
     write_page(tmp_path / "board.html", explorer_page([job["race"]]))
@@ -218,7 +222,12 @@ def test_readers_with_disabilities_are_not_hindered(
     page = tmp_path / "page.html"
     write_page(page, explorer_page(list(job.values()), note="Some runs are left out."))
     press = "document.querySelector('{}').click()".format
-    assert browser.hindrances(page, *map(press, (".keys-button", ".miniature"))) == {}
+    assert (
+        browser.hindrances(
+            page, *map(press, (".keys-button", ".miniature", ".begin-minute", ".to-share"))
+        )
+        == {}
+    )
 
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE])
@@ -245,6 +254,42 @@ def test_the_page_introduces_itself(opened: Browser) -> None:
     )
     changes = f"Array.from({after}).filter((now, i) => now > Array.from({before})[i]).length"
     assert 0 < opened.js("document.querySelectorAll('.captures i').length") <= opened.js(changes)
+
+
+def test_the_guided_minute_drives_the_page(opened: Browser, job: Job) -> None:
+    stops = run_data("race", job["race"])["findings"]["guided_minute"]
+    bar, four = "document.querySelector('.guided')", "document.querySelector('dialog.four').open"
+    opened.click(".begin-minute")
+    for number, stop in enumerate(stops, 1):
+        assert opened.js(f"{bar}.querySelector('p').textContent") == f"{number} of 5 {stop['text']}"
+        opened.wait(f"{PLAYED} === '0 {stop['pursuer']} {stop['evader']} 0 '")
+        assert opened.js(four) is (stop["shows"] == "checkerboard")
+        opened.driver.execute_script(f"{bar}.querySelectorAll('button')[1].click()")
+    assert opened.js(f"{bar}.hidden")
+    opened.press("3")  # a team alone is not judged
+    assert opened.js("document.querySelector('.begin-minute').hidden")
+    assert opened.errors() == []
+
+
+def test_a_match_is_saved_as_a_gif_of_ten_seconds(opened: Browser, tmp_path: Path) -> None:
+    opened.prefer(prefers_color_scheme="light")
+    where = {"behavior": "allow", "downloadPath": str(tmp_path)}
+    opened.driver.execute_cdp_cmd("Browser.setDownloadBehavior", where)
+    opened.click(".to-share")
+    assert opened.js("document.querySelector('.share input').value === location.href")
+    opened.click(".save-gif")
+    opened.wait("document.querySelector('.share [role=status]').textContent.startsWith('Saved')")
+    file = tmp_path / "pursuers-2-evaders-2.gif"
+    deadline = time.monotonic() + 20
+    while not file.exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    with Image.open(file) as film:
+        pictures = list(ImageSequence.all_frames(film, lambda frame: frame.convert("RGB")))
+        seconds = sum(frame.info["duration"] for frame in ImageSequence.Iterator(film)) / 1000
+        assert (film.size, seconds) == ((480, 480), 10)
+    assert pictures[0].tobytes() != pictures[-1].tobytes()
+    assert {(213, 94, 0), (0, 114, 178)} <= {color for _, color in pictures[0].getcolors()}
+    assert opened.errors() == []
 
 
 def test_the_page_does_not_jump_when_the_match_arrives(opened: Browser) -> None:
@@ -418,6 +463,37 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     assert found["numbers"] == headline_numbers(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
+
+
+def test_the_guided_minute_says_what_cells_and_the_judgement_say(race: SavedRun) -> None:
+    payoff = race.payoff()
+    matrix, found = payoff.capture_rate, as_read(race)["findings"]
+    stops = found["guided_minute"]
+    judgement = analysis.judge(payoff.capture_rates, per_episode=True)
+    for stop, condition in zip(stops[2:4], ("forgetting", "intransitivity"), strict=True):
+        verdict = judgement.headline[condition].verdict
+        assert stop["text"].endswith(f"The judgement on {condition}: {verdict}.")
+    assert found["headline"] in stops[4]["text"]
+    # What is said of a pair is in its cell, which is the match that is shown.
+    for stop in stops[:2]:
+        assert f"{matrix[stop['pursuer'], stop['evader']]:.0%} of" in stop["text"]
+    assert [(stop["pursuer"], stop["evader"]) for stop in stops[:2]] == [(0, 0), (2, 2)]
+
+
+@pytest.mark.parametrize("forgets", [True, False])
+def test_the_guided_minute_shows_the_largest_loss_if_there_is_one(forgets: bool) -> None:
+    """Later pursuers capture fewer, of early evaders above all; or both teams grow stronger."""
+    g, h = np.mgrid[0:12, 0:12] / 24
+    matrix = 0.6 - g * (1 - h) if forgets else 0.5 + g - h
+    judgement = analysis.judge(matrix)
+    shown = guided_minute(matrix, judgement, (), (range(12), range(12)))[2]
+    assert ("lost most" in shown.text) is forgets
+    if forgets:
+        assert (shown.pursuer, shown.evader) == (11, 0)
+        assert "pursuers 11 capture 14% of them, pursuers 0 60%" in shown.text
+    # Verdicts of the windows that differ are told apart.
+    for window, findings in judgement.windows.items():
+        assert findings["forgetting"].verdict in shown.text, window
 
 
 def test_genomes_are_exact(race: SavedRun) -> None:

@@ -34,6 +34,7 @@ from matrixworld.coevolution.storage import SavedRun, open_run
 from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
 from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes import replay
+from matrixworld.explorer.guided_minute import guided_minute
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.version import __version__
@@ -132,7 +133,13 @@ def explorer_page(
     scores, known = held_out or {}, judgements or {}
     plain = [
         {
-            **run_data(name, run, scores.get(run.files.path), known.get(run.files.path)),
+            **run_data(
+                name,
+                run,
+                scores.get(run.files.path),
+                known.get(run.files.path),
+                step=archives.step,
+            ),
             "teams": teams,
         }
         for name, run, teams in zip(names, runs, archives.teams, strict=True)
@@ -187,11 +194,14 @@ def run_data(
     run: SavedRun,
     held_out: Mapping[str, Any] | None = None,
     judgement: analysis.Judgement | None = None,
+    *,
+    step: int = 1,
 ) -> dict[str, Any]:
     """Return what a page shows of a finished run, without its teams.
 
     `held_out` has ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last
-    ``"evaders"``. A race without `judgement` is judged here.
+    ``"evaders"``. A race without `judgement` is judged here. The page holds the genomes of every
+    generation by a `step`.
     """
     settings, payoff = run.settings, run.payoff()
     teams = [run.teams[team] for team in TEAMS]
@@ -212,7 +222,7 @@ def run_data(
             [str(evaluation_seed(settings.seed, g, h)) for h in range(shape[1])]
             for g in range(shape[0])
         ],
-        "findings": findings(payoff, judgement) if race else None,
+        "findings": findings(payoff, judgement, step=step) if race else None,
         "limits": too_few_episodes(payoff) if race else "",
         "held_out": held_out and {f"{team}s": held_out.get(f"{team}s") for team in TEAMS},
     }
@@ -306,10 +316,14 @@ BOARDS = 12
 """The most checkerboards on a page: the strongest ones."""
 
 
-def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dict[str, Any]:
+def findings(
+    payoff: Payoff, judgement: analysis.Judgement | None = None, *, step: int = 1
+) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.capture_rate
     ratings = analysis.elo(matrix)
+    boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
+    rows, columns = (kept_generations(size, step) for size in matrix.shape)
     judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
     return {
         "headline": analysis.headline(judgement),
@@ -336,7 +350,10 @@ def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dic
             "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
             "offset": ratings.offset * analysis.ELO_POINTS,
         },
-        "checkerboards": plain_values(strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)),
+        "checkerboards": plain_values(boards),
+        "guided_minute": [
+            stop._asdict() for stop in guided_minute(matrix, judgement, boards, (rows, columns))
+        ],
         "margin": MARGIN,
     }
 

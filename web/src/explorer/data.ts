@@ -64,6 +64,14 @@ export interface Checkerboard {
   readonly margin: number;
 }
 
+/** A caption of the guided minute, its match, and the part of the page to look at. */
+export interface Stop {
+  readonly text: string;
+  readonly pursuer: number;
+  readonly evader: number;
+  readonly shows: "match" | "checkerboard" | "judgement";
+}
+
 interface OfTeams<Value> {
   readonly pursuers: Value;
   readonly evaders: Value;
@@ -84,6 +92,7 @@ export interface Findings {
   }>;
   readonly ratings: OfTeams<Curve> & { readonly offset: number };
   readonly checkerboards: readonly Checkerboard[];
+  readonly guided_minute: readonly Stop[];
   readonly margin: number;
 }
 

@@ -7,12 +7,14 @@ import { html } from "../page/dom.ts";
 import { themeButton } from "../page/theme.ts";
 import { followAddress, placeOf } from "./address.ts";
 import { readData } from "./data.ts";
+import { guidedMinute } from "./guided_minute.ts";
 import { helpDialog, listenToKeys } from "./keys.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { panels } from "./panels.ts";
 import { playedMatch } from "./play.ts";
 import { raceTabs } from "./races.ts";
+import { share } from "./share.ts";
 import { Store } from "./store.ts";
 import { TakeOver } from "./take_over.ts";
 import { openPlayground } from "./to_playground.ts";
@@ -28,23 +30,24 @@ const matrix = new MatrixPanel(runs, store);
 const takeOver = new TakeOver(runs, store, match);
 const help = helpDialog();
 const address = location.hash; // `followAddress` writes another one
+const minute = guidedMinute(runs, store, match);
+const { button: shareButton, dialog: shareDialog } = share(match, store);
+match.actions.append(shareButton);
 let engine: Engine | null = null;
 
-const LEAD = "Each cell is a match: pursuers of one generation against evaders of another. "
-  + "Bright: many are captured. Click a cell to watch it.";
+const LEAD = "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
 
 document.getElementById("page")!.replaceWith(
   html("header", { class: "top" },
     html("div", {}, html("h1", {}, data.heading), html("p", { class: "lead" }, LEAD)),
-    html("div", { class: "tools" }, themeButton(),
+    html("div", { class: "tools" }, minute.button, themeButton(),
       html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?"))),
   ...(data.note ? [html("aside", { class: "note small muted" }, data.note)] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
   panels(runs, store, () => engine),
   html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
-  takeOver.dialog,
-  help,
+  takeOver.dialog, help, shareDialog, minute.bar,
 );
 // For the browser's console, and for tests.
 Object.assign(window, {
@@ -57,7 +60,10 @@ Object.assign(window, {
     get shape() { return runs[store.selected.run]!.payoff.shape; },
   },
 });
-matrix.element.addEventListener("play", () => match.playSoon());
+matrix.element.addEventListener("play", () => {
+  match.playSoon();
+  match.reveal();
+});
 match.goTo(step);
 if (!step) match.playSoon();
 followAddress(runs, store, match);

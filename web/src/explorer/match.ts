@@ -26,6 +26,8 @@ export class MatchPanel {
   readonly element: HTMLElement;
   readonly player = new Player(0, { speed: FITTING, still: stillMotion() });
   readonly inspector: Inspector;
+  /** What can be done with the match that is shown. */
+  readonly actions: HTMLElement;
   readonly #board: Board;
   readonly #runs: readonly Run[];
   readonly #store: Store;
@@ -48,17 +50,16 @@ export class MatchPanel {
     this.#strip = new EpisodeStrip(store, this.player);
     this.inspector = new Inspector((agent) => this.#look(agent));
     canvas.addEventListener("click", (event) => this.inspector.choose(this.#board.agentAt(event.clientX, event.clientY)));
+    this.actions = html("div", { class: "beside" },
+      html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over an agent"),
+      playgroundButton(() => this.shown, playground));
     this.element = html(
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },
       html("div", { class: "match" },
         html("header", { class: "match-head" }, this.#title, this.#tally),
         this.#problem,
         html("div", { class: "stage" }, canvas),
-        html("div", { class: "aside" }, this.#words, legend(),
-          html("div", { class: "beside" },
-            html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over an agent"),
-            playgroundButton(() => this.shown, playground)),
-          this.inspector.element),
+        html("div", { class: "aside" }, this.#words, legend(), this.actions, this.inspector.element),
         playerBar(this.player),
         this.#strip.element),
     );
@@ -77,6 +78,15 @@ export class MatchPanel {
   /** The match that is shown, for tests. */
   get match(): Match | null {
     return this.#match;
+  }
+
+  get recording(): Recording | null {
+    return this.#recording;
+  }
+
+  /** Bring the board into view; on a narrow page it is below what was clicked. */
+  reveal(): void {
+    this.#board.canvas.scrollIntoView({ block: "nearest" });
   }
 
   /** The match and its step that is shown. */
