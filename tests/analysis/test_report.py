@@ -150,9 +150,7 @@ def test_the_description_quotes_the_numbers() -> None:
     boards = analysis.checkerboards(late, margin=MARGIN, level=None)
     assert f"{boards.count:,} of 14,400" in text
     assert f"{analysis.transitive_share(late):.2f}" in text
-    assert f"by {swing(matrix):.2f}" in text
     assert "From generation 15 on" in text
-    assert "From generation 8 on" in text
     assert "Warning" not in text
 
 
@@ -163,9 +161,9 @@ def test_the_description_warns_of_disengagement() -> None:
     assert "Warning: disengagement in generations 20 to 30: the pursuers win" in text
 
 
-def test_a_short_race_has_fewer_lags_and_one_window() -> None:
+def test_a_short_race_has_one_window() -> None:
     text = analysis.describe(logistic(4))
-    assert "generation): -1: 0.46, 0: 0.50, +1: 0.54. At" in text
+    assert "evaders that are 1 generation older, capture rates differ by +0.07 from" in text
     assert text.startswith("From generation 0 on")
 
 

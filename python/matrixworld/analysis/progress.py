@@ -228,18 +228,14 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
 def swing(matrix: Rates) -> float:
     """Return how much the capture rate changes on average in the evaders' team phase.
 
-    Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations ``k >= swing_start``, for at least 2 x 2
-    generations. Pursuers learn first in a generation, so swapping the teams gives another number.
+    Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations k from a quarter of them on, rounded up,
+    for at least 2 x 2. Pursuers learn first in a generation, so swapping the teams gives another
+    number.
     """
-    # Row k - 1 belongs to generation k.
-    rates = team_phase_rates(matrix)[swing_start(min(matrix.shape)) - 1 :]
+    # The first generations are untrained; row k - 1 belongs to generation k.
+    first = max(1, -(-min(matrix.shape) // 4))
+    rates = team_phase_rates(matrix)[first - 1 :]
     return float(np.abs(rates[:, 0] - rates[:, 1]).mean())
-
-
-# The first generations are untrained.
-def swing_start(generations: int) -> int:
-    """Return a quarter of the generations, rounded up, at least 1."""
-    return max(1, -(-generations // 4))
 
 
 # ---- CIAO: current individuals against ancestral opponents ---------------------------------------

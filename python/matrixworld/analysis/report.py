@@ -43,7 +43,6 @@ IMPLIED = {"arms race": "rise", "one-sided progress": "rise", "cycling": "intran
 """Conditions that say what another one says, too; a headline leaves that one out."""
 GAINING = ("arms race", "one-sided progress", "rise")
 """Conditions with gains under a headline."""
-HEADLINE_LAGS = (-10, -5, -1, 0, 1, 5, 10)
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
 
@@ -364,7 +363,6 @@ def describe(payoff: ArrayLike) -> str:
         [
             f"{when}, {_transitivity(late)}",
             f"{when}, {_checkerboards(late)}",
-            _swing(matrix),
             _lags(matrix),
             _team("Pursuers", "capture", scores.pursuers, matrix),
             _team("Evaders", "escape", scores.evaders, 1.0 - matrix.T),
@@ -393,25 +391,11 @@ def _checkerboards(late: Rates) -> str:
     )
 
 
-def _swing(matrix: Rates) -> str:
-    return (
-        f"From generation {progress.swing_start(min(matrix.shape))} on, the capture rate of the "
-        "same pursuers against the evaders of one generation and of the previous one differs by "
-        f"{progress.swing(matrix):.2f} on average."
-    )
-
-
 def _lags(matrix: Rates) -> str:
-    profile = progress.lag_profile(matrix)
-    # A short race does not contain all headline lags.
-    inside = [lag for lag in HEADLINE_LAGS if profile.lags[0] <= lag <= profile.lags[-1]]
-    means = ", ".join(f"{f'{lag:+d}' if lag else 0}: {profile.at(lag):.2f}" for lag in inside)
-    # The lag is a third of the run, so it is 1 in short runs.
-    rise = progress.rise_lag(min(matrix.shape))
+    lag = progress.rise_lag(min(matrix.shape))
     return (
-        f"Capture rate by lag (pursuer minus evader generation): {means}. At a lag of "
-        f"+{rise} generation{'' if rise == 1 else 's'} it differs from a lag of -{rise} by "
-        f"{progress.lag_rise(matrix):+.2f}."
+        f"Against evaders that are {lag} generation{'s' * (lag > 1)} older, capture rates differ "
+        f"by {progress.lag_rise(matrix):+.2f} from those against evaders that are as much newer."
     )
 
 

@@ -27,10 +27,10 @@ from matrixworld._util.checks import check_threads, processor_name, usable_cores
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import in_words, print_table, print_wrapped, progress, say
 from matrixworld.cli.options import (
+    VARIANT,
     FiniteRange,
     force_option,
     json_option,
-    one_of,
     refuse_existing,
     threads_option,
     write_json,
@@ -44,7 +44,6 @@ from matrixworld.world.arrays import array_specs, episode_specs
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population
-from matrixworld.world.rules import VARIANTS
 
 # The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ("32", "64,64", "400,300")
@@ -241,12 +240,7 @@ def matches_of(races: Sequence[RaceSettings]) -> float:
 
 
 @click.command("bench", short_help="Measure how fast this machine plays.")
-@click.argument(
-    "variant",
-    default="O",
-    type=click.types.FuncParamType(str.upper),
-    shell_complete=one_of(VARIANTS),
-)
+@click.argument("variant", default="O", **VARIANT)
 @click.option(
     "--hidden",
     type=parsed,

@@ -22,7 +22,7 @@ INTERRUPTED = 130
 """Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
 
 TERMS = "Terms are explained in docs/glossary.md."
-WIDEST = 100
+WIDEST = 80
 """Columns of printed text, also in a wider terminal."""
 
 
@@ -71,15 +71,11 @@ def warnings_as_notes() -> Iterator[None]:
         yield
 
 
-def columns() -> int:
-    """Return how many columns printed text may take."""
-    return min(WIDEST, shutil.get_terminal_size().columns)
-
-
 def print_wrapped(text: str) -> None:
     """Print each line of a text as an indented paragraph as wide as the terminal."""
+    width = min(WIDEST, shutil.get_terminal_size().columns)
     for line in text.splitlines():
-        say(click.wrap_text(line, columns(), initial_indent="  ", subsequent_indent="    "))
+        say(click.wrap_text(line, width, initial_indent="  ", subsequent_indent="    "))
 
 
 def print_table(rows: Sequence[Sequence[str]], align: str) -> None:

@@ -43,9 +43,12 @@ def option_name(field_name: str) -> str:
 
 def one_of(names: Iterable[str]) -> Callable[[Any, Any, str], list[str]]:
     """Return what completes these names in a shell, for options that take other words, too."""
-    return lambda ctx, param, typed: [
-        name for name in names if name.lower().startswith(typed.lower())
-    ]
+    return lambda ctx, param, typed: [n for n in names if n.lower().startswith(typed.lower())]
+
+
+VARIANT: Mapping[str, Any] = {
+    "type": click.types.FuncParamType(str.upper), "shell_complete": one_of(VARIANTS)
+}  # fmt: skip
 
 
 class FiniteRange(click.FloatRange):
@@ -235,8 +238,7 @@ def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) ->
 SPECIAL: dict[str, Callable[[Any], Any]] = {
     "variant": click.option(
         "--variant",
-        type=click.types.FuncParamType(str.upper),
-        shell_complete=one_of(VARIANTS),
+        **VARIANT,
         metavar="NAME",
         help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
     ),

@@ -5,7 +5,6 @@ It prints what a newcomer asks first; tables and intervals are those of ``judge`
 
 from __future__ import annotations
 
-import shutil
 import textwrap
 import time
 from collections.abc import Mapping, Sequence
@@ -20,7 +19,7 @@ from matrixworld._util.files import save_json
 from matrixworld.analysis import headline, interquartile_mean, measure_all
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.report import headline_numbers
-from matrixworld.cli.console import command, print_table, print_wrapped, progress, say
+from matrixworld.cli.console import WIDEST, command, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned
 from matrixworld.cli.groups import Group, Result, grouped
@@ -33,8 +32,6 @@ from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer.runs_page import PAGE
 
 SUMMARY = "summary.json"
-NARROW = 80
-"""Most columns of these lines."""
 WIDEST_NAME = 28
 """Longer names of groups have a line of their own."""
 HELD_OUT = "\nAgainst opponents nobody trained on (1 = best)"
@@ -106,7 +103,7 @@ def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
 def _print_groups(groups: Sequence[Group]) -> None:
     """Print headline and numbers of each group beside its name."""
     width = max([len(each.name) for each in groups if len(each.name) <= WIDEST_NAME], default=0)
-    columns = min(NARROW, shutil.get_terminal_size().columns) - width - 2
+    columns = WIDEST - width - 2
     for group in groups:
         lines = [part for line in _lines(group) for part in textwrap.wrap(line, columns)]
         names = [group.name] if len(group.name) <= width else [group.name, ""]
@@ -151,7 +148,7 @@ def _hints(groups: Sequence[Group], root: Path, again: str) -> list[tuple[str, s
 def _print_hints(hints: Sequence[tuple[str, str]]) -> None:
     width = max(len(why) for why, _ in hints)
     # A long command stands alone, so that it can be copied.
-    short = all(width + 2 + len(typed) <= NARROW for _, typed in hints)
+    short = all(width + 2 + len(typed) <= WIDEST for _, typed in hints)
     for why, typed in hints:
         say(f"{why:{width}}  {typed}" if short else f"{why}\n  {typed}")
 

@@ -13,7 +13,7 @@ from matrixworld.analysis import Estimate, Judgement, interval_over_runs
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.analysis.report import headline, judgement_cells
-from matrixworld.cli.console import columns, print_table, print_wrapped, say
+from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
 from matrixworld.cli.groups import Group
 from matrixworld.coevolution.types import Team
 
@@ -98,7 +98,7 @@ def print_missing(group: Group) -> None:
 def print_strip(group: Group) -> None:
     """Print the verdict on each seed in columns, and how many seeds have which verdict."""
     seeds = sorted([*group.seeds, *group.missing])
-    beside = max(1, (columns() - 50) // (2 + max(len(str(seed)) for seed in seeds)))
+    beside = max(1, (WIDEST - 50) // (2 + max(len(str(seed)) for seed in seeds)))
     for first in range(0, len(seeds), beside):
         part, is_last = seeds[first : first + beside], first + beside >= len(seeds)
         rows = [("seed", *map(str, part), TOGETHER if is_last else "")]
