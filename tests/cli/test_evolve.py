@@ -29,7 +29,7 @@ from matrixworld._util.files import json_digest, load_json, locked, save_json
 from matrixworld.cli import report
 from matrixworld.cli import score as score_module
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.evolve import _default_directory, _new_job
+from matrixworld.cli.evolve import _default_directory, _live_page, _new_job
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import (
     TEAMS,
@@ -361,3 +361,15 @@ def test_a_locked_run_gives_an_error_of_one_line(copy):
         refused = matrixworld_command("evolve", "--resume", copy, code=1)
     assert "Error: " in refused.stderr
     assert "another process is running there" in refused.stderr
+
+
+def test_a_live_page_is_told_and_shows_the_races_of_the_finished_page(
+    undrawn: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    job = _new_job({"seeds": range(10)})
+    with _live_page(job, tmp_path) as page:
+        seeds = {name.rpartition("/")[2] for name in page._names}
+    assert len(page._names) == 12
+    assert seeds == {f"seed-{n}" for n in range(4)}
+    told = matrixworld_command("evolve", "--live", "--out", "race", *words(RACE), "--threads", 1)
+    assert re.search(r"^Live: http://127\.0\.0\.1:\d+/[\w-]{22}/$", told.stderr, re.MULTILINE)

@@ -83,7 +83,7 @@ def test_many_seeds_show_some_of_each_group_and_say_so(
     assert data["note"].startswith("The page shows 4 of 6 runs")
     assert "The page shows 4 of 6 runs" in result.output
     groups = groups_of([tmp_path / name for name in names])
-    assert [run.path.name for run in first_seeds(groups, 6)] == names
+    assert [run.path.name for run in first_seeds([group.runs for group in groups], 6)] == names
 
 
 # The playground

@@ -7,7 +7,7 @@ import time
 import traceback
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from matrixworld.cli.console import (
     say,
     warnings_as_notes,
 )
+from matrixworld.cli.explore import first_seeds
 from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
     TYPED,
@@ -56,12 +57,15 @@ from matrixworld.coevolution.jobs.evolve import (
     Job,
     check_job,
     described,
+    group_of,
     job_of,
     open_job,
     play_job,
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
+from matrixworld.explorer.live import LivePage
+from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
 RUNS = Path("runs")
@@ -174,6 +178,9 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
 @threads_option
 @cluster_option
 @click.option(
+    "--live", is_flag=True, help="show the runs on a page of this machine while they go on"
+)
+@click.option(
     "--resume",
     "resumed",
     type=click.Path(path_type=Path),
@@ -203,6 +210,7 @@ def evolve_command(
     resumed: Path | None,
     threads: int | None,
     where: str | None,
+    live: bool,
     **options: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
@@ -221,6 +229,9 @@ def evolve_command(
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
     Results do not depend on --threads.
 
+    With --live an address is printed: a page with the matrix, the curves and the newest match of
+    the first runs, while they go on. It ends as explorer.html.
+
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
@@ -236,11 +247,13 @@ def evolve_command(
         _check(job, root, threads, where)
         note(_plan(job, root, threads, timed=resumed is None and where is None))
         began = time.monotonic()
-        with _resumable(root):
+        with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
             with on_cluster(where, threads, root, job.values()) as executor:
                 results, failed = play_runs(job, root, threads, executor, new=resumed is None)
             again = "" if resumed else _more_seeds()
             report(job, results, root, failed, threads, began=began, again=again)
+            if page is not None and results:
+                page.finish(root / PAGE)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
@@ -290,6 +303,16 @@ def _resumable(root: Path) -> Iterator[None]:
         if isinstance(error, KeyboardInterrupt):
             raise click.exceptions.Exit(INTERRUPTED) from None
         raise
+
+
+def _live_page(job: Job, root: Path) -> LivePage:
+    """Return the page of the runs that go on: those that the page of finished runs shows."""
+    groups: dict[str, list[str]] = {}
+    for name in job:
+        groups.setdefault(group_of(name), []).append(name)
+    page = LivePage(root, first_seeds(groups.values(), MOST_RUNS))
+    note(f"Live: {page.url}")
+    return page
 
 
 def _check_new(root: Path) -> None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import webbrowser
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from itertools import zip_longest
 from pathlib import Path
+from typing import TypeVar
 
 import click
 
@@ -25,13 +26,15 @@ from matrixworld.cli.figures import (
     open_baselines,
     planned,
 )
-from matrixworld.cli.groups import Group, Result, groups_of, place_of, runs_argument
+from matrixworld.cli.groups import Group, groups_of, place_of, runs_argument
 from matrixworld.cli.options import force_option, out_option, refuse_existing
 from matrixworld.coevolution import open_run
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.playground import PAGE as PLAYGROUND
 from matrixworld.explorer.playground import Playground
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
+
+Run = TypeVar("Run")
 
 open_option = click.option(
     "--open/--no-open", "opens", default=True, help="open the page in a browser"
@@ -121,7 +124,7 @@ def explore_command(
 
 def write_explorer(groups: Sequence[Group], page: Path) -> None:
     """Write the page of finished runs, of the first ones if there are many, and say which."""
-    shown = first_seeds(groups, MOST_RUNS)
+    shown = first_seeds([group.runs for group in groups], MOST_RUNS)
     count, left_out = sum(len(group.runs) for group in groups), ""
     if len(shown) < count:
         left_out = (
@@ -138,11 +141,12 @@ def write_explorer(groups: Sequence[Group], page: Path) -> None:
     write_page(page, html)
 
 
-def first_seeds(groups: Sequence[Group], most: int) -> list[Result]:
+def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
     """Return at most so many runs, in their order: of each group the first seeds, in turn."""
-    turns = zip_longest(*(group.runs for group in groups))
+    runs = [*groups]
+    turns = zip_longest(*runs)
     chosen = [run for turn in turns for run in turn if run is not None][:most]
-    return [run for group in groups for run in group.runs if run in chosen]
+    return [run for group in runs for run in group if run in chosen]
 
 
 # Figures:

@@ -42,12 +42,14 @@ def render_page(
     blobs: Mapping[str, bytes] | None = None,
     *,
     opens: Sequence[str] = (),
+    asks: bool = False,
 ) -> str:
     """Return a page ("explorer", "playground" or "class") as HTML.
 
     The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
     data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
-    are named in `opens`. ValueError if a number is not finite.
+    are named in `opens`. A page that `asks` may load from the server that it comes from, and from
+    nowhere else. ValueError if a number is not finite.
     """
     scripts = {name: _inline(name, "js") for name in (ENGINE, page)}
     style = _inline(page, "css")
@@ -58,7 +60,7 @@ def render_page(
         .render(
             title=title,
             version=__version__,
-            policy=_policy([*scripts.values(), *more_scripts], [style, *more_styles]),
+            policy=_policy([*scripts.values(), *more_scripts], [style, *more_styles], asks),
             scripts=scripts,
             style=style,
             data=data,
@@ -108,7 +110,7 @@ def without_engine(page: str) -> str:
     return page.replace(_inline(ENGINE, "js"), ENGINE_PLACE)
 
 
-def _policy(scripts: Sequence[str], styles: Sequence[str]) -> str:
+def _policy(scripts: Sequence[str], styles: Sequence[str], asks: bool) -> str:
     """Return the content security policy: these scripts and styles, and pictures made here."""
     return "; ".join(
         (
@@ -117,6 +119,7 @@ def _policy(scripts: Sequence[str], styles: Sequence[str]) -> str:
             f"script-src {_digests(scripts)} 'wasm-unsafe-eval'",
             f"style-src {_digests(styles)}",
             "img-src data: blob:",
+            *(["connect-src 'self'"] if asks else []),
             "base-uri 'none'",
             "form-action 'none'",
         )

@@ -118,12 +118,14 @@ def explorer_page(
     held_out: Mapping[Path, Mapping[str, Any]] | None = None,
     judgements: Mapping[Path, analysis.Judgement] | None = None,
     note: str = "",
+    live: str | None = None,
 ) -> str:
     """Return the page of finished runs as HTML, in this order.
 
     By run directory, `held_out` has scores against held-out opponents (see `run_data`), and
     `judgements` those that are known; other races are judged here. A `note` says what the page does
-    not show, such as further runs of the job. FileNotFoundError if a run is not finished.
+    not show, such as further runs of the job. FileNotFoundError if a run is not finished. A page
+    that is `live` (see `matrixworld.explorer.live`) has this version, and no judgement.
     """
     paths = [run.files.path.absolute() for run in runs]
     common = Path(os.path.commonpath(paths))
@@ -139,6 +141,7 @@ def explorer_page(
                 scores.get(run.files.path),
                 known.get(run.files.path),
                 step=archives.step,
+                live=live,
             ),
             "teams": teams,
         }
@@ -150,13 +153,21 @@ def explorer_page(
         "title": title,
         "heading": heading(runs),
         "note": note,
+        "live": live,
         "step": archives.step,
         "playground": page_data(),
         "runs": plain,
     }
     playground = without_engine(Playground().html()).encode()
     blobs = {**archives.blobs, "playground": playground}
-    return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
+    return render_page(
+        "explorer",
+        f"{title} - matrixworld",
+        data,
+        blobs,
+        opens=["playground"],
+        asks=live is not None,
+    )
 
 
 # fmt: off
@@ -196,12 +207,13 @@ def run_data(
     judgement: analysis.Judgement | None = None,
     *,
     step: int = 1,
+    live: str | None = None,
 ) -> dict[str, Any]:
-    """Return what a page shows of a finished run, without its teams.
+    """Return what a page shows of a run, without its teams.
 
     `held_out` has ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last
-    ``"evaders"``. A race without `judgement` is judged here. The page holds the genomes of every
-    generation by a `step`.
+    ``"evaders"``. A race without `judgement` is judged here, unless the page is `live`. The page
+    holds the genomes of every generation by a `step`.
     """
     settings, payoff = run.settings, run.payoff()
     teams = [run.teams[team] for team in TEAMS]
@@ -222,7 +234,7 @@ def run_data(
             [str(evaluation_seed(settings.seed, g, h)) for h in range(shape[1])]
             for g in range(shape[0])
         ],
-        "findings": findings(payoff, judgement, step=step) if race else None,
+        "findings": findings(payoff, judgement, step=step, live=live) if race else None,
         "limits": too_few_episodes(payoff) if race else "",
         "held_out": held_out and {f"{team}s": held_out.get(f"{team}s") for team in TEAMS},
     }
@@ -317,11 +329,22 @@ BOARDS = 12
 
 
 def findings(
-    payoff: Payoff, judgement: analysis.Judgement | None = None, *, step: int = 1
+    payoff: Payoff,
+    judgement: analysis.Judgement | None = None,
+    *,
+    step: int = 1,
+    live: str | None = None,
 ) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
+    if live is not None:
+        last = min(payoff.capture_rate.shape) - 1
+        return {
+            "headline": f"generation {last} so far",
+            "table": [],
+            "guided_minute": [],
+            **curves(payoff),
+        }
     matrix = payoff.capture_rate
-    ratings = analysis.elo(matrix)
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
     rows, columns = (kept_generations(size, step) for size in matrix.shape)
     judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
@@ -333,6 +356,20 @@ def findings(
         "reasons": analysis.explain(judgement).splitlines(),
         "description": analysis.describe(matrix).splitlines(),
         "noise": _noise(payoff),
+        "checkerboards": plain_values(boards),
+        "guided_minute": [
+            stop._asdict() for stop in guided_minute(matrix, judgement, boards, (rows, columns))
+        ],
+        "margin": MARGIN,
+        **curves(payoff),
+    }
+
+
+def curves(payoff: Payoff) -> dict[str, Any]:
+    """Return what is drawn of a race and claims nothing."""
+    matrix = payoff.capture_rate
+    ratings = analysis.elo(matrix)
+    return {
         "generalization": _generalization(payoff),
         "lags": plain_values(analysis.lag_profile(matrix)),
         # The triangles are the two halves of the payoff, which the page has.
@@ -350,11 +387,6 @@ def findings(
             "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
             "offset": ratings.offset * analysis.ELO_POINTS,
         },
-        "checkerboards": plain_values(boards),
-        "guided_minute": [
-            stop._asdict() for stop in guided_minute(matrix, judgement, boards, (rows, columns))
-        ],
-        "margin": MARGIN,
     }
 
 

@@ -18,7 +18,7 @@ import type { Store } from "./store.ts";
 
 export function checkerboardPanel(run: Run, store: Store, engine: () => Engine | null): Panel | null {
   const { findings } = run;
-  if (!findings) return null;
+  if (!findings?.table.length) return null; // they are shown beside the judgement
   const dialog = html("dialog", { class: "four", "aria-label": "Four matches" });
   const open = (board: Checkerboard): void => {
     const started = engine();

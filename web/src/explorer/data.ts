@@ -135,6 +135,8 @@ export interface Data {
   readonly title: string;
   readonly heading: string;
   readonly note: string;
+  /** The version of the page while its runs go on; null when they have ended. */
+  readonly live: string | null;
   readonly step: number;
   readonly playground: PageData;
   readonly runs: readonly Run[];

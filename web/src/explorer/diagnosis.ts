@@ -10,7 +10,7 @@ const SIGNS: Readonly<Record<string, string>> = { present: "●", absent: "○",
 
 export function diagnosisPanel(run: Run): Panel | null {
   const { findings } = run;
-  if (!findings) return null;
+  if (!findings?.table.length) return null; // there is no judgement while a run goes on
   const [, ...rows] = findings.table;
   const reasons = new Map(findings.reasons.map((text) => {
     const [name, , reason] = splitReason(text);

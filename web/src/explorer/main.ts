@@ -9,6 +9,7 @@ import { followAddress, placeOf } from "./address.ts";
 import { readData } from "./data.ts";
 import { guidedMinute } from "./guided_minute.ts";
 import { helpDialog, listenToKeys } from "./keys.ts";
+import { followRuns } from "./live.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { panels } from "./panels.ts";
@@ -34,6 +35,7 @@ const minute = guidedMinute(runs, store, match);
 const { button: shareButton, dialog: shareDialog } = share(match, store);
 match.actions.append(shareButton);
 let engine: Engine | null = null;
+const note = html("aside", { class: "note small muted" }, data.note);
 
 const LEAD = "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
 
@@ -42,7 +44,7 @@ document.getElementById("page")!.replaceWith(
     html("div", {}, html("h1", {}, data.heading), html("p", { class: "lead" }, LEAD)),
     html("div", { class: "tools" }, minute.button, themeButton(),
       html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?"))),
-  ...(data.note ? [html("aside", { class: "note small muted" }, data.note)] : []),
+  ...(data.note ? [note] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
   panels(runs, store, () => engine),
@@ -69,6 +71,11 @@ if (!step) match.playSoon();
 followAddress(runs, store, match);
 listenToKeys(runs, store, match, help, () => takeOver.open(), () => openPlayground(match.shown, data.playground));
 window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(engine, new URL(newURL).hash));
+if (data.live !== null) {
+  followRuns(data.live, runs, store, () => match.player.playing || takeOver.dialog.open, () => {
+    note.textContent = "The command has ended. This page shows what it had played; explorer.html is beside the runs if they have finished.";
+  });
+}
 
 // The page is drawn before the engine is compiled.
 requestAnimationFrame(() => setTimeout(() => {

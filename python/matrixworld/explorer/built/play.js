@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 0eeedffd8f5482d3ae4d4f386806a66e17e3e95d66fdc94b1a16d2cb5a5e428c */
+/* built from web/ by "npm run build"; sources b926ca2dc609714ae0b30d80592b8beb1da0c9fbcac73f6829fe1787957a22af */
 "use strict";(()=>{var qe={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},H={DISAPPEAR:0,REACH:1,BOUNCE:2},Xe={OCCUPATION:0,SURROUND:1},Ze={FAULT:0,INVOLVED:1};var Ae=["obstacle","teammate","adversary"],_e=["vertex","edge","chain"],Qe=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ce=["p\
 ursuer_{number}","evader_{number}"],et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},V={"both held":"both bounce","both doomed":"\

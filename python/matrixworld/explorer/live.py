@@ -1,0 +1,221 @@
+"""The explorer of runs that are still going on, served to the browsers of this machine.
+
+Readers beside a run see whole stages and take no lock, so a run has the same bytes with this page
+and without. The payoff matrix is made at the end of a run only: a thread here plays the first
+episodes of the evaluation of all generations that there are, and plays on when a stage is sealed.
+"""
+
+from __future__ import annotations
+
+import secrets
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from matrixworld._util.files import DamagedFileError
+from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.storage import SavedRun, open_run
+from matrixworld.coevolution.types import TEAMS, Payoff
+from matrixworld.explorer.runs_page import explorer_page
+from matrixworld.world.policy import Population, TeamPolicy
+
+HOST = "127.0.0.1"
+EPISODES = 2
+"""Episodes of each cell while runs go on, the first ones of the evaluation."""
+SECONDS = 1.0
+"""Time between two looks at the files; the page asks as often."""
+LEFT = 5.0
+"""Seconds for which a browser that has just asked may load the finished page."""
+NOTE = (
+    f"The runs go on. Each cell has {EPISODES} episodes so far; new generations appear when the "
+    "match that is shown has ended. The judgement comes at the end."
+)
+WAITING = (
+    '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="1">'
+    "<title>matrixworld</title><p>The first generation is being trained.</p>"
+)
+
+
+class StoppedError(Exception):
+    """The page is closed, so nothing more is played for it."""
+
+
+@dataclass(frozen=True)
+class LiveRun(SavedRun):
+    """A run that is going on, with what was played of its generations so far."""
+
+    played: Payoff
+
+    def payoff(self) -> Payoff:
+        """Return the payoff of the generations that there are."""
+        return self.played
+
+
+class LivePage:
+    """A server of one page, at an address with a random token, and the thread that plays for it.
+
+    Parameters
+    ----------
+    root : Path
+        The directory of the job.
+    names : sequence of str
+        The runs of the page: their directories inside `root`. They need not exist yet.
+
+    Attributes
+    ----------
+    url : str
+        The address of the page.
+    """
+
+    def __init__(self, root: Path, names: Sequence[str]) -> None:
+        self._root, self._names = root, names
+        self._runs: dict[str, LiveRun] = {}
+        self._stages: dict[str, int] = {}
+        self._version = 0
+        self._finished: Path | None = None
+        self._asked = -LEFT
+        self._taken, self._closed = threading.Event(), threading.Event()
+        place = f"/{secrets.token_urlsafe(16)}/"
+        answers = {place: self._page, f"{place}version": self._told}
+        self._server = ThreadingHTTPServer((HOST, 0), partial(_Handler, answers))
+        self.url: str = f"http://{HOST}:{self._server.server_port}{place}"
+        self._threads = [
+            threading.Thread(target=work, daemon=True)
+            for work in (self._server.serve_forever, self._follow)
+        ]
+
+    def __enter__(self) -> LivePage:
+        for thread in self._threads:
+            thread.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._closed.set()
+        self._server.shutdown()
+        self._server.server_close()
+        for thread in self._threads:
+            thread.join()
+
+    def finish(self, page: Path) -> None:
+        """Serve the page of the finished runs, if a browser is there to take it."""
+        self._finished = page
+        if time.monotonic() - self._asked < LEFT:
+            self._taken.wait(LEFT)
+
+    # What a browser gets:
+
+    def _told(self) -> str:
+        self._asked = time.monotonic()
+        return "end" if self._finished else str(self._version)
+
+    def _page(self) -> str:
+        if self._finished:
+            self._taken.set()
+            return self._finished.read_text(encoding="utf-8")
+        version, runs = self._version, [*self._runs.values()]
+        return explorer_page(runs, note=NOTE, live=str(version)) if runs else WAITING
+
+    # What is played for it:
+
+    def _follow(self) -> None:
+        try:
+            while not self._closed.wait(SECONDS):
+                for name in self._names:
+                    self._look(name)
+        except StoppedError:
+            return
+
+    def _look(self, name: str) -> None:
+        """Play what a run has added since the last look."""
+        stages = len([*(self._root / name).glob("stage-*.npz")])
+        if stages == self._stages.get(name, 0) or self._finished:
+            return
+        try:
+            run = open_run(self._root / name)
+        except (FileNotFoundError, DamagedFileError):
+            return  # it is being made, or mended: the end of the job tells what is damaged
+        if not all(_count(run.teams[team]) > 1 for team in run.settings.learning_teams):
+            return
+        before = self._runs.get(name)
+        played = extended(run, before.played if before else None, self._check)
+        order = {**self._runs, name: LiveRun(run.files, run.settings, run.teams, played)}
+        self._runs = {each: order[each] for each in self._names if each in order}
+        self._stages[name] = stages
+        self._version += 1
+
+    def _check(self, played: int) -> None:
+        if self._closed.is_set() or self._finished:
+            raise StoppedError
+
+
+def extended(run: SavedRun, known: Payoff | None, on_row: Callable[[int], None]) -> Payoff:
+    """Return the payoff of all generations of a run; what is known of them is not played again."""
+    pursuers, evaders = (run.teams[team] for team in TEAMS)
+    episodes = min(EPISODES, run.settings.evaluation_episodes)
+    seed = run.settings.seed
+    play = partial(
+        tournament, run.settings.world, seed=seed, episodes=episodes, threads=1, on_row=on_row
+    )
+    if known is None:
+        return play(pursuers, evaders)
+    g, h = known.capture_rate.shape
+    if h < _count(evaders):
+        known = _joined(known, play(_part(pursuers, 0, g), _part(evaders, h), first=(0, h)), 1)
+    if g < _count(pursuers):
+        known = _joined(known, play(_part(pursuers, g), evaders, first=(g, 0)), 0)
+    return known
+
+
+def _joined(known: Payoff, new: Payoff, axis: int) -> Payoff:
+    old, more = known.arrays(), new.arrays()
+    return Payoff.from_arrays(
+        {name: np.concatenate([old[name], more[name]], axis=axis) for name in old}
+    )
+
+
+def _part(team: TeamPolicy, first: int, last: int | None = None) -> TeamPolicy:
+    return team if isinstance(team, str) else Population(team.genomes[first:last], team.network)
+
+
+def _count(team: TeamPolicy) -> int:
+    return 1 if isinstance(team, str) else len(team.genomes)
+
+
+class _Handler(BaseHTTPRequestHandler):
+    """Answers the addresses of the page, to browsers that name this machine; nothing else."""
+
+    def __init__(self, answers: Mapping[str, Callable[[], str]], *args: Any) -> None:
+        self._answers = answers
+        super().__init__(*args)
+
+    def do_GET(self) -> None:
+        host = "{}:{}".format(*self.connection.getsockname())
+        # Another name would be that of a web site which points to this machine.
+        if self.path not in self._answers or self.headers["Host"] != host:
+            self.send_error(404)
+            return
+        content = self._answers[self.path]().encode()
+        with suppress(ConnectionError):  # the tab may be closed meanwhile
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.send_header("Content-Length", str(len(content)))
+            self.send_header("Cache-Control", "no-store")
+            self.end_headers()
+            self.wfile.write(content)
+
+    def log_message(self, *args: object) -> None:
+        """Print nothing: the progress has the terminal."""
