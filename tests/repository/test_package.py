@@ -95,7 +95,8 @@ def test_the_version_has_one_source() -> None:
 def test_the_version_and_the_licences_are_installed(installed: metadata.Distribution) -> None:
     assert installed.version == __version__
     assert installed.metadata["License-Expression"] == "MIT AND BSD-3-Clause AND MPL-2.0"
-    files = ["LICENSE", "licenses/eigen.txt", "licenses/gifenc.txt", "licenses/pybind11.txt"]
+    names = ("eigen", "fflate", "gifenc", "pybind11")
+    files = ["LICENSE", *(f"licenses/{name}.txt" for name in names)]
     assert installed.metadata.get_all("License-File") == files
     texts = {
         path.name: path.read_text() for path in installed.files or [] if "licenses" in str(path)
@@ -103,6 +104,7 @@ def test_the_version_and_the_licences_are_installed(installed: metadata.Distribu
     assert "MIT License" in texts["LICENSE"]
     assert "Mozilla Public License Version 2.0" in texts["eigen.txt"]
     assert "Wenzel Jakob" in texts["pybind11.txt"]
+    assert "Arjun Barrett" in texts["fflate.txt"]
     assert "Matt DesLauriers" in texts["gifenc.txt"]
 
 
