@@ -353,6 +353,18 @@ def test_a_step_opens_in_the_playground(opened: Browser, job: Job) -> None:
         episode = job["race"].record(1, 2)
         assert scene["cells"] == episode.last_positions[2].tolist()
         assert scene["next"] == episode.actions[2].tolist()
+        # The networks of the match come along: they decide as in the match.
+        browser.js("playground.selected = null")
+        browser.js("document.querySelector('.agents-card > button').click()")
+        assert browser.js("playground.scene.next.every((each) => each === 'champion')")
+        for moment in (3, 4, 5):
+            browser.js("playground.step()")
+            cells = browser.js("Array.from(playground.game.recording.moments.at(-1).positions)")
+            assert cells == episode.last_positions[moment].ravel().tolist()
+        told = "document.querySelector('.message').textContent"
+        browser.js("playground.change({ ...playground.scene, diagonal: true })")
+        assert "expected" in browser.js(told)
+        assert not browser.js("playground.scene.diagonal")
         assert browser.errors() == []
     finally:
         browser.driver.close()

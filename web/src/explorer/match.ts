@@ -9,14 +9,15 @@ import { captureSteps } from "../board/recording.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import type { PageData } from "../playground/data.ts";
-import { TEAMS, whyNot } from "./data.ts";
+import type { Champions, PageData } from "../playground/data.ts";
+import { TEAMS, policyOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { Inspector } from "./inspector.ts";
 import { playedMatch } from "./play.ts";
 import type { Selection, Store } from "./store.ts";
 import { playgroundButton } from "./to_playground.ts";
+import type { Shown } from "./to_playground.ts";
 import { wordsOf } from "./words.ts";
 
 /** Milliseconds that a selection has to rest before its match is played. */
@@ -38,6 +39,7 @@ export class MatchPanel {
   readonly #problem = html("p", { class: "problem", role: "alert" });
   #engine: Engine | null = null;
   #match: Match | null = null;
+  #champions: Champions | null = null;
   #recording: Recording | null = null;
   #due = 0;
   #plays = false;
@@ -90,8 +92,8 @@ export class MatchPanel {
   }
 
   /** The match and its step that is shown. */
-  get shown(): { match: Match; step: number } | null {
-    return this.#match && { match: this.#match, step: this.player.step };
+  get shown(): Shown | null {
+    return this.#match && this.#champions && { match: this.#match, step: this.player.step, champions: this.#champions };
   }
 
   /** Begin to play matches. */
@@ -136,6 +138,11 @@ export class MatchPanel {
     this.#problem.textContent = problem;
     if (problem || !this.#engine) return;
     this.#match = playedMatch(this.#engine, this.#run, selected);
+    const [pursuers, evaders] = this.names(selected);
+    this.#champions = {
+      pursuer: { name: pursuers, policy: policyOf(this.#run, "pursuer", selected.pursuer) },
+      evader: { name: evaders, policy: policyOf(this.#run, "evader", selected.evader) },
+    };
     this.#recording = recordingOf(this.#match);
     this.#strip.show(this.#engine, this.#run, this.#match);
     this.inspector.show(this.#engine, this.#run, this.#match, selected);

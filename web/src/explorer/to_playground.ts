@@ -2,7 +2,8 @@
 
 import type { Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import type { PageData } from "../playground/data.ts";
+import { championsElement } from "../playground/data.ts";
+import type { Champions, PageData } from "../playground/data.ts";
 import { linkOf } from "../playground/link.ts";
 import { MOST_AGENTS, MOST_SIDE } from "../playground/scene.ts";
 import type { Scene, Start } from "../playground/scene.ts";
@@ -11,8 +12,15 @@ import { bytesOf, text } from "./data.ts";
 /** As in `matrixworld.explorer.page`. */
 const ENGINE_PLACE = "/* the engine */";
 
+/** What the playground shows: a step of a match, and the champions that play it. */
+export interface Shown {
+  readonly match: Match;
+  readonly step: number;
+  readonly champions: Champions;
+}
+
 /** Return a button that opens the step that is shown. */
-export function playgroundButton(shown: () => { match: Match; step: number } | null, data: PageData): HTMLButtonElement {
+export function playgroundButton(shown: () => Shown | null, data: PageData): HTMLButtonElement {
   return html("button", {
     type: "button", class: "to-playground",
     title: "Open this step in the playground (G): the same agents and actions under any rules",
@@ -21,11 +29,12 @@ export function playgroundButton(shown: () => { match: Match; step: number } | n
 }
 
 /** Open the playground in a tab of its own, with the step that is shown if it is not too large. */
-export function openPlayground(shown: { match: Match; step: number } | null, data: PageData): void {
+export function openPlayground(shown: Shown | null, data: PageData): void {
   const fits = shown !== null && shown.match.n_agents <= MOST_AGENTS
     && Math.max(shown.match.config.rows, shown.match.config.cols) <= MOST_SIDE;
   const scene = fits ? linkOf(sceneOf(shown.match, shown.step), data) : "";
-  const page = new TextDecoder().decode(bytesOf("playground")).replace(ENGINE_PLACE, () => text("script-engine"));
+  const page = new TextDecoder().decode(bytesOf("playground")).replace(ENGINE_PLACE, () => text("script-engine"))
+    .replace("</noscript>", (found) => (fits ? found + championsElement(shown.champions) : found));
   window.open(`${URL.createObjectURL(new Blob([page], { type: "text/html" }))}#${scene}`);
 }
 

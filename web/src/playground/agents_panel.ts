@@ -1,10 +1,9 @@
 // The agents in a table: what each does next, and what the step that is shown was worth to it.
 
-import type { ScriptName } from "../engine/types.ts";
 import { html, svg } from "../page/dom.ts";
 import { rulesName } from "./arena.ts";
-import { agentName, nAgents, teamOf, withNext } from "./scene.ts";
-import type { Scene, Team } from "./scene.ts";
+import { CHAMPION, agentName, nAgents, teamOf, withNext } from "./scene.ts";
+import type { Command, Scene, Team } from "./scene.ts";
 import type { Store } from "./store.ts";
 import { DIRECTIONS, commandText, signed, sumOf } from "./words.ts";
 
@@ -30,7 +29,8 @@ export function agentsPanel(store: Store): HTMLElement {
   const table = html("table", { class: "agents" },
     html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "agent"), html("th", { scope: "col" }, "next"), ...heads)), body);
   const element = html("section", { class: "card agents-card" },
-    html("h2", {}, "Agents"), html("div", { class: "agents-scroll" }, table));
+    html("h2", {}, "Agents"), store.data.champions ? html("button", { type: "button", title: "The networks of the match move all agents but the chosen one", onclick: () => letNetworksMove(store) }, "Networks move all others") : "",
+    html("div", { class: "agents-scroll" }, table));
   let rows: Row[] = [];
   let shape = "";
   const update = (): void => {
@@ -54,14 +54,19 @@ export function agentsPanel(store: Store): HTMLElement {
   return element;
 }
 
+function letNetworksMove(store: Store): void {
+  store.stop();
+  store.change({ ...store.scene, next: store.scene.next.map((own, agent) => (agent === store.selected ? own : CHAMPION)) });
+}
+
 function row(store: Store, agent: number): Row {
   const { scene } = store;
   const name = agentName(scene, agent);
-  const choice = html("select", { "aria-label": `${name} does next` }, ...choices(store, scene));
+  const choice = html("select", { "aria-label": `${name} does next` }, ...choices(store, scene, agent));
   choice.addEventListener("change", () => {
     const chosen = choice.value;
     store.stop();
-    store.change(withNext(store.scene, agent, /^\d$/.test(chosen) ? Number(chosen) : (chosen as ScriptName)));
+    store.change(withNext(store.scene, agent, /^\d$/.test(chosen) ? Number(chosen) : (chosen as Command)));
   });
   const state = html("span", { class: "state muted" });
   const heard = html("span", { class: "heard" });
@@ -71,10 +76,12 @@ function row(store: Store, agent: number): Row {
   return { element, choice, state, heard, rewards };
 }
 
-function choices(store: Store, scene: Scene): HTMLElement[] {
+function choices(store: Store, scene: Scene, agent: number): HTMLElement[] {
   const actions = DIRECTIONS.slice(0, scene.diagonal ? 9 : 5).map((_, action) => html("option", { value: action }, commandText(action)));
   const scripts = store.data.scripts.map(({ name, text }) => html("option", { value: name, title: text }, name));
-  return [html("optgroup", { label: "move" }, ...actions), html("optgroup", { label: "script" }, ...scripts)];
+  const groups = [html("optgroup", { label: "move" }, ...actions), html("optgroup", { label: "script" }, ...scripts)];
+  const champion = store.data.champions?.[agent < scene.pursuers.length ? "pursuer" : "evader"];
+  return champion ? [html("option", { value: CHAMPION }, champion.name), ...groups] : groups;
 }
 
 function fill(store: Store, { element, choice, state, heard, rewards }: Row, agent: number): void {

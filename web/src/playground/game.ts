@@ -4,7 +4,8 @@ import { momentOf, recording } from "../board/from_engine.ts";
 import type { Moment, Recording } from "../board/recording.ts";
 import type { Engine, World } from "../engine/engine.ts";
 import type { Conflict, Rules, Snapshot } from "../engine/types.ts";
-import { STAY, agents, configOf, nAgents, standing } from "./scene.ts";
+import { CHAMPION, STAY, agents, configOf, nAgents, standing } from "./scene.ts";
+import type { Champions } from "./data.ts";
 import type { Command, Scene, Start } from "./scene.ts";
 
 /** The results of one step; those of the start are empty. */
@@ -24,13 +25,15 @@ export class Game {
   readonly rules: Rules;
   readonly outcomes: Outcome[] = [];
   #scene: Scene;
+  #champions: Champions | undefined;
   #world: World;
   #moments: Moment[] = [];
   #snapshots: Snapshot[] = [];
 
   /** Throws EngineError if the engine refuses the scene. */
-  constructor(engine: Engine, scene: Scene, rules: Rules) {
+  constructor(engine: Engine, scene: Scene, rules: Rules, champions?: Champions) {
     this.#scene = scene;
+    this.#champions = champions;
     this.rules = rules;
     const config = configOf(scene, rules);
     this.#world = engine.world(config);
@@ -71,7 +74,7 @@ export class Game {
     const scripts = new Set(commands.filter((command) => typeof command === "string"));
     for (const script of this.over ? [] : scripts) {
       for (const team of ["pursuer", "evader"] as const) {
-        const decided = this.#world.decide(script, team, actions);
+        const decided = this.#world.decide(script === CHAMPION ? this.#champions![team].policy : script, team, actions);
         commands.forEach((command, agent) => {
           if (command === script && (agent < this.#scene.pursuers.length) === (team === "pursuer")) actions[agent] = decided[agent]!;
         });

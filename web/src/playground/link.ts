@@ -5,13 +5,14 @@
 
 import type { Cell, Penalty, Rewards, Rules } from "../engine/types.ts";
 import type { PageData } from "./data.ts";
-import { MOST_AGENTS, MOST_SIDE, MOST_STEPS, STAY, agents, variantOf } from "./scene.ts";
+import { CHAMPION, MOST_AGENTS, MOST_SIDE, MOST_STEPS, STAY, agents, variantOf } from "./scene.ts";
 import type { Command, Scene, Start } from "./scene.ts";
 
 /** A text that is no scene; the message has the form "<part>: expected X, got Y". */
 export class LinkError extends Error {}
 
 const LIST = "_";
+const NETWORK = "n";
 const LARGEST_SEED = 2n ** 64n - 1n;
 const LONGEST = 20_000; // characters of a link
 const SHOWN = 40; // characters of a text in a message
@@ -70,9 +71,10 @@ function rewardsText(rewards: Rewards, data: PageData): string {
   return name ?? Object.values(rewards).map((value) => String(value)).join(LIST);
 }
 
-/** Return the character of a command: a digit for an action, a letter for a script. */
+/** Return the character of a command: a digit for an action, a letter for a script or a network. */
 function letter(command: Command, data: PageData): string {
   if (typeof command === "number") return String(command);
+  if (command === CHAMPION) return NETWORK;
   const script = data.scripts.findIndex(({ name }) => name === command);
   return String.fromCharCode("a".charCodeAt(0) + script);
 }
@@ -220,6 +222,7 @@ function withCommands(scene: Scene, played: string[], next: string, data: PageDa
 function readCommand(part: string, text: string, actions: number, data: PageData): Command {
   const action = /^\d$/.test(text) ? Number(text) : NaN;
   if (action < actions) return action;
+  if (text === NETWORK && data.champions) return CHAMPION;
   const script = data.scripts[text.charCodeAt(0) - "a".charCodeAt(0)];
   const last = String.fromCharCode("a".charCodeAt(0) + data.scripts.length - 1);
   return script?.name ?? refuse(part, `actions 0 to ${actions - 1} or scripts a to ${last}`, text);

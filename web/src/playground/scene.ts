@@ -2,8 +2,11 @@
 
 import type { Cell, Rewards, Rules, ScriptName, WorldConfig } from "../engine/types.ts";
 
-/** What an agent does in a step: an action, 0 to 8, or what a script decides. */
-export type Command = number | ScriptName;
+/** Stands for the network of an agent's team, in a scene from the explorer. */
+export const CHAMPION = "champion";
+
+/** What an agent does in a step: an action, 0 to 8, or what a script or its team's network decides. */
+export type Command = number | ScriptName | typeof CHAMPION;
 
 /** An agent at the start. One that is gone stands where it disappeared. */
 export interface Start {

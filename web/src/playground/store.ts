@@ -199,7 +199,9 @@ export class Store extends EventTarget {
     const old = this.#games ?? [];
     return rows.map((rules) => {
       const game = old.find((each) => each.rules === rules);
-      return game?.follow(scene) ? game : new Game(this.#engine, scene, rules);
+      const found = game?.follow(scene) ? game : new Game(this.#engine, scene, rules, this.data.champions);
+      found.actions(scene.next); // the engine refuses a network that does not fit the scene
+      return found;
     });
   }
 
