@@ -334,7 +334,7 @@ def test_files_open_in_the_page(
     (tmp_path / "cut.npz").write_bytes(file.read_bytes()[:-50])
     moved = dataclasses.replace(episode, actions=np.zeros_like(episode.actions))
     moved.save(tmp_path / "altered.npz")
-    for name, says in (("cut", "expected a file marked"), ("altered", "expected the moves")):
+    for name, says in (("cut", "invalid zip data"), ("altered", "expected the moves")):
         open_file(browser, tmp_path / f"{name}.npz")
         browser.wait(f"{told}.startsWith('{name}.npz holds no match: {says}')")
     assert browser.errors() == []
@@ -380,6 +380,14 @@ def test_a_pace_repeats_the_last_move(browser: Browser, own: Path) -> None:
     browser.wait(f"{IN_PAGE}.played.moves.at(-1) === 0")
     moves: Sequence[int] = browser.js(f"{IN_PAGE}.played.moves")
     assert moves[:3] == [4, 4, 4]
+
+
+@pytest.mark.slow
+def test_nothing_hinders_readers_with_disabilities(browser: Browser, own: Path, page: Path) -> None:
+    end = "while (matrixworldPlay.element.dataset.state === 'playing') matrixworldPlay.act(1);"
+    watched = f"{end} document.querySelectorAll('.play-buttons button')[1].click();"
+    assert browser.hindrances(own, end, watched) == {}
+    assert browser.hindrances(page, "document.querySelector('.to-play').click();") == {}
 
 
 def test_the_command_writes_the_page(

@@ -16,7 +16,7 @@ from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import render_page
-from matrixworld.explorer.runs_page import archives_of, kept_generations
+from matrixworld.explorer.runs_page import archives_of, kept_generations, packed
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy
@@ -85,6 +85,6 @@ def _plain(players: Mapping[str, TeamPolicy]) -> dict[str, Any]:
 
 
 def _genomes(players: Mapping[str, TeamPolicy]) -> bytes:
-    """Return the genomes of a team one after the other: float32 in little-endian order."""
+    """Return the genomes of a team, packed."""
     genomes = [each.genomes[0] for each in players.values() if isinstance(each, Population)]
-    return b"".join(np.ascontiguousarray(genome, "<f4").tobytes() for genome in genomes)
+    return packed(np.stack(genomes)) if genomes else b""

@@ -183,7 +183,7 @@ const BYTES = 4;
 const decoded = new Map<string, Float32Array>();
 
 /** Return the genomes of an archive, decoded when a match first needs them; none if damaged. */
-function genomesOf(identifier: string, size: number): Float32Array {
+export function genomesOf(identifier: string, size: number): Float32Array {
   const known = decoded.get(identifier);
   if (known) return known;
   let genomes = new Float32Array();

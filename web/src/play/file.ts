@@ -12,7 +12,7 @@ import type { NpyArray } from "./npz.ts";
 const FORMAT = "matrixworld episode 3";
 
 /** Return the bytes of the file of a match; `seat` is the agent that a person moved. */
-export async function episodeFile(engine: Engine, live: Live, seat: number): Promise<Uint8Array<ArrayBuffer>> {
+export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Array {
   const { config, actions, length, recording } = live;
   const [agents, evaders] = [config.n_pursuers + config.n_evaders, config.n_evaders];
   const moments = { positions: ["<i4", agents, 2], last_positions: ["<i4", agents, 2], alive: ["|b1", agents], captured: ["|b1", evaders], ever_captured: ["|b1", evaders] } as const;
@@ -54,8 +54,8 @@ export interface Read {
 }
 
 /** Play the match of a file again: the same start, the same actions. Throws an error with what is wrong. */
-export async function readEpisode(engine: Engine, bytes: Uint8Array<ArrayBuffer>): Promise<Read> {
-  const arrays = await readNpz(bytes).catch(() => ({}) as Record<string, NpyArray>);
+export function readEpisode(engine: Engine, bytes: Uint8Array): Read {
+  const arrays = readNpz(bytes);
   const numbers = (name: string): number[] => Array.from((arrays[name]?.data ?? []) as ArrayLike<number>);
   if (arrays["format"]?.data !== FORMAT) throw new EngineError(`expected a file marked "${FORMAT}"`);
   const config = JSON.parse(arrays["config"]!.data as string) as WorldConfig;

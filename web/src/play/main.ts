@@ -4,7 +4,7 @@ import "./page.css";
 import { EngineError, loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
-import { TEAMS, bytesOf, text } from "../explorer/data.ts";
+import { TEAMS, genomesOf, text } from "../explorer/data.ts";
 import type { Team } from "../explorer/data.ts";
 import { html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
@@ -36,12 +36,11 @@ const players = { pursuer: playersOf("pursuer"), evader: playersOf("evader") };
 
 function playersOf(team: Team): Player[] {
   const { names, scripts, network } = data.teams[team];
-  const genomes = new Float32Array(bytesOf(team).buffer);
   const policy = (place: number): TeamPolicy => {
     const script = scripts[place];
     if (script || !network) return script!;
-    const genome = scripts.slice(0, place).filter((each) => each === null).length;
-    return { ...network, genome: genomes.subarray(genome * network.genome_size, (genome + 1) * network.genome_size) };
+    const [size, genome] = [network.genome_size, scripts.slice(0, place).filter((each) => each === null).length];
+    return { ...network, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
   };
   return names.map((name, place) => ({ name, policy: () => policy(place) }));
 }
@@ -86,7 +85,7 @@ function setup(engine: Engine, view: PlayView): HTMLElement {
   const problem = html("p", { class: "problem", role: "alert" });
   const begin = (): void => play(engine, view, { pursuer: Number(pursuers.value), evader: Number(evaders.value), seed: randomSeed() },
     { seat: you.value === "0" ? data.world.n_pursuers : 0, from: 0, moves: [] });
-  const file = html("input", { type: "file", accept: ".npz", class: "heard", tabindex: -1, "aria-hidden": true });
+  const file = html("input", { type: "file", accept: ".npz", hidden: true });
   file.addEventListener("change", () => {
     const [given] = file.files ?? [];
     problem.textContent = "";

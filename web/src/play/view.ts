@@ -173,7 +173,7 @@ export class PlayView {
       html("div", { class: "play-buttons" },
         html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
         html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
-        html("button", { type: "button", onclick: () => void this.#save(live, played.seat) }, "Save"),
+        html("button", { type: "button", onclick: () => this.#save(live, played.seat) }, "Save"),
         link && html("button", { type: "button", onclick: ({ currentTarget }: MouseEvent) => copied(currentTarget as HTMLElement, link) }, "Link")));
     this.element.dataset["state"] = "ended";
     this.#ending.focus({ preventScroll: true });
@@ -187,8 +187,8 @@ export class PlayView {
     if (!stillMotion()) this.player.play();
   }
 
-  async #save(live: Live, seat: number): Promise<void> {
-    const file = new Blob([await episodeFile(this.#engine, live, seat)], { type: "application/octet-stream" });
+  #save(live: Live, seat: number): void {
+    const file = new Blob([episodeFile(this.#engine, live, seat) as BlobPart], { type: "application/octet-stream" });
     // The address stays valid: browsers fetch what it names some time after the click.
     html("a", { href: URL.createObjectURL(file), download: `${agentName(seat, live.config.n_pursuers)}-${live.length}-steps.npz` }).click();
   }

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 3a8972c4b244ce1337c5667ecb5d45509ccc55f91a3dc234c3aba507b92595a3 */
+/* built from web/ by "npm run build"; sources 112fe53582bdace9bddce67fa5fef0eb66bf04423f3c989220bfcf1929b40f86 */
 "use strict";(()=>{var yr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],Q=0,ye=12,br=2,J=class extends EventTarget{#e;#t;#r;#n;#o=0;#s=0;#a=!1;#c=null;#d=0;#i=[];glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#n=r.still??!1,this.#r=r.clock??yr}get step(){return this.#o}get time(){return this.#n?this.#o:this.#s}get arrived(){return this.#s===
 this.#o}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#o>e&&this.jump(e),this.#l("state")}get marks(){return this.#i}set marks(e){
@@ -12,18 +12,18 @@ this.#r.request(()=>this.#p()))}#h(e){let r=e;for(;r>0;){if(this.#s===this.#o){i
 this.pace:1/this.glide,o=this.#o-this.#s,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#s=s===Math.abs(o)?this.#o:this.#s+Math.sign(o)*s}this.#a&&this.#s===this.#e&&this.
 pause()}#l(e){this.dispatchEvent(new Event(e))}};function Z(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.
 move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==
-void 0}var De={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},D={DISAPPEAR:0,REACH:1,BOUNCE:2},He={OCCUPATION:0,SURROUND:1},Be={FAULT:0,INVOLVED:1};var Ge=["obstacle","teammate","adversary"],be=["vertex","edge","chain"],ze=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],ge=["p\
+void 0}var De={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},D={DISAPPEAR:0,REACH:1,BOUNCE:2},Be={OCCUPATION:0,SURROUND:1},He={FAULT:0,INVOLVED:1};var Ge=["obstacle","teammate","adversary"],be=["vertex","edge","chain"],ze=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],ge=["p\
 ursuer_{number}","evader_{number}"],je={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
-{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},H={"both held":"both bounce","both doomed":"\
+{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},B={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Ve="{event}: {outcome}",we={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
-here all adversaries in view together are farthest"},Ke={free:".GS",blocked:"#@OTW"};var I=1+ze.length;function B(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function ve(t,e){return t<e?B(ge[0],{number:t}):B(ge[1],{number:t-e})}function gr(t,e){
-let[r,n,o,s,a,i,l,...c]=Array.from(t),d=a<0?[s]:[s,a],[m,h,p]=c.map(_=>d.filter((R,N)=>_>>N&1)),y=d.map(_=>ve(_,e)),f=B(je[a<0?"obstacle":be[o]],{first:y[0],second:y[y.
-length-1],cell:`(${i}, ${l})`}),x=B(Ve,{event:f,outcome:wr(d.length,h,p,e)});return{kind:Ge[n],form:be[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:r,
-text:x}}function wr(t,e,r,n){if(t===2&&e.length===2)return H["both held"];if(t===2&&r.length===2)return H["both doomed"];let o=s=>a=>B(H[s],{agent:ve(a,n)});return[
-...e.map(o("held")),...r.map(o("doomed"))].join(", ")||H.none}function ee(t,e){let r=[];for(let n=0;n<t.length;n+=I)r.push(gr(t.subarray(n+1,n+I),e));return r}var E=class extends Error{name="EngineError"};function b(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new E(`${t}\
+here all adversaries in view together are farthest"},Ke={free:".GS",blocked:"#@OTW"};var I=1+ze.length;function H(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function ve(t,e){return t<e?H(ge[0],{number:t}):H(ge[1],{number:t-e})}function gr(t,e){
+let[r,n,o,s,a,i,l,...c]=Array.from(t),d=a<0?[s]:[s,a],[m,h,p]=c.map(_=>d.filter((R,N)=>_>>N&1)),y=d.map(_=>ve(_,e)),f=H(je[a<0?"obstacle":be[o]],{first:y[0],second:y[y.
+length-1],cell:`(${i}, ${l})`}),x=H(Ve,{event:f,outcome:wr(d.length,h,p,e)});return{kind:Ge[n],form:be[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:r,
+text:x}}function wr(t,e,r,n){if(t===2&&e.length===2)return B["both held"];if(t===2&&r.length===2)return B["both doomed"];let o=s=>a=>H(B[s],{agent:ve(a,n)});return[
+...e.map(o("held")),...r.map(o("doomed"))].join(", ")||B.none}function ee(t,e){let r=[];for(let n=0;n<t.length;n+=I)r.push(gr(t.subarray(n+1,n+I),e));return r}var E=class extends Error{name="EngineError"};function b(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new E(`${t}\
 : expected ${e}, got ${n}`)}var P=class{bytes;constructor(e){this.bytes=e}},Xe=0,Me=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],qe=4,Ye=4,vr=new TextEncoder,
 xr=new TextDecoder;function Mr(t){for(let e=Me.length-1;e>Xe;--e)if(t instanceof Me[e])return e;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function xe(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Ar(t){return vr.encode(`${t}\0`)}var Ae=class{engine;addresses=[];constructor(e){
@@ -38,11 +38,11 @@ hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw b(t,`one of ${Object.keys(r).join(",
 abs(e)<=_r))throw b(t,"a finite number",e);return e}function O(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;if(n<0n||
 n>Tr)throw b(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Er(t){return{"rules.interaction":C("interaction",t.interaction,De),"rules\
 .obstacle":C("obstacle",t.obstacle,D),"rules.teammate":C("teammate",t.teammate,D),"rules.evader":C("evader",t.evader,D),"rules.pursuer":C("pursuer",t.pursuer,D),
-"rules.capture":C("capture",t.capture,He),"rules.captured_disappear":re("captured_disappear",t.captured_disappear)}}function Qe(t,e){let r=typeof e=="number"?[e,
+"rules.capture":C("capture",t.capture,Be),"rules.captured_disappear":re("captured_disappear",t.captured_disappear)}}function Qe(t,e){let r=typeof e=="number"?[e,
 e,e]:e;if(!Array.isArray(r)||r.length!==3)throw b(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Se(t,n))}function Cr(t){let e=(r,n)=>Float32Array.of(Se(r,
 t[r]),Se(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.step":e("pu\
 rsuer_step","evader_step"),"rewards.pursuer_collide":Qe("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Qe("evader_collide",t.evader_collide),"rew\
-ards.blame":C("blame",t.blame,Be),"rewards.capture_repeats":re("capture_repeats",t.capture_repeats)}}function et(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+ards.blame":C("blame",t.blame,He),"rewards.capture_repeats":re("capture_repeats",t.capture_repeats)}}function et(t){if(t===void 0||typeof t=="number")return new Uint8Array(
 0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=Ke;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw b(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!r.includes(a));if(s)throw b(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,s)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function tt(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
@@ -98,15 +98,15 @@ alive[n])continue;let[o,s]=g(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of V(t,e).values()){let o=gt[Math.min(n.length,gt.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 c=r[s];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return r}var vt=t=>t*t*(3-2*t),$=(t,e,r)=>t+(e-t)*r,xt=t=>Math.min(1,Math.max(0,t));function Mt(t,e,r,n){let o={1:2,
 2:r}[t.interaction]??1;if(o===1)return vt(n);let s=o===r?e:+!k(t,e),a=Math.max(1/o,Fr);return vt(xt((n-s/(o-1)*(1-a))/a))}function ce(t,e){let r=t.moments.length-
-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=wt(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=wt(t,a);return s.map((l,c)=>{let d=Mt(t,c,s.length,e-n);return Hr(
+1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=wt(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=wt(t,a);return s.map((l,c)=>{let d=Mt(t,c,s.length,e-n);return Br(
 o,a,c,l,i[c],d)})}function Oe(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,n)]],i=Mt(t,e,s.alive.length,
-r-o),[[l,c],[d,m]]=[g(s,e),g(a,e)];return[$(c,m,i)+.5,$(l,d,i)+.5]}function Hr(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:$(n.x,o.x,s),y:$(n.y,o.y,s),size:a?n.size:
+r-o),[[l,c],[d,m]]=[g(s,e),g(a,e)];return[$(c,m,i)+.5,$(l,d,i)+.5]}function Br(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:$(n.x,o.x,s),y:$(n.y,o.y,s),size:a?n.size:
 $(n.size,o.size,s),alpha:a?xt((1-s)/(1-Dr)):$(n.alpha,o.alpha,s)};if(ae(t,e,r)){let[l,c]=g(t,r),[d,m]=ie(t,e,r),h=Wr*Math.sin(Math.PI*s);i.x+=(m-c)*h,i.y+=(d-l)*
 h}return i}var At=2*Math.PI;function K(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,At)}function St(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,d]=s[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function Tt(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function _t(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
 2*(o%2?.6:.95),a=At*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function Et(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Ct=4,Br=1.6,Gr=.95,zr=5,jr=.16,Vr=9,Kr=.09,qr=.2,kt=.75,M=(t,e)=>t.left+e*t.cell,A=(t,e)=>t.top+e*t.cell;function U(t,e,r){return k(e,r)?t.colors.pursuer:t.
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Ct=4,Hr=1.6,Gr=.95,zr=5,jr=.16,Vr=9,Kr=.09,qr=.2,kt=.75,M=(t,e)=>t.left+e*t.cell,A=(t,e)=>t.top+e*t.cell;function U(t,e,r){return k(e,r)?t.colors.pursuer:t.
 colors.evader}function Rt({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,c]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),s<zr)return;
 t.fillStyle=r.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,d,c);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,d)}function Nt({ctx:t,
 grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[m,h]=[Math.floor(d/l),
@@ -127,29 +127,29 @@ kt+(qr-kt)*h;for(let p=0;p<m.alive.length;p++){let y=c===i&&r<i;if(!d.alive[p]||
 R&&_===N)continue;let X=y?o[p].x:N+.5,fr=y?o[p].y:R+.5;s.strokeStyle=U(t,e,p),s.beginPath(),s.moveTo(M(a,_+.5+f),A(a,x+.5+f)),s.lineTo(M(a,X+f),A(a,fr+f)),s.stroke()}}
 s.globalAlpha=1}function Wt(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Ct+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
 i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Ct,l=j(e,s,a);for(let c of le(s,a))l.includes(c)||Xr(t,g(a,c),i);for(let c of l)Yr(t,g(a,c),i)}t.ctx.globalAlpha=1}function Yr({
-ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,_t(t,M(e,o+.5),A(e,n+.5),Math.max(8,e.cell*Br)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
+ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,_t(t,M(e,o+.5),A(e,n+.5),Math.max(8,e.cell*Hr)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
 max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Xr({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Tt(t,M(e,o+.5),A(e,n+.5),Math.max(7,e.cell*Gr)),t.strokeStyle=
 r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Ft({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[
 M(e,i)+s,A(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Dt({ctx:t,
 grid:e,colors:r},n,o,s,a){t.globalAlpha=a,K(t,M(e,n),A(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
-s)),t.stroke(),t.globalAlpha=1}var Jr=.8,Qr=.92,Zr=15,en=7,Le=9;function Ht(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&tn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of V(e,r).values())a.length>
+s)),t.stroke(),t.globalAlpha=1}var Jr=.8,Qr=.92,Zr=15,en=7,Le=9;function Bt(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&tn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of V(e,r).values())a.length>
 Le&&rn(t,n[a[Le-1]],a.length-Le+1)}function tn(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:c}=t,d=k(e,n),[m,h]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
 o.size*(d?Qr:Jr)),y=U(t,e,n),f=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?St:K)(i,m,h,p),p>en*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
 p*.1),i.stroke()),i.fillStyle=f?c.paper:y,i.fill(),f&&(K(i,m,h,p*.82),i.strokeStyle=y,i.lineWidth=p*.18,i.stroke()),!s||p<Zr*a)return;let x=String(d?n:n-e.nPursuers);
 i.font=`700 ${Math.round(p*(d?.4:.5)*(x.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?y:c.paper,i.fillText(
 x,m,h+p*(d?.17:.03))}function rn({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
-s,a)}var nn=.46,on=.86,sn=.66,Bt=.48,an=.78,ln=.58;function Gt(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+s,a)}var nn=.46,on=.86,sn=.66,Ht=.48,an=.78,ln=.58;function Gt(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<s.alive.length;c++)ae(o,s,c)&&cn(t,e,g(o,c),ie(o,s,c));a.globalAlpha=
 1}function cn({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>M(e,n[1]+.5+s*m),l=m=>A(e,n[0]+.5+a*m),c=ke(r,o)?an:ln;t.setLineDash([e.cell*.09,e.cell*
-.06]),t.beginPath(),t.moveTo(i(Bt),l(Bt)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
+.06]),t.beginPath(),t.moveTo(i(Ht),l(Ht)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
 s*d),t.lineTo(i(c)+a*d,l(c)-s*d),t.stroke()}function zt(t,e,r,n,o,s){let a=Ce[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,d=ke(e,[n[0]+a[0],n[1]+a[1]])?on:
 sn,m=nn*o.size,h=[M(l,o.x+a[1]*m),A(l,o.y+a[0]*m),M(l,o.x+a[1]*d),A(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
 p*2.1],[U(t,e,r),p]])i.strokeStyle=y,i.lineWidth=f,Et(i,...h,l.cell*.2),i.stroke()}var Vt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Kt(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=ce(e,r),h=d?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Rt(t);for(let f of n.
 viewers)m[f]?.alpha&&$t(t,e,f,...Oe(e,f,r));Nt(t,e),n.axes&&It(t,o),Ut(t,e,r,n.trail,m),Ft(t,c.contested??[],h),Wt(t,e,r),Gt(t,e,l,h),m.forEach(({x:f,y:x,size:_},R)=>{
-let N=ft(c,R)?.4:0,X=Ne(c,R)?1:N;X&&Dt(t,f,x,_,X*h)});let p=d?c:e.moments[Math.max(0,l-1)];if(Ht(t,e,p,m,n.numbers,o),d&&n.plan)for(let[f,x]of m.entries())x.alpha&&
+let N=ft(c,R)?.4:0,X=Ne(c,R)?1:N;X&&Dt(t,f,x,_,X*h)});let p=d?c:e.moments[Math.max(0,l-1)];if(Bt(t,e,p,m,n.numbers,o),d&&n.plan)for(let[f,x]of m.entries())x.alpha&&
 zt(t,e,f,g(c,f),x,n.plan[f]??0);n.you!==null&&(n.fog&&Ot(t,e,...Oe(e,n.you,r)),Lt(t,m[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===
 null?void 0:m[n.selected];y?.alpha&&jt(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),jt(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
 []))}function jt({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var qt=(t,e)=>(e+.24)/(t+.24);function Yt(t,e,r,n,o,s){let a=r?28*s:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
