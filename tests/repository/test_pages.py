@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
@@ -67,6 +68,7 @@ ELSEWHERE = {
     "docs/files.md": "one line for a run of the reader's",
     "docs/held_out.md": "needs a run; tests/coevolution/evaluation",
     "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
+    "docs/play.md": "needs a browser; tests/explorer/test_play.py",
     "docs/playground.md": "tests/explorer/test_pages.py",
 }
 CLIENTS = sorted((DOCS / "clients").glob("*.md"))
@@ -411,7 +413,8 @@ def test_the_files_of_a_run(tmp_path: Path) -> None:
 
 
 def test_a_recorded_episode(tmp_path: Path) -> None:
-    mw.record("O", "chaser", "fleer", seed=0).save(tmp_path / "episode.npz")
+    played = replace(mw.record("O", "chaser", "fleer", seed=0), seat=3)
+    played.save(tmp_path / "episode.npz")
     check_arrays(tmp_path / "episode.npz", "## A recorded episode")
 
 

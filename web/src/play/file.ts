@@ -37,7 +37,8 @@ export function episodeFile(engine: Engine, live: Live, seat: number): Uint8Arra
     const rows = length + Number(name in moments);
     arrays[name] = { dtype, shape: [rows, ...shape], data: types[dtype].from((kept[name] ?? []).flat()) };
   }
-  const single = (value: number): NpyArray => ({ dtype: "<i4", shape: [], data: Int32Array.of(value) });
+  // A small number of 64 bits is two of 32, the low one first.
+  const single = (value: number): NpyArray => ({ dtype: "<i8", shape: [], data: Int32Array.of(value, 0) });
   const text = (value: string): NpyArray => ({ dtype: "<U", shape: [], data: value });
   return writeNpz({
     format: text(FORMAT), n_pursuers: single(config.n_pursuers), config: text(JSON.stringify(config)), seat: single(seat), ...arrays,
