@@ -224,7 +224,8 @@ def test_readers_with_disabilities_are_not_hindered(
     press = "document.querySelector('{}').click()".format
     assert (
         browser.hindrances(
-            page, *map(press, (".keys-button", ".miniature", ".begin-minute", ".to-share"))
+            page,
+            *map(press, (".keys-button", ".miniature", ".begin-minute", ".to-share", ".to-play")),
         )
         == {}
     )
@@ -323,6 +324,32 @@ def test_a_page_with_an_altered_script_does_not_run(
     browser.open(tmp_path / "altered.html")
     assert browser.js("document.title") != "owned"
     assert any("Content Security Policy" in error for error in browser.errors())
+
+
+def test_a_finger_chooses_in_a_loupe_and_sees_the_board(browser: Browser, tmp_path: Path) -> None:
+    start(tiny_race(generations=14), tmp_path / "run", threads=1).run()
+    browser.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
+    try:
+        show(browser, explore(tmp_path / "run").path, PHONE)
+        click_cell(browser, 13, 5)
+        cells = "[...document.querySelectorAll('.loupe button')].map((each) => each.ariaLabel)"
+        rates = open_run(tmp_path / "run").payoff().capture_rate
+        assert browser.js(cells)[:49] == [
+            f"{rates[g, h]:.2f}: pursuers {g} against evaders {h}"
+            for g in range(14, 7, -1)
+            for h in range(2, 9)
+        ]
+        assert browser.js("document.querySelector('.loupe button').clientHeight") > 30
+        browser.click(".loupe button[aria-label$='pursuers 10 against evaders 4']")
+        browser.wait(f"{PLAYED} === '0 10 4 0 '")
+        browser.wait(
+            "(({top, bottom}) => top >= 0 && bottom <= innerHeight)"
+            "(document.querySelector('#match canvas.board').getBoundingClientRect())"
+        )
+        assert browser.js("document.querySelector('.loupe')") is None
+        assert browser.errors() == []
+    finally:
+        browser.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
 
 
 def test_reduced_motion_shows_moments_only(browser: Browser, page: Path) -> None:

@@ -8,6 +8,7 @@ import type { Band, Run } from "./data.ts";
 import { viridisGradient } from "./colormap.ts";
 import { interval, rate, ticks } from "./format.ts";
 import { drawCells } from "./heatmap.ts";
+import { loupe, needsLoupe } from "./loupe.ts";
 import type { Store } from "./store.ts";
 
 /** Room around the cells, in pixels: axes on the left and below, curves above and on the right. */
@@ -194,8 +195,19 @@ export class MatrixPanel {
   #choose(event: MouseEvent): void {
     const at = this.#under(event);
     if (!at) return;
+    if (at.inside && needsLoupe(this.#places!.cell)) return this.#look(at.g, at.h);
     this.#store.select({ ...(at.g < 0 ? {} : { pursuer: at.g }), ...(at.h < 0 ? {} : { evader: at.h }) });
     if (at.inside) this.#play();
+  }
+
+  #look(g: number, h: number): void {
+    const over = loupe(this.#run, g, h, (cell) => {
+      over.remove();
+      if (!cell) return;
+      this.#store.select(cell);
+      this.#play();
+    });
+    this.#room.append(over);
   }
 
   #play(): void {

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 66eb3bcdf9383995a2afb694572e59f431600a9a8c9284a5876379ffebc922bd */
+/* built from web/ by "npm run build"; sources 82074d9bb2fa1458f908d022093b2132eb9fc1ea5c57d01c6246f507506b6547 */
 "use strict";(()=>{var rr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ne={DISAPPEAR:0,REACH:1,BOUNCE:2},nr={OCCUPATION:0,SURROUND:1},or={FAULT:0,INVOLVED:1};var yt=["obstacle","teammate","adversary"],gt=["vertex","edge","chain"],sr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],vt=["p\
 ursuer_{number}","evader_{number}"],ar={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},_e={"both held":"both bounce","both doomed":"\
