@@ -69,7 +69,7 @@ py::tuple backup(const States& states, int turn, const Doubles& next,
     play.given[1] = given_by("evaders", evaders, states, turn, Team::Evader);
     py::object by_team[kTeams] = {py::none(), py::none()};
     for (Team team : {Team::Pursuer, Team::Evader}) {
-        if (!chosen) continue;
+        if (!chosen || play.given[static_cast<int>(team)]) continue;
         Doubles probabilities({states.n_states(turn), std::int64_t{states.n_joint(turn, team)}});
         play.chosen[static_cast<int>(team)] = probabilities.mutable_data();
         by_team[static_cast<int>(team)] = probabilities;

@@ -207,8 +207,8 @@ void States::add_starts(int agent, std::vector<int>& places) {
     }
 }
 
-// Finds the successors of the states from `first` on. Threads write codes, an end as -1 - its number;
-// then one thread numbers the states, in the order of the codes.
+// Finds the successors of the states from `first` on. Threads write the numbers of states that are
+// known, and -1 - code of new ones; then one thread numbers these, in their order.
 void States::expand(int turn, std::size_t first, int n_threads, const Workers::Poll& poll) {
     Layer& layer = layers_[turn];
     Layer& next = layers_[(turn + 1) % n_turns()];
@@ -222,16 +222,17 @@ void States::expand(int turn, std::size_t first, int n_threads, const Workers::P
     });
     for (std::size_t i = first * size; i < last * size; ++i) {
         std::int32_t& found = layer.successors[i];
-        found = found < 0 ? -1 - found : number(next, found);
+        if (found < 0) found = number(next, -1 - found);
     }
 }
 
 // Actions of agents that are gone are not looked at: what action 0 leads to is copied.
 void States::play_all(int turn, std::size_t state, Memory& memory, std::int32_t* out) const {
     const Layer& layer = layers_[turn];
+    const Layer& next = layers_[(turn + 1) % n_turns()];
     const int size = layer.n_joint[0] * layer.n_joint[1];
     if (state < static_cast<std::size_t>(n_ends())) {
-        std::fill_n(out, size, -1 - static_cast<std::int32_t>(state));
+        std::fill_n(out, size, static_cast<std::int32_t>(state));
         return;
     }
     World& world = memory.world;
@@ -255,11 +256,12 @@ void States::play_all(int turn, std::size_t state, Memory& memory, std::int32_t*
         world.begin_round();
         world.play_turn(turn, memory.actions.data(), memory.scratch);
         if (world.terminated()) {
-            out[joint] = -1 - world.n_captured();
+            out[joint] = world.n_captured();
         } else {
             places_in(world, memory.places);
             sort(memory.places);
-            out[joint] = code_of(memory.places);
+            const Code code = code_of(memory.places);
+            out[joint] = next.numbers[code] < 0 ? -1 - code : next.numbers[code];
         }
         world.leave(memory.scratch);
     }
@@ -319,106 +321,58 @@ void States::weigh(int turn, Team of, const Candidates& candidates, double* out,
 
 namespace {
 
-// One game, with memory for it.
-class Table {
-  public:
-    Table(int n_rows, int n_cols)
-        : n_rows_(n_rows),
-          n_cols_(n_cols),
-          matrix_(n_rows * n_cols),
-          means_(std::max(n_rows, n_cols)),
-          rows_(n_rows),
-          cols_(n_cols) {}
+// A game in which a team's play is given is smaller: its rows, or columns, become their mean.
+void mix_rows(const double* weights, int& n_rows, int n_cols, std::vector<double>& matrix) {
+    for (int j = 0; j < n_cols; ++j) {
+        double mean = 0;
+        for (int i = 0; i < n_rows; ++i) mean += weights[i] * matrix[i * n_cols + j];
+        matrix[j] = mean;
+    }
+    n_rows = 1;
+}
 
-    double* matrix() { return matrix_.data(); }
-
-    // Solves the game where `rows` or `cols`, the probabilities of a team, may be given.
-    GameValue solve(const double* rows, const double* cols) {
-        if (rows) std::copy_n(rows, n_rows_, rows_.begin());
-        if (cols) std::copy_n(cols, n_cols_, cols_.begin());
-        if (rows && cols) return {mean_of_rows(), 0};
-        if (rows) return reply_of_cols();
-        if (cols) return reply_of_rows();
-        return game_.solve(matrix_.data(), n_rows_, n_cols_, rows_.data(), cols_.data());
+void mix_cols(const double* weights, int n_rows, int& n_cols, std::vector<double>& matrix) {
+    for (int i = 0; i < n_rows; ++i) {
+        const double* const row = &matrix[i * n_cols];
+        matrix[i] = std::inner_product(row, row + n_cols, weights, 0.0);
     }
-
-    const std::vector<double>& probabilities(Team team) const {
-        return team == Team::Pursuer ? rows_ : cols_;
-    }
-
-  private:
-    // The means of the columns, or of the rows, under the probabilities of the other side.
-    void mix_rows() {
-        std::fill_n(means_.begin(), n_cols_, 0.0);
-        for (int i = 0; i < n_rows_; ++i) {
-            for (int j = 0; j < n_cols_ && rows_[i] != 0; ++j) {
-                means_[j] += rows_[i] * matrix_[i * n_cols_ + j];
-            }
-        }
-    }
-    void mix_cols() {
-        for (int i = 0; i < n_rows_; ++i) {
-            means_[i] =
-                std::inner_product(cols_.begin(), cols_.end(), matrix_.begin() + i * n_cols_, 0.0);
-        }
-    }
-    double mean_of_rows() {
-        mix_cols();
-        return std::inner_product(rows_.begin(), rows_.end(), means_.begin(), 0.0);
-    }
-    GameValue reply_of_cols() {
-        mix_rows();
-        const auto best = std::min_element(means_.begin(), means_.begin() + n_cols_);
-        std::fill(cols_.begin(), cols_.end(), 0.0);
-        cols_[best - means_.begin()] = 1;
-        return {*best, 0};
-    }
-    GameValue reply_of_rows() {
-        mix_cols();
-        const auto best = std::max_element(means_.begin(), means_.begin() + n_rows_);
-        std::fill(rows_.begin(), rows_.end(), 0.0);
-        rows_[best - means_.begin()] = 1;
-        return {*best, 0};
-    }
-
-    int n_rows_;
-    int n_cols_;
-    MatrixGame game_;
-    std::vector<double> matrix_;
-    std::vector<double> means_;
-    std::vector<double> rows_;
-    std::vector<double> cols_;
-};
+    n_cols = 1;
+}
 
 }  // namespace
 
 double States::backup(int turn, const double* next, double* values, const Play& play, int n_threads,
                       const Workers::Poll& poll) const {
     const Layer& layer = layers_[turn];
-    const int* n = layer.n_joint;
+    const int* const n = layer.n_joint;
     const std::size_t size = static_cast<std::size_t>(n[0]) * n[1];
-    std::vector<std::unique_ptr<Table>> tables(n_threads);
-    std::vector<double> gaps(n_threads, 0.0);
-    const auto row = [](auto* table, std::size_t state, int width) {
-        return table ? table + state * width : nullptr;
+    struct Room {
+        MatrixGame game;
+        std::vector<double> matrix, rows, cols;
+        double gap = 0;
     };
+    std::vector<Room> rooms(n_threads);
     for_each_state(0, layer.codes.size(), n_threads, poll, [&](std::size_t state, int thread) {
-        if (!tables[thread]) tables[thread] = std::make_unique<Table>(n[0], n[1]);
-        Table& table = *tables[thread];
+        Room& room = rooms[thread];
+        room.matrix.resize(size);
+        room.rows.resize(n[0]);
+        room.cols.resize(n[1]);
         const std::int32_t* const successors = &layer.successors[state * size];
-        for (std::size_t i = 0; i < size; ++i) table.matrix()[i] = next[successors[i]];
+        for (std::size_t i = 0; i < size; ++i) room.matrix[i] = next[successors[i]];
+        int n_rows = n[0];
+        int n_cols = n[1];
+        if (play.given[0]) mix_rows(play.given[0] + state * n[0], n_rows, n_cols, room.matrix);
+        if (play.given[1]) mix_cols(play.given[1] + state * n[1], n_rows, n_cols, room.matrix);
         const GameValue solved =
-            table.solve(row(play.given[0], state, n[0]), row(play.given[1], state, n[1]));
+            room.game.solve(room.matrix.data(), n_rows, n_cols, room.rows.data(), room.cols.data());
         values[state] = solved.value;
-        gaps[thread] = std::max(gaps[thread], solved.gap);
-        for (Team team : {Team::Pursuer, Team::Evader}) {
-            const std::vector<double>& found = table.probabilities(team);
-            double* const out =
-                row(play.chosen[static_cast<int>(team)], state, n[static_cast<int>(team)]);
-            if (out) std::copy(found.begin(), found.end(), out);
-        }
+        room.gap = std::max(room.gap, solved.gap);
+        if (play.chosen[0]) std::copy_n(room.rows.begin(), n_rows, play.chosen[0] + state * n[0]);
+        if (play.chosen[1]) std::copy_n(room.cols.begin(), n_cols, play.chosen[1] + state * n[1]);
     });
-    return *std::max_element(gaps.begin(), gaps.end());
+    double gap = 0;
+    for (const Room& room : rooms) gap = std::max(gap, room.gap);
+    return gap;
 }
 
 }  // namespace matrixworld

@@ -58,8 +58,8 @@ class States {
 
     // One step of backward induction: the values of a turn's states from those of the next turn's.
     // A team whose probabilities, (n_states, its joint actions), are given plays by them; otherwise
-    // it plays its best. Writes probabilities with which the teams play where they are not null.
-    // Returns the largest gap of the games (see GameValue).
+    // it plays its best, with the probabilities that are written where `chosen` is not null (only of
+    // teams that have none given). Returns the largest gap of the games (see GameValue).
     struct Play {
         const double* given[kTeams] = {nullptr, nullptr};
         double* chosen[kTeams] = {nullptr, nullptr};

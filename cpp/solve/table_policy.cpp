@@ -1,24 +1,23 @@
 #include "solve/table_policy.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace matrixworld {
 
 void Tables::check(const Config& config) const {
     const Config& own = states->setup().config;
-    const Rules& a = own.rules;
-    const Rules& b = config.rules;
-    const bool same_rules = a.interaction == b.interaction && a.obstacle == b.obstacle &&
-                            a.teammate == b.teammate && a.evader == b.evader &&
-                            a.pursuer == b.pursuer && a.capture == b.capture &&
-                            a.captured_disappear == b.captured_disappear;
+    static_assert(std::has_unique_object_representations_v<Rules>,
+                  "bytes tell whether two are equal");
+    const bool same_rules = std::memcmp(&own.rules, &config.rules, sizeof(Rules)) == 0;
     const bool same_world = own.rows == config.rows && own.cols == config.cols &&
                             own.n_pursuers == config.n_pursuers &&
                             own.n_evaders == config.n_evaders && own.diagonal == config.diagonal &&
                             own.map.size() == config.map.size() && (own.map == config.map).all() &&
-                            (config.map.size() != 0 || config.n_random_obstacles() == 0);
+                            config.n_random_obstacles() == 0;
     if (!same_rules || !same_world) {
         throw std::invalid_argument(
             "policy: expected the world that it was solved for, got another");

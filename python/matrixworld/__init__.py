@@ -10,6 +10,7 @@ policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `E
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           packages `coevolution` and `analysis`, module `plots`
+ground truth        package `solve`
 ==================  ===============================================================================
 """
 

@@ -20,6 +20,7 @@ FEW = {
     "bench_peers": [*SHORT, "--rounds", "20", "--size", "2"],
     "bench_scaling": [*SHORT, "--largest", "100", "--out", "scaling.png"],
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
+    "bench_solve": ["--repeats", "1"],
 }
 """Options of each script for a short run."""
 

@@ -56,6 +56,7 @@ RUN = {
         r"\{'hall': \d, 'archive': \d\}", "True", r"\[0, 1, 2\]",
     ),
     "docs/figures.md": None,
+    "docs/ground_truth.md": None,
     "docs/integrations.md": None,
     "docs/opponents.md": (RATE, RATE, r"\[(.|\n)*"),
     "docs/safety.md": None,

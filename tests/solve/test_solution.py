@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
@@ -64,9 +66,7 @@ def test_a_pair_gets_exactly_what_its_matches_come_to() -> None:
     config = world(max_steps=8)
     states, seen = States(config), mw.Matches.of(0, 0, 1)
     solution = solve(states)
-    network = mw.Network.for_config(config)
-    genome = network.initial(np.random.default_rng(0), weight=0.5, head=0.5)
-    pursuers = mw.Population(genome, network)
+    pursuers = network(config)
     pairs = [
         (pursuers, "clumsy-fleer", expected_payoff(states, pursuers, "clumsy-fleer")),
         (solution.policy("pursuer"), solution.policy("evader"), solution.value),
@@ -78,3 +78,81 @@ def test_a_pair_gets_exactly_what_its_matches_come_to() -> None:
         rates = mw.rollout(config, one, other, seen, episodes=40_000).capture_rate
         error = 4 * np.sqrt(expected * (1 - expected) / rates.size) + 1e-9
         assert rates.mean() == pytest.approx(expected, abs=error)
+
+
+def test_a_mixture_is_the_mean_of_its_members_in_every_state() -> None:
+    states = States(world())
+    parts = [(0.25, "random"), (0.75, [(0.5, "still"), (0.5, "chaser")])]
+    mixed = best_response(states, parts, "pursuer")
+    decisions = [states.decisions(name, "pursuer")[0] for name in ("random", "still", "chaser")]
+    expected = sum(w * d for w, d in zip((0.25, 0.375, 0.375), decisions, strict=True))
+    np.testing.assert_allclose(mixed.probabilities("pursuer"), expected, atol=1e-15)
+    assert best_response(states, [(1.0, "still")], "pursuer").value == pytest.approx(
+        best_response(states, "still", "pursuer").value
+    )
+
+
+def test_threads_change_no_bit() -> None:
+    one, three = (solve(States(world("TO"), threads=threads)) for threads in (1, 3))
+    assert all(map(np.array_equal, one.values, three.values))
+    assert np.array_equal(one.states.successors(2), three.states.successors(2))
+
+
+def test_the_time_to_capture_is_the_sum_over_rounds_of_what_is_free() -> None:
+    # With one evader that stays captured, E[min(time, T)] is a sum of escape rates under any play.
+    states = States(world())
+    pair = {"pursuers": "clumsy-chaser", "evaders": "random"}
+    rates = [expected_payoff(states, **pair, steps=t) for t in range(1, 6)]
+    time = expected_payoff(states, **pair, steps=6, payoff="capture-time")
+    assert time == pytest.approx(1 + sum(1 - rate for rate in rates))
+    assert solve(states, steps=6, payoff="capture-time").value <= 6
+
+
+def test_a_solved_team_plays_in_all_places() -> None:
+    config = world(max_steps=6)
+    solution = solve(config)
+    pursuers, evaders = solution.policy("pursuer"), solution.policy("evader")
+    episode = mw.record(config, pursuers, evaders, seed=3)
+    world_ = mw.World(config)
+    world_.reset(3)
+    actions = np.zeros(3, np.int64)
+    world_.decide(pursuers, range(1), actions)  # one member alone: the same draw
+    world_.decide(pursuers, range(1, 2), actions)
+    assert actions[:2].tolist() == episode.actions[0][:2].tolist()
+    env = mw.parallel_env(config, evaders=evaders)
+    env.reset(seed=3)
+    env.step(dict.fromkeys(env.agents, 0))
+    scores = mw.score_policy(pursuers, "pursuer", config, opponents={"perfect": evaders})
+    assert scores.mean().value == pytest.approx(solution.value, abs=0.2)
+
+
+@pytest.mark.parametrize(
+    ("refused", "said"),
+    [
+        (lambda: solve(world(obstacles=0.1)), "expected none or a map"),
+        (lambda: solve(world(rows=60, cols=60)), "cells would fit"),
+        (lambda: solve(world(), steps=0), "steps: expected at least 1"),
+        (lambda: best_response(world(), [(0.5, "still")], "pursuer"), "the sum 1"),
+        (lambda: best_response(world(rows=7), network(world(rows=7)), "pursuer"), "with fov 13"),
+        (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter: expected a script"),
+        (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
+        (lambda: solve(world()).capture_time, "expected a game in turns"),
+        (lambda: play(world("R")), "expected the world that it was solved for"),
+        (lambda: play(world(max_steps=6)), "expected at most the 5 steps"),
+        (lambda: play(world(), swapped=True), "expected to play for its own team"),
+    ],
+)
+def test_what_is_refused(refused: Callable[[], object], said: str) -> None:
+    with pytest.raises(ValueError, match=said):
+        refused()
+
+
+def network(config: mw.WorldConfig) -> mw.Population:
+    shape = mw.Network.for_config(config)
+    return mw.Population(shape.initial(np.random.default_rng(0), weight=0.5, head=0.5), shape)
+
+
+def play(config: mw.WorldConfig, swapped: bool = False) -> object:
+    policy = solve(world()).policy("pursuer")
+    teams = ("still", policy) if swapped else (policy, "still")
+    return mw.record(config, *teams, seed=0)

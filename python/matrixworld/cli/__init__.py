@@ -18,6 +18,7 @@ from matrixworld.cli.options import Commands
 from matrixworld.cli.play import play_command
 from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
+from matrixworld.cli.solve import solve_command
 from matrixworld.cli.tournament import tournament_command
 from matrixworld.version import __version__
 
@@ -44,6 +45,7 @@ for command in (
     score_command,
     tournament_command,
     exploit_command,
+    solve_command,
     class_command,
     bench_command,
     play_command,

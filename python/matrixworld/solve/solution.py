@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._core import Interaction
 from matrixworld._util.checks import check_choice, check_integer, check_number
 from matrixworld._util.memory import check_memory
 from matrixworld._util.short_repr import short_repr
@@ -99,8 +98,13 @@ class Solution:
     @property
     def value(self) -> float:
         """Mean over the starts: the capture rate, or the rounds until all evaders are captured."""
-        mean = float(self.values[0][-1][self.states.starts].mean())
-        return mean if self.payoff == "capture-rate" else -mean
+        return float(self.means[-1])
+
+    @cached_property
+    def means(self) -> NDArray[np.float64]:
+        """The value of episodes of 0, 1, ... R rounds, (R + 1,)."""
+        means = self.values[0][:, self.states.starts].mean(axis=1)
+        return np.asarray(means if self.payoff == "capture-rate" else -means)
 
     def probabilities(
         self, team: Team, rounds: int | None = None, turn: int = 0
@@ -162,7 +166,7 @@ class Solution:
         analysis: ValueError otherwise.
         """
         states = self.states
-        if states.config.rules.interaction is Interaction.SIMULTANEOUS:
+        if states.n_turns == 1:
             raise ValueError("capture_times: expected a game in turns, got simultaneous moves")
         # An end is won or not, and wins within n rounds can only become more with n.
         won = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
-from matrixworld._util.checks import INT_MAX, check_instance, check_threads
+from matrixworld._util.checks import check_instance, check_threads
 from matrixworld._util.memory import OutOfMemoryError, available_memory
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy, check_team
@@ -101,6 +101,11 @@ class States:
         """How many of the states of each turn are ends: E + 1."""
         return self.config.n_evaders + 1
 
+    @property
+    def total(self) -> int:
+        """The number of states of all turns together."""
+        return sum(map(self.count, range(self.n_turns)))
+
     def count(self, turn: int = 0) -> int:
         """Return the number S of the states of a turn."""
         return len(self.successors(turn))
@@ -183,23 +188,19 @@ def _check_size(config: WorldConfig) -> None:
     """Raise OutOfMemoryError unless the states fit into memory, and say which board would."""
     available = available_memory() or _MOST_BYTES
     count, needed = size_of(config)
-    if _fits(count, needed, available):
+    if needed <= available:
         return
     sides = range(min(config.rows, config.cols) - 1, 1, -1)
-    teams = f"{config.n_pursuers} pursuers and {config.n_evaders} evaders"
     boards = (
         side
         for side in sides
         if side**2 >= config.n_agents
-        and _fits(*size_of(replace(config, rows=side, cols=side, obstacles=0.0)), available)
+        and size_of(replace(config, rows=side, cols=side, obstacles=0.0))[1] <= available
     )
     side = next(boards, None)
     would = "no smaller board would" if side is None else f"{side} x {side} cells would fit"
     raise OutOfMemoryError(
         f"states: expected at most {available / 10**9:,.1f} GB, got about {count:,} states and "
-        f"{needed / 10**9:,.1f} GB for {teams} on {config.rows} x {config.cols} cells; {would}"
+        f"{needed / 10**9:,.1f} GB for {config.n_pursuers} against {config.n_evaders} agents on "
+        f"{config.rows} x {config.cols} cells; {would}"
     )
-
-
-def _fits(count: int, needed: int, available: int) -> bool:
-    return needed <= available and max(count, needed // _INDEX) <= INT_MAX

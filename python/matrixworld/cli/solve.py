@@ -1,0 +1,137 @@
+"""``matrixworld solve``: the value of a small world, exactly."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+from matrixworld._util.checks import INT_MAX
+from matrixworld.cli.arguments import failures
+from matrixworld.cli.console import print_wrapped, say
+from matrixworld.cli.options import (
+    AnyFunction,
+    force_option,
+    json_option,
+    refuse_existing,
+    steps_option,
+    threads_option,
+    world_options,
+    write_json,
+)
+from matrixworld.cli.setting_options import usage_errors
+from matrixworld.cli.tables import print_head
+from matrixworld.solve import Solution, States, solve
+from matrixworld.world.config import WorldConfig
+
+EXAMPLES = """\b
+Examples:
+  matrixworld solve --rows 4 --cols 4 --steps 5
+  matrixworld solve --variant TO --rows 8 --cols 8
+  matrixworld solve --variant O --rows 4 --cols 4 --pursuers 2 --evaders 1 --steps 5 --json -
+"""
+LEGEND = (
+    "Both teams play perfectly, see everything, and choose for all their members together. The "
+    "mean is over all starts on distinct free cells."
+)
+
+
+def _team(name: str, default: int) -> Callable[[AnyFunction], AnyFunction]:
+    return click.option(
+        f"--{name}",
+        f"n_{name}",
+        type=click.IntRange(1, INT_MAX),
+        default=default,
+        show_default=True,
+        metavar="INTEGER",
+        help=f"number of {name}",
+    )
+
+
+@click.command("solve", epilog=EXAMPLES, short_help="Solve a small world exactly.")
+@world_options("variant", "rows", "cols")
+@_team("pursuers", 2)
+@_team("evaders", 1)
+@steps_option
+@world_options("diagonal", "obstacles")
+@json_option
+@force_option
+@threads_option
+def solve_command(
+    variant: str | None,
+    steps: int | None,
+    json_file: Path | None,
+    force: bool,
+    threads: int | None,
+    **world: Any,
+) -> None:
+    """Solve a small world exactly.
+
+    The value is the capture rate after the last step when both teams play perfectly, as a mean over
+    all starts on distinct free cells. Where the teams take turns, the capture time is printed, too:
+    the rounds that the pursuers need when they choose their cells first and the evaders then
+    theirs, for as long as it takes.
+
+    All states must fit into memory: about 3 pursuers and 2 evaders on a small board.
+    docs/ground_truth.md says how it is done.
+    """
+    refuse_existing(json_file, force=force)
+    given = {name: value for name, value in world.items() if value is not None}
+    if steps is not None:
+        given["max_steps"] = steps
+    with failures(), usage_errors():
+        config = WorldConfig(variant or "O", **given)
+        began = time.perf_counter()
+        solution = solve(States(config, threads=threads))
+        in_turns = solution.states.n_turns > 1
+        # None: never.
+        found = solution.capture_time if in_turns else math.inf
+        capture_time = None if math.isinf(found) else int(found)
+        seconds = time.perf_counter() - began
+    _print(solution, variant or "O", in_turns, capture_time, seconds)
+    write_json(
+        json_file,
+        {
+            "world": config.to_json(),
+            "value": solution.value,
+            "value_by_step": solution.means.tolist(),
+            **({"capture_time": capture_time} if in_turns else {}),
+            "states": solution.states.total,
+            "gap": solution.gap,
+            "seconds": seconds,
+        },
+    )
+
+
+def _print(
+    solution: Solution, variant: str, in_turns: bool, capture_time: int | None, seconds: float
+) -> None:
+    config, means = solution.states.config, solution.means
+    size = f"{config.rows} x {config.cols} cells"
+    print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
+    # Half of the value tells how fast it is reached.
+    half = next(step for step, mean in enumerate(means) if mean >= means[-1] / 2)
+    rows = [[f"capture rate after {solution.steps} steps", f"{solution.value:.4f}"]]
+    rows += [["steps to half of it", str(half)]] if means[-1] > 0 else []
+    if in_turns:
+        never = "never: the evaders can escape"
+        rows.append(
+            [
+                "rounds to capture from the best start",
+                str(never if capture_time is None else capture_time),
+            ]
+        )
+    rows += [
+        ["states", f"{solution.states.total:,}"],
+        ["largest gap between the guarantees of a step", f"{solution.gap:.1g}"],
+        ["seconds", f"{seconds:.2f}"],
+    ]
+    width = max(len(name) for name, _ in rows)
+    for name, value in rows:
+        say(f"  {name:{width}}  {value}")
+    say()
+    print_wrapped(LEGEND)
