@@ -48,8 +48,9 @@ from matrixworld.world.policy import Population
 # The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ("32", "64,64", "400,300")
 REPEATS, SECONDS, LONGEST = 5, 4.0, 3600.0
-LEARNED = 1.25
-"""How much longer matches take, on average, when teams have learned to move."""
+SAMPLED, LEARNED = 0.2, 1.25
+"""Seconds of matches from which the time of a race is estimated, and how much longer its matches
+take, on average, because teams learn to move."""
 
 MANY = 1024
 MOST_VIEWS = 2**28
@@ -217,7 +218,7 @@ def seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | No
     if races[0].learner.rounds_by_processor:
         return None
     timing = timings_of_matches(races[0], check_threads(threads))[-1]
-    timing.repeat(0)
+    timing.repeat(SAMPLED)
     return LEARNED * matches_of(races) / (timing.rate * timing.at_once)
 
 

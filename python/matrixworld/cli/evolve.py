@@ -71,7 +71,7 @@ from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TE
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
 SHOWN_SECONDS = 4.0
-"""About what scores and figures of a race take, beside its matches."""
+"""About what scores and figures of the runs of a schedule take, beside their matches."""
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -341,7 +341,7 @@ def _plan(job: Job, root: Path, threads: int | None, *, timed: bool) -> str:
     what = "race" if races else "run"
     seconds = None
     if timed and races and (matches := seconds_of(settings, threads)) is not None:
-        seconds = matches + SHOWN_SECONDS * len(settings)
+        seconds = matches + SHOWN_SECONDS * len({each.schedule.name for each in settings})
     parts = [
         f"-{first.variant}" if first.variant in VARIANTS else first.variant,
         f"{world.n_pursuers} pursuers and {world.n_evaders} evaders",

@@ -103,13 +103,12 @@ def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
 def _print_groups(groups: Sequence[Group]) -> None:
     """Print headline and numbers of each group beside its name."""
     width = max([len(each.name) for each in groups if len(each.name) <= WIDEST_NAME], default=0)
-    columns = WIDEST - width - 2
     for group in groups:
-        lines = [part for line in _lines(group) for part in textwrap.wrap(line, columns)]
-        names = [group.name] if len(group.name) <= width else [group.name, ""]
-        lines = ["", *lines] if len(names) > 1 else lines
-        for name, line in zip([*names, *[""] * (len(lines) - len(names))], lines, strict=True):
-            say(f"{name:{width}}  {line}".rstrip())
+        lines = [part for line in _lines(group) for part in textwrap.wrap(line, WIDEST - width - 2)]
+        if len(group.name) > width:
+            lines = ["", *lines]
+        for number, line in enumerate(lines):
+            say(f"{group.name * (number == 0):{width}}  {line}".rstrip())
         print_missing(group)
 
 
