@@ -5,6 +5,7 @@ import { listenToArrows } from "./arrow_keys.ts";
 import { viridis } from "./colormap.ts";
 import type { Run, Team } from "./data.ts";
 import { rate } from "./format.ts";
+import { scaleOfRates } from "./heatmap.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
@@ -20,8 +21,8 @@ export function ciaoPanel(run: Run, store: Store): Panel | null {
     return triangle(run, team, numbers, store);
   });
   return {
-    element: card("CIAO", "Current individuals against ancestral opponents, by the team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier strategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",
-      html("div", { class: "triangles" }, ...triangles.map((each) => each.element))),
+    element: card("CIAO: current individuals against ancestral opponents", "The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier strategies is recurrence, under What happened. Darker away from the diagonal: forgetting.",
+      html("div", { class: "triangles" }, ...triangles.map((each) => each.element)), scaleOfRates("0 loses", "1 wins")),
     update: () => triangles.forEach((each) => each.update()),
   };
 }

@@ -1,7 +1,8 @@
 // Cells of a payoff matrix on a canvas, pursuer generations upwards.
 
 import type { Payoff } from "./data.ts";
-import { viridis } from "./colormap.ts";
+import { html } from "../page/dom.ts";
+import { viridis, viridisGradient } from "./colormap.ts";
 
 export interface Box {
   readonly left: number;
@@ -40,4 +41,11 @@ function cellsOf(payoff: Payoff): HTMLCanvasElement | null {
   }));
   ctx.putImageData(image, 0, 0);
   return picture;
+}
+
+/** Return the colours of rates from 0 to 1, and what both ends mean. */
+export function scaleOfRates(low: string, high: string): HTMLElement {
+  const bar = html("span", { class: "gradient" });
+  bar.style.backgroundImage = viridisGradient();
+  return html("p", { class: "scale-of-rates small muted" }, low, bar, high);
 }

@@ -5,9 +5,8 @@ import { html, svg } from "../page/dom.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import { cellOf } from "./data.ts";
 import type { Band, Run } from "./data.ts";
-import { viridisGradient } from "./colormap.ts";
 import { interval, rate, ticks } from "./format.ts";
-import { drawCells } from "./heatmap.ts";
+import { drawCells, scaleOfRates } from "./heatmap.ts";
 import { loupe, needsLoupe } from "./loupe.ts";
 import type { Store } from "./store.ts";
 
@@ -57,7 +56,7 @@ export class MatrixPanel {
     const readout = html("header", { class: "readout", "aria-live": "polite" },
       html("div", {}, this.#pair, this.#all),
       html("div", { class: "of-cell" }, this.#rate, this.#more));
-    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, scaleOfRates());
+    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, scaleOfRates("0 all escape", "1 all caught"));
     this.#say();
     new ResizeObserver(() => this.#draw()).observe(this.#room);
     this.#room.addEventListener("pointermove", (event) => this.#point(event));
@@ -213,13 +212,6 @@ export class MatrixPanel {
   #play(): void {
     this.#room.dispatchEvent(new CustomEvent("play", { bubbles: true }));
   }
-}
-
-/** The colours of capture rates. */
-function scaleOfRates(): HTMLElement {
-  const bar = html("span", { class: "gradient" });
-  bar.style.backgroundImage = viridisGradient();
-  return html("p", { class: "scale-of-rates small muted" }, "0 all escape", bar, "1 all caught");
 }
 
 function axes({ left, top, cell, rows, columns }: Places): SVGElement {
