@@ -506,6 +506,8 @@ def tables(numbers: Numbers) -> str:
     missing = [part for part, number in NUMBER_OF.items() if number not in numbers]
     if missing:
         parts.append(f"Not measured: {', '.join(missing)} (`--parts`).")
+    if "races" not in missing:
+        parts.append(returns(numbers))
     if CROSS_PLAY not in missing:
         parts.append(scores(numbers))
     return "\n\n".join(parts)
@@ -529,6 +531,23 @@ def table(columns: Sequence[str], of_table: Sequence[Claim]) -> str:
 def cell(claim: Claim, column: str, p: float) -> str:
     """Return verdict, mean, interval and adjusted p-value of a claim in a column."""
     return f"**{claim.verdict(column, p)}**<br>{claim.shown(column)}<br>{shown_p(p)}"
+
+
+def returns(numbers: Numbers) -> str:
+    """Return in how many seeds, each by itself, skills of specialists return, in a sentence."""
+    races = [read_payoffs(each, per_episode=True) for each in captured_by(numbers)[SPECIALISTS]]
+    counts = []
+    for team in TEAMS:
+        of = MEASURES[f"{team}_recurrence"].of
+        again = sum((of(race, "last half").low or 0.0) > LEAST_RECURRENCE for race in races)
+        triangles = [getattr(analysis.ciao(race.matrices[0]), f"{team}s") for race in races]
+        second = sum(triangle.period == 2 for triangle in triangles)
+        counts.append(f"{team}s {again}, {second}")
+    return (
+        f"Of {len(races)} seeds of specialists against specialists, each by itself: in how many "
+        "skills return beyond episode noise in the last half, and in how many the stripes of the "
+        f"CIAO plot have period 2: {'; '.join(counts)}."
+    )
 
 
 def scores(numbers: Numbers) -> str:
