@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 07a35e55698a03165c524e5f1c6644e36a2fc17c67548da0d6c46de50968aea2 */
+/* built from web/ by "npm run build"; sources aaccd3554968df46312bf0459b2c0b597623773932394c04d35434f2cdecd63b */
 "use strict";(()=>{var yr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],Q=0,ye=12,br=2,J=class extends EventTarget{#e;#t;#r;#n;#o=0;#s=0;#a=!1;#c=null;#d=0;#i=[];glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#n=r.still??!1,this.#r=r.clock??yr}get step(){return this.#o}get time(){return this.#n?this.#o:this.#s}get arrived(){return this.#s===
 this.#o}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#o>e&&this.jump(e),this.#l("state")}get marks(){return this.#i}set marks(e){

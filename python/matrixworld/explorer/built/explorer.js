@@ -1,74 +1,74 @@
-/* built from web/ by "npm run build"; sources 07a35e55698a03165c524e5f1c6644e36a2fc17c67548da0d6c46de50968aea2 */
+/* built from web/ by "npm run build"; sources aaccd3554968df46312bf0459b2c0b597623773932394c04d35434f2cdecd63b */
 "use strict";(()=>{var ma=Object.create;var dr=Object.defineProperty;var ha=Object.getOwnPropertyDescriptor;var fa=Object.getOwnPropertyNames;var ga=Object.getPrototypeOf,ya=Object.prototype.hasOwnProperty;var va=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var ba=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of fa(e))!ya.call(t,o)&&o!==n&&dr(t,o,{get:()=>e[o],enumerable:!(r=ha(e,o))||r.enumerable});
-return t};var wa=(t,e,n)=>(n=t!=null?ma(ga(t)):{},ba(e||!t||!t.__esModule?dr(n,"default",{value:t,enumerable:!0}):n,t));var zs=va(ar=>{var Os=Object.defineProperty,Rl=t=>Os(t,"__esModule",{value:!0}),_l=(t,e)=>{for(var n in e)Os(t,n,{get:e[n],enumerable:!0})};Rl(ar);_l(ar,{GIFEncoder:()=>Fs,
-applyPalette:()=>Fl,default:()=>Yl,nearestColor:()=>Wl,nearestColorIndex:()=>Us,nearestColorIndexWithDistance:()=>Bs,prequantize:()=>Bl,quantize:()=>Nl,snapColorsToPalette:()=>Hl});
+return t};var wa=(t,e,n)=>(n=t!=null?ma(ga(t)):{},ba(e||!t||!t.__esModule?dr(n,"default",{value:t,enumerable:!0}):n,t));var zs=va(ar=>{var Os=Object.defineProperty,Rl=t=>Os(t,"__esModule",{value:!0}),_l=(t,e)=>{for(var n in e)Os(t,n,{get:e[n],enumerable:!0})};Rl(ar);_l(ar,{GIFEncoder:()=>Ds,
+applyPalette:()=>Dl,default:()=>Yl,nearestColor:()=>Wl,nearestColorIndex:()=>Us,nearestColorIndexWithDistance:()=>Bs,prequantize:()=>Bl,quantize:()=>Nl,snapColorsToPalette:()=>Hl});
 var $l={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
 versionSize:3,globalColorTableFlagMask:128,colorResolutionMask:112,sortFlagMask:8,globalColorTableSizeMask:7,applicationIdentifierSize:8,applicationAuthCodeSize:3,
 disposalMethodMask:28,userInputFlagMask:2,transparentColorFlagMask:1,localColorTableFlagMask:128,interlaceFlagMask:64,idSortFlagMask:32,localColorTableSizeMask:7};
-function Ps(t=256){let e=0,n=new Uint8Array(t);return{get buffer(){return n.buffer},reset(){e=0},bytesView(){return n.subarray(0,e)},bytes(){return n.slice(0,e)},
+function Ls(t=256){let e=0,n=new Uint8Array(t);return{get buffer(){return n.buffer},reset(){e=0},bytesView(){return n.subarray(0,e)},bytes(){return n.slice(0,e)},
 writeByte(o){r(e+1),n[e]=o,e++},writeBytes(o,s=0,a=o.length){r(e+a);for(let i=0;i<a;i++)n[e++]=o[i+s]},writeBytesView(o,s=0,a=o.byteLength){r(e+a),n.set(o.subarray(
 s,s+a),e),e+=a}};function r(o){var s=n.length;if(s>=o)return;var a=1024*1024;o=Math.max(o,s*(s<a?2:1.125)>>>0),s!=0&&(o=Math.max(o,256));let i=n;n=new Uint8Array(
-o),e>0&&n.set(i.subarray(0,e),0)}}var rr=12,Rs=5003,Ol=[0,1,3,7,15,31,63,127,255,511,1023,2047,4095,8191,16383,32767,65535];function Pl(t,e,n,r,o=Ps(512),s=new Uint8Array(
+o),e>0&&n.set(i.subarray(0,e),0)}}var rr=12,Rs=5003,Ol=[0,1,3,7,15,31,63,127,255,511,1023,2047,4095,8191,16383,32767,65535];function Ll(t,e,n,r,o=Ls(512),s=new Uint8Array(
 256),a=new Int32Array(Rs),i=new Int32Array(Rs)){let l=a.length,c=Math.max(2,r);s.fill(0),i.fill(0),a.fill(-1);let u=0,d=0,m=c+1,h=m,g=!1,f=h,v=(1<<f)-1,b=1<<m-1,
 S=b+1,y=b+2,w=0,A=n[0],T=0;for(let x=l;x<65536;x*=2)++T;T=8-T,o.writeByte(c),C(b);let E=n.length;for(let x=1;x<E;x++)e:{let O=n[x],_=(O<<rr)+A,k=O<<T^A;if(a[k]===
 _){A=i[k];break e}let J=k===0?1:l-k;for(;a[k]>=0;)if(k-=J,k<0&&(k+=l),a[k]===_){A=i[k];break e}C(A),A=O,y<1<<rr?(i[k]=y++,a[k]=_):(a.fill(-1),y=b+2,g=!0,C(b))}return C(
 A),C(S),o.writeByte(0),o.bytesView();function C(x){for(u&=Ol[d],d>0?u|=x<<d:u=x,d+=f;d>=8;)s[w++]=u&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0),u>>=
 8,d-=8;if((y>v||g)&&(g?(f=h,v=(1<<f)-1,g=!1):(++f,v=f===rr?1<<f:(1<<f)-1)),x==S){for(;d>0;)s[w++]=u&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0),u>>=
-8,d-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var Ll=Pl;function Ls(t,e,n){return t<<8&63488|e<<2&992|n>>3}function Is(t,e,n,r){return t>>4|e&240|(n&
+8,d-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var Il=Ll;function Is(t,e,n){return t<<8&63488|e<<2&992|n>>3}function Ps(t,e,n,r){return t>>4|e&240|(n&
 240)<<4|(r&240)<<8}function Ns(t,e,n){return t>>4<<8|e&240|n>>4}function an(t,e,n){return t<e?e:t>n?n:t}function xt(t){return t*t}function _s(t,e,n){var r=0,o=1e100;
 let s=t[e],a=s.cnt,i=s.ac,l=s.rc,c=s.gc,u=s.bc;for(var d=s.fw;d!=0;d=t[d].fw){let h=t[d],g=h.cnt,f=a*g/(a+g);if(!(f>=o)){var m=0;n&&(m+=f*xt(h.ac-i),m>=o)||(m+=
 f*xt(h.rc-l),!(m>=o)&&(m+=f*xt(h.gc-c),!(m>=o)&&(m+=f*xt(h.bc-u),!(m>=o)&&(o=m,r=d))))}}s.err=o,s.nn=r}function or(){return{ac:0,rc:0,gc:0,bc:0,cnt:0,nn:0,fw:0,
-bk:0,tm:0,mtm:0,err:0}}function Il(t,e){let n=e==="rgb444"?4096:65536,r=new Array(n),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>24&255,l=a>>
-16&255,c=a>>8&255,u=a&255,d=Is(u,c,l,i),m=d in r?r[d]:r[d]=or();m.rc+=u,m.gc+=c,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],i=a>>
+bk:0,tm:0,mtm:0,err:0}}function Pl(t,e){let n=e==="rgb444"?4096:65536,r=new Array(n),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>24&255,l=a>>
+16&255,c=a>>8&255,u=a&255,d=Ps(u,c,l,i),m=d in r?r[d]:r[d]=or();m.rc+=u,m.gc+=c,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],i=a>>
 16&255,l=a>>8&255,c=a&255,u=Ns(c,l,i),d=u in r?r[u]:r[u]=or();d.rc+=c,d.gc+=l,d.bc+=i,d.cnt++}else for(let s=0;s<o;++s){let a=t[s],i=a>>16&255,l=a>>8&255,c=a&255,
-u=Ls(c,l,i),d=u in r?r[u]:r[u]=or();d.rc+=c,d.gc+=l,d.bc+=i,d.cnt++}return r}function Nl(t,e,n={}){let{format:r="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,clearAlphaThreshold:a=0,
+u=Is(c,l,i),d=u in r?r[u]:r[u]=or();d.rc+=c,d.gc+=l,d.bc+=i,d.cnt++}return r}function Nl(t,e,n={}){let{format:r="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,clearAlphaThreshold:a=0,
 oneBitAlpha:i=!1}=n;if(!t||!t.buffer)throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof Uint8ClampedArray))
-throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),c=n.useSqrt!==!1,u=r==="rgba4444",d=Il(l,r),m=d.length,h=m-1,g=new Uint32Array(
-m+1);for(var f=0,b=0;b<m;++b){let P=d[b];if(P!=null){var v=1/P.cnt;u&&(P.ac*=v),P.rc*=v,P.gc*=v,P.bc*=v,d[f++]=P}}xt(e)/f<.022&&(c=!1);for(var b=0;b<f-1;++b)d[b].
+throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),c=n.useSqrt!==!1,u=r==="rgba4444",d=Pl(l,r),m=d.length,h=m-1,g=new Uint32Array(
+m+1);for(var f=0,b=0;b<m;++b){let L=d[b];if(L!=null){var v=1/L.cnt;u&&(L.ac*=v),L.rc*=v,L.gc*=v,L.bc*=v,d[f++]=L}}xt(e)/f<.022&&(c=!1);for(var b=0;b<f-1;++b)d[b].
 fw=b+1,d[b+1].bk=b,c&&(d[b].cnt=Math.sqrt(d[b].cnt));c&&(d[b].cnt=Math.sqrt(d[b].cnt));var S,y,w;for(b=0;b<f;++b){_s(d,b,!1);var A=d[b].err;for(y=++g[0];y>1&&(w=
 y>>1,!(d[S=g[w]].err<=A));y=w)g[y]=S;g[y]=b}var T=f-e;for(b=0;b<T;){for(var E;;){var C=g[1];if(E=d[C],E.tm>=E.mtm&&d[E.nn].mtm<=E.tm)break;E.mtm==h?C=g[1]=g[g[0]--]:
 (_s(d,C,!1),E.tm=b);var A=d[C].err;for(y=1;(w=y+y)<=g[0]&&(w<g[0]&&d[g[w]].err>d[g[w+1]].err&&w++,!(A<=d[S=g[w]].err));y=w)g[y]=S;g[y]=C}var x=d[E.nn],O=E.cnt,_=x.
 cnt,v=1/(O+_);u&&(E.ac=v*(O*E.ac+_*x.ac)),E.rc=v*(O*E.rc+_*x.rc),E.gc=v*(O*E.gc+_*x.gc),E.bc=v*(O*E.bc+_*x.bc),E.cnt+=x.cnt,E.mtm=++b,d[x.bk].fw=x.fw,d[x.fw].bk=
-x.bk,x.mtm=h}let k=[];var J=0;for(b=0;;++J){let H=an(Math.round(d[b].rc),0,255),P=an(Math.round(d[b].gc),0,255),U=an(Math.round(d[b].bc),0,255),$=255;u&&($=an(Math.
-round(d[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(H=P=U=s,$=0));let W=u?[H,P,U,$]:[H,P,U];if(Ul(k,W)||k.push(W),(b=d[b].fw)==0)break}return k}
+x.bk,x.mtm=h}let k=[];var J=0;for(b=0;;++J){let H=an(Math.round(d[b].rc),0,255),L=an(Math.round(d[b].gc),0,255),U=an(Math.round(d[b].bc),0,255),$=255;u&&($=an(Math.
+round(d[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(H=L=U=s,$=0));let W=u?[H,L,U,$]:[H,L,U];if(Ul(k,W)||k.push(W),(b=d[b].fw)==0)break}return k}
 function Ul(t,e){for(let n=0;n<t.length;n++){let r=t[n],o=r[0]===e[0]&&r[1]===e[1]&&r[2]===e[2],s=r.length>=4&&e.length>=4?r[3]===e[3]:!0;if(o&&s)return!0}return!1}
 function cn(t,e){var n=0,r;for(r=0;r<t.length;r++){let o=t[r]-e[r];n+=o*o}return n}function ln(t,e){return e>1?Math.round(t/e)*e:t}function Bl(t,{roundRGB:e=5,roundAlpha:n=10,
 oneBitAlpha:r=null}={}){let o=new Uint32Array(t.buffer);for(let s=0;s<o.length;s++){let a=o[s],i=a>>24&255,l=a>>16&255,c=a>>8&255,u=a&255;i=ln(i,n),r&&(i=i<=(typeof r==
-"number"?r:127)?0:255),u=ln(u,e),c=ln(c,e),l=ln(l,e),o[s]=i<<24|l<<16|c<<8|u<<0}}function Fl(t,e,n="rgb565"){if(!t||!t.buffer)throw new Error("quantize() expect\
+"number"?r:127)?0:255),u=ln(u,e),c=ln(c,e),l=ln(l,e),o[s]=i<<24|l<<16|c<<8|u<<0}}function Dl(t,e,n="rgb565"){if(!t||!t.buffer)throw new Error("quantize() expect\
 ed RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof Uint8ClampedArray))throw new Error("quantize() expected RGBA Uint8Array data");if(e.length>
 256)throw new Error("applyPalette() only works with 256 colors or less");let r=new Uint32Array(t.buffer),o=r.length,s=n==="rgb444"?4096:65536,a=new Uint8Array(o),
-i=new Array(s),l=n==="rgba4444";if(n==="rgba4444")for(let c=0;c<o;c++){let u=r[c],d=u>>24&255,m=u>>16&255,h=u>>8&255,g=u&255,f=Is(g,h,m,d),v=f in i?i[f]:i[f]=Dl(
-g,h,m,d,e);a[c]=v}else{let c=n==="rgb444"?Ns:Ls;for(let u=0;u<o;u++){let d=r[u],m=d>>16&255,h=d>>8&255,g=d&255,f=c(g,h,m),v=f in i?i[f]:i[f]=zl(g,h,m,e);a[u]=v}}
-return a}function Dl(t,e,n,r,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],c=l[3],u=_e(c-r);if(u>a)continue;let d=l[0];if(u+=_e(d-t),u>a)continue;let m=l[1];
+i=new Array(s),l=n==="rgba4444";if(n==="rgba4444")for(let c=0;c<o;c++){let u=r[c],d=u>>24&255,m=u>>16&255,h=u>>8&255,g=u&255,f=Ps(g,h,m,d),v=f in i?i[f]:i[f]=Fl(
+g,h,m,d,e);a[c]=v}else{let c=n==="rgb444"?Ns:Is;for(let u=0;u<o;u++){let d=r[u],m=d>>16&255,h=d>>8&255,g=d&255,f=c(g,h,m),v=f in i?i[f]:i[f]=zl(g,h,m,e);a[u]=v}}
+return a}function Fl(t,e,n,r,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],c=l[3],u=_e(c-r);if(u>a)continue;let d=l[0];if(u+=_e(d-t),u>a)continue;let m=l[1];
 if(u+=_e(m-e),u>a)continue;let h=l[2];u+=_e(h-n),!(u>a)&&(a=u,s=i)}return s}function zl(t,e,n,r){let o=0,s=1e100;for(let a=0;a<r.length;a++){let i=r[a],l=i[0],c=_e(
 l-t);if(c>s)continue;let u=i[1];if(c+=_e(u-e),c>s)continue;let d=i[2];c+=_e(d-n),!(c>s)&&(s=c,o=a)}return o}function Hl(t,e,n=5){if(!t.length||!e.length)return;
 let r=t.map(a=>a.slice(0,3)),o=n*n,s=t[0].length;for(let a=0;a<e.length;a++){let i=e[a];i.length<s?i=[i[0],i[1],i[2],255]:i.length>s?i=i.slice(0,3):i=i.slice();
 let l=Bs(r,i.slice(0,3),cn),c=l[0],u=l[1];u>0&&u<=o&&(t[c]=i)}}function _e(t){return t*t}function Us(t,e,n=cn){let r=1/0,o=-1;for(let s=0;s<t.length;s++){let a=t[s],
 i=n(e,a);i<r&&(r=i,o=s)}return o}function Bs(t,e,n=cn){let r=1/0,o=-1;for(let s=0;s<t.length;s++){let a=t[s],i=n(e,a);i<r&&(r=i,o=s)}return[o,r]}function Wl(t,e,n=cn){
-return t[Us(t,e,n)]}function Fs(t={}){let{initialCapacity:e=4096,auto:n=!0}=t,r=Ps(e),o=5003,s=new Uint8Array(256),a=new Int32Array(o),i=new Int32Array(o),l=!1;
+return t[Us(t,e,n)]}function Ds(t={}){let{initialCapacity:e=4096,auto:n=!0}=t,r=Ls(e),o=5003,s=new Uint8Array(256),a=new Int32Array(o),i=new Int32Array(o),l=!1;
 return{reset(){r.reset(),l=!1},finish(){r.writeByte($l.trailer)},bytes(){return r.bytes()},bytesView(){return r.bytesView()},get buffer(){return r.buffer},get stream(){
 return r},writeHeader:c,writeFrame(u,d,m,h={}){let{transparent:g=!1,transparentIndex:f=0,delay:v=0,palette:b=null,repeat:S=0,colorDepth:y=8,dispose:w=-1}=h,A=!1;
 if(n?l||(A=!0,c(),l=!0):A=!!h.first,d=Math.max(0,Math.floor(d)),m=Math.max(0,Math.floor(m)),A){if(!b)throw new Error("First frame must include a { palette } opt\
-ion");jl(r,d,m,b,y),$s(r,b),S>=0&&Vl(r,S)}let T=Math.round(v/10);Gl(r,w,T,g,f);let E=!!b&&!A;ql(r,d,m,E?b:null),E&&$s(r,b),Kl(r,u,d,m,y,s,a,i)}};function c(){Ds(
+ion");jl(r,d,m,b,y),$s(r,b),S>=0&&Vl(r,S)}let T=Math.round(v/10);Gl(r,w,T,g,f);let E=!!b&&!A;ql(r,d,m,E?b:null),E&&$s(r,b),Kl(r,u,d,m,y,s,a,i)}};function c(){Fs(
 r,"GIF89a")}}function Gl(t,e,n,r,o){t.writeByte(33),t.writeByte(249),t.writeByte(4),o<0&&(o=0,r=!1);var s,a;r?(s=1,a=2):(s=0,a=0),e>=0&&(a=e&7),a<<=2,t.writeByte(
 0|a|0|s),Se(t,n),t.writeByte(o||0),t.writeByte(0)}function jl(t,e,n,r,o=8){let i=sr(r.length)-1,l=128|o-1<<4|0|i,c=0,u=0;Se(t,e),Se(t,n),t.writeBytes([l,c,u])}function Vl(t,e){
-t.writeByte(33),t.writeByte(255),t.writeByte(11),Ds(t,"NETSCAPE2.0"),t.writeByte(3),t.writeByte(1),Se(t,e),t.writeByte(0)}function $s(t,e){let n=1<<sr(e.length);
+t.writeByte(33),t.writeByte(255),t.writeByte(11),Fs(t,"NETSCAPE2.0"),t.writeByte(3),t.writeByte(1),Se(t,e),t.writeByte(0)}function $s(t,e){let n=1<<sr(e.length);
 for(let r=0;r<n;r++){let o=[0,0,0];r<e.length&&(o=e[r]),t.writeByte(o[0]),t.writeByte(o[1]),t.writeByte(o[2])}}function ql(t,e,n,r){if(t.writeByte(44),Se(t,0),Se(
-t,0),Se(t,e),Se(t,n),r){let a=sr(r.length)-1;t.writeByte(128|a)}else t.writeByte(0)}function Kl(t,e,n,r,o=8,s,a,i){Ll(n,r,e,o,t,s,a,i)}function Se(t,e){t.writeByte(
-e&255),t.writeByte(e>>8&255)}function Ds(t,e){for(var n=0;n<e.length;n++)t.writeByte(e.charCodeAt(n))}function sr(t){return Math.max(Math.ceil(Math.log2(t)),1)}
-var Yl=Fs});var pr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Qe={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},hr={FAULT:0,INVOLVED:1};var yn=["obstacle","teammate","adversary"],vn=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],bn=["p\
+t,0),Se(t,e),Se(t,n),r){let a=sr(r.length)-1;t.writeByte(128|a)}else t.writeByte(0)}function Kl(t,e,n,r,o=8,s,a,i){Il(n,r,e,o,t,s,a,i)}function Se(t,e){t.writeByte(
+e&255),t.writeByte(e>>8&255)}function Fs(t,e){for(var n=0;n<e.length;n++)t.writeByte(e.charCodeAt(n))}function sr(t){return Math.max(Math.ceil(Math.log2(t)),1)}
+var Yl=Ds});var pr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Qe={DISAPPEAR:0,REACH:1,BOUNCE:2},mr={OCCUPATION:0,SURROUND:1},hr={FAULT:0,INVOLVED:1};var yn=["obstacle","teammate","adversary"],vn=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],bn=["p\
 ursuer_{number}","evader_{number}"],gr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},et={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},yr="{event}: {outcome}",wn={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
-here all adversaries in view together are farthest"},vr={free:".GS",blocked:"#@OTW"};var Ie=1+fr.length;function tt(t,e){return t.replace(/\{(\w+)\}/g,(n,r)=>String(e[r]))}function xn(t,e){return t<e?tt(bn[0],{number:t}):tt(bn[1],{number:t-e})}function xa(t,e){
+here all adversaries in view together are farthest"},vr={free:".GS",blocked:"#@OTW"};var Pe=1+fr.length;function tt(t,e){return t.replace(/\{(\w+)\}/g,(n,r)=>String(e[r]))}function xn(t,e){return t<e?tt(bn[0],{number:t}):tt(bn[1],{number:t-e})}function xa(t,e){
 let[n,r,o,s,a,i,l,...c]=Array.from(t),u=a<0?[s]:[s,a],[d,m,h]=c.map(b=>u.filter((S,y)=>b>>y&1)),g=u.map(b=>xn(b,e)),f=tt(gr[a<0?"obstacle":vn[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),v=tt(yr,{event:f,outcome:Sa(u.length,m,h,e)});return{kind:yn[r],form:vn[o],agents:u,cell:[i,l],at_fault:d,held:m,doomed:h,turn:n,
 text:v}}function Sa(t,e,n,r){if(t===2&&e.length===2)return et["both held"];if(t===2&&n.length===2)return et["both doomed"];let o=s=>a=>tt(et[s],{agent:xn(a,r)});
-return[...e.map(o("held")),...n.map(o("doomed"))].join(", ")||et.none}function At(t,e){let n=[];for(let r=0;r<t.length;r+=Ie)n.push(xa(t.subarray(r+1,r+Ie),e));
-return n}var ie=class extends Error{name="EngineError"};function D(t,e,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new ie(
+return[...e.map(o("held")),...n.map(o("doomed"))].join(", ")||et.none}function At(t,e){let n=[];for(let r=0;r<t.length;r+=Pe)n.push(xa(t.subarray(r+1,r+Pe),e));
+return n}var ie=class extends Error{name="EngineError"};function F(t,e,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new ie(
 `${t}: expected ${e}, got ${r}`)}var Ne=class{bytes;constructor(e){this.bytes=e}},xr=0,Mn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],br=4,wr=4,Ma=new TextEncoder,
 Aa=new TextDecoder;function Ea(t){for(let e=Mn.length-1;e>xr;--e)if(t instanceof Mn[e])return e;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function Sn(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Ca(t){return Ma.encode(`${t}\0`)}var An=class{engine;addresses=[];constructor(e){
@@ -77,46 +77,46 @@ push(n),this.engine.HEAPU8.set(e,n),n}text(e){return this.copy(Ca(e))}arrays(e){
 a;return[this.text(s),i?xr:Ea(l),l.length,this.copy(Sn(l))]}),o=this.copy(Sn(Int32Array.from(r)));return this.copy(Sn(Int32Array.of(n.length,o)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function Sr(t,e){let n=t.HEAPU8;return Aa.decode(n.subarray(e,n.indexOf(0,e)))}function Et(t){let e=new Int32Array(t.HEAPU8.buffer),
 n=t._last_outputs()/br,r=e[n+1]/br,o={};for(let s=r;s<r+e[n]*wr;s+=wr){let a=Mn[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Sr(t,e[s])]=new a(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function nt(t,e){let n=new An(t);try{let r=e(n);if(r===0)throw new ie(Sr(t,t._last_error()));return r}finally{n.free()}}var Ta=2**31-1,ka=2n**64n-1n,Ra=34028234663852886e22;function pe(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Ta)throw D(t,"an integer",e);return Int32Array.
-of(e)}function Ct(t,e){if(typeof e!="boolean")throw D(t,"true or false",e);return new Ne(Uint8Array.of(Number(e)))}function Me(t,e,n){let r=typeof e=="string"&&
-Object.hasOwn(n,e)?n[e]:void 0;if(r===void 0)throw D(t,`one of ${Object.keys(n).join(", ")}`,e);return Int32Array.of(r)}function En(t,e){if(typeof e!="number"||
-!(Math.abs(e)<=Ra))throw D(t,"a finite number",e);return e}function Ue(t,e){let r=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;
-if(r<0n||r>ka)throw D(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(r)}function _a(t){return{"rules.interaction":Me("interaction",t.interaction,
+l,l+i).buffer)}return o}function nt(t,e){let n=new An(t);try{let r=e(n);if(r===0)throw new ie(Sr(t,t._last_error()));return r}finally{n.free()}}var Ta=2**31-1,ka=2n**64n-1n,Ra=34028234663852886e22;function pe(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Ta)throw F(t,"an integer",e);return Int32Array.
+of(e)}function Ct(t,e){if(typeof e!="boolean")throw F(t,"true or false",e);return new Ne(Uint8Array.of(Number(e)))}function Me(t,e,n){let r=typeof e=="string"&&
+Object.hasOwn(n,e)?n[e]:void 0;if(r===void 0)throw F(t,`one of ${Object.keys(n).join(", ")}`,e);return Int32Array.of(r)}function En(t,e){if(typeof e!="number"||
+!(Math.abs(e)<=Ra))throw F(t,"a finite number",e);return e}function Ue(t,e){let r=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;
+if(r<0n||r>ka)throw F(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(r)}function _a(t){return{"rules.interaction":Me("interaction",t.interaction,
 pr),"rules.obstacle":Me("obstacle",t.obstacle,Qe),"rules.teammate":Me("teammate",t.teammate,Qe),"rules.evader":Me("evader",t.evader,Qe),"rules.pursuer":Me("purs\
 uer",t.pursuer,Qe),"rules.capture":Me("capture",t.capture,mr),"rules.captured_disappear":Ct("captured_disappear",t.captured_disappear)}}function Mr(t,e){let n=typeof e==
-"number"?[e,e,e]:e;if(!Array.isArray(n)||n.length!==3)throw D(t,"1 or 3 numbers",e);return Float32Array.from(n,r=>En(t,r))}function $a(t){let e=(n,r)=>Float32Array.
+"number"?[e,e,e]:e;if(!Array.isArray(n)||n.length!==3)throw F(t,"1 or 3 numbers",e);return Float32Array.from(n,r=>En(t,r))}function $a(t){let e=(n,r)=>Float32Array.
 of(En(n,t[n]),En(r,t[r]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Mr("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Mr("evader_collide",t.evader_collide),
 "rewards.blame":Me("blame",t.blame,hr),"rewards.capture_repeats":Ct("capture_repeats",t.capture_repeats)}}function Er(t){if(t===void 0||typeof t=="number")return new Uint8Array(
-0);if(t instanceof Uint8Array)return t;let{free:e,blocked:n}=vr;for(let[r,o]of t.entries()){if(o.length!==t[0]?.length)throw D(`map, row ${r}`,`${t[0]?.length} \
-cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!n.includes(a));if(s)throw D(`map, row ${r}`,`'${e}' (free) or '${n}' (obstacle)`,s)}return Uint8Array.
+0);if(t instanceof Uint8Array)return t;let{free:e,blocked:n}=vr;for(let[r,o]of t.entries()){if(o.length!==t[0]?.length)throw F(`map, row ${r}`,`${t[0]?.length} \
+cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!n.includes(a));if(s)throw F(`map, row ${r}`,`'${e}' (free) or '${n}' (obstacle)`,s)}return Uint8Array.
 from([...t.join("")],r=>Number(n.includes(r)))}function Cr(t,e){if(!Array.isArray(t))return;let n=[t.length,t[0]?.length??0];if(!(n[0]===e.rows&&n[1]===e.cols))
-throw D("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,n)}function Tt(t){Cr(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
+throw F("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,n)}function Tt(t){Cr(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
 ..._a(t.rules),...$a(t.rewards),rows:pe("rows",t.rows),cols:pe("cols",t.cols),n_pursuers:pe("n_pursuers",t.n_pursuers),n_evaders:pe("n_evaders",t.n_evaders),fov:pe(
 "fov",t.fov),diagonal:Ct("diagonal",t.diagonal),max_steps:pe("max_steps",t.max_steps),density:Float64Array.of(e),map:Er(t.obstacles)}}function Ar(t,e){return Int32Array.
 from((e??[]).flat(),n=>pe(t,n)[0])}function Tr(t,e){return Cr(t.obstacles,e),{seed:Ue("seed",t.seed??0n),episode:Ue("episode",t.episode??0),pursuers:Ar("pursuer\
 s",t.pursuers),evaders:Ar("evaders",t.evaders),map:Er(t.obstacles)}}function kt(t){return{actions:Int32Array.from(t,e=>pe("actions",e)[0])}}function Be(t){if(typeof t==
-"string"){if(!Object.hasOwn(wn,t))throw D("policy",`one of ${Object.keys(wn).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
-t.activation!=="tanh")throw D("activation","'relu' or 'tanh'",t.activation);return{hidden:Int32Array.from(t.hidden,e=>pe("hidden",e)[0]),activation:new TextEncoder().
+"string"){if(!Object.hasOwn(wn,t))throw F("policy",`one of ${Object.keys(wn).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
+t.activation!=="tanh")throw F("activation","'relu' or 'tanh'",t.activation);return{hidden:Int32Array.from(t.hidden,e=>pe("hidden",e)[0]),activation:new TextEncoder().
 encode(t.activation),sampled:Ct("sampled",t.sampled),genome:t.genome}}var Oa=["first_turn","terminated","truncated"];function kr(t){let e={...t};for(let n of Oa)
 e[n]=new Ne(t[n]);return e}var Rt=class{config;seed;episode;n_agents;statistics;positions;last_positions;alive;captured;ever_captured;actions;rewards;involved;fault;map;conflict_table;first_conflict;constructor(e,n,r,o){
 this.config=e,this.seed=n,this.episode=r,this.n_agents=e.n_pursuers+e.n_evaders,this.statistics=Rr(o,0),this.positions=o.positions,this.last_positions=o.last_positions,
 this.alive=o.alive,this.captured=o.captured,this.ever_captured=o.ever_captured,this.actions=o.actions,this.rewards=o.rewards,this.involved=o.involved,this.fault=
-o.fault,this.map=o.map,this.conflict_table=o.conflict_table,this.first_conflict=Pa(this.conflict_table,this.length)}get length(){return this.actions.length/this.
-n_agents}conflicts(e){this.check(e);let[n,r]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(n*Ie,r*Ie);return At(o,this.config.
+o.fault,this.map=o.map,this.conflict_table=o.conflict_table,this.first_conflict=La(this.conflict_table,this.length)}get length(){return this.actions.length/this.
+n_agents}conflicts(e){this.check(e);let[n,r]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(n*Pe,r*Pe);return At(o,this.config.
 n_pursuers)}seek(e,n){this.check(n),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>n)&&e.reset({seed:this.seed,episode:this.episode});
-for(let o=e.steps;o<n;++o)e.step(this.actions.subarray(o*this.n_agents,(o+1)*this.n_agents))}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw D("s\
-tep",`0 to ${this.length}`,e)}};function Pa(t,e){let n=new Int32Array(e+2);for(let r=0;r<t.length;r+=Ie)++n[t[r]+1];for(let r=1;r<n.length;++r)n[r]+=n[r-1];return n}
+for(let o=e.steps;o<n;++o)e.step(this.actions.subarray(o*this.n_agents,(o+1)*this.n_agents))}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw F("s\
+tep",`0 to ${this.length}`,e)}};function La(t,e){let n=new Int32Array(e+2);for(let r=0;r<t.length;r+=Pe)++n[t[r]+1];for(let r=1;r<n.length;++r)n[r]+=n[r-1];return n}
 function Rr(t,e){let n=t["statistics.length"].length,r=s=>{let a=t[`statistics.${s}`],i=a.length/n;return a.slice(e*i,(e+1)*i)},o=s=>Number(r(s)[0]);return{capture_rate:o(
 "capture_rate"),ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o("length"),return:r("return"),survivors:r("survivors"),
 overlap:r("overlap"),collisions:r("collisions"),faults:r("faults"),agent_steps:r("agent_steps")}}function _r(t,e,n,r){let o=[Tt(n.config),Be(n.pursuers),Be(n.evaders),
 r];return nt(t,s=>{let[a,i,l,c]=o.map(u=>s.arrays(u));return t[e](a,i,l,c)}),Et(t)}function $r(t,e,n,r){let o={seed:Ue("seed",n),episode:Ue("episode",r)};return new Rt(
-e.config,n,r,_r(t,"_play_match",e,o))}function Or(t,e,n,r){if(!Number.isInteger(r)||r<1)throw D("n_episodes","at least 1",r);let o={seed:Ue("seed",n),n_episodes:Int32Array.
-of(r)},s=_r(t,"_play_rollout",e,o);return Array.from({length:r},(a,i)=>Rr(s,i))}var Pr=new FinalizationRegistry(([t,e])=>t._world_free(e)),rt=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,n){this.engine=e,this.config=n,this.
-n_agents=n.n_pursuers+n.n_evaders,this.n_actions=n.diagonal?9:5,this.at=nt(e,r=>e._world_new(r.arrays(Tt(n)))),Pr.register(this,[e,this.at],this)}free(){this.freed||
-(this.freed=!0,Pr.unregister(this),this.engine._world_free(this.at))}reset(e={}){let n=Tr(e,this.config);this.call(r=>this.engine._world_reset(this.at,r.arrays(
+e.config,n,r,_r(t,"_play_match",e,o))}function Or(t,e,n,r){if(!Number.isInteger(r)||r<1)throw F("n_episodes","at least 1",r);let o={seed:Ue("seed",n),n_episodes:Int32Array.
+of(r)},s=_r(t,"_play_rollout",e,o);return Array.from({length:r},(a,i)=>Rr(s,i))}var Lr=new FinalizationRegistry(([t,e])=>t._world_free(e)),rt=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,n){this.engine=e,this.config=n,this.
+n_agents=n.n_pursuers+n.n_evaders,this.n_actions=n.diagonal?9:5,this.at=nt(e,r=>e._world_new(r.arrays(Tt(n)))),Lr.register(this,[e,this.at],this)}free(){this.freed||
+(this.freed=!0,Lr.unregister(this),this.engine._world_free(this.at))}reset(e={}){let n=Tr(e,this.config);this.call(r=>this.engine._world_reset(this.at,r.arrays(
 n)))}step(e){let n=kt(e);this.call(r=>this.engine._world_step(this.at,r.arrays(n)))}playTurn(e){let n=kt(e);this.call(r=>this.engine._world_play_turn(this.at,r.
-arrays(n)))}decide(e,n,r){let{n_pursuers:o}=this.config,s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof n=="string"?s[n]:n;if(r.length!==this.n_agents)throw D(
+arrays(n)))}decide(e,n,r){let{n_pursuers:o}=this.config,s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof n=="string"?s[n]:n;if(r.length!==this.n_agents)throw F(
 "actions",String(this.n_agents),r.length);let l=[Be(e),kt(r)],{actions:c}=this.call(u=>this.engine._world_decide(this.at,u.arrays(l[0]),a,i,u.arrays(l[1])));return Uint8Array.
 from(c)}get n_turns(){return this.turnNumbers()[1]}get turn(){return this.turnNumbers()[0]}get actors(){let[,,e,n]=this.turnNumbers();return[e,n]}turnNumbers(){
 return this.call(()=>this.engine._world_turn(this.at)).turn}get steps(){return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){return this.
@@ -124,68 +124,68 @@ read("episode")[0]}get over(){return this.read("terminated")[0]===1||this.read("
 text(e)))[e]}view(e){let n=3*this.config.fov**2;return this.read("views").slice(e*n,(e+1)*n)}map(){return this.read("state").slice(2*this.config.rows*this.config.
 cols)}conflicts(){return At(this.conflictTable(),this.config.n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.at)).conflict_table}answer(e,n){
 let r=Be(e),{logits:o}=this.call(i=>this.engine._world_logits(this.at,i.arrays(r),n)),s=o,a=this.decide(e,[n,n+1],new Uint8Array(this.n_agents))[n];return{logits:s,
-probabilities:La(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let n=kr(e);this.call(r=>this.engine._world_restore(
-this.at,r.arrays(n)))}call(e){if(this.freed)throw D("world","one that is in use","one that was freed");return nt(this.engine,e),Et(this.engine)}};function La(t){
+probabilities:Ia(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let n=kr(e);this.call(r=>this.engine._world_restore(
+this.at,r.arrays(n)))}call(e){if(this.freed)throw F("world","one that is in use","one that was freed");return nt(this.engine,e),Et(this.engine)}};function Ia(t){
 let e=Math.max(...t),n=Array.from(t,o=>Math.exp(o-e)),r=n.reduce((o,s)=>o+s,0);return Float32Array.from(n,o=>o/r)}var Cn=class{compiled;constructor(e){this.compiled=e}world(e){return new rt(this.compiled,e)}match(e,n,r,o,s=0){return $r(this.compiled,{config:e,pursuers:n,evaders:r},
-o,s)}rollout(e,n,r,o,s){return Or(this.compiled,{config:e,pursuers:n,evaders:r},o,s)}},Lr;function Ir(t=globalThis.matrixworldEngine){return Lr??=Ia(t),Lr}async function Ia(t){
+o,s)}rollout(e,n,r,o,s){return Or(this.compiled,{config:e,pursuers:n,evaders:r},o,s)}},Ir;function Pr(t=globalThis.matrixworldEngine){return Ir??=Pa(t),Ir}async function Pa(t){
 if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),n=>n.charCodeAt(0));return new Cn(
 await t({wasmBinary:e}))}var Na="http://www.w3.org/2000/svg";function p(t,e={},...n){return Nr(document.createElement(t),e,n)}function M(t,e={},...n){return Nr(document.createElementNS(
 Na,t),e,n)}function Nr(t,e,n){for(let[r,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(r.slice(2),o):t.setAttribute(r,o===!0?"":
-String(o)));return t.append(...n.filter(Ua).map(r=>typeof r=="number"?String(r):r)),t}function Ua(t){return t!=null&&t!==!1}var Ba=matchMedia("(prefers-color-scheme: dark)");function Fa(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ba.matches}function Tn(){document.
-documentElement.dataset.theme=Fa()?"light":"dark"}function Ur(){return p("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Tn},"◐")}var Da=2n**64n-1n;function ot(t,e,n){let r=new URLSearchParams(t.replace(/^#/,"")),o=(c,u,d)=>{let m=r.get(c)??"";return/^\d{1,9}$/.test(m)&&Number(m)<u?Number(
+String(o)));return t.append(...n.filter(Ua).map(r=>typeof r=="number"?String(r):r)),t}function Ua(t){return t!=null&&t!==!1}var Ba=matchMedia("(prefers-color-scheme: dark)");function Da(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ba.matches}function Tn(){document.
+documentElement.dataset.theme=Da()?"light":"dark"}function Ur(){return p("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Tn},"◐")}var Fa=2n**64n-1n;function ot(t,e,n){let r=new URLSearchParams(t.replace(/^#/,"")),o=(c,u,d)=>{let m=r.get(c)??"";return/^\d{1,9}$/.test(m)&&Number(m)<u?Number(
 m):d},s=o("run",e.length,n.run),[a,i]=e[s].payoff.shape,l=r.get("seed")??"";return{run:s,pursuer:o("pursuers",a,Math.min(n.pursuer,a-1)),evader:o("evaders",i,Math.
-min(n.evader,i-1)),episode:o("episode",1/0,n.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=Da?l:null,step:o("step",1/0,0)}}function Br(t,e,n){let r="",o=()=>{let{
+min(n.evader,i-1)),episode:o("episode",1/0,n.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=Fa?l:null,step:o("step",1/0,0)}}function Br(t,e,n){let r="",o=()=>{let{
 run:s,pursuer:a,evader:i,episode:l,seed:c}=e.selected,u={run:s,pursuers:a,evaders:i,episode:l,...c===null?{}:{seed:c},step:n.player.step};r=`#${Object.entries(u).
 map(([d,m])=>`${d}=${m}`).join("&")}`;try{history.replaceState(null,"",r)}catch{}};e.on("match",o),n.player.addEventListener("state",()=>n.player.playing||o()),
 n.player.addEventListener("step",()=>n.player.playing||o()),window.addEventListener("hashchange",()=>{if(location.hash===r)return;let{step:s,...a}=ot(location.hash,
 t,e.selected);e.select(a),n.goTo(s)})}var N=Uint8Array,Y=Uint16Array,Nn=Int32Array,$t=new N([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Ot=new N([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),$n=new N([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Gr=function(t,e){for(var n=new Y(31),r=0;r<31;++r)n[r]=e+=
 1<<t[r-1];for(var o=new Nn(n[30]),r=1;r<30;++r)for(var s=n[r];s<n[r+1];++s)o[s]=s-n[r]<<5|r;return{b:n,r:o}},jr=Gr($t,2),Vr=jr.b,On=jr.r;Vr[28]=258,On[258]=28;var qr=Gr(
-Ot,0),za=qr.b,Fr=qr.r,Pn=new Y(32768);for(R=0;R<32768;++R)me=(R&43690)>>1|(R&21845)<<1,me=(me&52428)>>2|(me&13107)<<2,me=(me&61680)>>4|(me&3855)<<4,Pn[R]=((me&65280)>>
+Ot,0),za=qr.b,Dr=qr.r,Ln=new Y(32768);for(R=0;R<32768;++R)me=(R&43690)>>1|(R&21845)<<1,me=(me&52428)>>2|(me&13107)<<2,me=(me&61680)>>4|(me&3855)<<4,Ln[R]=((me&65280)>>
 8|(me&255)<<8)>>1;var me,R,le=(function(t,e,n){for(var r=t.length,o=0,s=new Y(e);o<r;++o)t[o]&&++s[t[o]-1];var a=new Y(e);for(o=1;o<e;++o)a[o]=a[o-1]+s[o-1]<<1;
-var i;if(n){i=new Y(1<<e);var l=15-e;for(o=0;o<r;++o)if(t[o])for(var c=o<<4|t[o],u=e-t[o],d=a[t[o]-1]++<<u,m=d|(1<<u)-1;d<=m;++d)i[Pn[d]>>l]=c}else for(i=new Y(
-r),o=0;o<r;++o)t[o]&&(i[o]=Pn[a[t[o]-1]++]>>15-t[o]);return i}),ve=new N(288);for(R=0;R<144;++R)ve[R]=8;var R;for(R=144;R<256;++R)ve[R]=9;var R;for(R=256;R<280;++R)
+var i;if(n){i=new Y(1<<e);var l=15-e;for(o=0;o<r;++o)if(t[o])for(var c=o<<4|t[o],u=e-t[o],d=a[t[o]-1]++<<u,m=d|(1<<u)-1;d<=m;++d)i[Ln[d]>>l]=c}else for(i=new Y(
+r),o=0;o<r;++o)t[o]&&(i[o]=Ln[a[t[o]-1]++]>>15-t[o]);return i}),ve=new N(288);for(R=0;R<144;++R)ve[R]=8;var R;for(R=144;R<256;++R)ve[R]=9;var R;for(R=256;R<280;++R)
 ve[R]=7;var R;for(R=280;R<288;++R)ve[R]=8;var R,it=new N(32);for(R=0;R<32;++R)it[R]=5;var R,Ha=le(ve,9,0),Wa=le(ve,9,1),Ga=le(it,5,0),ja=le(it,5,1),kn=function(t){
 for(var e=t[0],n=1;n<t.length;++n)t[n]>e&&(e=t[n]);return e},se=function(t,e,n){var r=e/8|0;return(t[r]|t[r+1]<<8)>>(e&7)&n},Rn=function(t,e){var n=e/8|0;return(t[n]|
 t[n+1]<<8|t[n+2]<<16)>>(e&7)},Un=function(t){return(t+7)/8|0},Bn=function(t,e,n){return(e==null||e<0)&&(e=0),(n==null||n>t.length)&&(n=t.length),new N(t.subarray(
 e,n))};var Va=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],j=function(t,e,n){var r=new Error(e||Va[t]);
 if(r.code=t,Error.captureStackTrace&&Error.captureStackTrace(r,j),!n)throw r;return r},qa=function(t,e,n,r){var o=t.length,s=r?r.length:0;if(!o||e.f&&!e.l)return n||
-new N(0);var a=!n,i=a||e.i!=2,l=e.i;a&&(n=new N(o*3));var c=function(Xe){var Je=n.length;if(Xe>Je){var Le=new N(Math.max(Je*2,Xe));Le.set(n),n=Le}},u=e.f||0,d=e.
+new N(0);var a=!n,i=a||e.i!=2,l=e.i;a&&(n=new N(o*3));var c=function(Xe){var Je=n.length;if(Xe>Je){var Ie=new N(Math.max(Je*2,Xe));Ie.set(n),n=Ie}},u=e.f||0,d=e.
 p||0,m=e.b||0,h=e.l,g=e.d,f=e.m,v=e.n,b=o*8;do{if(!h){u=se(t,d,1);var S=se(t,d+1,3);if(d+=3,S)if(S==1)h=Wa,g=ja,f=9,v=5;else if(S==2){var T=se(t,d,31)+257,E=se(
 t,d+10,15)+4,C=T+se(t,d+5,31)+1;d+=14;for(var x=new N(C),O=new N(19),_=0;_<E;++_)O[$n[_]]=se(t,d+_*3,7);d+=E*3;for(var k=kn(O),J=(1<<k)-1,H=le(O,k,1),_=0;_<C;){
-var P=H[se(t,d,J)];d+=P&15;var y=P>>4;if(y<16)x[_++]=y;else{var U=0,$=0;for(y==16?($=3+se(t,d,3),d+=2,U=x[_-1]):y==17?($=3+se(t,d,7),d+=3):y==18&&($=11+se(t,d,127),
-d+=7);$--;)x[_++]=U}}var W=x.subarray(0,T),F=x.subarray(T);f=kn(W),v=kn(F),h=le(W,f,1),g=le(F,v,1)}else j(1);else{var y=Un(d)+4,w=t[y-4]|t[y-3]<<8,A=y+w;if(A>o){
+var L=H[se(t,d,J)];d+=L&15;var y=L>>4;if(y<16)x[_++]=y;else{var U=0,$=0;for(y==16?($=3+se(t,d,3),d+=2,U=x[_-1]):y==17?($=3+se(t,d,7),d+=3):y==18&&($=11+se(t,d,127),
+d+=7);$--;)x[_++]=U}}var W=x.subarray(0,T),D=x.subarray(T);f=kn(W),v=kn(D),h=le(W,f,1),g=le(D,v,1)}else j(1);else{var y=Un(d)+4,w=t[y-4]|t[y-3]<<8,A=y+w;if(A>o){
 l&&j(0);break}i&&c(m+w),n.set(t.subarray(y,A),m),e.b=m+=w,e.p=d=A*8,e.f=u;continue}if(d>b){l&&j(0);break}}i&&c(m+131072);for(var $e=(1<<f)-1,Q=(1<<v)-1,de=d;;de=
-d){var U=h[Rn(t,d)&$e],q=U>>4;if(d+=U&15,d>b){l&&j(0);break}if(U||j(2),q<256)n[m++]=q;else if(q==256){de=d,h=null;break}else{var K=q-254;if(q>264){var _=q-257,I=$t[_];
-K=se(t,d,(1<<I)-1)+Vr[_],d+=I}var ae=g[Rn(t,d)&Q],Oe=ae>>4;ae||j(3),d+=ae&15;var F=za[Oe];if(Oe>3){var I=Ot[Oe];F+=Rn(t,d)&(1<<I)-1,d+=I}if(d>b){l&&j(0);break}i&&
-c(m+131072);var Pe=m+K;if(m<F){var St=s-F,Mt=Math.min(F,Pe);for(St+m<0&&j(3);m<Mt;++m)n[m]=r[St+m]}for(;m<Pe;++m)n[m]=n[m-F]}}e.l=h,e.p=de,e.b=m,e.f=u,h&&(u=1,e.
+d){var U=h[Rn(t,d)&$e],q=U>>4;if(d+=U&15,d>b){l&&j(0);break}if(U||j(2),q<256)n[m++]=q;else if(q==256){de=d,h=null;break}else{var K=q-254;if(q>264){var _=q-257,P=$t[_];
+K=se(t,d,(1<<P)-1)+Vr[_],d+=P}var ae=g[Rn(t,d)&Q],Oe=ae>>4;ae||j(3),d+=ae&15;var D=za[Oe];if(Oe>3){var P=Ot[Oe];D+=Rn(t,d)&(1<<P)-1,d+=P}if(d>b){l&&j(0);break}i&&
+c(m+131072);var Le=m+K;if(m<D){var St=s-D,Mt=Math.min(D,Le);for(St+m<0&&j(3);m<Mt;++m)n[m]=r[St+m]}for(;m<Le;++m)n[m]=n[m-D]}}e.l=h,e.p=de,e.b=m,e.f=u,h&&(u=1,e.
 m=f,e.d=g,e.n=v)}while(!u);return m!=n.length&&a?Bn(n,0,m):n.subarray(0,m)},he=function(t,e,n){n<<=e&7;var r=e/8|0;t[r]|=n,t[r+1]|=n>>8},st=function(t,e,n){n<<=
 e&7;var r=e/8|0;t[r]|=n,t[r+1]|=n>>8,t[r+2]|=n>>16},_n=function(t,e){for(var n=[],r=0;r<t.length;++r)t[r]&&n.push({s:r,f:t[r]});var o=n.length,s=n.slice();if(!o)
 return{t:Yr,l:0};if(o==1){var a=new N(n[0].s+1);return a[n[0].s]=1,{t:a,l:1}}n.sort(function(A,T){return A.f-T.f}),n.push({s:-1,f:25001});var i=n[0],l=n[1],c=0,
 u=1,d=2;for(n[0]={s:-1,f:i.f+l.f,l:i,r:l};u!=o-1;)i=n[n[c].f<n[d].f?c++:d++],l=n[c!=u&&n[c].f<n[d].f?c++:d++],n[u++]={s:-1,f:i.f+l.f,l:i,r:l};for(var m=s[0].s,r=1;r<
-o;++r)s[r].s>m&&(m=s[r].s);var h=new Y(m+1),g=Ln(n[u-1],h,0);if(g>e){var r=0,f=0,v=g-e,b=1<<v;for(s.sort(function(T,E){return h[E.s]-h[T.s]||T.f-E.f});r<o;++r){
+o;++r)s[r].s>m&&(m=s[r].s);var h=new Y(m+1),g=In(n[u-1],h,0);if(g>e){var r=0,f=0,v=g-e,b=1<<v;for(s.sort(function(T,E){return h[E.s]-h[T.s]||T.f-E.f});r<o;++r){
 var S=s[r].s;if(h[S]>e)f+=b-(1<<g-h[S]),h[S]=e;else break}for(f>>=v;f>0;){var y=s[r].s;h[y]<e?f-=1<<e-h[y]++-1:++r}for(;r>=0&&f;--r){var w=s[r].s;h[w]==e&&(--h[w],
-++f)}g=e}return{t:new N(h),l:g}},Ln=function(t,e,n){return t.s==-1?Math.max(Ln(t.l,e,n+1),Ln(t.r,e,n+1)):e[t.s]=n},Dr=function(t){for(var e=t.length;e&&!t[--e];)
+++f)}g=e}return{t:new N(h),l:g}},In=function(t,e,n){return t.s==-1?Math.max(In(t.l,e,n+1),In(t.r,e,n+1)):e[t.s]=n},Fr=function(t){for(var e=t.length;e&&!t[--e];)
 ;for(var n=new Y(++e),r=0,o=t[0],s=1,a=function(l){n[r++]=l},i=1;i<=e;++i)if(t[i]==o&&i!=e)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
 28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=t[i]}return{c:n.subarray(0,r),n:e}},at=function(t,e){
 for(var n=0,r=0;r<e.length;++r)n+=t[r]*e[r];return n},Kr=function(t,e,n){var r=n.length,o=Un(e+2);t[o]=r&255,t[o+1]=r>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
-r;++s)t[o+s+4]=n[s];return(o+4+r)*8},zr=function(t,e,n,r,o,s,a,i,l,c,u){he(e,u++,n),++o[256];for(var d=_n(o,15),m=d.t,h=d.l,g=_n(s,15),f=g.t,v=g.l,b=Dr(m),S=b.c,
-y=b.n,w=Dr(f),A=w.c,T=w.n,E=new Y(19),C=0;C<S.length;++C)++E[S[C]&31];for(var C=0;C<A.length;++C)++E[A[C]&31];for(var x=_n(E,7),O=x.t,_=x.l,k=19;k>4&&!O[$n[k-1]];--k)
-;var J=c+5<<3,H=at(o,ve)+at(s,it)+a,P=at(o,m)+at(s,f)+a+14+3*k+at(E,O)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&J<=H&&J<=P)return Kr(e,u,t.subarray(l,l+c));var U,$,W,F;
-if(he(e,u,1+(P<H)),u+=2,P<H){U=le(m,h,0),$=m,W=le(f,v,0),F=f;var $e=le(O,_,0);he(e,u,y-257),he(e,u+5,T-1),he(e,u+10,k-4),u+=14;for(var C=0;C<k;++C)he(e,u+3*C,O[$n[C]]);
+r;++s)t[o+s+4]=n[s];return(o+4+r)*8},zr=function(t,e,n,r,o,s,a,i,l,c,u){he(e,u++,n),++o[256];for(var d=_n(o,15),m=d.t,h=d.l,g=_n(s,15),f=g.t,v=g.l,b=Fr(m),S=b.c,
+y=b.n,w=Fr(f),A=w.c,T=w.n,E=new Y(19),C=0;C<S.length;++C)++E[S[C]&31];for(var C=0;C<A.length;++C)++E[A[C]&31];for(var x=_n(E,7),O=x.t,_=x.l,k=19;k>4&&!O[$n[k-1]];--k)
+;var J=c+5<<3,H=at(o,ve)+at(s,it)+a,L=at(o,m)+at(s,f)+a+14+3*k+at(E,O)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&J<=H&&J<=L)return Kr(e,u,t.subarray(l,l+c));var U,$,W,D;
+if(he(e,u,1+(L<H)),u+=2,L<H){U=le(m,h,0),$=m,W=le(f,v,0),D=f;var $e=le(O,_,0);he(e,u,y-257),he(e,u+5,T-1),he(e,u+10,k-4),u+=14;for(var C=0;C<k;++C)he(e,u+3*C,O[$n[C]]);
 u+=3*k;for(var Q=[S,A],de=0;de<2;++de)for(var q=Q[de],C=0;C<q.length;++C){var K=q[C]&31;he(e,u,$e[K]),u+=O[K],K>15&&(he(e,u,q[C]>>5&127),u+=q[C]>>12)}}else U=Ha,
-$=ve,W=Ga,F=it;for(var C=0;C<i;++C){var I=r[C];if(I>255){var K=I>>18&31;st(e,u,U[K+257]),u+=$[K+257],K>7&&(he(e,u,I>>23&31),u+=$t[K]);var ae=I&31;st(e,u,W[ae]),
-u+=F[ae],ae>3&&(st(e,u,I>>5&8191),u+=Ot[ae])}else st(e,u,U[I]),u+=$[I]}return st(e,u,U[256]),u+$[256]},Ka=new Nn([65540,131080,131088,131104,262176,1048704,1048832,
+$=ve,W=Ga,D=it;for(var C=0;C<i;++C){var P=r[C];if(P>255){var K=P>>18&31;st(e,u,U[K+257]),u+=$[K+257],K>7&&(he(e,u,P>>23&31),u+=$t[K]);var ae=P&31;st(e,u,W[ae]),
+u+=D[ae],ae>3&&(st(e,u,P>>5&8191),u+=Ot[ae])}else st(e,u,U[P]),u+=$[P]}return st(e,u,U[256]),u+$[256]},Ka=new Nn([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),Yr=new N(0),Ya=function(t,e,n,r,o,s){var a=s.z||t.length,i=new N(r+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(r,i.length-o),c=s.l,u=(s.r||0)&7;if(e){
 u&&(l[0]=s.r>>3);for(var d=Ka[e-1],m=d>>13,h=d&8191,g=(1<<n)-1,f=s.p||new Y(32768),v=s.h||new Y(g+1),b=Math.ceil(n/3),S=2*b,y=function(gn){return(t[gn]^t[gn+1]<<
-b^t[gn+2]<<S)&g},w=new Nn(25e3),A=new Y(288),T=new Y(32),E=0,C=0,x=s.i||0,O=0,_=s.w||0,k=0;x+2<a;++x){var J=y(x),H=x&32767,P=v[J];if(f[H]=P,v[J]=H,_<=x){var U=a-
-x;if((E>7e3||O>24576)&&(U>423||!c)){u=zr(t,l,0,w,A,T,C,O,k,x-k,u),O=E=C=0,k=x;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)T[$]=0}var W=2,F=0,$e=h,Q=H-P&32767;
-if(U>2&&J==y(x-Q))for(var de=Math.min(m,U)-1,q=Math.min(32767,x),K=Math.min(258,U);Q<=q&&--$e&&H!=P;){if(t[x+W]==t[x+W-Q]){for(var I=0;I<K&&t[x+I]==t[x+I-Q];++I)
-;if(I>W){if(W=I,F=Q,I>de)break;for(var ae=Math.min(Q,I-2),Oe=0,$=0;$<ae;++$){var Pe=x-Q+$&32767,St=f[Pe],Mt=Pe-St&32767;Mt>Oe&&(Oe=Mt,P=Pe)}}}H=P,P=f[H],Q+=H-P&
-32767}if(F){w[O++]=268435456|On[W]<<18|Fr[F];var Xe=On[W]&31,Je=Fr[F]&31;C+=$t[Xe]+Ot[Je],++A[257+Xe],++T[Je],_=x+W,++E}else w[O++]=t[x],++A[t[x]]}}for(x=Math.max(
-x,_);x<a;++x)w[O++]=t[x],++A[t[x]];u=zr(t,l,c,w,A,T,C,O,k,x-k,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=v,s.p=f,s.i=x,s.w=_)}else{for(var x=s.w||0;x<a+c;x+=65535){var Le=x+
-65535;Le>=a&&(l[u/8|0]=c,Le=a),u=Kr(l,u+1,t.subarray(x,Le))}s.i=a}return Bn(i,0,r+Un(u)+o)},Za=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var n=e,
+b^t[gn+2]<<S)&g},w=new Nn(25e3),A=new Y(288),T=new Y(32),E=0,C=0,x=s.i||0,O=0,_=s.w||0,k=0;x+2<a;++x){var J=y(x),H=x&32767,L=v[J];if(f[H]=L,v[J]=H,_<=x){var U=a-
+x;if((E>7e3||O>24576)&&(U>423||!c)){u=zr(t,l,0,w,A,T,C,O,k,x-k,u),O=E=C=0,k=x;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)T[$]=0}var W=2,D=0,$e=h,Q=H-L&32767;
+if(U>2&&J==y(x-Q))for(var de=Math.min(m,U)-1,q=Math.min(32767,x),K=Math.min(258,U);Q<=q&&--$e&&H!=L;){if(t[x+W]==t[x+W-Q]){for(var P=0;P<K&&t[x+P]==t[x+P-Q];++P)
+;if(P>W){if(W=P,D=Q,P>de)break;for(var ae=Math.min(Q,P-2),Oe=0,$=0;$<ae;++$){var Le=x-Q+$&32767,St=f[Le],Mt=Le-St&32767;Mt>Oe&&(Oe=Mt,L=Le)}}}H=L,L=f[H],Q+=H-L&
+32767}if(D){w[O++]=268435456|On[W]<<18|Dr[D];var Xe=On[W]&31,Je=Dr[D]&31;C+=$t[Xe]+Ot[Je],++A[257+Xe],++T[Je],_=x+W,++E}else w[O++]=t[x],++A[t[x]]}}for(x=Math.max(
+x,_);x<a;++x)w[O++]=t[x],++A[t[x]];u=zr(t,l,c,w,A,T,C,O,k,x-k,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=v,s.p=f,s.i=x,s.w=_)}else{for(var x=s.w||0;x<a+c;x+=65535){var Ie=x+
+65535;Ie>=a&&(l[u/8|0]=c,Ie=a),u=Kr(l,u+1,t.subarray(x,Ie))}s.i=a}return Bn(i,0,r+Un(u)+o)},Za=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var n=e,
 r=9;--r;)n=(n&1&&-306674912)^n>>>1;t[e]=n}return t})(),Xa=function(){var t=-1;return{p:function(e){for(var n=t,r=0;r<e.length;++r)n=Za[n&255^e[r]]^n>>>8;t=n},d:function(){
 return~t}}};var Ja=function(t,e,n,r,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
 return Ya(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,n,r,o)},Zr=function(t,e){var n={};for(var r in t)
@@ -194,40 +194,40 @@ nexpected")+" dictionary"),(t[1]>>3&4)+2};function ei(t,e){return Ja(t,e||{},0,0
 r))}},Hr=typeof TextEncoder<"u"&&new TextEncoder,ti=typeof TextDecoder<"u"&&new TextDecoder,ni=0;try{ti.decode(Yr,{stream:!0}),ni=1}catch{}function _t(t,e){if(e){for(var n=new N(t.length),r=0;r<t.length;++r)n[r]=t.charCodeAt(r);return n}if(Hr)return Hr.encode(t);for(var o=t.length,s=new N(t.length+
 (t.length>>1)),a=0,i=function(u){s[a++]=u},r=0;r<o;++r){if(a+5>s.length){var l=new N(a+8+(o-r<<1));l.set(s),s=l}var c=t.charCodeAt(r);c<128||e?i(c):c<2048?(i(192|
 c>>6),i(128|c&63)):c>55295&&c<57344?(c=65536+(c&1047552)|t.charCodeAt(++r)&1023,i(240|c>>18),i(128|c>>12&63),i(128|c>>6&63),i(128|c&63)):(i(224|c>>12),i(128|c>>
-6&63),i(128|c&63))}return Bn(s,0,a)}var In=function(t){var e=0;if(t)for(var n in t){var r=t[n].length;r>65535&&j(9),e+=r+4}return e},Wr=function(t,e,n,r,o,s,a,i){var l=r.length,c=n.extra,u=i&&i.length,
-d=In(c);G(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=n.os),t[e]=20,e+=2,t[e++]=n.flag<<1|(s<0&&8),t[e++]=o&&8,t[e++]=n.compression&255,t[e++]=
+6&63),i(128|c&63))}return Bn(s,0,a)}var Pn=function(t){var e=0;if(t)for(var n in t){var r=t[n].length;r>65535&&j(9),e+=r+4}return e},Wr=function(t,e,n,r,o,s,a,i){var l=r.length,c=n.extra,u=i&&i.length,
+d=Pn(c);G(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=n.os),t[e]=20,e+=2,t[e++]=n.flag<<1|(s<0&&8),t[e++]=o&&8,t[e++]=n.compression&255,t[e++]=
 n.compression>>8;var m=new Date(n.mtime==null?Date.now():n.mtime),h=m.getFullYear()-1980;if((h<0||h>119)&&j(10),G(t,e,h<<25|m.getMonth()+1<<21|m.getDate()<<16|m.
 getHours()<<11|m.getMinutes()<<5|m.getSeconds()>>1),e+=4,s!=-1&&(G(t,e,n.crc),G(t,e+4,s<0?-s-2:s),G(t,e+8,n.size)),G(t,e+12,l),G(t,e+14,d),e+=16,a!=null&&(G(t,e,
 u),G(t,e+6,n.attrs),G(t,e+10,a),e+=14),t.set(r,e),e+=l,d)for(var g in c){var f=c[g],v=f.length;G(t,e,+g),G(t,e+2,v),t.set(f,e+4),e+=4+v}return u&&(t.set(i,e),e+=
 u),e},ri=function(t,e,n,r,o){G(t,e,101010256),G(t,e+8,n),G(t,e+10,n),G(t,e+12,r),G(t,e+16,o)};function Qr(t,e){e||(e={});var n={},r=[];Jr(t,"",n,e);var o=0,s=0;for(var a in n){var i=n[a],l=i[0],c=i[1],u=c.level==0?0:8,d=_t(a),m=d.length,h=c.comment,g=h&&
-_t(h),f=g&&g.length,v=In(c.extra);m>65535&&j(11);var b=u?ei(l,c):l,S=b.length,y=Xa();y.p(l),r.push(Zr(c,{size:l.length,crc:y.d(),c:b,f:d,m:g,u:m!=a.length||g&&h.
+_t(h),f=g&&g.length,v=Pn(c.extra);m>65535&&j(11);var b=u?ei(l,c):l,S=b.length,y=Xa();y.p(l),r.push(Zr(c,{size:l.length,crc:y.d(),c:b,f:d,m:g,u:m!=a.length||g&&h.
 length!=f,o,compression:u})),o+=30+m+v+S,s+=76+2*(m+v)+(f||0)+S}for(var w=new N(s+22),A=o,T=s-o,E=0;E<r.length;++E){var d=r[E];Wr(w,d.o,d,d.f,d.u,d.c.length);var C=30+
-d.f.length+In(d.extra);w.set(d.c,d.o+C),Wr(w,o,d,d.f,d.u,d.c.length,d.o,d.m),o+=16+C+(d.m?d.m.length:0)}return ri(w,o,r.length,T,A),w}var Fe=["pursuer","evader"];function to(){return JSON.parse(Pt("data"))}function Ae(t,e,n){let[r,o]=[e-t.payoff.first[0],n-t.payoff.first[1]],s=t.payoff.capture_rate[r]?.[o];
+d.f.length+Pn(d.extra);w.set(d.c,d.o+C),Wr(w,o,d,d.f,d.u,d.c.length,d.o,d.m),o+=16+C+(d.m?d.m.length:0)}return ri(w,o,r.length,T,A),w}var De=["pursuer","evader"];function to(){return JSON.parse(Lt("data"))}function Ae(t,e,n){let[r,o]=[e-t.payoff.first[0],n-t.payoff.first[1]],s=t.payoff.capture_rate[r]?.[o];
 return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[r][o],lengths:t.payoff.lengths[r][o]}}function Ee(t,e,n){let{script:r,network:o,kept:s,genomes:a}=t.
 teams[e];if(r!==null||o===null)return"";if(!s.includes(n))return`The page holds no genome of ${e}s ${n}: it would be too large. Choose a generation of ${s.join(
 ", ")}.`;let i=s.length*o.genome_size;return no(a,o.genome_size).length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Wr\
 ite it again from its run.`}function ee(t,e,n){let{script:r,network:o,kept:s,genomes:a}=t.teams[e];if(r!==null||o===null)return r??"random";let i=s.indexOf(n);if(i<
 0)throw new RangeError(`${e}: expected a generation whose genome the page holds, got ${n}`);let l=o.genome_size,c=no(a,l).subarray(i*l,(i+1)*l);return{hidden:o.
-hidden,activation:o.activation,sampled:o.sampled,genome:c}}var Fn=4,eo=new Map;function no(t,e){let n=eo.get(t);if(n)return n;let r=new Float32Array;try{let o=si(
-Dn(t),e);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||o instanceof RangeError||oi(o)))throw o}return eo.set(t,r),r}var oi=t=>t instanceof
-Error&&"code"in t;function si(t,e){let n=Xr(t),r=n.length/Fn,o=new Uint8Array(n.length);for(let a=0;a<o.length;a++)o[a]=n[a%Fn*r+Math.floor(a/Fn)];let s=new Uint32Array(
-o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function Dn(t){let e=atob(Pt(t)),n=new Uint8Array(e.length);for(let r=0;r<n.
-length;r++)n[r]=e.charCodeAt(r);return n}function Pt(t){return document.getElementById(t)?.textContent??""}var De=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function ro(t,e,n){let[r,o]=[e[0]-t[0],e[1]-t[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
-(r=0),De.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var Ce=(t,e)=>e<t.nPursuers,L=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],ai=(t,e)=>t[0]===e[0]&&
+hidden,activation:o.activation,sampled:o.sampled,genome:c}}var Dn=4,eo=new Map;function no(t,e){let n=eo.get(t);if(n)return n;let r=new Float32Array;try{let o=si(
+Fn(t),e);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||o instanceof RangeError||oi(o)))throw o}return eo.set(t,r),r}var oi=t=>t instanceof
+Error&&"code"in t;function si(t,e){let n=Xr(t),r=n.length/Dn,o=new Uint8Array(n.length);for(let a=0;a<o.length;a++)o[a]=n[a%Dn*r+Math.floor(a/Dn)];let s=new Uint32Array(
+o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function Fn(t){let e=atob(Lt(t)),n=new Uint8Array(e.length);for(let r=0;r<n.
+length;r++)n[r]=e.charCodeAt(r);return n}function Lt(t){return document.getElementById(t)?.textContent??""}var Fe=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function ro(t,e,n){let[r,o]=[e[0]-t[0],e[1]-t[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
+(r=0),Fe.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var Ce=(t,e)=>e<t.nPursuers,I=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],ai=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],zn=({rows:t,cols:e},[n,r])=>n>=0&&r>=0&&n<t&&r<e,Hn=(t,e,n=3)=>t!==void 0&&[0,1,2].slice(0,n).some(r=>t[3*e+r]),Wn=(t,e)=>Hn(t.fault,e),oo=(t,e)=>!Wn(
-t,e)&&Hn(t.involved,e,2);function Lt(t,e,n){let r=!ai(L(t,n),L(e,n)),o=e.involved===void 0||Hn(e.involved,n);return!!(e.alive[n]&&e.actions?.[n]&&!r&&o)}function It(t,e,n){
-let[r,o]=L(t,n),[s,a]=De[e.actions?.[n]??0];return[r+s,o+a]}function lt(t,e,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
+t,e)&&Hn(t.involved,e,2);function It(t,e,n){let r=!ai(I(t,n),I(e,n)),o=e.involved===void 0||Hn(e.involved,n);return!!(e.alive[n]&&e.actions?.[n]&&!r&&o)}function Pt(t,e,n){
+let[r,o]=I(t,n),[s,a]=Fe[e.actions?.[n]??0];return[r+s,o+a]}function lt(t,e,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
 !e.everCaptured[o]).map(o=>t.nPursuers+o)}var so=t=>t.moments.flatMap((e,n)=>n&&lt(t,t.moments[n-1],e).length?[n]:[]);function Nt(t,e){return Array.from({length:e.
 alive.length},(r,o)=>o).filter(r=>t.alive[r]&&!e.alive[r])}var ao=[-.31,0,.31],io=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:ao.flatMap(t=>ao.map(e=>[e,t]))}],ii=.3,li=.35,ci=.55;function ct(t,e){let n=new Map;for(let r=0;r<e.alive.length;r++){if(!e.
-alive[r])continue;let[o,s]=L(e,r),a=o*t.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function lo(t,e){let n=Array.from(e.alive,(r,o)=>{let[s,a]=L(e,o);return{
+alive[r])continue;let[o,s]=I(e,r),a=o*t.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function lo(t,e){let n=Array.from(e.alive,(r,o)=>{let[s,a]=I(e,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let r of ct(t,e).values()){let o=io[Math.min(r.length,io.length)-1];r.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 c=n[s];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return n}var co=t=>t*t*(3-2*t),ze=(t,e,n)=>t+(e-t)*n,uo=t=>Math.min(1,Math.max(0,t));function po(t,e,n,r){let o={
 1:2,2:n}[t.interaction]??1;if(o===1)return co(r);let s=o===n?e:+!Ce(t,e),a=Math.max(1/o,li);return co(uo((r-s/(o-1)*(1-a))/a))}function Ut(t,e){let n=t.moments.
 length-1,r=Math.min(Math.floor(e),n),o=t.moments[r],s=lo(t,o);if(r===n||e===r)return s;let a=t.moments[r+1],i=lo(t,a);return s.map((l,c)=>{let u=po(t,c,s.length,
 e-r);return ui(o,a,c,l,i[c],u)})}function Vn(t,e,n){let r=t.moments.length-1,o=Math.min(Math.floor(n),r),[s,a]=[t.moments[o],t.moments[Math.min(o+1,r)]],i=po(t,
-e,s.alive.length,n-o),[[l,c],[u,d]]=[L(s,e),L(a,e)];return[ze(c,d,i)+.5,ze(l,u,i)+.5]}function ui(t,e,n,r,o,s){let a=r.alpha>o.alpha,i={x:ze(r.x,o.x,s),y:ze(r.y,
-o.y,s),size:a?r.size:ze(r.size,o.size,s),alpha:a?uo((1-s)/(1-ci)):ze(r.alpha,o.alpha,s)};if(Lt(t,e,n)){let[l,c]=L(t,n),[u,d]=It(t,e,n),m=ii*Math.sin(Math.PI*s);
+e,s.alive.length,n-o),[[l,c],[u,d]]=[I(s,e),I(a,e)];return[ze(c,d,i)+.5,ze(l,u,i)+.5]}function ui(t,e,n,r,o,s){let a=r.alpha>o.alpha,i={x:ze(r.x,o.x,s),y:ze(r.y,
+o.y,s),size:a?r.size:ze(r.size,o.size,s),alpha:a?uo((1-s)/(1-ci)):ze(r.alpha,o.alpha,s)};if(It(t,e,n)){let[l,c]=I(t,n),[u,d]=Pt(t,e,n),m=ii*Math.sin(Math.PI*s);
 i.x+=(d-c)*m,i.y+=(u-l)*m}return i}var mo=2*Math.PI;function Te(t,e,n,r){t.beginPath(),t.arc(e,n,r/2,0,mo)}function Bt(t,e,n,r){let o=r/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,n+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,u]=s[(l+1)%3];t.arcTo(a,i,c,u,r*.09)}),t.closePath()}function ho(t,e,n,r){
 let o=r*.32;t.beginPath(),t.moveTo(e-o,n-o),t.lineTo(e+o,n+o),t.moveTo(e+o,n-o),t.lineTo(e-o,n+o)}function fo(t,e,n,r){t.beginPath();for(let o=0;o<16;o++){let s=r/
@@ -249,10 +249,10 @@ n.paper,t.lineJoin="round",t.lineWidth=u*.35,t.strokeText("You",l,m),t.fillStyle
 i=So(t,e,r,o),l=He(t,e,n);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
 s.globalAlpha=1}function Co(t,e,n,r,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(n),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(fi,
 Math.max(1,a.cell*hi));for(let c=Math.max(1,Math.floor(n-r)+1);c<=i;c++){let[u,d]=[e.moments[c-1],e.moments[c]],m=Math.max(0,Math.min(1,(n-c)/r));s.globalAlpha=
-vo+(yi-vo)*m;for(let h=0;h<d.alive.length;h++){let g=c===i&&n<i;if(!u.alive[h]||!(l.alive[h]||g))continue;let f=(Ce(e,h)?-1:1)*gi,[v,b]=L(u,h),[S,y]=L(d,h);if(v===
+vo+(yi-vo)*m;for(let h=0;h<d.alive.length;h++){let g=c===i&&n<i;if(!u.alive[h]||!(l.alive[h]||g))continue;let f=(Ce(e,h)?-1:1)*gi,[v,b]=I(u,h),[S,y]=I(d,h);if(v===
 S&&b===y)continue;let w=g?o[h].x:y+.5,A=g?o[h].y:S+.5;s.strokeStyle=He(t,e,h),s.beginPath(),s.moveTo(te(a,b+.5+f),ne(a,v+.5+f)),s.lineTo(te(a,w+f),ne(a,A+f)),s.
 stroke()}}s.globalAlpha=1}function To(t,e,n){let r=Math.min(Math.ceil(n),e.moments.length-1);for(let o=Math.max(1,r-yo+1);o<=r;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/yo,l=lt(e,s,a);for(let c of Nt(s,a))l.includes(c)||bi(t,L(a,c),i);for(let c of l)vi(t,L(a,c),i)}t.ctx.globalAlpha=1}function vi({
+i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/yo,l=lt(e,s,a);for(let c of Nt(s,a))l.includes(c)||bi(t,I(a,c),i);for(let c of l)vi(t,I(a,c),i)}t.ctx.globalAlpha=1}function vi({
 ctx:t,grid:e,colors:n},[r,o],s){t.globalAlpha=s,fo(t,te(e,o+.5),ne(e,r+.5),Math.max(8,e.cell*di)),t.fillStyle=n.capture,t.fill(),t.strokeStyle=n.ink,t.lineWidth=
 Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function bi({ctx:t,grid:e,colors:n},[r,o],s){t.globalAlpha=s,ho(t,te(e,o+.5),ne(e,r+.5),Math.max(7,e.cell*pi)),
 t.strokeStyle=n.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function ko({ctx:t,grid:e,colors:n},r,o){let s=Math.max(1,e.cell*.07);
@@ -267,45 +267,45 @@ i.font=`700 ${Math.round(h*(u?.4:.5)*(v.length>1?.8:1))}px system-ui, sans-serif
 v,d,m+h*(u?.17:.03))}function Ei({ctx:t,grid:e,colors:n},r,o){let[s,a]=[e.left+r.x*e.cell,e.top+r.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=n.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=n.ink,t.fillText(`+${o}`,
 s,a)}var Ci=.46,Ti=.86,ki=.66,$o=.48,Ri=.78,_i=.58;function Oo(t,e,n,r){let[o,s]=[e.moments[n-1],e.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let c=0;c<s.alive.length;c++)Lt(o,s,c)&&$i(t,e,L(o,c),It(o,s,c));a.globalAlpha=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let c=0;c<s.alive.length;c++)It(o,s,c)&&$i(t,e,I(o,c),Pt(o,s,c));a.globalAlpha=
 1}function $i({ctx:t,grid:e},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=d=>te(e,r[1]+.5+s*d),l=d=>ne(e,r[0]+.5+a*d),c=zn(n,o)?Ri:_i;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i($o),l($o)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let u=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*u,l(c)+
-s*u),t.lineTo(i(c)+a*u,l(c)-s*u),t.stroke()}function Po(t,e,n,r,o,s){let a=De[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,u=zn(e,[r[0]+a[0],r[1]+a[1]])?Ti:
+s*u),t.lineTo(i(c)+a*u,l(c)-s*u),t.stroke()}function Lo(t,e,n,r,o,s){let a=Fe[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,u=zn(e,[r[0]+a[0],r[1]+a[1]])?Ti:
 ki,d=Ci*o.size,m=[te(l,o.x+a[1]*d),ne(l,o.y+a[0]*d),te(l,o.x+a[1]*u),ne(l,o.y+a[0]*u)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[
-c.paper,h*2.1],[He(t,e,n),h]])i.strokeStyle=g,i.lineWidth=f,go(i,...m,l.cell*.2),i.stroke()}var Ft={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Dt(t,e,n,r,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
+c.paper,h*2.1],[He(t,e,n),h]])i.strokeStyle=g,i.lineWidth=f,go(i,...m,l.cell*.2),i.stroke()}var Dt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Ft(t,e,n,r,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(n),e.moments.length-1),c=e.moments[l],u=n===l,d=Ut(e,n),m=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),bo(t);for(let f of r.
 viewers)d[f]?.alpha&&Eo(t,e,f,...Vn(e,f,n));wo(t,e),r.axes&&xo(t,o),Co(t,e,n,r.trail,d),ko(t,c.contested??[],m),To(t,e,n),Oo(t,e,l,m),d.forEach(({x:f,y:v,size:b},S)=>{
 let y=oo(c,S)?.4:0,w=Wn(c,S)?1:y;w&&Ro(t,f,v,b,w*m)});let h=u?c:e.moments[Math.max(0,l-1)];if(_o(t,e,h,d,r.numbers,o),u&&r.plan)for(let[f,v]of d.entries())v.alpha&&
-Po(t,e,f,L(c,f),v,r.plan[f]??0);r.you!==null&&(r.fog&&Mo(t,e,...Vn(e,r.you,n)),Ao(t,d[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.selected===
-null?void 0:d[r.selected];g?.alpha&&Lo(t,g.x,g.y,g.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Lo(t,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
-[]))}function Lo({ctx:t,grid:e},n,r,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+n*e.cell-s/2,e.top+r*e.cell-s/2,s,s,s*.1),t.stroke()}var ut=(t,e)=>(e+.24)/(t+.24);function zt(t,e,n,r,o,s){let a=n?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,e),i(o,t))));return{rows:t,cols:e,
-cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Io(t,e,n){let r=Math.floor((n-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return r>=
+Lo(t,e,f,I(c,f),v,r.plan[f]??0);r.you!==null&&(r.fog&&Mo(t,e,...Vn(e,r.you,n)),Ao(t,d[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.selected===
+null?void 0:d[r.selected];g?.alpha&&Io(t,g.x,g.y,g.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Io(t,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
+[]))}function Io({ctx:t,grid:e},n,r,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+n*e.cell-s/2,e.top+r*e.cell-s/2,s,s,s*.1),t.stroke()}var ut=(t,e)=>(e+.24)/(t+.24);function zt(t,e,n,r,o,s){let a=n?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,e),i(o,t))));return{rows:t,cols:e,
+cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Po(t,e,n){let r=Math.floor((n-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return r>=
 0&&r<t.rows&&o>=0&&o<t.cols?[r,o]:null}var Oi={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function We(t){let e=getComputedStyle(t),n=Object.entries(Oi).map(([r,o])=>[r,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(n)}var re=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,be=class{canvas;#e=null;#r=0;#o;#a={rows:1,cols:1,left:0,top:0,cell:1};#n=0;#t;#i;constructor(e,n={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#o={...Ft,...n},this.#t=new ResizeObserver(()=>this.#d()),this.#t.observe(e),this.#i=new MutationObserver(
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#o={...Dt,...n},this.#t=new ResizeObserver(()=>this.#d()),this.#t.observe(e),this.#i=new MutationObserver(
 ()=>this.redraw()),this.#i.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#t.disconnect(),this.#i.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#n)}get look(){
 return this.#o}set look(e){this.#o={...this.#o,...e},this.#u(),this.redraw()}get time(){return this.#r}show(e,n){this.#e=e,this.#r=Math.min(Math.max(0,n),e.moments.
 length-1),this.#u(),this.redraw()}redraw=()=>{this.#n||(this.#n=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#n),this.#n=0;let e=this.
 canvas.getContext("2d");if(!e||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||1;this.#a=zt(n,r,this.#o.axes,this.canvas.width,this.canvas.height,
-o);let s={ctx:e,grid:this.#a,colors:We(this.canvas)};Dt(s,this.#e,this.#r,this.#o,o)}cellAt(e,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
-width;return Io(this.#a,(e-r.left)*o,(n-r.top)*o)}agentAt(e,n){let r=this.cellAt(e,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=ct(
+o);let s={ctx:e,grid:this.#a,colors:We(this.canvas)};Ft(s,this.#e,this.#r,this.#o,o)}cellAt(e,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
+width;return Po(this.#a,(e-r.left)*o,(n-r.top)*o)}agentAt(e,n){let r=this.cellAt(e,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=ct(
 this.#e,o).get(r[0]*this.#e.cols+r[1])??[],a=Ut(this.#e,Math.round(this.#r)),i=l=>{let[c,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(c-e,u-n)};return s.length?
 s.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(e,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[r.left+
 (s+e*i)*o,r.top+(a+n*i)*o]}#u(){if(!this.#e)return;let{rows:e,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(ut(e,n)))}#d(){let e=devicePixelRatio||
-1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*e)),this.canvas.height=Math.max(1,Math.round(r*e)),this.drawNow()}};var Pi=12e3;function No(t,e,n){let r=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>d(
+1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*e)),this.canvas.height=Math.max(1,Math.round(r*e)),this.drawNow()}};var Li=12e3;function No(t,e,n){let r=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>d(
 c-1,!1)},"Back"),a=p("button",{type:"button",onclick:()=>d(c+1,!1)}),i=p("section",{class:"guided card","aria-label":"A guided minute"},o,p("div",{},s,a,p("butt\
 on",{type:"button",onclick:()=>m()},"Skip"))),l=p("button",{type:"button",class:"begin-minute",onclick:()=>d(0,!re())},"A guided minute"),[c,u]=[-1,0];function d(v,b){
 clearTimeout(u);let S=r()[v];if(g(),!S)return m();c=v,o.replaceChildren(p("span",{class:"muted numbers"},`${v+1} of ${r().length} `),S.text),s.disabled=v===0,a.
 textContent=v===r().length-1?"End":"Next",i.hidden=!1,e.select({pursuer:S.pursuer,evader:S.evader}),S.shows==="judgement"?document.querySelector(".diagnosis")?.
-scrollIntoView({block:"nearest"}):S.shows==="checkerboard"?h():(n.reveal(),n.playSoon()),b&&(u=setTimeout(()=>d(v+1,!0),Pi))}function m(){clearTimeout(u),c=-1,i.
+scrollIntoView({block:"nearest"}):S.shows==="checkerboard"?h():(n.reveal(),n.playSoon()),b&&(u=setTimeout(()=>d(v+1,!0),Li))}function m(){clearTimeout(u),c=-1,i.
 hidden=!0,l.focus()}function h(){document.querySelector(".miniature")?.click();let v=document.querySelector("dialog.four[open]");v?.append(i),v?.addEventListener(
 "close",()=>document.body.append(i),{once:!0})}let g=()=>document.querySelector("dialog.four[open]")?.close(),f=()=>{l.hidden=!r().length,i.hidden||m()};return e.
-on("run",f),i.addEventListener("keydown",v=>{v.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var Li={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},dt=[.5,1,2,4,8,16,32,64],Ge=0,Kn=12,Ii=2,fe=class extends EventTarget{#e;#r;#o;#a;#n=0;#t=0;#i=!1;#u=null;#d=0;#c=[];glide=.28;constructor(e,n={}){
-super(),this.#e=e,this.#r=n.speed??4,this.#a=n.still??!1,this.#o=n.clock??Li}get step(){return this.#n}get time(){return this.#a?this.#n:this.#t}get arrived(){return this.#t===
+on("run",f),i.addEventListener("keydown",v=>{v.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var Ii={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},dt=[.5,1,2,4,8,16,32,64],Ge=0,Kn=12,Pi=2,fe=class extends EventTarget{#e;#r;#o;#a;#n=0;#t=0;#i=!1;#u=null;#d=0;#c=[];glide=.28;constructor(e,n={}){
+super(),this.#e=e,this.#r=n.speed??4,this.#a=n.still??!1,this.#o=n.clock??Ii}get step(){return this.#n}get time(){return this.#a?this.#n:this.#t}get arrived(){return this.#t===
 this.#n}get playing(){return this.#i}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#p("state")}get marks(){return this.#c}set marks(e){
-this.#c=e,this.#p("state")}get pace(){return this.#r||Math.max(Ii,this.#e/Kn)}get speed(){return this.#r}set speed(e){this.#r=e,this.#p("state")}changeSpeed(e){
+this.#c=e,this.#p("state")}get pace(){return this.#r||Math.max(Pi,this.#e/Kn)}get speed(){return this.#r}set speed(e){this.#r=e,this.#p("state")}changeSpeed(e){
 let n=dt.findIndex(r=>r>=this.pace);this.speed=dt[Math.min(dt.length-1,Math.max(0,n+e))]}play(){this.#i||!this.#e||(this.#n===this.#e&&this.jump(0),this.#i=!0,this.#p(
 "state"),this.#s())}pause(){this.#i&&(this.#i=!1,this.#p("state"))}toggle(){this.#i?this.pause():this.play()}move(e){this.pause();let n=Math.min(this.#e,Math.max(
 0,this.#n+e));Math.abs(n-this.#t)>1?this.jump(n):this.#l(n),this.#s()}jump(e){this.#t=Math.min(this.#e,Math.max(0,Math.round(e))),this.#l(this.#t),this.#p("fram\
@@ -326,26 +326,27 @@ let n=p("span",{class:"gradient"});return n.style.backgroundImage=Uo(),p("p",{cl
 e.selected.run));return e.on("match",o),e.on("hover",o),o(),r.hidden=t.length<2,r}function Bi(t,e,n){let[r,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=Ui/
 Math.max(r,o),i=p("canvas",{"aria-hidden":"true"});Gt(i,t.payoff,{left:0,top:0,width:o*a,height:r*a});let l=p("span",{class:"place"}),c=p("button",{type:"button",
 class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Yn(t,e,n)},p("span",{class:"small-matrix"},i,l),p("span",{class:"race-text"},p("strong",{},s?t.name:t.schedule),
-p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Fi(t)}`),p("span",{class:"small muted"},`${s?`${t.schedule}, `:""}\
+p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Di(t)}`),p("span",{class:"small muted"},`${s?`${t.schedule}, `:""}\
 seed ${t.seed}`)));return{button:c,update:d=>{c.setAttribute("aria-current",String(d));let m=n.hover.pursuer??n.selected.pursuer,h=n.hover.evader??n.selected.evader;
-l.hidden=m>=r||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(r-m-.5)*a}px`}}}var Fi=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Yn(t,e,n){
-let[r,o]=t.payoff.shape,{pursuer:s,evader:a}=n.selected;n.select({run:e,pursuer:Math.min(s,r-1),evader:Math.min(a,o-1)})}var Di=[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster or s\
+l.hidden=m>=r||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(r-m-.5)*a}px`}}}var Di=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Yn(t,e,n){
+let[r,o]=t.payoff.shape,{pursuer:s,evader:a}=n.selected;n.select({run:e,pursuer:Math.min(s,r-1),evader:Math.min(a,o-1)})}var Fi=[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster or s\
 lower"],[["N"],"next episode of the same pair; with Shift the one before"],[["R"],"another seed, not one of the evaluation"],[["O"],"the cell's own seed again"],
 [["P"],"next pursuer generation; with Shift the one before"],[["E"],"next evader generation; with Shift the one before"],[["M"],"to the matrix: arrow keys choos\
 e a match, Enter plays it"],[["A"],"next agent: what it sees; with Shift the one before"],[["Esc"],"no agent"],[["T"],"take over the chosen agent, or an evader,\
  from this step on"],[["G"],"this step in the playground: any other rules, actions and places"],[["1","9"],"first to ninth run"],[["D"],"light or dark"],[["?"],
-"this list"]];function Fo(){let t=Di.map(([n,r])=>p("div",{class:"key-row"},p("dt",{},...n.map(o=>p("kbd",{},o))),p("dd",{},r))),e=p("dialog",{class:"help","ari\
+"this list"]];function Do(){let t=Fi.map(([n,r])=>p("div",{class:"key-row"},p("dt",{},...n.map(o=>p("kbd",{},o))),p("dd",{},r))),e=p("dialog",{class:"help","ari\
 a-labelledby":"help-title"},p("h2",{id:"help-title"},"Keys"),p("dl",{class:"keys"},...t),p("p",{class:"muted small"},"The page holds the genomes and the engine \
 of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."),p("button",{type:"\
-button",onclick:()=>e.close()},"Close"));return e.addEventListener("click",n=>n.target===e&&e.close()),e}function Do(t,e,n,r,o,s){let a=(l,c)=>()=>{let u=t[e.selected.
+button",onclick:()=>e.close()},"Close"));return e.addEventListener("click",n=>n.target===e&&e.close()),e}function Fo(t,e,n,r,o,s){let a=(l,c)=>()=>{let u=t[e.selected.
 run].payoff.shape[l==="pursuer"?0:1];e.select({[l]:Math.min(u-1,Math.max(0,e.selected[l]+c))})},i={n:()=>e.select({episode:e.selected.episode+1}),N:()=>e.select(
 {episode:Math.max(0,e.selected.episode-1)}),r:()=>e.select({seed:String(crypto.getRandomValues(new BigUint64Array(1))[0]),episode:0}),o:()=>e.select({seed:null,
 episode:0}),p:a("pursuer",1),P:a("pursuer",-1),e:a("evader",1),E:a("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>n.inspector.next(1),A:()=>n.
 inspector.next(-1),Escape:()=>n.inspector.choose(null),t:o,g:s,d:Tn,"?":()=>r.showModal()};document.addEventListener("keydown",l=>{let c=l.target instanceof HTMLSelectElement||
 l.target instanceof HTMLInputElement,u=l.target instanceof HTMLButtonElement&&(l.key===" "||l.key==="Enter");if(document.querySelector("dialog[open]")||c||u||l.
 defaultPrevented||l.ctrlKey||l.metaKey||l.altKey)return;let d=i[l.key]??i[l.key.toLowerCase()],m=Number(l.key)-1;if(we(n.player,l)||d)d?.();else if(t[m])Yn(t[m],
-m,e);else return;l.preventDefault()})}function zo(t,e,n,r,o){let s=async()=>{let a=await fetch("version").then(i=>i.text(),()=>null);a===null?o():a==="end"||a!==t&&!r()?(zi(e,n),location.reload()):setTimeout(
-()=>{s()},1e3)};s()}function zi(t,e){let{run:n,pursuer:r,evader:o}=e.selected,[s,a]=t[n].payoff.shape;r===s-1&&o===a-1&&history.replaceState(null,"",`#run=${n}`)}var Wi={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function Vt(t,e,n){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:Wi[t.rules.interaction],
+m,e);else return;l.preventDefault()})}function zo(t,e,n,r,o){let s=-8e3;for(let l of["pointerdown","pointermove","keydown","wheel"])window.addEventListener(l,()=>s=performance.now(),{passive:!0});let a=()=>!r()&&
+performance.now()-s>8e3,i=async()=>{let l=await fetch("version").then(c=>c.text(),()=>null);l===null?o():l==="end"||l!==t&&a()?(zi(e,n),location.reload()):setTimeout(
+()=>{i()},1e3)};i()}function zi(t,e){let{run:n,pursuer:r,evader:o}=e.selected,[s,a]=t[n].payoff.shape;r===s-1&&o===a-1&&history.replaceState(null,"",`#run=${n}`)}var Wi={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function Vt(t,e,n){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:Wi[t.rules.interaction],
 obstacles:e,moments:n}}function qt(t,e){return{positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_ca\
 ptured"),actions:e,involved:t.read("involved"),fault:t.read("fault"),contested:t.conflicts().map(n=>n.cell)}}function Kt(t){let e=Array.from({length:t.length+1},
 (n,r)=>Gi(t,r));return Vt(t.config,t.map,e)}function Gi(t,e){let n=t.n_agents,r=t.config.n_evaders,o=(a,i,l)=>a.subarray(i*l,(i+1)*l),s={positions:o(t.last_positions,
@@ -410,7 +411,7 @@ t[r]).toLowerCase());return Jo(t,e.variants)??n.join(".")}function ol(t,e){let n
 n)??Object.values(t).map(o=>String(o)).join(yt)}function sl(t,e){if(typeof t=="number")return String(t);if(t===Xn)return nl;let n=e.scripts.findIndex(({name:r})=>r===
 t);return String.fromCharCode(97+n)}var al="/* the engine */";function ss(t,e){return p("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
 nd actions under any rules",onclick:()=>er(t(),e)},"What if? Playground")}function er(t,e){let n=t!==null&&t.match.n_agents<=100&&Math.max(t.match.config.rows,t.
-match.config.cols)<=64,r=n?Qn(il(t.match,t.step),e):"",o=new TextDecoder().decode(Dn("playground")).replace(al,()=>Pt("script-engine")).replace("</noscript>",s=>n?
+match.config.cols)<=64,r=n?Qn(il(t.match,t.step),e):"",o=new TextDecoder().decode(Fn("playground")).replace(al,()=>Lt("script-engine")).replace("</noscript>",s=>n?
 s+Xo(t.champions):s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${r}`)}function il(t,e){let{config:n,n_agents:r}=t,o=Math.max(0,e-1),
 s=i=>{let l=o*r+i,c=o*n.n_evaders+i-n.n_pursuers,u=d=>i>=n.n_pursuers&&!!d[c];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:u(
 t.captured),everCaptured:u(t.ever_captured)}},a=Array.from({length:r},(i,l)=>s(l));return{rules:n.rules,others:null,rewards:n.rewards,rows:n.rows,cols:n.cols,diagonal:n.
@@ -432,7 +433,7 @@ ch",()=>this.#S()),n.on("rest",()=>this.player.pause()),this.#v(),this.#w(0,0)}g
 return this.#s}reveal(){this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.#c&&this.#l&&{match:this.#c,step:this.player.step,champions:this.#l}}start(e){
 this.#d=e,this.#g()}playSoon(){this.#f=!0,this.#h||this.#y()}goTo(e){this.#p=e,!this.#h&&this.#c&&this.#g()}#y(){!this.#f||!this.#c||(this.#f=!1,this.player.jump(
 0),re()||this.player.play())}#S(){this.#v(),clearTimeout(this.#h),this.#h=setTimeout(()=>this.#g(),ul)}#g(){clearTimeout(this.#h),this.#h=0,this.player.pause(),
-this.#v();let{selected:e}=this.#o,n=Fe.map(s=>Ee(this.#m,s,e[s])).find(Boolean)??"";if(this.#u.textContent=n,n||!this.#d)return;this.#c=xe(this.#d,this.#m,e);let[
+this.#v();let{selected:e}=this.#o,n=De.map(s=>Ee(this.#m,s,e[s])).find(Boolean)??"";if(this.#u.textContent=n,n||!this.#d)return;this.#c=xe(this.#d,this.#m,e);let[
 r,o]=this.names(e);this.#l={pursuer:{name:r,policy:ee(this.#m,"pursuer",e.pursuer)},evader:{name:o,policy:ee(this.#m,"evader",e.evader)}},this.#s=Kt(this.#c),this.#a.
 show(this.#d,this.#m,this.#c),this.inspector.show(this.#d,this.#m,this.#c,e),this.player.length=this.#c.length,this.player.marks=so(this.#s),this.player.jump(this.#p),
 this.#p=0,this.#b(),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#y()}names({run:e,pursuer:n,evader:r}){let{teams:o}=this.#r[e];
@@ -574,7 +575,7 @@ ble"},p("table",{class:"small"},p("caption",{class:"heard"},`Settings: ${e}`),..
 s),o.replaceChildren(...s.map(c=>c.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function kl(t,e,n){return[Ms(t),ws(t,e),ms(t,e,n),xs(
 t,e),Ss(t,e),fs(t,e),Es(t),Ts(t)].filter(o=>o!==null)}var un=wa(zs(),1);var ir=125,Zl=80,Xl=10,Hs=480,Jl=[1,.8,.6,.4,.2],Ql=5;async function Ws(t,e){let n=Math.min(1,ut(t.rows,t.cols)),[r,o]=[Math.round(Hs*n),Math.round(Hs*n/ut(t.rows,
 t.cols))],s=document.createElement("canvas");[s.width,s.height]=[r,o];let a=s.getContext("2d",{willReadFrequently:!0}),i=We(document.documentElement),l={ctx:a,colors:i,
-grid:zt(t.rows,t.cols,!1,r,o,1)},[c,u]=[ec(i,a),(0,un.GIFEncoder)()];for(let d=0;d<ir;d++){let m=Math.min(1,d/(ir-Xl))*(t.moments.length-1);Dt(l,t,m,{...Ft,numbers:!1},
+grid:zt(t.rows,t.cols,!1,r,o,1)},[c,u]=[ec(i,a),(0,un.GIFEncoder)()];for(let d=0;d<ir;d++){let m=Math.min(1,d/(ir-Xl))*(t.moments.length-1);Ft(l,t,m,{...Dt,numbers:!1},
 1),a.globalCompositeOperation="destination-over",a.fillStyle=i.paper,a.fillRect(0,0,r,o),a.globalCompositeOperation="source-over",u.writeFrame((0,un.applyPalette)(
 a.getImageData(0,0,r,o).data,c),r,o,{palette:c,delay:Zl}),d%Ql===0&&(e(Math.round(100*d/ir)),await new Promise(h=>setTimeout(h)))}return u.finish(),new Blob([u.
 bytes()],{type:"image/gif"})}function ec(t,e){let n=o=>(e.globalAlpha=1,e.fillStyle=o,e.fillRect(0,0,1,1),[...e.getImageData(0,0,1,1).data.subarray(0,3)]),r=n(t.
@@ -592,7 +593,7 @@ new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let n={...js,.
 this.recording=Vt(n,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(e){return this.#o[e]}play(e){this.#e.step(e),this.#a(e)}step(e,n,r){let[o,s]=[this.#e,this.config.n_pursuers],a=new Uint8Array(o.n_agents);
 for(let i=o.n_turns;i>0&&!o.over;--i){let[l,c]=o.actors;l<s&&(a=o.decide(e.pursuer,[l,Math.min(c,s)],a)),c>s&&(a=o.decide(e.evader,[Math.max(l,s),c],a)),typeof r==
-"number"?a[n]=r:l<=n&&n<c&&(a=o.decide(r,[n,n+1],a)),o.playTurn(a)}this.#a(a)}#a(e){this.actions.push(e),this.#r.push(qt(this.#e,e)),this.#o.push(this.#e.conflicts())}};var ye=(t,e)=>Fe[+(e>=t.n_pursuers)];function lr(t,e){let n=new pn(t,e.config,{seed:e.seed,episode:e.episode});for(let r of e.moves)n.over||n.step(e.policies,e.
+"number"?a[n]=r:l<=n&&n<c&&(a=o.decide(r,[n,n+1],a)),o.playTurn(a)}this.#a(a)}#a(e){this.actions.push(e),this.#r.push(qt(this.#e,e)),this.#o.push(this.#e.conflicts())}};var ye=(t,e)=>De[+(e>=t.n_pursuers)];function lr(t,e){let n=new pn(t,e.config,{seed:e.seed,episode:e.episode});for(let r of e.moves)n.over||n.step(e.policies,e.
 seat,r);return n}function Ke(t,e){let{moments:n,nPursuers:r}=t.recording,o=n.findIndex(({alive:a,captured:i})=>!a[e]||!!i[e-r]),s=o<0?t.length:o;return{lasted:s,
 out:o>=0,captured:Array.from(n[s].everCaptured).filter(Boolean).length}}var mn=(t,e)=>t.over||Ke(t,e).out;function Vs(t,e,n){let r=lr(t,{...e,moves:e.moves.slice(
 0,e.from)});for(;!mn(r,e.seat);)r.step(e.policies,e.seat,n);return Ke(r,e.seat)}function qs(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(n=>t[n])}
@@ -610,7 +611,7 @@ t.key];return r!==void 0&&r>4&&!e?void 0:r}function ta(t){let e=cr.map(n=>p("but
 Math.max(Math.abs(t),Math.abs(e)),o=s=>Math.abs(s)<r?0:s;return ro([0,0],n?[o(t),o(e)]:[t,e],n)}function na(t,e,n){let r=null,{canvas:o}=t;o.addEventListener("p\
 ointerdown",({button:s,clientX:a,clientY:i})=>{r=s===0?[a,i]:null}),o.addEventListener("pointercancel",()=>{r=null}),o.addEventListener("pointerup",({clientX:s,
 clientY:a})=>{let[i,l]=[r,e()];if(r=null,!i||!l)return;let[c,u]=[s-i[0],a-i[1]],d=t.cellAt(s,a);Math.hypot(c,u)>=oc?n(Qs(u,c,l.diagonal)):d&&n(Qs(d[0]-l.cell[0],
-d[1]-l.cell[1],l.diagonal))})}function ra(t,e){let n=r=>{let o=e[r]-t[r],s=De.findIndex(a=>a[r]===Math.sign(o)&&a[1-r]===0);return o?`${Math.abs(o)} ${qe[s]}`:""};
+d[1]-l.cell[1],l.diagonal))})}function ra(t,e){let n=r=>{let o=e[r]-t[r],s=Fe.findIndex(a=>a[r]===Math.sign(o)&&a[1-r]===0);return o?`${Math.abs(o)} ${qe[s]}`:""};
 return[n(0),n(1)].filter(Boolean).join(", ")||"on your cell"}var aa="NUMPY\0",oa=aa.length+2,sa=64;function ia(t){return Qr(Object.fromEntries(Object.entries(t).map(([e,n])=>[`${e}.npy`,ac(n)])))}function ac({dtype:t,shape:e,
 data:n}){let r=typeof n=="string"?Array.from(n,u=>u.codePointAt(0)):null,o=e.map(u=>`${u}, `).join(""),s=`{'descr': '${r?`<U${r.length}`:t}', 'fortran_order': F\
 alse, 'shape': (${o}), }`,a=Math.ceil((oa+s.length+1)/sa)*sa-oa,i=aa+String.fromCharCode(a&255,a>>8)+s.padEnd(a-1)+`
@@ -625,7 +626,7 @@ g)}})}var lc=[0,1,2,4,8],hn=class{element;player=new fe(0,{speed:4,still:re()});
 class:"play-told",role:"status"});#t=ta(e=>this.act(e));#i=p("select",{},...lc.map(e=>p("option",{value:e},e?`${e} steps a second`:"step by step")));#u=p("input",
 {type:"checkbox"});#d=p("section",{class:"play-ending",tabindex:-1,"aria-label":"Result"});#c=Ve(this.player);#l=null;#s=null;#h=[];#f=null;#p=0;#m=0;constructor(e){
 this.#e=e,this.#r=new be(this.#o,{numbers:!1}),this.#o.setAttribute("role","application"),this.#i.addEventListener("change",()=>this.#g()),this.#u.addEventListener(
-"change",()=>this.#S()),na(this.#r,()=>{let n=this.#f!==null&&this.#s&&L(this.#s.recording.moments.at(-1),this.#f);return n?{cell:n,diagonal:this.#s.config.diagonal}:
+"change",()=>this.#S()),na(this.#r,()=>{let n=this.#f!==null&&this.#s&&I(this.#s.recording.moments.at(-1),this.#f);return n?{cell:n,diagonal:this.#s.config.diagonal}:
 null},n=>this.act(n)),this.player.addEventListener("frame",()=>this.#s&&this.#r.show(this.#s.recording,this.player.time)),this.player.addEventListener("step",()=>this.#M()),
 this.element=p("div",{class:"play"},p("header",{class:"play-head"},this.#a,this.#n),p("div",{class:"play-stage"},this.#o),p("div",{class:"play-side"},this.#d,this.#t.
 element,p("label",{class:"play-choice"},"Pace ",this.#i),p("label",{class:"play-choice"},this.#u," Fog: see only what it sees"),p("p",{class:"small muted play-k\
@@ -650,30 +651,30 @@ if(!e||r>e.length)return;let o=Jt(e,e.recording,r).filter(({agents:a})=>n===null
 this.#l&&r===0?s.push(cc(e.config,n)):n!==null&&s.push(uc(e,r,n)),this.#n.textContent=s.filter(Boolean).map(a=>`${a}.`).join(" ")}};function cc(t,e){let n=t.rules.
 capture==="SURROUND";return ye(t,e)==="evader"?`Stay free: ${n?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture evaders: ${n?
 "surround them together":"reach their cell"}`}function uc({config:t,recording:e},n,r){let o=e.moments[n],a=ye(t,r)==="pursuer"?"evader":"pursuer";if(!o.alive[r])
-return"";let i=L(o,r),l=d=>{let[m,h]=L(o,d);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},c=Array.from({length:o.alive.length},(d,m)=>m).filter(d=>ye(t,d)===
+return"";let i=I(o,r),l=d=>{let[m,h]=I(o,d);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},c=Array.from({length:o.alive.length},(d,m)=>m).filter(d=>ye(t,d)===
 a&&o.alive[d]&&!o.captured[d-t.n_pursuers]&&2*l(d)<t.fov);if(!c.length)return`No ${a} in view`;let u=c.reduce((d,m)=>l(m)<l(d)?m:d);return`Nearest ${a}: ${ra(i,
-L(o,u))}`}function dc(t,e){let[{lasted:n,out:r,captured:o},{config:s}]=[Ke(t,e),t];return ye(s,e)==="pursuer"?`Your team captured ${o} of ${pc(s)} in ${n} steps\
+I(o,u))}`}function dc(t,e){let[{lasted:n,out:r,captured:o},{config:s}]=[Ke(t,e),t];return ye(s,e)==="pursuer"?`Your team captured ${o} of ${pc(s)} in ${n} steps\
 .`:r?`You lasted ${n} of ${s.max_steps} steps.`:`You escaped: ${n} steps.`}var pc=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function mc(t,e){let n=p("input",
 {type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(n),n.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var fn=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});#e;#r;#o;#a=null;#n=null;constructor(e,n,r){[this.#e,this.#r,this.#o]=[e,n,r],r.
 element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.#n?.key(o)&&o.preventDefault()),this.dialog.addEventListener(
 "close",()=>this.#n?.stop())}get view(){return this.#n}start(e,n){this.#a=e;let r=ot(n,this.#e,this.#r.selected),o=Ys(new URLSearchParams(n.replace(/^#/,"")),this.#e[r.
 run].world);o&&this.#t(r,o)}open(){let e=this.#o.shown;if(!e)return;let{match:n,step:r}=e;this.#o.player.pause();let o=this.#o.inspector.agent,s=r<n.length?r:0,
 a=(d,m)=>!!n.alive[m*n.n_agents+d],i=Array.from({length:n.n_agents},(d,m)=>(m+n.config.n_pursuers)%n.n_agents),l=o??i.find(d=>a(d,s)),c=a(l,s)?s:0,u=Array.from(
-{length:c},(d,m)=>n.actions[m*n.n_agents+l]);this.#t(this.#r.selected,{seat:l,from:c,moves:u})}#t(e,n){let[r,o]=[this.#a,this.#e[e.run]];if(!r||Fe.some(m=>Ee(o,
+{length:c},(d,m)=>n.actions[m*n.n_agents+l]);this.#t(this.#r.selected,{seat:l,from:c,moves:u})}#t(e,n){let[r,o]=[this.#a,this.#e[e.run]];if(!r||De.some(m=>Ee(o,
 m,e[m])))return;let{run:s,pursuer:a,evader:i,episode:l,seed:c}=e,u=ye(o.world,n.seat),d=o.teams[u].kept.map(m=>({name:o.teams[u].script??`generation ${m}`,policy:()=>ee(
 o,u,m)}));this.#n||(this.#n=new hn(r),this.dialog.append(p("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.#n.element)),this.
 dialog.open||this.dialog.showModal(),this.#n.play({title:`You are ${ge(n.seat,o.world.n_pursuers)}: ${this.#o.names(e).join(" against ")}`,played:{config:o.world,
 seed:BigInt(c??o.seeds[a][i]),episode:l,...n,policies:{pursuer:ee(o,"pursuer",a),evader:ee(o,"evader",i)}},ending:(m,h)=>[Zs(r,m,h,qs(d))],again:()=>this.#t(e,{
 ...n,moves:n.moves.slice(0,n.from)}),link:m=>Ks({run:s,pursuers:a,evaders:i,episode:l,...c===null?{}:{seed:c}},m)})}};var ue=to(),{runs:X}=ue,[hc,fc]=X[0].payoff.shape,gc=ot(location.hash,X,{run:0,pursuer:hc-1,evader:fc-1,episode:0,seed:null}),{step:ua,...yc}=gc,Z=new dn(yc),z=new Qt(
-X,Z,ue.playground),da=new tn(X,Z),Ze=new fn(X,Z,z),ur=Fo(),vc=location.hash,ca=No(X,Z,z),{button:bc,dialog:wc}=Gs(z,Z);z.actions.append(bc);var Ye=null,pa=p("as\
+X,Z,ue.playground),da=new tn(X,Z),Ze=new fn(X,Z,z),ur=Do(),vc=location.hash,ca=No(X,Z,z),{button:bc,dialog:wc}=Gs(z,Z);z.actions.append(bc);var Ye=null,pa=p("as\
 ide",{class:"note small muted"},ue.note),xc="Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
 document.getElementById("page").replaceWith(p("header",{class:"top"},p("div",{},p("h1",{},ue.heading),p("p",{class:"lead"},xc)),p("div",{class:"tools"},ca.button,
 Ur(),p("button",{type:"button",class:"keys-button",title:"Keys (?)","aria-label":"Keys (?)",onclick:()=>ur.showModal()},"?"))),...ue.note?[pa]:[],Bo(X,Z),p("mai\
 n",{class:"stages"},da.element,z.element),ks(X,Z,()=>Ye),p("footer",{class:"muted small"},`${ue.title} · matrixworld ${ue.version}`),Ze.dialog,ur,wc,ca.bar);Object.
 assign(window,{matrixworldExplorer:{get match(){return z.match},get step(){return z.player.step},get pace(){return z.player.pace},get playing(){return Ze.view},
 play:t=>Ye&&xe(Ye,X[Z.selected.run],{...Z.selected,episode:t}),get shape(){return X[Z.selected.run].payoff.shape}}});da.element.addEventListener("play",()=>{z.playSoon(),
-z.reveal()});z.goTo(ua);ua||z.playSoon();Br(X,Z,z);Do(X,Z,z,ur,()=>Ze.open(),()=>er(z.shown,ue.playground));window.addEventListener("hashchange",({newURL:t})=>Ye&&
+z.reveal()});z.goTo(ua);ua||z.playSoon();Br(X,Z,z);Fo(X,Z,z,ur,()=>Ze.open(),()=>er(z.shown,ue.playground));window.addEventListener("hashchange",({newURL:t})=>Ye&&
 Ze.start(Ye,new URL(t).hash));ue.live!==null&&zo(ue.live,X,Z,()=>z.player.playing||Ze.dialog.open,()=>{pa.textContent="The command has ended. This page shows wh\
-at it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{Ir().then(t=>{Ye=t,z.start(t),Ze.start(t,
+at it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{Pr().then(t=>{Ye=t,z.start(t),Ze.start(t,
 vc),document.body.dataset.ready="true"},t=>{z.element.prepend(p("p",{class:"problem",role:"alert"},`The engine does not start here: ${String(t)}`)),document.body.
 dataset.ready="true"})}));})();

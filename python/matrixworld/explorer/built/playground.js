@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 07a35e55698a03165c524e5f1c6644e36a2fc17c67548da0d6c46de50968aea2 */
+/* built from web/ by "npm run build"; sources aaccd3554968df46312bf0459b2c0b597623773932394c04d35434f2cdecd63b */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},X={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var Z=["obstacle","teammate","adversary"],Ue=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],De=["pu\
 rsuer_{number}","evader_{number}"],wt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"{\
 first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Q={"both held":"both bounce","both doomed":"\
