@@ -12,7 +12,6 @@ from typing import Literal, NamedTuple
 from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN, Checkerboard
 from matrixworld.analysis.payoffs import Rates
-from matrixworld.coevolution.types import Team
 
 
 class Stop(NamedTuple):
@@ -22,15 +21,6 @@ class Stop(NamedTuple):
     pursuer: int
     evader: int
     shows: Literal["match", "checkerboard", "judgement"] = "match"
-
-
-class Loss(NamedTuple):
-    """A newest generation that does worse against an early opponent than an earlier one did."""
-
-    size: float
-    team: Team
-    opponent: int
-    best: int  # generation
 
 
 def guided_minute(
@@ -79,38 +69,30 @@ def _verdict(judgement: analysis.Judgement, condition: str) -> str:
 def _early_opponent(
     matrix: Rates, judgement: analysis.Judgement, kept: tuple[Sequence[int], Sequence[int]]
 ) -> Stop:
-    """Return the early opponent against which a newest generation lost most, if one did."""
+    """Return the opponent of the first half against which a newest generation lost most."""
     g, h = (size - 1 for size in matrix.shape)
-    found = max(_loss(matrix, "pursuer", kept[1]), _loss(1.0 - matrix.T, "evader", kept[0]))
+    early = [[each for each in kept[axis] if 2 * each <= last] for axis, last in enumerate((g, h))]
+    losses = [(matrix[:, each].max() - matrix[g, each], "pursuers", each) for each in early[1]]
+    losses += [(matrix[each, h] - matrix[each].min(), "evaders", each) for each in early[0]]
+    loss, team, other = max(losses)
     verdict = _verdict(judgement, "forgetting")
-    if found.size <= 0:
-        return Stop(
-            "Against early opponents, no earlier generation did better than the newest ones. "
-            f"{verdict}",
-            *(g, 0),
-        )
-    _, team, other, best = found
-    if team == "pursuer":
+    if loss <= 0:
+        none = "Against early opponents, no earlier generation did better than the newest ones."
+        return Stop(f"{none} {verdict}", g, 0)
+    if team == "pursuers":
+        best = matrix[:, other].argmax()
         text = (
             f"The newest pursuers lost most against evaders {other}: pursuers {g} capture "
             f"{matrix[g, other]:.0%} of them, pursuers {best} {matrix[best, other]:.0%}. {verdict}"
         )
         return Stop(text, g, other)
+    best = matrix[other].argmin()
     text = (
         f"The newest evaders lost most against pursuers {other}: these capture "
         f"{matrix[other, h]:.0%} of evaders {h}, and {matrix[other, best]:.0%} of evaders {best}. "
         f"{verdict}"
     )
     return Stop(text, other, h)
-
-
-def _loss(scores: Rates, team: Team, opponents: Sequence[int]) -> Loss:
-    """Return the largest loss of the last row against opponents of the first half."""
-    early = [each for each in opponents if 2 * each < scores.shape[1]]
-    return max(
-        Loss(float(scores[:, each].max() - scores[-1, each]), team, each, int(best))
-        for each, best in zip(early, scores[:, early].argmax(axis=0), strict=True)
-    )
 
 
 def _checkerboard(

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld.analysis.cycles import MARGIN, noise_reference, strongest_checkerboards
+from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.report import headline_numbers
@@ -354,8 +354,6 @@ def findings(
         "window": judgement.window,
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
-        "description": analysis.describe(matrix).splitlines(),
-        "noise": _noise(payoff),
         "checkerboards": plain_values(boards),
         "guided_minute": [
             stop._asdict() for stop in guided_minute(matrix, judgement, boards, (rows, columns))
@@ -375,7 +373,6 @@ def curves(payoff: Payoff) -> dict[str, Any]:
         # The triangles are the two halves of the payoff, which the page has.
         "ciao": {
             team: {
-                "by_age": plain_values(triangle.by_age),
                 "fading": plain_values(triangle.fading),
                 "stripes": triangle.stripes,
                 "period": triangle.period,
@@ -387,23 +384,6 @@ def curves(payoff: Payoff) -> dict[str, Any]:
             "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
             "offset": ratings.offset * analysis.ELO_POINTS,
         },
-    }
-
-
-def _noise(payoff: Payoff) -> dict[str, Any]:
-    """Return transitive share and checkerboards of late generations, and what noise alone gives."""
-    payoffs = analysis.read_payoffs(payoff.capture_rate)
-    share, boards = (
-        analysis.MEASURES[name].of(payoffs).value for name in ("transitive_share", "checkerboards")
-    )
-    rates = payoff.capture_rates[payoffs.late.cells]
-    # A single episode of each cell does not show its noise.
-    noise = noise_reference(rates, margin=MARGIN) if rates.shape[2] >= 2 else None
-    return {
-        "transitive_share": plain_values(share),
-        "transitive_share_noise": noise and plain_values(noise.transitive_share),
-        "checkerboard_share": boards,
-        "checkerboard_share_noise": noise and plain_values(noise.checkerboards),
     }
 
 

@@ -109,8 +109,8 @@ function speeds(player: Player): HTMLSelectElement {
   const speed = document.createElement("select");
   speed.className = "player-speed";
   speed.ariaLabel = "Speed";
-  speed.title = "Steps a second (+ and -)";
-  speed.append(new Option(`all in ${WHOLE} s`, String(FITTING)), ...SPEEDS.map((each) => new Option(`${each} / s`, String(each))));
+  speed.title = `Steps a second, or the whole in ${WHOLE} s (+ and -)`;
+  speed.append(new Option(`in ${WHOLE} s`, String(FITTING)), ...SPEEDS.map((each) => new Option(`${each} / s`, String(each))));
   speed.addEventListener("change", () => {
     player.speed = Number(speed.value);
   });

@@ -83,12 +83,10 @@ export interface Findings {
   readonly window: string;
   readonly table: readonly (readonly [string, string, string, string])[];
   readonly reasons: readonly string[];
-  readonly description: readonly string[];
-  readonly noise: Readonly<Record<string, number | null>>;
   readonly generalization: OfTeams<Band>;
   readonly lags: { readonly lags: readonly number[]; readonly means: Curve; readonly cells: readonly number[] };
   readonly ciao: OfTeams<{
-    readonly by_age: Curve; readonly fading: number | null; readonly stripes: number; readonly period: number | null;
+    readonly fading: number | null; readonly stripes: number; readonly period: number | null;
   }>;
   readonly ratings: OfTeams<Curve> & { readonly offset: number };
   readonly checkerboards: readonly Checkerboard[];

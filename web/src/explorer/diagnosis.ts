@@ -1,8 +1,7 @@
 // What happened in the race, in words, with the numbers that decide.
 
 import { html } from "../page/dom.ts";
-import type { Findings, Run } from "./data.ts";
-import { percent, rate } from "./format.ts";
+import type { Run } from "./data.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 
@@ -31,8 +30,7 @@ export function diagnosisPanel(run: Run): Panel | null {
     ...findings.numbers.map((line) => html("p", { class: "numbers" }, `${capital(line)}.`)),
     html("ul", { class: "findings" }, ...items),
     run.limits ? html("p", { class: "small" }, run.limits) : null,
-    html("details", { class: "small" }, html("summary", {}, "Headline numbers in words"),
-      ...findings.description.map((text) => html("p", {}, text)), noiseOf(findings)));
+  );
   element.classList.add("diagnosis");
   return { element };
 }
@@ -45,10 +43,3 @@ function splitReason(text: string): [string, string, string] {
 }
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
-
-function noiseOf({ noise }: Findings): HTMLElement | null {
-  if (noise["transitive_share_noise"] === null) return null;
-  return html("p", {},
-    `Last half: transitive share ${rate(noise["transitive_share"])} (an order of strength with the same noise rarely falls below ${rate(noise["transitive_share_noise"])}), `
-    + `checkerboards ${percent(noise["checkerboard_share"])} (it rarely exceeds ${percent(noise["checkerboard_share_noise"])}).`);
-}

@@ -53,7 +53,7 @@ export class MatchPanel {
     this.inspector = new Inspector((agent) => this.#look(agent));
     canvas.addEventListener("click", (event) => this.inspector.choose(this.#board.agentAt(event.clientX, event.clientY)));
     this.actions = html("div", { class: "beside" },
-      html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over an agent"),
+      html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over"),
       playgroundButton(() => this.shown, playground));
     this.element = html(
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },

@@ -25,7 +25,7 @@ export function playgroundButton(shown: () => Shown | null, data: PageData): HTM
     type: "button", class: "to-playground",
     title: "Open this step in the playground (G): the same agents and actions under any rules",
     onclick: () => openPlayground(shown(), data),
-  }, "What if? Playground");
+  }, "What if?");
 }
 
 /** Open the playground in a tab of its own, with the step that is shown if it is not too large. */
