@@ -339,14 +339,13 @@ def _plan(job: Job, root: Path, threads: int | None, *, timed: bool) -> str:
     first, *_ = settings = [*job.values()]
     world, races = first.world, all(each.is_race for each in settings)
     what = "race" if races else "run"
-    seconds = None
-    if timed and races and (matches := seconds_of(settings, threads)) is not None:
-        seconds = matches + SHOWN_SECONDS * len({each.schedule.name for each in settings})
+    matches = seconds_of(settings, threads) if timed and races else None
+    shown = SHOWN_SECONDS * len({each.schedule.name for each in settings})
     parts = [
         f"-{first.variant}" if first.variant in VARIANTS else first.variant,
         f"{world.n_pursuers} pursuers and {world.n_evaders} evaders",
         f"{len(settings)} {what}{'s' * (len(settings) > 1)}",
-        *([] if seconds is None else [f"about {in_words(seconds)}"]),
+        *([] if matches is None else [f"about {in_words(matches + shown)}"]),
     ]
     return f"{', '.join(parts)}, in {root}"
 
