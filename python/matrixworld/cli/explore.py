@@ -27,7 +27,7 @@ from matrixworld.cli.figures import (
     planned,
 )
 from matrixworld.cli.groups import Group, groups_of, place_of, runs_argument
-from matrixworld.cli.options import force_option, out_option, refuse_existing
+from matrixworld.cli.options import FiniteRange, force_option, out_option, refuse_existing
 from matrixworld.coevolution import open_run
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.playground import PAGE as PLAYGROUND
@@ -70,7 +70,7 @@ def open_page(page: Path) -> None:
 @baseline_option
 @click.option(
     "--width",
-    type=click.FloatRange(3, 12),
+    type=FiniteRange(3, 12),
     metavar="INCHES",
     help="make figures for paper: of this width, with type of 6 to 9 points. A column has about "
     "3.35 inches, a page 6.9",
