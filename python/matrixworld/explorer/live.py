@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 import numpy as np
@@ -43,10 +42,6 @@ WAITING = (
     '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="1">'
     "<title>matrixworld</title><p>The first generation is being trained.</p>"
 )
-
-
-class StoppedError(Exception):
-    """The page is closed, so nothing more is played for it."""
 
 
 @dataclass(frozen=True)
@@ -84,10 +79,10 @@ class LivePage:
         self._finished: Path | None = None
         self._asked = -LEFT
         self._taken, self._closed = threading.Event(), threading.Event()
-        place = f"/{secrets.token_urlsafe(16)}/"
-        answers = {place: self._page, f"{place}version": self._told}
-        self._server = ThreadingHTTPServer((HOST, 0), partial(_Handler, answers))
-        self.url: str = f"http://{HOST}:{self._server.server_port}{place}"
+        self._place = f"/{secrets.token_urlsafe(16)}/"
+        answers = {self._place: self._page, f"{self._place}version": self._told}
+        self._server = ThreadingHTTPServer((HOST, 0), partial(_Handler, answers, self._sent))
+        self.url: str = f"http://{HOST}:{self._server.server_port}{self._place}"
         self._threads = [
             threading.Thread(target=work, daemon=True)
             for work in (self._server.serve_forever, self._follow)
@@ -98,12 +93,7 @@ class LivePage:
             thread.start()
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         self._closed.set()
         self._server.shutdown()
         self._server.server_close()
@@ -124,20 +114,21 @@ class LivePage:
 
     def _page(self) -> str:
         if self._finished:
-            self._taken.set()
             return self._finished.read_text(encoding="utf-8")
-        version, runs = self._version, [*self._runs.values()]
+        version, known = self._version, {**self._runs}
+        runs = [known[name] for name in self._names if name in known]
         return explorer_page(runs, note=NOTE, live=str(version)) if runs else WAITING
+
+    def _sent(self, path: str) -> None:
+        if self._finished and path == self._place:
+            self._taken.set()
 
     # What is played for it:
 
     def _follow(self) -> None:
-        try:
-            while not self._closed.wait(SECONDS):
-                for name in self._names:
-                    self._look(name)
-        except StoppedError:
-            return
+        while not self._closed.wait(SECONDS):
+            for name in self._names:
+                self._look(name)
 
     def _look(self, name: str) -> None:
         """Play what a run has added since the last look."""
@@ -152,14 +143,13 @@ class LivePage:
             return
         before = self._runs.get(name)
         played = extended(run, before.played if before else None, self._check)
-        order = {**self._runs, name: LiveRun(run.files, run.settings, run.teams, played)}
-        self._runs = {each: order[each] for each in self._names if each in order}
+        self._runs[name] = LiveRun(run.files, run.settings, run.teams, played)
         self._stages[name] = stages
         self._version += 1
 
     def _check(self, played: int) -> None:
         if self._closed.is_set() or self._finished:
-            raise StoppedError
+            raise SystemExit  # of this thread
 
 
 def extended(run: SavedRun, known: Payoff | None, on_row: Callable[[int], None]) -> Payoff:
@@ -198,8 +188,10 @@ def _count(team: TeamPolicy) -> int:
 class _Handler(BaseHTTPRequestHandler):
     """Answers the addresses of the page, to browsers that name this machine; nothing else."""
 
-    def __init__(self, answers: Mapping[str, Callable[[], str]], *args: Any) -> None:
-        self._answers = answers
+    def __init__(
+        self, answers: Mapping[str, Callable[[], str]], sent: Callable[[str], None], *args: Any
+    ) -> None:
+        self._answers, self._sent = answers, sent
         super().__init__(*args)
 
     def do_GET(self) -> None:
@@ -216,6 +208,7 @@ class _Handler(BaseHTTPRequestHandler):
             self.send_header("Cache-Control", "no-store")
             self.end_headers()
             self.wfile.write(content)
+            self._sent(self.path)
 
     def log_message(self, *args: object) -> None:
         """Print nothing: the progress has the terminal."""

@@ -257,7 +257,7 @@ def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int
         axes.add_patch(triangle)
     else:
         axes.add_patch(Circle((x, y), radius, **look))
-    size = "small" if among == 1 else "xx-small"
+    size = "small" if among == 1 else "x-small"
     _write(axes, x, y + 0.02, name, color=colors.PAPER, size=size, fontweight="bold", zorder=4)
 
 
