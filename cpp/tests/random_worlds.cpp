@@ -6,6 +6,7 @@
 
 #include "invariants.hpp"
 #include "play/batch.hpp"
+#include "solve/table_policy.hpp"
 
 namespace matrixworld::tests {
 namespace {
@@ -405,6 +406,44 @@ void check_large(Random& random) {
     check_view(world, scratch.occupancy, world.living().back());
 }
 
+// All states of a tiny world, three rounds back from the end, and an episode by the play that was
+// found: values are shares, and the strategies guarantee what they say.
+void solve_world(const Rules& rules, Random& random) {
+    Config config;
+    config.rules = rules;
+    config.rows = config.cols = 2;
+    config.n_pursuers = random.between(1, 2);
+    config.n_evaders = 3 - config.n_pursuers;
+    config.diagonal = random.below(2) == 1;
+    config.max_steps = 3;
+    const auto setup = std::make_shared<const Setup>(config);
+    const auto states = std::make_shared<const States>(setup, random.between(1, 3));
+    std::vector<double> values(states->n_states(0), 0.0);
+    for (int k = 0; k < states->n_ends(); ++k) values[k] = k / (states->n_ends() - 1.0);
+    Tables tables{states, Team::Pursuer, 1, config.max_steps, {}};
+    tables.by_turn.resize(states->n_turns());
+    for (int i = 3 * states->n_turns() - 1; i >= 0; --i) {
+        const int turn = i % states->n_turns();
+        const auto n = static_cast<std::size_t>(states->n_states(turn));
+        std::vector<double> chosen(n * states->n_joint(turn, Team::Pursuer));
+        std::vector<double> before(n);
+        States::Play play;
+        play.chosen[0] = chosen.data();
+        const double gap = states->backup(turn, values.data(), before.data(), play, 2);
+        require(gap < 1e-9, "strategies meet");
+        values = before;
+        tables.by_turn[turn].assign(chosen.begin(), chosen.end());
+    }
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    require(*low > -1e-9 && *high < 1 + 1e-9, "values are shares");
+    const auto shared = std::make_shared<const Tables>(std::move(tables));
+    Candidates pursuers, evaders;
+    pursuers.make = [&] { return std::make_unique<TablePolicy>(shared); };
+    evaders.script = find_script("random");
+    const std::vector<Match> match = {{0, 0, random.below(1000) + 0u}};
+    require(play_matches(setup, pursuers, evaders, match, 5, 2).size() == 5, "it plays");
+}
+
 template <typename Play>
 int run(const char* name, Play play) {
     try {
@@ -433,6 +472,7 @@ int run_all() {
         n_failed += run((row + "a batch").c_str(), [&] { play_batch(rules, random); });
         n_failed += run((row + "a rollout").c_str(), [&] { play_rollout(rules, random); });
         n_failed += run((row + "decisions").c_str(), [&] { play_decisions(rules, random); });
+        n_failed += run((row + "a solution").c_str(), [&] { solve_world(rules, random); });
     }
     return n_failed;
 }
