@@ -301,6 +301,12 @@ def test_a_headline_says_when() -> None:
         "no condition is present": when(),
     }
     assert [*map(analysis.headline, said.values())] == [*said]
+    # What the headline says has a reason, also if it was over before the last half.
+    told = analysis.explain(when(arms="wf")).splitlines()
+    assert [line.partition(",")[0] for line in told[-2:]] == [
+        "Arms race (whole): present",
+        "Arms race (first half): present",
+    ]
     assert analysis.headline(judge(logistic(5))) == "cannot tell"
 
 

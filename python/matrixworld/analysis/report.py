@@ -99,14 +99,14 @@ def headline_numbers(judgement: Judgement) -> list[str]:
     forgets = present.get("forgetting", [])
     name = next((name for name in GAINING if name in present), "arms race")
     if name in present or not forgets:
-        window = _of_whole(present.get(name, []))
+        window, about = _where(present.get(name, []))
         known = judgement.windows[window][name].estimates
         numbers = [f"{SHORT[key]} {each.value:+.2f}" for key, each in known.items()]
         # A rise is a change in what was played; a gain would come again.
         what = "changes" if name == "rise" else "gains"
-        lines += [f"{what}: {', '.join(numbers)}{_about(window)}"] if numbers else []
+        lines += [f"{what}: {', '.join(numbers)}{about}"] if numbers else []
     if forgets:
-        window = _of_whole(forgets)
+        window, about = _where(forgets)
         drops = judgement.windows[window]["forgetting"].estimates
         # Only of teams that are known to forget.
         numbers = [
@@ -114,16 +114,13 @@ def headline_numbers(judgement: Judgement) -> list[str]:
             for key, each in drops.items()
             if each.ends[0] > LEAST_FORGETTING
         ]
-        lines.append(f"{', '.join(numbers)} below their best{_about(window)}")
+        lines.append(f"{', '.join(numbers)} below their best{about}")
     return lines
 
 
-def _of_whole(windows: list[str]) -> str:
-    return "whole" if "whole" in windows or not windows else windows[-1]
-
-
-def _about(window: str) -> str:
-    return "" if window == "whole" else f" ({window})"
+def _where(windows: list[str]) -> tuple[str, str]:
+    window = "whole" if "whole" in windows or not windows else windows[-1]
+    return window, "" if window == "whole" else f" ({window})"
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
@@ -136,13 +133,18 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     ----------
     judgement : Judgement
     """
-    rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
-    rows += [_row(name, found, judgement.window) for name, found in judgement.headline.items()]
+    heads = ("condition", "verdict", f"{judgement.level:.0%} interval", "window")
+    return [heads, *(_row(*told) for told in _told(judgement))]
+
+
+def _told(judgement: Judgement) -> list[tuple[str, Finding, str]]:
+    """Return condition, finding and window of what `judgement_table` lists."""
+    told = [(name, found, judgement.window) for name, found in judgement.headline.items()]
     # A wave that is over belongs into the table, too.
     for window, findings in judgement.windows.items():
         others = [each for each in judgement.present(window) if each not in judgement.present()]
-        rows += [_row(name, findings[name], window) for name in others]
-    return rows
+        told += [(name, findings[name], window) for name in others]
+    return told
 
 
 def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
@@ -166,27 +168,23 @@ def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, 
 
 
 def explain(judgement: Judgement) -> str:
-    """Return the findings of the headline window as sentences: a line for each condition.
-
-    Verdict and reason; for several runs how many of them have which verdict on their own.
+    """Return the findings of `judgement_table` as sentences with reasons, a line for each.
 
     Parameters
     ----------
     judgement : Judgement
     """
     return "\n".join(
-        f"{name.capitalize()}: {finding.verdict}, because {finding.reason}."
-        f"{_counts(finding.by_run)}"
-        for name, finding in judgement.headline.items()
+        f"{name.capitalize()}{'' if window == judgement.window else f' ({window})'}: "
+        f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"
+        for name, finding, window in _told(judgement)
     )
 
 
 def _counts(by_run: tuple[str, ...]) -> str:
     if len(by_run) == 1:
         return ""
-    counts = ", ".join(
-        f"{by_run.count(verdict)} {verdict}" for verdict in (PRESENT, ABSENT, CANNOT_TELL)
-    )
+    counts = ", ".join(f"{by_run.count(each)} {each}" for each in (PRESENT, ABSENT, CANNOT_TELL))
     return f" Of the single runs: {counts}."
 
 

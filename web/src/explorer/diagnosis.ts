@@ -11,12 +11,8 @@ export function diagnosisPanel(run: Run): Panel | null {
   const { findings } = run;
   if (!findings?.table.length) return null; // there is no judgement while a run goes on
   const [, ...rows] = findings.table;
-  const reasons = new Map(findings.reasons.map((text) => {
-    const [name, , reason] = splitReason(text);
-    return [name, reason] as const;
-  }));
-  const items = rows.map(([condition, verdict, numbers, window]) => {
-    const reason = window === findings.window ? reasons.get(condition) : undefined;
+  const items = rows.map(([condition, verdict, numbers, window], row) => {
+    const reason = reasonOf(findings.reasons[row] ?? "");
     return html("li", { class: `finding ${verdict.replace(" ", "-")}` },
       html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict] ?? ""),
       html("div", {},
@@ -35,11 +31,10 @@ export function diagnosisPanel(run: Run): Panel | null {
   return { element };
 }
 
-/** Return condition, verdict and reason of a sentence "Cycling: absent, because ...". */
-function splitReason(text: string): [string, string, string] {
-  const [head = "", rest = ""] = text.split(/: (.*)/s);
-  const [verdict = "", reason = ""] = rest.split(/, because (.*)/s);
-  return [head.toLowerCase(), verdict, capital(reason.replace(/\.$/, ""))];
+/** Return the reason of a sentence "Cycling: absent, because ...". */
+function reasonOf(text: string): string {
+  const [, reason = ""] = text.split(/, because (.*)/s);
+  return capital(reason.replace(/\.$/, ""));
 }
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 58a2be3dd1ee6da59c8384756f3818b20a6cb2ee955fe4de3db78e9b8a1a3a51 */
+/* built from web/ by "npm run build"; sources 523165da844311ea2da5791f4e637a8ce6185d2e60299d55a3403cb8f51aa095 */
 "use strict";(()=>{var yr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],Q=0,Z=12,br=2,J=class extends EventTarget{#e;#t;#r;#n;#o=0;#s=0;#a=!1;#c=null;#d=0;#i=[];glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#n=r.still??!1,this.#r=r.clock??yr}get step(){return this.#o}get time(){return this.#n?this.#o:this.#s}get arrived(){return this.#s===
 this.#o}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#o>e&&this.jump(e),this.#l("state")}get marks(){return this.#i}set marks(e){

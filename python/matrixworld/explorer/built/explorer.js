@@ -1,7 +1,7 @@
-/* built from web/ by "npm run build"; sources 58a2be3dd1ee6da59c8384756f3818b20a6cb2ee955fe4de3db78e9b8a1a3a51 */
+/* built from web/ by "npm run build"; sources 523165da844311ea2da5791f4e637a8ce6185d2e60299d55a3403cb8f51aa095 */
 "use strict";(()=>{var pa=Object.create;var ur=Object.defineProperty;var ma=Object.getOwnPropertyDescriptor;var ha=Object.getOwnPropertyNames;var fa=Object.getPrototypeOf,ga=Object.prototype.hasOwnProperty;var ya=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var va=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ha(e))!ga.call(t,o)&&o!==n&&ur(t,o,{get:()=>e[o],enumerable:!(r=ma(e,o))||r.enumerable});
 return t};var ba=(t,e,n)=>(n=t!=null?pa(fa(t)):{},va(e||!t||!t.__esModule?ur(n,"default",{value:t,enumerable:!0}):n,t));var Fs=ya(sr=>{var $s=Object.defineProperty,Tl=t=>$s(t,"__esModule",{value:!0}),kl=(t,e)=>{for(var n in e)$s(t,n,{get:e[n],enumerable:!0})};Tl(sr);kl(sr,{GIFEncoder:()=>Bs,
-applyPalette:()=>Ul,default:()=>ql,nearestColor:()=>zl,nearestColorIndex:()=>Ns,nearestColorIndexWithDistance:()=>Us,prequantize:()=>Nl,quantize:()=>Il,snapColorsToPalette:()=>Fl});
+applyPalette:()=>Ul,default:()=>ql,nearestColor:()=>zl,nearestColorIndex:()=>Ns,nearestColorIndexWithDistance:()=>Us,prequantize:()=>Nl,quantize:()=>Ll,snapColorsToPalette:()=>Fl});
 var Rl={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
 versionSize:3,globalColorTableFlagMask:128,colorResolutionMask:112,sortFlagMask:8,globalColorTableSizeMask:7,applicationIdentifierSize:8,applicationAuthCodeSize:3,
 disposalMethodMask:28,userInputFlagMask:2,transparentColorFlagMask:1,localColorTableFlagMask:128,interlaceFlagMask:64,idSortFlagMask:32,localColorTableSizeMask:7};
@@ -14,31 +14,31 @@ S=b+1,y=b+2,w=0,A=n[0],T=0;for(let x=l;x<65536;x*=2)++T;T=8-T,o.writeByte(c),C(b
 _){A=i[k];break e}let J=k===0?1:l-k;for(;a[k]>=0;)if(k-=J,k<0&&(k+=l),a[k]===_){A=i[k];break e}C(A),A=O,y<1<<nr?(i[k]=y++,a[k]=_):(a.fill(-1),y=b+2,g=!0,C(b))}return C(
 A),C(S),o.writeByte(0),o.bytesView();function C(x){for(u&=_l[d],d>0?u|=x<<d:u=x,d+=f;d>=8;)s[w++]=u&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0),u>>=
 8,d-=8;if((y>v||g)&&(g?(f=h,v=(1<<f)-1,g=!1):(++f,v=f===nr?1<<f:(1<<f)-1)),x==S){for(;d>0;)s[w++]=u&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0),u>>=
-8,d-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var Ol=$l;function Ls(t,e,n){return t<<8&63488|e<<2&992|n>>3}function Is(t,e,n,r){return t>>4|e&240|(n&
+8,d-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var Ol=$l;function Is(t,e,n){return t<<8&63488|e<<2&992|n>>3}function Ls(t,e,n,r){return t>>4|e&240|(n&
 240)<<4|(r&240)<<8}function Ps(t,e,n){return t>>4<<8|e&240|n>>4}function ln(t,e,n){return t<e?e:t>n?n:t}function xt(t){return t*t}function Rs(t,e,n){var r=0,o=1e100;
 let s=t[e],a=s.cnt,i=s.ac,l=s.rc,c=s.gc,u=s.bc;for(var d=s.fw;d!=0;d=t[d].fw){let h=t[d],g=h.cnt,f=a*g/(a+g);if(!(f>=o)){var m=0;n&&(m+=f*xt(h.ac-i),m>=o)||(m+=
 f*xt(h.rc-l),!(m>=o)&&(m+=f*xt(h.gc-c),!(m>=o)&&(m+=f*xt(h.bc-u),!(m>=o)&&(o=m,r=d))))}}s.err=o,s.nn=r}function rr(){return{ac:0,rc:0,gc:0,bc:0,cnt:0,nn:0,fw:0,
-bk:0,tm:0,mtm:0,err:0}}function Ll(t,e){let n=e==="rgb444"?4096:65536,r=new Array(n),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>24&255,l=a>>
-16&255,c=a>>8&255,u=a&255,d=Is(u,c,l,i),m=d in r?r[d]:r[d]=rr();m.rc+=u,m.gc+=c,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],i=a>>
+bk:0,tm:0,mtm:0,err:0}}function Il(t,e){let n=e==="rgb444"?4096:65536,r=new Array(n),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>24&255,l=a>>
+16&255,c=a>>8&255,u=a&255,d=Ls(u,c,l,i),m=d in r?r[d]:r[d]=rr();m.rc+=u,m.gc+=c,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],i=a>>
 16&255,l=a>>8&255,c=a&255,u=Ps(c,l,i),d=u in r?r[u]:r[u]=rr();d.rc+=c,d.gc+=l,d.bc+=i,d.cnt++}else for(let s=0;s<o;++s){let a=t[s],i=a>>16&255,l=a>>8&255,c=a&255,
-u=Ls(c,l,i),d=u in r?r[u]:r[u]=rr();d.rc+=c,d.gc+=l,d.bc+=i,d.cnt++}return r}function Il(t,e,n={}){let{format:r="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,clearAlphaThreshold:a=0,
+u=Is(c,l,i),d=u in r?r[u]:r[u]=rr();d.rc+=c,d.gc+=l,d.bc+=i,d.cnt++}return r}function Ll(t,e,n={}){let{format:r="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,clearAlphaThreshold:a=0,
 oneBitAlpha:i=!1}=n;if(!t||!t.buffer)throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof Uint8ClampedArray))
-throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),c=n.useSqrt!==!1,u=r==="rgba4444",d=Ll(l,r),m=d.length,h=m-1,g=new Uint32Array(
-m+1);for(var f=0,b=0;b<m;++b){let L=d[b];if(L!=null){var v=1/L.cnt;u&&(L.ac*=v),L.rc*=v,L.gc*=v,L.bc*=v,d[f++]=L}}xt(e)/f<.022&&(c=!1);for(var b=0;b<f-1;++b)d[b].
+throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),c=n.useSqrt!==!1,u=r==="rgba4444",d=Il(l,r),m=d.length,h=m-1,g=new Uint32Array(
+m+1);for(var f=0,b=0;b<m;++b){let I=d[b];if(I!=null){var v=1/I.cnt;u&&(I.ac*=v),I.rc*=v,I.gc*=v,I.bc*=v,d[f++]=I}}xt(e)/f<.022&&(c=!1);for(var b=0;b<f-1;++b)d[b].
 fw=b+1,d[b+1].bk=b,c&&(d[b].cnt=Math.sqrt(d[b].cnt));c&&(d[b].cnt=Math.sqrt(d[b].cnt));var S,y,w;for(b=0;b<f;++b){Rs(d,b,!1);var A=d[b].err;for(y=++g[0];y>1&&(w=
 y>>1,!(d[S=g[w]].err<=A));y=w)g[y]=S;g[y]=b}var T=f-e;for(b=0;b<T;){for(var E;;){var C=g[1];if(E=d[C],E.tm>=E.mtm&&d[E.nn].mtm<=E.tm)break;E.mtm==h?C=g[1]=g[g[0]--]:
 (Rs(d,C,!1),E.tm=b);var A=d[C].err;for(y=1;(w=y+y)<=g[0]&&(w<g[0]&&d[g[w]].err>d[g[w+1]].err&&w++,!(A<=d[S=g[w]].err));y=w)g[y]=S;g[y]=C}var x=d[E.nn],O=E.cnt,_=x.
 cnt,v=1/(O+_);u&&(E.ac=v*(O*E.ac+_*x.ac)),E.rc=v*(O*E.rc+_*x.rc),E.gc=v*(O*E.gc+_*x.gc),E.bc=v*(O*E.bc+_*x.bc),E.cnt+=x.cnt,E.mtm=++b,d[x.bk].fw=x.fw,d[x.fw].bk=
-x.bk,x.mtm=h}let k=[];var J=0;for(b=0;;++J){let H=ln(Math.round(d[b].rc),0,255),L=ln(Math.round(d[b].gc),0,255),U=ln(Math.round(d[b].bc),0,255),$=255;u&&($=ln(Math.
-round(d[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(H=L=U=s,$=0));let W=u?[H,L,U,$]:[H,L,U];if(Pl(k,W)||k.push(W),(b=d[b].fw)==0)break}return k}
+x.bk,x.mtm=h}let k=[];var J=0;for(b=0;;++J){let H=ln(Math.round(d[b].rc),0,255),I=ln(Math.round(d[b].gc),0,255),U=ln(Math.round(d[b].bc),0,255),$=255;u&&($=ln(Math.
+round(d[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(H=I=U=s,$=0));let W=u?[H,I,U,$]:[H,I,U];if(Pl(k,W)||k.push(W),(b=d[b].fw)==0)break}return k}
 function Pl(t,e){for(let n=0;n<t.length;n++){let r=t[n],o=r[0]===e[0]&&r[1]===e[1]&&r[2]===e[2],s=r.length>=4&&e.length>=4?r[3]===e[3]:!0;if(o&&s)return!0}return!1}
 function un(t,e){var n=0,r;for(r=0;r<t.length;r++){let o=t[r]-e[r];n+=o*o}return n}function cn(t,e){return e>1?Math.round(t/e)*e:t}function Nl(t,{roundRGB:e=5,roundAlpha:n=10,
 oneBitAlpha:r=null}={}){let o=new Uint32Array(t.buffer);for(let s=0;s<o.length;s++){let a=o[s],i=a>>24&255,l=a>>16&255,c=a>>8&255,u=a&255;i=cn(i,n),r&&(i=i<=(typeof r==
 "number"?r:127)?0:255),u=cn(u,e),c=cn(c,e),l=cn(l,e),o[s]=i<<24|l<<16|c<<8|u<<0}}function Ul(t,e,n="rgb565"){if(!t||!t.buffer)throw new Error("quantize() expect\
 ed RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof Uint8ClampedArray))throw new Error("quantize() expected RGBA Uint8Array data");if(e.length>
 256)throw new Error("applyPalette() only works with 256 colors or less");let r=new Uint32Array(t.buffer),o=r.length,s=n==="rgb444"?4096:65536,a=new Uint8Array(o),
-i=new Array(s),l=n==="rgba4444";if(n==="rgba4444")for(let c=0;c<o;c++){let u=r[c],d=u>>24&255,m=u>>16&255,h=u>>8&255,g=u&255,f=Is(g,h,m,d),v=f in i?i[f]:i[f]=Bl(
-g,h,m,d,e);a[c]=v}else{let c=n==="rgb444"?Ps:Ls;for(let u=0;u<o;u++){let d=r[u],m=d>>16&255,h=d>>8&255,g=d&255,f=c(g,h,m),v=f in i?i[f]:i[f]=Dl(g,h,m,e);a[u]=v}}
+i=new Array(s),l=n==="rgba4444";if(n==="rgba4444")for(let c=0;c<o;c++){let u=r[c],d=u>>24&255,m=u>>16&255,h=u>>8&255,g=u&255,f=Ls(g,h,m,d),v=f in i?i[f]:i[f]=Bl(
+g,h,m,d,e);a[c]=v}else{let c=n==="rgb444"?Ps:Is;for(let u=0;u<o;u++){let d=r[u],m=d>>16&255,h=d>>8&255,g=d&255,f=c(g,h,m),v=f in i?i[f]:i[f]=Dl(g,h,m,e);a[u]=v}}
 return a}function Bl(t,e,n,r,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],c=l[3],u=_e(c-r);if(u>a)continue;let d=l[0];if(u+=_e(d-t),u>a)continue;let m=l[1];
 if(u+=_e(m-e),u>a)continue;let h=l[2];u+=_e(h-n),!(u>a)&&(a=u,s=i)}return s}function Dl(t,e,n,r){let o=0,s=1e100;for(let a=0;a<r.length;a++){let i=r[a],l=i[0],c=_e(
 l-t);if(c>s)continue;let u=i[1];if(c+=_e(u-e),c>s)continue;let d=i[2];c+=_e(d-n),!(c>s)&&(s=c,o=a)}return o}function Fl(t,e,n=5){if(!t.length||!e.length)return;
@@ -124,10 +124,10 @@ read("episode")[0]}get over(){return this.read("terminated")[0]===1||this.read("
 text(e)))[e]}view(e){let n=3*this.config.fov**2;return this.read("views").slice(e*n,(e+1)*n)}map(){return this.read("state").slice(2*this.config.rows*this.config.
 cols)}conflicts(){return At(this.conflictTable(),this.config.n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.at)).conflict_table}answer(e,n){
 let r=Be(e),{logits:o}=this.call(i=>this.engine._world_logits(this.at,i.arrays(r),n)),s=o,a=this.decide(e,[n,n+1],new Uint8Array(this.n_agents))[n];return{logits:s,
-probabilities:La(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let n=Tr(e);this.call(r=>this.engine._world_restore(
-this.at,r.arrays(n)))}call(e){if(this.freed)throw D("world","one that is in use","one that was freed");return nt(this.engine,e),Et(this.engine)}};function La(t){
+probabilities:Ia(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let n=Tr(e);this.call(r=>this.engine._world_restore(
+this.at,r.arrays(n)))}call(e){if(this.freed)throw D("world","one that is in use","one that was freed");return nt(this.engine,e),Et(this.engine)}};function Ia(t){
 let e=Math.max(...t),n=Array.from(t,o=>Math.exp(o-e)),r=n.reduce((o,s)=>o+s,0);return Float32Array.from(n,o=>o/r)}var Tn=class{compiled;constructor(e){this.compiled=e}world(e){return new rt(this.compiled,e)}match(e,n,r,o,s=0){return _r(this.compiled,{config:e,pursuers:n,evaders:r},
-o,s)}rollout(e,n,r,o,s){return $r(this.compiled,{config:e,pursuers:n,evaders:r},o,s)}},Lr;function Ir(t=globalThis.matrixworldEngine){return Lr??=Ia(t),Lr}async function Ia(t){
+o,s)}rollout(e,n,r,o,s){return $r(this.compiled,{config:e,pursuers:n,evaders:r},o,s)}},Ir;function Lr(t=globalThis.matrixworldEngine){return Ir??=La(t),Ir}async function La(t){
 if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),n=>n.charCodeAt(0));return new Tn(
 await t({wasmBinary:e}))}var Pa="http://www.w3.org/2000/svg";function p(t,e={},...n){return Pr(document.createElement(t),e,n)}function M(t,e={},...n){return Pr(document.createElementNS(
 Pa,t),e,n)}function Pr(t,e,n){for(let[r,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(r.slice(2),o):t.setAttribute(r,o===!0?"":
@@ -140,26 +140,26 @@ map(([d,m])=>`${d}=${m}`).join("&")}`;try{history.replaceState(null,"",r)}catch{
 n.player.addEventListener("step",()=>n.player.playing||o()),window.addEventListener("hashchange",()=>{if(location.hash===r)return;let{step:s,...a}=ot(location.hash,
 t,e.selected);e.select(a),n.goTo(s)})}var N=Uint8Array,Y=Uint16Array,Un=Int32Array,$t=new N([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Ot=new N([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),On=new N([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Wr=function(t,e){for(var n=new Y(31),r=0;r<31;++r)n[r]=e+=
-1<<t[r-1];for(var o=new Un(n[30]),r=1;r<30;++r)for(var s=n[r];s<n[r+1];++s)o[s]=s-n[r]<<5|r;return{b:n,r:o}},Gr=Wr($t,2),jr=Gr.b,Ln=Gr.r;jr[28]=258,Ln[258]=28;var Vr=Wr(
-Ot,0),Fa=Vr.b,Br=Vr.r,In=new Y(32768);for(R=0;R<32768;++R)me=(R&43690)>>1|(R&21845)<<1,me=(me&52428)>>2|(me&13107)<<2,me=(me&61680)>>4|(me&3855)<<4,In[R]=((me&65280)>>
+1<<t[r-1];for(var o=new Un(n[30]),r=1;r<30;++r)for(var s=n[r];s<n[r+1];++s)o[s]=s-n[r]<<5|r;return{b:n,r:o}},Gr=Wr($t,2),jr=Gr.b,In=Gr.r;jr[28]=258,In[258]=28;var Vr=Wr(
+Ot,0),Fa=Vr.b,Br=Vr.r,Ln=new Y(32768);for(R=0;R<32768;++R)me=(R&43690)>>1|(R&21845)<<1,me=(me&52428)>>2|(me&13107)<<2,me=(me&61680)>>4|(me&3855)<<4,Ln[R]=((me&65280)>>
 8|(me&255)<<8)>>1;var me,R,le=(function(t,e,n){for(var r=t.length,o=0,s=new Y(e);o<r;++o)t[o]&&++s[t[o]-1];var a=new Y(e);for(o=1;o<e;++o)a[o]=a[o-1]+s[o-1]<<1;
-var i;if(n){i=new Y(1<<e);var l=15-e;for(o=0;o<r;++o)if(t[o])for(var c=o<<4|t[o],u=e-t[o],d=a[t[o]-1]++<<u,m=d|(1<<u)-1;d<=m;++d)i[In[d]>>l]=c}else for(i=new Y(
-r),o=0;o<r;++o)t[o]&&(i[o]=In[a[t[o]-1]++]>>15-t[o]);return i}),ve=new N(288);for(R=0;R<144;++R)ve[R]=8;var R;for(R=144;R<256;++R)ve[R]=9;var R;for(R=256;R<280;++R)
+var i;if(n){i=new Y(1<<e);var l=15-e;for(o=0;o<r;++o)if(t[o])for(var c=o<<4|t[o],u=e-t[o],d=a[t[o]-1]++<<u,m=d|(1<<u)-1;d<=m;++d)i[Ln[d]>>l]=c}else for(i=new Y(
+r),o=0;o<r;++o)t[o]&&(i[o]=Ln[a[t[o]-1]++]>>15-t[o]);return i}),ve=new N(288);for(R=0;R<144;++R)ve[R]=8;var R;for(R=144;R<256;++R)ve[R]=9;var R;for(R=256;R<280;++R)
 ve[R]=7;var R;for(R=280;R<288;++R)ve[R]=8;var R,it=new N(32);for(R=0;R<32;++R)it[R]=5;var R,za=le(ve,9,0),Ha=le(ve,9,1),Wa=le(it,5,0),Ga=le(it,5,1),Rn=function(t){
 for(var e=t[0],n=1;n<t.length;++n)t[n]>e&&(e=t[n]);return e},se=function(t,e,n){var r=e/8|0;return(t[r]|t[r+1]<<8)>>(e&7)&n},_n=function(t,e){var n=e/8|0;return(t[n]|
 t[n+1]<<8|t[n+2]<<16)>>(e&7)},Bn=function(t){return(t+7)/8|0},Dn=function(t,e,n){return(e==null||e<0)&&(e=0),(n==null||n>t.length)&&(n=t.length),new N(t.subarray(
 e,n))};var ja=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],j=function(t,e,n){var r=new Error(e||ja[t]);
 if(r.code=t,Error.captureStackTrace&&Error.captureStackTrace(r,j),!n)throw r;return r},Va=function(t,e,n,r){var o=t.length,s=r?r.length:0;if(!o||e.f&&!e.l)return n||
-new N(0);var a=!n,i=a||e.i!=2,l=e.i;a&&(n=new N(o*3));var c=function(Xe){var Je=n.length;if(Xe>Je){var Ie=new N(Math.max(Je*2,Xe));Ie.set(n),n=Ie}},u=e.f||0,d=e.
+new N(0);var a=!n,i=a||e.i!=2,l=e.i;a&&(n=new N(o*3));var c=function(Xe){var Je=n.length;if(Xe>Je){var Le=new N(Math.max(Je*2,Xe));Le.set(n),n=Le}},u=e.f||0,d=e.
 p||0,m=e.b||0,h=e.l,g=e.d,f=e.m,v=e.n,b=o*8;do{if(!h){u=se(t,d,1);var S=se(t,d+1,3);if(d+=3,S)if(S==1)h=Ha,g=Ga,f=9,v=5;else if(S==2){var T=se(t,d,31)+257,E=se(
 t,d+10,15)+4,C=T+se(t,d+5,31)+1;d+=14;for(var x=new N(C),O=new N(19),_=0;_<E;++_)O[On[_]]=se(t,d+_*3,7);d+=E*3;for(var k=Rn(O),J=(1<<k)-1,H=le(O,k,1),_=0;_<C;){
-var L=H[se(t,d,J)];d+=L&15;var y=L>>4;if(y<16)x[_++]=y;else{var U=0,$=0;for(y==16?($=3+se(t,d,3),d+=2,U=x[_-1]):y==17?($=3+se(t,d,7),d+=3):y==18&&($=11+se(t,d,127),
+var I=H[se(t,d,J)];d+=I&15;var y=I>>4;if(y<16)x[_++]=y;else{var U=0,$=0;for(y==16?($=3+se(t,d,3),d+=2,U=x[_-1]):y==17?($=3+se(t,d,7),d+=3):y==18&&($=11+se(t,d,127),
 d+=7);$--;)x[_++]=U}}var W=x.subarray(0,T),B=x.subarray(T);f=Rn(W),v=Rn(B),h=le(W,f,1),g=le(B,v,1)}else j(1);else{var y=Bn(d)+4,w=t[y-4]|t[y-3]<<8,A=y+w;if(A>o){
 l&&j(0);break}i&&c(m+w),n.set(t.subarray(y,A),m),e.b=m+=w,e.p=d=A*8,e.f=u;continue}if(d>b){l&&j(0);break}}i&&c(m+131072);for(var $e=(1<<f)-1,Q=(1<<v)-1,de=d;;de=
 d){var U=h[_n(t,d)&$e],q=U>>4;if(d+=U&15,d>b){l&&j(0);break}if(U||j(2),q<256)n[m++]=q;else if(q==256){de=d,h=null;break}else{var K=q-254;if(q>264){var _=q-257,P=$t[_];
 K=se(t,d,(1<<P)-1)+jr[_],d+=P}var ae=g[_n(t,d)&Q],Oe=ae>>4;ae||j(3),d+=ae&15;var B=Fa[Oe];if(Oe>3){var P=Ot[Oe];B+=_n(t,d)&(1<<P)-1,d+=P}if(d>b){l&&j(0);break}i&&
-c(m+131072);var Le=m+K;if(m<B){var St=s-B,Mt=Math.min(B,Le);for(St+m<0&&j(3);m<Mt;++m)n[m]=r[St+m]}for(;m<Le;++m)n[m]=n[m-B]}}e.l=h,e.p=de,e.b=m,e.f=u,h&&(u=1,e.
+c(m+131072);var Ie=m+K;if(m<B){var St=s-B,Mt=Math.min(B,Ie);for(St+m<0&&j(3);m<Mt;++m)n[m]=r[St+m]}for(;m<Ie;++m)n[m]=n[m-B]}}e.l=h,e.p=de,e.b=m,e.f=u,h&&(u=1,e.
 m=f,e.d=g,e.n=v)}while(!u);return m!=n.length&&a?Dn(n,0,m):n.subarray(0,m)},he=function(t,e,n){n<<=e&7;var r=e/8|0;t[r]|=n,t[r+1]|=n>>8},st=function(t,e,n){n<<=
 e&7;var r=e/8|0;t[r]|=n,t[r+1]|=n>>8,t[r+2]|=n>>16},$n=function(t,e){for(var n=[],r=0;r<t.length;++r)t[r]&&n.push({s:r,f:t[r]});var o=n.length,s=n.slice();if(!o)
 return{t:Kr,l:0};if(o==1){var a=new N(n[0].s+1);return a[n[0].s]=1,{t:a,l:1}}n.sort(function(A,T){return A.f-T.f}),n.push({s:-1,f:25001});var i=n[0],l=n[1],c=0,
@@ -172,20 +172,20 @@ var S=s[r].s;if(h[S]>e)f+=b-(1<<g-h[S]),h[S]=e;else break}for(f>>=v;f>0;){var y=
 for(var n=0,r=0;r<e.length;++r)n+=t[r]*e[r];return n},qr=function(t,e,n){var r=n.length,o=Bn(e+2);t[o]=r&255,t[o+1]=r>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
 r;++s)t[o+s+4]=n[s];return(o+4+r)*8},Fr=function(t,e,n,r,o,s,a,i,l,c,u){he(e,u++,n),++o[256];for(var d=$n(o,15),m=d.t,h=d.l,g=$n(s,15),f=g.t,v=g.l,b=Dr(m),S=b.c,
 y=b.n,w=Dr(f),A=w.c,T=w.n,E=new Y(19),C=0;C<S.length;++C)++E[S[C]&31];for(var C=0;C<A.length;++C)++E[A[C]&31];for(var x=$n(E,7),O=x.t,_=x.l,k=19;k>4&&!O[On[k-1]];--k)
-;var J=c+5<<3,H=at(o,ve)+at(s,it)+a,L=at(o,m)+at(s,f)+a+14+3*k+at(E,O)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&J<=H&&J<=L)return qr(e,u,t.subarray(l,l+c));var U,$,W,B;
-if(he(e,u,1+(L<H)),u+=2,L<H){U=le(m,h,0),$=m,W=le(f,v,0),B=f;var $e=le(O,_,0);he(e,u,y-257),he(e,u+5,T-1),he(e,u+10,k-4),u+=14;for(var C=0;C<k;++C)he(e,u+3*C,O[On[C]]);
+;var J=c+5<<3,H=at(o,ve)+at(s,it)+a,I=at(o,m)+at(s,f)+a+14+3*k+at(E,O)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&J<=H&&J<=I)return qr(e,u,t.subarray(l,l+c));var U,$,W,B;
+if(he(e,u,1+(I<H)),u+=2,I<H){U=le(m,h,0),$=m,W=le(f,v,0),B=f;var $e=le(O,_,0);he(e,u,y-257),he(e,u+5,T-1),he(e,u+10,k-4),u+=14;for(var C=0;C<k;++C)he(e,u+3*C,O[On[C]]);
 u+=3*k;for(var Q=[S,A],de=0;de<2;++de)for(var q=Q[de],C=0;C<q.length;++C){var K=q[C]&31;he(e,u,$e[K]),u+=O[K],K>15&&(he(e,u,q[C]>>5&127),u+=q[C]>>12)}}else U=za,
 $=ve,W=Wa,B=it;for(var C=0;C<i;++C){var P=r[C];if(P>255){var K=P>>18&31;st(e,u,U[K+257]),u+=$[K+257],K>7&&(he(e,u,P>>23&31),u+=$t[K]);var ae=P&31;st(e,u,W[ae]),
 u+=B[ae],ae>3&&(st(e,u,P>>5&8191),u+=Ot[ae])}else st(e,u,U[P]),u+=$[P]}return st(e,u,U[256]),u+$[256]},qa=new Un([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),Kr=new N(0),Ka=function(t,e,n,r,o,s){var a=s.z||t.length,i=new N(r+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(r,i.length-o),c=s.l,u=(s.r||0)&7;if(e){
 u&&(l[0]=s.r>>3);for(var d=qa[e-1],m=d>>13,h=d&8191,g=(1<<n)-1,f=s.p||new Y(32768),v=s.h||new Y(g+1),b=Math.ceil(n/3),S=2*b,y=function(yn){return(t[yn]^t[yn+1]<<
-b^t[yn+2]<<S)&g},w=new Un(25e3),A=new Y(288),T=new Y(32),E=0,C=0,x=s.i||0,O=0,_=s.w||0,k=0;x+2<a;++x){var J=y(x),H=x&32767,L=v[J];if(f[H]=L,v[J]=H,_<=x){var U=a-
-x;if((E>7e3||O>24576)&&(U>423||!c)){u=Fr(t,l,0,w,A,T,C,O,k,x-k,u),O=E=C=0,k=x;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)T[$]=0}var W=2,B=0,$e=h,Q=H-L&32767;
-if(U>2&&J==y(x-Q))for(var de=Math.min(m,U)-1,q=Math.min(32767,x),K=Math.min(258,U);Q<=q&&--$e&&H!=L;){if(t[x+W]==t[x+W-Q]){for(var P=0;P<K&&t[x+P]==t[x+P-Q];++P)
-;if(P>W){if(W=P,B=Q,P>de)break;for(var ae=Math.min(Q,P-2),Oe=0,$=0;$<ae;++$){var Le=x-Q+$&32767,St=f[Le],Mt=Le-St&32767;Mt>Oe&&(Oe=Mt,L=Le)}}}H=L,L=f[H],Q+=H-L&
-32767}if(B){w[O++]=268435456|Ln[W]<<18|Br[B];var Xe=Ln[W]&31,Je=Br[B]&31;C+=$t[Xe]+Ot[Je],++A[257+Xe],++T[Je],_=x+W,++E}else w[O++]=t[x],++A[t[x]]}}for(x=Math.max(
-x,_);x<a;++x)w[O++]=t[x],++A[t[x]];u=Fr(t,l,c,w,A,T,C,O,k,x-k,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=v,s.p=f,s.i=x,s.w=_)}else{for(var x=s.w||0;x<a+c;x+=65535){var Ie=x+
-65535;Ie>=a&&(l[u/8|0]=c,Ie=a),u=qr(l,u+1,t.subarray(x,Ie))}s.i=a}return Dn(i,0,r+Bn(u)+o)},Ya=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var n=e,
+b^t[yn+2]<<S)&g},w=new Un(25e3),A=new Y(288),T=new Y(32),E=0,C=0,x=s.i||0,O=0,_=s.w||0,k=0;x+2<a;++x){var J=y(x),H=x&32767,I=v[J];if(f[H]=I,v[J]=H,_<=x){var U=a-
+x;if((E>7e3||O>24576)&&(U>423||!c)){u=Fr(t,l,0,w,A,T,C,O,k,x-k,u),O=E=C=0,k=x;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)T[$]=0}var W=2,B=0,$e=h,Q=H-I&32767;
+if(U>2&&J==y(x-Q))for(var de=Math.min(m,U)-1,q=Math.min(32767,x),K=Math.min(258,U);Q<=q&&--$e&&H!=I;){if(t[x+W]==t[x+W-Q]){for(var P=0;P<K&&t[x+P]==t[x+P-Q];++P)
+;if(P>W){if(W=P,B=Q,P>de)break;for(var ae=Math.min(Q,P-2),Oe=0,$=0;$<ae;++$){var Ie=x-Q+$&32767,St=f[Ie],Mt=Ie-St&32767;Mt>Oe&&(Oe=Mt,I=Ie)}}}H=I,I=f[H],Q+=H-I&
+32767}if(B){w[O++]=268435456|In[W]<<18|Br[B];var Xe=In[W]&31,Je=Br[B]&31;C+=$t[Xe]+Ot[Je],++A[257+Xe],++T[Je],_=x+W,++E}else w[O++]=t[x],++A[t[x]]}}for(x=Math.max(
+x,_);x<a;++x)w[O++]=t[x],++A[t[x]];u=Fr(t,l,c,w,A,T,C,O,k,x-k,u),c||(s.r=u&7|l[u/8|0]<<3,u-=7,s.h=v,s.p=f,s.i=x,s.w=_)}else{for(var x=s.w||0;x<a+c;x+=65535){var Le=x+
+65535;Le>=a&&(l[u/8|0]=c,Le=a),u=qr(l,u+1,t.subarray(x,Le))}s.i=a}return Dn(i,0,r+Bn(u)+o)},Ya=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var n=e,
 r=9;--r;)n=(n&1&&-306674912)^n>>>1;t[e]=n}return t})(),Za=function(){var t=-1;return{p:function(e){for(var n=t,r=0;r<e.length;++r)n=Ya[n&255^e[r]]^n>>>8;t=n},d:function(){
 return~t}}};var Xa=function(t,e,n,r,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
 return Ka(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,n,r,o)},Yr=function(t,e){var n={};for(var r in t)
@@ -202,7 +202,7 @@ u),G(t,e+6,n.attrs),G(t,e+10,a),e+=14),t.set(r,e),e+=l,d)for(var g in c){var f=c
 u),e},ni=function(t,e,n,r,o){G(t,e,101010256),G(t,e+8,n),G(t,e+10,n),G(t,e+12,r),G(t,e+16,o)};function Jr(t,e){e||(e={});var n={},r=[];Xr(t,"",n,e);var o=0,s=0;for(var a in n){var i=n[a],l=i[0],c=i[1],u=c.level==0?0:8,d=_t(a),m=d.length,h=c.comment,g=h&&
 _t(h),f=g&&g.length,v=Nn(c.extra);m>65535&&j(11);var b=u?Qa(l,c):l,S=b.length,y=Za();y.p(l),r.push(Yr(c,{size:l.length,crc:y.d(),c:b,f:d,m:g,u:m!=a.length||g&&h.
 length!=f,o,compression:u})),o+=30+m+v+S,s+=76+2*(m+v)+(f||0)+S}for(var w=new N(s+22),A=o,T=s-o,E=0;E<r.length;++E){var d=r[E];Hr(w,d.o,d,d.f,d.u,d.c.length);var C=30+
-d.f.length+Nn(d.extra);w.set(d.c,d.o+C),Hr(w,o,d,d.f,d.u,d.c.length,d.o,d.m),o+=16+C+(d.m?d.m.length:0)}return ni(w,o,r.length,T,A),w}var De=["pursuer","evader"];function eo(){return JSON.parse(Lt("data"))}function Ae(t,e,n){let[r,o]=[e-t.payoff.first[0],n-t.payoff.first[1]],s=t.payoff.capture_rate[r]?.[o];
+d.f.length+Nn(d.extra);w.set(d.c,d.o+C),Hr(w,o,d,d.f,d.u,d.c.length,d.o,d.m),o+=16+C+(d.m?d.m.length:0)}return ni(w,o,r.length,T,A),w}var De=["pursuer","evader"];function eo(){return JSON.parse(It("data"))}function Ae(t,e,n){let[r,o]=[e-t.payoff.first[0],n-t.payoff.first[1]],s=t.payoff.capture_rate[r]?.[o];
 return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[r][o],lengths:t.payoff.lengths[r][o]}}function Ee(t,e,n){let{script:r,network:o,kept:s,genomes:a}=t.
 teams[e];if(r!==null||o===null)return"";if(!s.includes(n))return`The page holds no genome of ${e}s ${n}: it would be too large. Choose a generation of ${s.join(
 ", ")}.`;let i=s.length*o.genome_size;return to(a,o.genome_size).length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Wr\
@@ -211,23 +211,23 @@ ite it again from its run.`}function ee(t,e,n){let{script:r,network:o,kept:s,gen
 hidden,activation:o.activation,sampled:o.sampled,genome:c}}var Fn=4,Qr=new Map;function to(t,e){let n=Qr.get(t);if(n)return n;let r=new Float32Array;try{let o=oi(
 zn(t),e);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||o instanceof RangeError||ri(o)))throw o}return Qr.set(t,r),r}var ri=t=>t instanceof
 Error&&"code"in t;function oi(t,e){let n=Zr(t),r=n.length/Fn,o=new Uint8Array(n.length);for(let a=0;a<o.length;a++)o[a]=n[a%Fn*r+Math.floor(a/Fn)];let s=new Uint32Array(
-o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function zn(t){let e=atob(Lt(t)),n=new Uint8Array(e.length);for(let r=0;r<n.
-length;r++)n[r]=e.charCodeAt(r);return n}function Lt(t){return document.getElementById(t)?.textContent??""}var Fe=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function no(t,e,n){let[r,o]=[e[0]-t[0],e[1]-t[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
-(r=0),Fe.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var Ce=(t,e)=>e<t.nPursuers,I=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],si=(t,e)=>t[0]===e[0]&&
+o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function zn(t){let e=atob(It(t)),n=new Uint8Array(e.length);for(let r=0;r<n.
+length;r++)n[r]=e.charCodeAt(r);return n}function It(t){return document.getElementById(t)?.textContent??""}var Fe=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function no(t,e,n){let[r,o]=[e[0]-t[0],e[1]-t[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
+(r=0),Fe.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var Ce=(t,e)=>e<t.nPursuers,L=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],si=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],Hn=({rows:t,cols:e},[n,r])=>n>=0&&r>=0&&n<t&&r<e,Wn=(t,e,n=3)=>t!==void 0&&[0,1,2].slice(0,n).some(r=>t[3*e+r]),Gn=(t,e)=>Wn(t.fault,e),ro=(t,e)=>!Gn(
-t,e)&&Wn(t.involved,e,2);function It(t,e,n){let r=!si(I(t,n),I(e,n)),o=e.involved===void 0||Wn(e.involved,n);return!!(e.alive[n]&&e.actions?.[n]&&!r&&o)}function Pt(t,e,n){
-let[r,o]=I(t,n),[s,a]=Fe[e.actions?.[n]??0];return[r+s,o+a]}function lt(t,e,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
+t,e)&&Wn(t.involved,e,2);function Lt(t,e,n){let r=!si(L(t,n),L(e,n)),o=e.involved===void 0||Wn(e.involved,n);return!!(e.alive[n]&&e.actions?.[n]&&!r&&o)}function Pt(t,e,n){
+let[r,o]=L(t,n),[s,a]=Fe[e.actions?.[n]??0];return[r+s,o+a]}function lt(t,e,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
 !e.everCaptured[o]).map(o=>t.nPursuers+o)}var oo=t=>t.moments.flatMap((e,n)=>n&&lt(t,t.moments[n-1],e).length?[n]:[]);function Nt(t,e){return Array.from({length:e.
 alive.length},(r,o)=>o).filter(r=>t.alive[r]&&!e.alive[r])}var so=[-.31,0,.31],ao=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:so.flatMap(t=>so.map(e=>[e,t]))}],ai=.3,ii=.35,li=.55;function ct(t,e){let n=new Map;for(let r=0;r<e.alive.length;r++){if(!e.
-alive[r])continue;let[o,s]=I(e,r),a=o*t.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function io(t,e){let n=Array.from(e.alive,(r,o)=>{let[s,a]=I(e,o);return{
+alive[r])continue;let[o,s]=L(e,r),a=o*t.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function io(t,e){let n=Array.from(e.alive,(r,o)=>{let[s,a]=L(e,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let r of ct(t,e).values()){let o=ao[Math.min(r.length,ao.length)-1];r.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 c=n[s];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return n}var lo=t=>t*t*(3-2*t),ze=(t,e,n)=>t+(e-t)*n,co=t=>Math.min(1,Math.max(0,t));function uo(t,e,n,r){let o={
 1:2,2:n}[t.interaction]??1;if(o===1)return lo(r);let s=o===n?e:+!Ce(t,e),a=Math.max(1/o,ii);return lo(co((r-s/(o-1)*(1-a))/a))}function Ut(t,e){let n=t.moments.
 length-1,r=Math.min(Math.floor(e),n),o=t.moments[r],s=io(t,o);if(r===n||e===r)return s;let a=t.moments[r+1],i=io(t,a);return s.map((l,c)=>{let u=uo(t,c,s.length,
 e-r);return ci(o,a,c,l,i[c],u)})}function qn(t,e,n){let r=t.moments.length-1,o=Math.min(Math.floor(n),r),[s,a]=[t.moments[o],t.moments[Math.min(o+1,r)]],i=uo(t,
-e,s.alive.length,n-o),[[l,c],[u,d]]=[I(s,e),I(a,e)];return[ze(c,d,i)+.5,ze(l,u,i)+.5]}function ci(t,e,n,r,o,s){let a=r.alpha>o.alpha,i={x:ze(r.x,o.x,s),y:ze(r.y,
-o.y,s),size:a?r.size:ze(r.size,o.size,s),alpha:a?co((1-s)/(1-li)):ze(r.alpha,o.alpha,s)};if(It(t,e,n)){let[l,c]=I(t,n),[u,d]=Pt(t,e,n),m=ai*Math.sin(Math.PI*s);
+e,s.alive.length,n-o),[[l,c],[u,d]]=[L(s,e),L(a,e)];return[ze(c,d,i)+.5,ze(l,u,i)+.5]}function ci(t,e,n,r,o,s){let a=r.alpha>o.alpha,i={x:ze(r.x,o.x,s),y:ze(r.y,
+o.y,s),size:a?r.size:ze(r.size,o.size,s),alpha:a?co((1-s)/(1-li)):ze(r.alpha,o.alpha,s)};if(Lt(t,e,n)){let[l,c]=L(t,n),[u,d]=Pt(t,e,n),m=ai*Math.sin(Math.PI*s);
 i.x+=(d-c)*m,i.y+=(u-l)*m}return i}var po=2*Math.PI;function Te(t,e,n,r){t.beginPath(),t.arc(e,n,r/2,0,po)}function Bt(t,e,n,r){let o=r/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,n+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,u]=s[(l+1)%3];t.arcTo(a,i,c,u,r*.09)}),t.closePath()}function mo(t,e,n,r){
 let o=r*.32;t.beginPath(),t.moveTo(e-o,n-o),t.lineTo(e+o,n+o),t.moveTo(e+o,n-o),t.lineTo(e-o,n+o)}function ho(t,e,n,r){t.beginPath();for(let o=0;o<16;o++){let s=r/
@@ -249,10 +249,10 @@ n.paper,t.lineJoin="round",t.lineWidth=u*.35,t.strokeText("You",l,m),t.fillStyle
 i=xo(t,e,r,o),l=He(t,e,n);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
 s.globalAlpha=1}function Eo(t,e,n,r,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(n),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(hi,
 Math.max(1,a.cell*mi));for(let c=Math.max(1,Math.floor(n-r)+1);c<=i;c++){let[u,d]=[e.moments[c-1],e.moments[c]],m=Math.max(0,Math.min(1,(n-c)/r));s.globalAlpha=
-yo+(gi-yo)*m;for(let h=0;h<d.alive.length;h++){let g=c===i&&n<i;if(!u.alive[h]||!(l.alive[h]||g))continue;let f=(Ce(e,h)?-1:1)*fi,[v,b]=I(u,h),[S,y]=I(d,h);if(v===
+yo+(gi-yo)*m;for(let h=0;h<d.alive.length;h++){let g=c===i&&n<i;if(!u.alive[h]||!(l.alive[h]||g))continue;let f=(Ce(e,h)?-1:1)*fi,[v,b]=L(u,h),[S,y]=L(d,h);if(v===
 S&&b===y)continue;let w=g?o[h].x:y+.5,A=g?o[h].y:S+.5;s.strokeStyle=He(t,e,h),s.beginPath(),s.moveTo(te(a,b+.5+f),ne(a,v+.5+f)),s.lineTo(te(a,w+f),ne(a,A+f)),s.
 stroke()}}s.globalAlpha=1}function Co(t,e,n){let r=Math.min(Math.ceil(n),e.moments.length-1);for(let o=Math.max(1,r-go+1);o<=r;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/go,l=lt(e,s,a);for(let c of Nt(s,a))l.includes(c)||vi(t,I(a,c),i);for(let c of l)yi(t,I(a,c),i)}t.ctx.globalAlpha=1}function yi({
+i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/go,l=lt(e,s,a);for(let c of Nt(s,a))l.includes(c)||vi(t,L(a,c),i);for(let c of l)yi(t,L(a,c),i)}t.ctx.globalAlpha=1}function yi({
 ctx:t,grid:e,colors:n},[r,o],s){t.globalAlpha=s,ho(t,te(e,o+.5),ne(e,r+.5),Math.max(8,e.cell*ui)),t.fillStyle=n.capture,t.fill(),t.strokeStyle=n.ink,t.lineWidth=
 Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function vi({ctx:t,grid:e,colors:n},[r,o],s){t.globalAlpha=s,mo(t,te(e,o+.5),ne(e,r+.5),Math.max(7,e.cell*di)),
 t.strokeStyle=n.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function To({ctx:t,grid:e,colors:n},r,o){let s=Math.max(1,e.cell*.07);
@@ -267,7 +267,7 @@ i.font=`700 ${Math.round(h*(u?.4:.5)*(v.length>1?.8:1))}px system-ui, sans-serif
 v,d,m+h*(u?.17:.03))}function Ai({ctx:t,grid:e,colors:n},r,o){let[s,a]=[e.left+r.x*e.cell,e.top+r.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=n.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=n.ink,t.fillText(`+${o}`,
 s,a)}var Ei=.46,Ci=.86,Ti=.66,_o=.48,ki=.78,Ri=.58;function $o(t,e,n,r){let[o,s]=[e.moments[n-1],e.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let c=0;c<s.alive.length;c++)It(o,s,c)&&_i(t,e,I(o,c),Pt(o,s,c));a.globalAlpha=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let c=0;c<s.alive.length;c++)Lt(o,s,c)&&_i(t,e,L(o,c),Pt(o,s,c));a.globalAlpha=
 1}function _i({ctx:t,grid:e},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=d=>te(e,r[1]+.5+s*d),l=d=>ne(e,r[0]+.5+a*d),c=Hn(n,o)?ki:Ri;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(_o),l(_o)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let u=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*u,l(c)+
 s*u),t.lineTo(i(c)+a*u,l(c)-s*u),t.stroke()}function Oo(t,e,n,r,o,s){let a=Fe[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,u=Hn(e,[r[0]+a[0],r[1]+a[1]])?Ci:
@@ -276,10 +276,10 @@ c.paper,h*2.1],[He(t,e,n),h]])i.strokeStyle=g,i.lineWidth=f,fo(i,...m,l.cell*.2)
 Math.ceil(n),e.moments.length-1),c=e.moments[l],u=n===l,d=Ut(e,n),m=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),vo(t);for(let f of r.
 viewers)d[f]?.alpha&&Ao(t,e,f,...qn(e,f,n));bo(t,e),r.axes&&wo(t,o),Eo(t,e,n,r.trail,d),To(t,c.contested??[],m),Co(t,e,n),$o(t,e,l,m),d.forEach(({x:f,y:v,size:b},S)=>{
 let y=ro(c,S)?.4:0,w=Gn(c,S)?1:y;w&&ko(t,f,v,b,w*m)});let h=u?c:e.moments[Math.max(0,l-1)];if(Ro(t,e,h,d,r.numbers,o),u&&r.plan)for(let[f,v]of d.entries())v.alpha&&
-Oo(t,e,f,I(c,f),v,r.plan[f]??0);r.you!==null&&(r.fog&&So(t,e,...qn(e,r.you,n)),Mo(t,d[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.selected===
-null?void 0:d[r.selected];g?.alpha&&Lo(t,g.x,g.y,g.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Lo(t,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
-[]))}function Lo({ctx:t,grid:e},n,r,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+n*e.cell-s/2,e.top+r*e.cell-s/2,s,s,s*.1),t.stroke()}var ut=(t,e)=>(e+.24)/(t+.24);function zt(t,e,n,r,o,s){let a=n?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,e),i(o,t))));return{rows:t,cols:e,
-cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Io(t,e,n){let r=Math.floor((n-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return r>=
+Oo(t,e,f,L(c,f),v,r.plan[f]??0);r.you!==null&&(r.fog&&So(t,e,...qn(e,r.you,n)),Mo(t,d[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.selected===
+null?void 0:d[r.selected];g?.alpha&&Io(t,g.x,g.y,g.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Io(t,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
+[]))}function Io({ctx:t,grid:e},n,r,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+n*e.cell-s/2,e.top+r*e.cell-s/2,s,s,s*.1),t.stroke()}var ut=(t,e)=>(e+.24)/(t+.24);function zt(t,e,n,r,o,s){let a=n?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,e),i(o,t))));return{rows:t,cols:e,
+cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Lo(t,e,n){let r=Math.floor((n-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return r>=
 0&&r<t.rows&&o>=0&&o<t.cols?[r,o]:null}var $i={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function We(t){let e=getComputedStyle(t),n=Object.entries($i).map(([r,o])=>[r,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(n)}var re=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,be=class{canvas;#e=null;#r=0;#o;#a={rows:1,cols:1,left:0,top:0,cell:1};#n=0;#t;#i;constructor(e,n={}){
@@ -290,7 +290,7 @@ return this.#o}set look(e){this.#o={...this.#o,...e},this.#u(),this.redraw()}get
 length-1),this.#u(),this.redraw()}redraw=()=>{this.#n||(this.#n=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#n),this.#n=0;let e=this.
 canvas.getContext("2d");if(!e||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||1;this.#a=zt(n,r,this.#o.axes,this.canvas.width,this.canvas.height,
 o);let s={ctx:e,grid:this.#a,colors:We(this.canvas)};Ft(s,this.#e,this.#r,this.#o,o)}cellAt(e,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
-width;return Io(this.#a,(e-r.left)*o,(n-r.top)*o)}agentAt(e,n){let r=this.cellAt(e,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=ct(
+width;return Lo(this.#a,(e-r.left)*o,(n-r.top)*o)}agentAt(e,n){let r=this.cellAt(e,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=ct(
 this.#e,o).get(r[0]*this.#e.cols+r[1])??[],a=Ut(this.#e,Math.round(this.#r)),i=l=>{let[c,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(c-e,u-n)};return s.length?
 s.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(e,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[r.left+
 (s+e*i)*o,r.top+(a+n*i)*o]}#u(){if(!this.#e)return;let{rows:e,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(ut(e,n)))}#d(){let e=devicePixelRatio||
@@ -302,10 +302,10 @@ textContent=v===r().length-1?"End":"Next",i.hidden=!1,e.select({pursuer:S.pursue
 scrollIntoView({block:"nearest"}):S.shows==="checkerboard"?h():(n.reveal(),n.playSoon()),b&&(u=setTimeout(()=>d(v+1,!0),Oi))}function m(){clearTimeout(u),c=-1,i.
 hidden=!0,l.focus()}function h(){document.querySelector(".miniature")?.click();let v=document.querySelector("dialog.four[open]");v?.append(i),v?.addEventListener(
 "close",()=>document.body.append(i),{once:!0})}let g=()=>document.querySelector("dialog.four[open]")?.close(),f=()=>{l.hidden=!r().length,i.hidden||m()};return e.
-on("run",f),i.addEventListener("keydown",v=>{v.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var Li={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},dt=[.5,1,2,4,8,16,32,64],Ge=0,Ht=12,Ii=2,fe=class extends EventTarget{#e;#r;#o;#a;#n=0;#t=0;#i=!1;#u=null;#d=0;#c=[];glide=.28;constructor(e,n={}){
-super(),this.#e=e,this.#r=n.speed??4,this.#a=n.still??!1,this.#o=n.clock??Li}get step(){return this.#n}get time(){return this.#a?this.#n:this.#t}get arrived(){return this.#t===
+on("run",f),i.addEventListener("keydown",v=>{v.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var Ii={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},dt=[.5,1,2,4,8,16,32,64],Ge=0,Ht=12,Li=2,fe=class extends EventTarget{#e;#r;#o;#a;#n=0;#t=0;#i=!1;#u=null;#d=0;#c=[];glide=.28;constructor(e,n={}){
+super(),this.#e=e,this.#r=n.speed??4,this.#a=n.still??!1,this.#o=n.clock??Ii}get step(){return this.#n}get time(){return this.#a?this.#n:this.#t}get arrived(){return this.#t===
 this.#n}get playing(){return this.#i}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#p("state")}get marks(){return this.#c}set marks(e){
-this.#c=e,this.#p("state")}get pace(){return this.#r||Math.max(Ii,this.#e/Ht)}get speed(){return this.#r}set speed(e){this.#r=e,this.#p("state")}changeSpeed(e){
+this.#c=e,this.#p("state")}get pace(){return this.#r||Math.max(Li,this.#e/Ht)}get speed(){return this.#r}set speed(e){this.#r=e,this.#p("state")}changeSpeed(e){
 let n=dt.findIndex(r=>r>=this.pace);this.speed=dt[Math.min(dt.length-1,Math.max(0,n+e))]}play(){this.#i||!this.#e||(this.#n===this.#e&&this.jump(0),this.#i=!0,this.#p(
 "state"),this.#s())}pause(){this.#i&&(this.#i=!1,this.#p("state"))}toggle(){this.#i?this.pause():this.play()}move(e){this.pause();let n=Math.min(this.#e,Math.max(
 0,this.#n+e));Math.abs(n-this.#t)>1?this.jump(n):this.#l(n),this.#s()}jump(e){this.#t=Math.min(this.#e,Math.max(0,Math.round(e))),this.#l(this.#t),this.#p("fram\
@@ -411,7 +411,7 @@ t[r]).toLowerCase());return Xo(t,e.variants)??n.join(".")}function rl(t,e){let n
 n)??Object.values(t).map(o=>String(o)).join(yt)}function ol(t,e){if(typeof t=="number")return String(t);if(t===Zn)return tl;let n=e.scripts.findIndex(({name:r})=>r===
 t);return String.fromCharCode(97+n)}var sl="/* the engine */";function os(t,e){return p("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
 nd actions under any rules",onclick:()=>Qn(t(),e)},"What if?")}function Qn(t,e){let n=t!==null&&t.match.n_agents<=100&&Math.max(t.match.config.rows,t.match.config.
-cols)<=64,r=n?Jn(al(t.match,t.step),e):"",o=new TextDecoder().decode(zn("playground")).replace(sl,()=>Lt("script-engine")).replace("</noscript>",s=>n?s+Zo(t.champions):
+cols)<=64,r=n?Jn(al(t.match,t.step),e):"",o=new TextDecoder().decode(zn("playground")).replace(sl,()=>It("script-engine")).replace("</noscript>",s=>n?s+Zo(t.champions):
 s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${r}`)}function al(t,e){let{config:n,n_agents:r}=t,o=Math.max(0,e-1),s=i=>{let l=o*r+i,
 c=o*n.n_evaders+i-n.n_pursuers,u=d=>i>=n.n_pursuers&&!!d[c];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:u(t.captured),
 everCaptured:u(t.ever_captured)}},a=Array.from({length:r},(i,l)=>s(l));return{rules:n.rules,others:null,rewards:n.rewards,rows:n.rows,cols:n.cols,diagonal:n.diagonal,
@@ -553,13 +553,12 @@ wt(u,m,`of-${d}s`,r[d][m]??null)}},choose:(u,d,m)=>{let h=Math.round(u),g=m.clie
 ursuer")<=f("evader")?"pursuer":"evader";h>=0&&h<r[v].length&&e.select({[v]:h})}});return ke(c.element,e,()=>t.payoff.shape),{element:V("Ratings",`One number fo\
 r each generation, which cycles do not fit. The game itself: ${F(n.offset,0)} points for the pursuers.`,er(["pursuers","of-pursuers"],["evaders","of-evaders"]),
 c.element),update:c.remark}}function xl(t,e){let n=[0];for(let r of t)n.push(n.at(-1)+r);return t.map((r,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(
-t.length,o+Math.floor(e/2)+1)];return(n[a]-n[s])/(a-s)})}var Sl={present:"●",absent:"○","cannot tell":"?"};function Ss(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...n]=e.table,r=new Map(e.reasons.map(
-a=>{let[i,,l]=Ml(a);return[i,l]})),o=n.map(([a,i,l,c])=>{let u=c===e.window?r.get(a):void 0;return p("li",{class:`finding ${i.replace(" ","-")}`},p("span",{class:"\
-sign","aria-hidden":"true"},Sl[i]??""),p("div",{},p("p",{},p("strong",{},a),` ${i}`,p("span",{class:"muted"},` · ${c}`)),u?p("p",{class:"small"},`${u}.`):null,
-p("p",{class:"small muted numbers"},l)))}),s=V("What happened","Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about thi\
-s run.",p("p",{class:"headline"},e.headline),...e.numbers.map(a=>p("p",{class:"numbers"},`${Ms(a)}.`)),p("ul",{class:"findings"},...o),t.limits?p("p",{class:"sm\
-all"},t.limits):null);return s.classList.add("diagnosis"),{element:s}}function Ml(t){let[e="",n=""]=t.split(/: (.*)/s),[r="",o=""]=n.split(/, because (.*)/s);return[
-e.toLowerCase(),r,Ms(o.replace(/\.$/,""))]}var Ms=t=>t.charAt(0).toUpperCase()+t.slice(1);function As(t){let e=[t.held_out?.pursuers,t.held_out?.evaders].filter(n=>n!=null);return e.length?{element:V("Held-out opponents",`The last generations against\
+t.length,o+Math.floor(e/2)+1)];return(n[a]-n[s])/(a-s)})}var Sl={present:"●",absent:"○","cannot tell":"?"};function Ss(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...n]=e.table,r=n.map(([s,a,i,l],c)=>{
+let u=Ml(e.reasons[c]??"");return p("li",{class:`finding ${a.replace(" ","-")}`},p("span",{class:"sign","aria-hidden":"true"},Sl[a]??""),p("div",{},p("p",{},p("\
+strong",{},s),` ${a}`,p("span",{class:"muted"},` · ${l}`)),u?p("p",{class:"small"},`${u}.`):null,p("p",{class:"small muted numbers"},i)))}),o=V("What happened",
+"Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",p("p",{class:"headline"},e.headline),...e.numbers.map(s=>p(
+"p",{class:"numbers"},`${Ms(s)}.`)),p("ul",{class:"findings"},...r),t.limits?p("p",{class:"small"},t.limits):null);return o.classList.add("diagnosis"),{element:o}}
+function Ml(t){let[,e=""]=t.split(/, because (.*)/s);return Ms(e.replace(/\.$/,""))}var Ms=t=>t.charAt(0).toUpperCase()+t.slice(1);function As(t){let e=[t.held_out?.pursuers,t.held_out?.evaders].filter(n=>n!=null);return e.length?{element:V("Held-out opponents",`The last generations against\
  opponents that no run has met; 95 % intervals over ${e[0].episodes} episodes.`,...e.map(Al))}:null}function Al(t){let e=r=>r.at(-1),n=[["mean",e(t.mean)],...Object.
 entries(t.against).map(([r,o])=>[r,e(o)])];return p("table",{class:"scores numbers"},p("caption",{},p("span",{class:t.team},`${t.team}s`),` of generation ${t.generations.
 at(-1)}, ${t.score}`),...n.map(([r,o],s)=>p("tr",{class:s?"":"mean"},p("th",{scope:"row"},r),p("td",{class:"range"},El(o,t.team)),p("td",{},Zt(o.value,o.low,o.high)))))}
@@ -623,7 +622,7 @@ g)}})}var ac=[0,1,2,4,8],fn=class{element;player=new fe(0,{speed:4,still:re()});
 class:"play-told",role:"status"});#t=ea(e=>this.act(e));#i=p("select",{},...ac.map(e=>p("option",{value:e},e?`${e} steps a second`:"step by step")));#u=p("input",
 {type:"checkbox"});#d=p("section",{class:"play-ending",tabindex:-1,"aria-label":"Result"});#c=Ve(this.player);#l=null;#s=null;#h=[];#f=null;#p=0;#m=0;constructor(e){
 this.#e=e,this.#r=new be(this.#o,{numbers:!1}),this.#o.setAttribute("role","application"),this.#i.addEventListener("change",()=>this.#g()),this.#u.addEventListener(
-"change",()=>this.#S()),ta(this.#r,()=>{let n=this.#f!==null&&this.#s&&I(this.#s.recording.moments.at(-1),this.#f);return n?{cell:n,diagonal:this.#s.config.diagonal}:
+"change",()=>this.#S()),ta(this.#r,()=>{let n=this.#f!==null&&this.#s&&L(this.#s.recording.moments.at(-1),this.#f);return n?{cell:n,diagonal:this.#s.config.diagonal}:
 null},n=>this.act(n)),this.player.addEventListener("frame",()=>this.#s&&this.#r.show(this.#s.recording,this.player.time)),this.player.addEventListener("step",()=>this.#M()),
 this.element=p("div",{class:"play"},p("header",{class:"play-head"},this.#a,this.#n),p("div",{class:"play-stage"},this.#o),p("div",{class:"play-side"},this.#d,this.#t.
 element,p("label",{class:"play-choice"},"Pace ",this.#i),p("label",{class:"play-choice"},this.#u," Fog: see only what it sees"),p("p",{class:"small muted play-k\
@@ -648,9 +647,9 @@ if(!e||r>e.length)return;let o=Qt(e,e.recording,r).filter(({agents:a})=>n===null
 this.#l&&r===0?s.push(ic(e.config,n)):n!==null&&s.push(lc(e,r,n)),this.#n.textContent=s.filter(Boolean).map(a=>`${a}.`).join(" ")}};function ic(t,e){let n=t.rules.
 capture==="SURROUND";return ye(t,e)==="evader"?`Stay free: ${n?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture evaders: ${n?
 "surround them together":"reach their cell"}`}function lc({config:t,recording:e},n,r){let o=e.moments[n],a=ye(t,r)==="pursuer"?"evader":"pursuer";if(!o.alive[r])
-return"";let i=I(o,r),l=d=>{let[m,h]=I(o,d);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},c=Array.from({length:o.alive.length},(d,m)=>m).filter(d=>ye(t,d)===
+return"";let i=L(o,r),l=d=>{let[m,h]=L(o,d);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},c=Array.from({length:o.alive.length},(d,m)=>m).filter(d=>ye(t,d)===
 a&&o.alive[d]&&!o.captured[d-t.n_pursuers]&&2*l(d)<t.fov);if(!c.length)return`No ${a} in view`;let u=c.reduce((d,m)=>l(m)<l(d)?m:d);return`Nearest ${a}: ${na(i,
-I(o,u))}`}function cc(t,e){let[{lasted:n,out:r,captured:o},{config:s}]=[Ke(t,e),t];return ye(s,e)==="pursuer"?`Your team captured ${o} of ${uc(s)} in ${n} steps\
+L(o,u))}`}function cc(t,e){let[{lasted:n,out:r,captured:o},{config:s}]=[Ke(t,e),t];return ye(s,e)==="pursuer"?`Your team captured ${o} of ${uc(s)} in ${n} steps\
 .`:r?`You lasted ${n} of ${s.max_steps} steps.`:`You escaped: ${n} steps.`}var uc=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function dc(t,e){let n=p("input",
 {type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(n),n.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var gn=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});#e;#r;#o;#a=null;#n=null;constructor(e,n,r){[this.#e,this.#r,this.#o]=[e,n,r],r.
 element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.#n?.key(o)&&o.preventDefault()),this.dialog.addEventListener(
@@ -672,6 +671,6 @@ assign(window,{matrixworldExplorer:{get match(){return z.match},get step(){retur
 play:t=>Ye&&xe(Ye,X[Z.selected.run],{...Z.selected,episode:t}),get shape(){return X[Z.selected.run].payoff.shape}}});ua.element.addEventListener("play",()=>{z.playSoon(),
 z.reveal()});z.goTo(ca);ca||z.playSoon();Ur(X,Z,z);Do(X,Z,z,cr,()=>Ze.open(),()=>Qn(z.shown,ue.playground));window.addEventListener("hashchange",({newURL:t})=>Ye&&
 Ze.start(Ye,new URL(t).hash));ue.live!==null&&Fo(ue.live,X,Z,()=>z.player.playing||Ze.dialog.open,()=>{da.textContent="The command has ended. This page shows wh\
-at it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{Ir().then(t=>{Ye=t,z.start(t),Ze.start(t,
+at it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{Lr().then(t=>{Ye=t,z.start(t),Ze.start(t,
 gc),document.body.dataset.ready="true"},t=>{z.element.prepend(p("p",{class:"problem",role:"alert"},`The engine does not start here: ${String(t)}`)),document.body.
 dataset.ready="true"})}));})();

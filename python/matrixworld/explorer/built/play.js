@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 58a2be3dd1ee6da59c8384756f3818b20a6cb2ee955fe4de3db78e9b8a1a3a51 */
+/* built from web/ by "npm run build"; sources 523165da844311ea2da5791f4e637a8ce6185d2e60299d55a3403cb8f51aa095 */
 "use strict";(()=>{var rr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ne={DISAPPEAR:0,REACH:1,BOUNCE:2},nr={OCCUPATION:0,SURROUND:1},or={FAULT:0,INVOLVED:1};var gt=["obstacle","teammate","adversary"],vt=["vertex","edge","chain"],sr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],bt=["p\
 ursuer_{number}","evader_{number}"],ar={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},_e={"both held":"both bounce","both doomed":"\
