@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -48,9 +48,11 @@ def generalization_curves(
     figure = style.new_figure(6.4, 4.2)
     axes = figure.add_subplot()
     draw_generalization(axes, payoff, per_episode)
-    for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
-        each = {name: [score] for name, score in baselines.items()}
-        _draw_baselines(axes, each, colors.TEAMS[team])
+    teams = [
+        {name: [score] for name, score in baselines.items()}
+        for baselines in (pursuer_baselines or {}, evader_baselines or {})
+    ]
+    _draw_baselines(axes, teams)
     axes.set_title(style.fitting(figure, title))
     style.legend_below(figure, style.labelled(axes))
     return figure
@@ -88,8 +90,7 @@ def generalization_over_seeds(
         bands = analysis.race_bands(matrices)
         draw_teams(axes, (bands[f"{team}_generalization"] for team in TEAMS), OVER_SEEDS)
         style.unit_axis(axes)
-        for team, color in zip(baselines, colors.TEAMS, strict=True):
-            _draw_baselines(axes, team.get(name, {}), color)
+        _draw_baselines(axes, [team.get(name, {}) for team in baselines])
         axes.set_title(
             style.wrapped(name, style.room(figure, columns, 1.2)), size="medium", fontweight="bold"
         )
@@ -100,8 +101,11 @@ def generalization_over_seeds(
     return figure
 
 
-def _draw_baselines(axes: Axes, baselines: Mapping[str, ArrayLike], color: str) -> None:
-    for index, (name, scores) in enumerate(baselines.items()):
+def _draw_baselines(axes: Axes, teams: Sequence[Mapping[str, ArrayLike]]) -> None:
+    """Draw the levels of both teams, each with dashes of its own: in grey colours are equal."""
+    of_teams = zip(teams, colors.TEAMS, strict=True)
+    each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]
+    for index, (name, scores, color) in enumerate(each):
         values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
         level = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
         dashes = style.LEVELS[index % len(style.LEVELS)]
