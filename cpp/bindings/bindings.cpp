@@ -105,7 +105,7 @@ std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
 // arguments only: a long row of numbers in a fixed order would be easy to get wrong.
 //
 // No GIL is needed: setups and networks never change, a world's methods take its lock, a batch refuses
-// a second caller, and rollouts share nothing (see one_caller.hpp).
+// a second caller, and rollouts share nothing (see locked.hpp and in_use.hpp).
 PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
     m.doc() = "The engine of matrixworld. Use it through the package.";
 

@@ -6,9 +6,10 @@
 
 #include "bindings/bindings.hpp"
 #include "bindings/candidates.hpp"
+#include "bindings/in_use.hpp"
+#include "bindings/locked.hpp"
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
-#include "bindings/one_caller.hpp"
 #include "play/batch.hpp"
 #include "play/mlp.hpp"
 

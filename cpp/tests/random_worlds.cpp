@@ -1,8 +1,9 @@
-// Plays random worlds, batches and rollouts under every combination of the rules, for a build with
-// sanitizers and with assertions that throw (MATRIXWORLD_SANITIZE). Checks the invariants of each;
-// prints those that fail and exits with 1 if any does.
+// Plays random worlds and batches under every combination of the rules, for a build with sanitizers
+// and with assertions that throw (MATRIXWORLD_SANITIZE). Checks the invariants of each; prints those
+// that fail and exits with 1 if any does.
+//
+//     random_worlds [rounds]
 #include <climits>
-#include <cstdio>
 
 #include "invariants.hpp"
 #include "play/batch.hpp"
@@ -10,10 +11,6 @@
 
 namespace matrixworld::tests {
 namespace {
-
-using SharedSetup = std::shared_ptr<const Setup>;
-
-// ---- Worlds ----------------------------------------------------------------------------------
 
 std::vector<int> pairs(const World& world, int first, int last) {
     std::vector<int> flat;
@@ -112,29 +109,6 @@ void play_snapshots(const Rules& rules, Random& random) {
 }
 
 // ---- Batches ---------------------------------------------------------------------------------
-
-// Memory for every output field, and for float views, of exactly the size that is written, so that a
-// sanitizer finds a write beyond it.
-struct Memory {
-    Memory(const Config& config, int n_worlds) {
-        for (const OutputFields* fields : {&world_fields(), &batch_fields()}) {
-            for (const OutputField& field : *fields) {
-                const std::size_t n = field.n_items(config) * static_cast<std::size_t>(n_worlds);
-                buffers.add(field, config, block(n * item_size(field.dtype)));
-                if (!field.write_floats) continue;
-                buffers.add(field, config, block(n * item_size(DType::Float32)), true);
-            }
-        }
-    }
-
-    std::uint8_t* block(std::size_t size) {
-        bytes.emplace_back(size, std::uint8_t{0xEE});
-        return bytes.back().data();
-    }
-
-    std::vector<std::vector<std::uint8_t>> bytes;
-    Buffers buffers;
-};
 
 // The same worlds, one after the other.
 class SingleWorlds {
@@ -240,56 +214,6 @@ void play_batch(const Rules& rules, Random& random) {
         singles.step(actions, expected);
         require(memory.bytes == expected.bytes, "a batch plays like single worlds");
     }
-}
-
-// ---- Rollouts --------------------------------------------------------------------------------
-
-void check_same(const EpisodeStatistics& a, const EpisodeStatistics& b) {
-    require(a.capture_rate == b.capture_rate && a.captured_fraction == b.captured_fraction,
-            "the same captures");
-    require(a.length == b.length && a.survivors == b.survivors, "the same length and survivors");
-    require(a.returns == b.returns && a.overlap == b.overlap, "the same returns and overlap");
-    require(a.collisions == b.collisions && a.faults == b.faults, "the same collisions");
-    require(a.agent_steps == b.agent_steps, "the same agent-steps");
-}
-
-void play_rollout(const Rules& rules, Random& random) {
-    const auto setup = std::make_shared<const Setup>(random_config(rules, random));
-    const auto pursuers = random_side(setup->config, random);
-    const auto evaders = random_side(setup->config, random);
-    const int n_worlds = random.between(1, 20);
-    std::vector<Match> matches(static_cast<std::size_t>(random.between(1, 4)));
-    for (Match& match : matches) {
-        match = {random.below(pursuers->candidates.n), random.below(evaders->candidates.n),
-                 random.bits()};
-    }
-    const auto play = [&](int n_threads, bool one_by_one) {
-        return play_matches(setup, pursuers->candidates, evaders->candidates, matches, n_worlds,
-                            n_threads, {}, one_by_one);
-    };
-    const auto statistics = play(1, false);
-    const auto threaded = play(3, false);
-    const auto one_by_one = play(1, true);
-    require(statistics.size() == matches.size() * static_cast<std::size_t>(n_worlds),
-            "statistics of all episodes");
-    for (std::size_t i = 0; i < statistics.size(); ++i) {
-        check_same(statistics[i], threaded[i]);
-        check_same(statistics[i], one_by_one[i]);
-    }
-
-    const std::size_t m = matches.size() - 1;
-    const int episode = random.below(n_worlds);
-    int moments = 0;
-    const EpisodeStatistics watched =
-        play_episode(setup, pursuers->candidates, evaders->candidates, matches[m],
-                     static_cast<std::uint64_t>(episode),
-                     [&](const World& world, const Occupancy&, const std::vector<std::uint8_t>*) {
-                         check_positions(world);
-                         check_counters(world);
-                         ++moments;
-                     });
-    check_same(watched, statistics[m * static_cast<std::size_t>(n_worlds) + episode]);
-    require(watched.length == moments - 1, "the length is the number of steps");
 }
 
 // The policies of both teams decide in a batch as they do in the worlds one after the other, by any
@@ -444,45 +368,22 @@ void solve_world(const Rules& rules, Random& random) {
     require(play_matches(setup, pursuers, evaders, match, 5, 2).size() == 5, "it plays");
 }
 
-template <typename Play>
-int run(const char* name, Play play) {
-    try {
-        play();
-        return 0;
-    } catch (const std::exception& error) {
-        std::printf("%s: %s\n", name, error.what());
-        return 1;
-    }
-}
-
-int run_all() {
-    constexpr int kWorldsPerRow = 4;
-    Random random(20);
-    int n_failed = run("build", check_build);
-    n_failed += run("limits", check_limits);
-    n_failed += run("large rollout", check_large_rollout);
-    n_failed += run("large world", [&] { check_large(random); });
-    int number = 0;
-    for (const Rules& rules : all_rules()) {
-        const std::string row = "rules " + std::to_string(number++) + ", ";
-        for (int i = 0; i < kWorldsPerRow; ++i) {
-            n_failed += run((row + "a world").c_str(), [&] { play_world(rules, random); });
-            n_failed += run((row + "snapshots").c_str(), [&] { play_snapshots(rules, random); });
-        }
-        n_failed += run((row + "a batch").c_str(), [&] { play_batch(rules, random); });
-        n_failed += run((row + "a rollout").c_str(), [&] { play_rollout(rules, random); });
-        n_failed += run((row + "decisions").c_str(), [&] { play_decisions(rules, random); });
-        n_failed += run((row + "a solution").c_str(), [&] { solve_world(rules, random); });
-    }
-    return n_failed;
-}
-
 }  // namespace
 }  // namespace matrixworld::tests
 
-int main() {
-    const int n_failed = matrixworld::tests::run_all();
-    std::printf("random worlds: %ld checks passed, %d failed\n", matrixworld::tests::n_passed,
-                n_failed);
-    return n_failed == 0 ? 0 : 1;
+int main(int argc, char** argv) {
+    using namespace matrixworld::tests;
+    Random random(20);
+    run("build", check_build);
+    run("limits", check_limits);
+    run("large rollout", check_large_rollout);
+    run("large world", [&] { check_large(random); });
+    for (int world = 0; world < 4; ++world) {
+        play_all("a world", play_world, argc, argv, random);
+        play_all("snapshots", play_snapshots, argc, argv, random);
+    }
+    play_all("a batch", play_batch, argc, argv, random);
+    play_all("decisions", play_decisions, argc, argv, random);
+    play_all("a solution", solve_world, argc, argv, random);
+    return finish("random worlds");
 }

@@ -1,8 +1,11 @@
-// Building blocks of the random tests: counted checks, a generator, random configurations and
-// policies.
+// Building blocks of the drivers: counted checks, a generator, random configurations, policies and
+// memory, and the play under every combination of the rules.
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -11,16 +14,19 @@
 
 #include "game/world.hpp"
 #include "observe/observe.hpp"
+#include "play/buffers.hpp"
 #include "play/mlp.hpp"
 #include "play/rollout.hpp"
 
 namespace matrixworld::tests {
 
+using SharedSetup = std::shared_ptr<const Setup>;
+
 struct Failure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-inline long n_passed = 0;
+inline std::atomic<long> n_passed{0};
 
 inline void require(bool holds, const char* what) {
     if (!holds) throw Failure(what);
@@ -75,6 +81,21 @@ inline std::vector<Rules> all_rules() {
     return rows;
 }
 
+// The paper's, or values of which a double holds every sum exactly, in whatever order.
+inline Rewards random_rewards(Random& random) {
+    Rewards rewards;
+    rewards.capture_repeats = random.chance(30);
+    rewards.blame = random.one_of({Blame::Fault, Blame::Involved});
+    if (random.chance(50)) return rewards;
+    for (int t = 0; t < kTeams; ++t) {
+        rewards.capture[t] = random.weight();
+        rewards.neighbor[t] = random.weight();
+        rewards.step[t] = random.weight();
+        for (float& penalty : rewards.collide[t]) penalty = random.weight();
+    }
+    return rewards;
+}
+
 // Chooses the obstacles of a configuration and returns the number of cells that stay free.
 inline int lay_obstacles(Config& config, Random& random) {
     const int area = config.rows * config.cols;
@@ -111,7 +132,7 @@ inline Config random_config(const Rules& rules, Random& random) {
                                    : random.one_of({55, 57, 61, 113});
     config.diagonal = random.chance(40);
     config.max_steps = random.between(1, 12);
-    config.rewards.capture_repeats = random.chance(30);
+    config.rewards = random_rewards(random);
     return config;
 }
 
@@ -128,14 +149,9 @@ struct Side {
     std::vector<float> genomes;
 };
 
-inline std::unique_ptr<Side> random_side(const Config& config, Random& random) {
+inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden, Random& random) {
     auto side = std::make_unique<Side>();
-    if (random.chance(40)) {
-        side->candidates.script =
-            &scripts()[static_cast<std::size_t>(random.below(static_cast<int>(scripts().size())))];
-        return side;
-    }
-    std::vector<int> hidden(static_cast<std::size_t>(random.below(4)));
+    std::vector<int> hidden(static_cast<std::size_t>(n_hidden));
     for (int& size : hidden) size = random.one_of({1, 7, 16, 20, 32, 33, 64});
     const Activation activation = random.one_of({Activation::Relu, Activation::Tanh});
     side->candidates.network.emplace(config.fov, hidden, config.n_actions(), activation,
@@ -146,6 +162,119 @@ inline std::unique_ptr<Side> random_side(const Config& config, Random& random) {
     for (float& gene : side->genomes) gene = random.weight();
     side->candidates.genomes = side->genomes.data();
     return side;
+}
+
+inline std::unique_ptr<Side> random_side(const Config& config, Random& random) {
+    if (!random.chance(40)) return random_networks(config, random.below(4), random);
+    auto side = std::make_unique<Side>();
+    side->candidates.script =
+        &scripts()[static_cast<std::size_t>(random.below(static_cast<int>(scripts().size())))];
+    return side;
+}
+
+// Matches between two teams.
+struct Game {
+    Game(const Config& config, std::unique_ptr<Side> first, std::unique_ptr<Side> second,
+         int n_matches, int n_worlds, Random& random)
+        : setup(std::make_shared<const Setup>(config)),
+          pursuers(std::move(first)),
+          evaders(std::move(second)),
+          matches(static_cast<std::size_t>(n_matches)),
+          n_worlds(n_worlds) {
+        for (Match& match : matches) {
+            match = {random.below(pursuers->candidates.n), random.below(evaders->candidates.n),
+                     random.bits()};
+        }
+    }
+
+    std::vector<EpisodeStatistics> play(int n_threads, bool one_by_one = false) const {
+        return play_matches(setup, pursuers->candidates, evaders->candidates, matches, n_worlds,
+                            n_threads, {}, one_by_one);
+    }
+
+    SharedSetup setup;
+    std::unique_ptr<Side> pursuers;
+    std::unique_ptr<Side> evaders;
+    std::vector<Match> matches;
+    int n_worlds;
+};
+
+inline Game random_game(const Rules& rules, int n_matches, int n_worlds, Random& random) {
+    const Config config = random_config(rules, random);
+    return Game{
+        config, random_side(config, random), random_side(config, random), n_matches, n_worlds,
+        random};
+}
+
+// Memory for every output field, and for float views, of exactly the size that is written, so that a
+// sanitizer finds a write beyond it.
+struct Memory {
+    Memory(const Config& config, int n_worlds) {
+        for (const OutputFields* fields : {&world_fields(), &batch_fields()}) {
+            for (const OutputField& field : *fields) {
+                const std::size_t n = field.n_items(config) * static_cast<std::size_t>(n_worlds);
+                buffers.add(field, config, block(n * item_size(field.dtype)));
+                if (!field.write_floats) continue;
+                buffers.add(field, config, block(n * item_size(DType::Float32)), true);
+            }
+        }
+    }
+
+    std::uint8_t* block(std::size_t size) {
+        bytes.emplace_back(size, std::uint8_t{0xEE});
+        return bytes.back().data();
+    }
+
+    std::vector<std::vector<std::uint8_t>> bytes;
+    Buffers buffers;
+};
+
+inline void check_same(const EpisodeStatistics& a, const EpisodeStatistics& b) {
+    require(a.capture_rate == b.capture_rate && a.ever_capture_rate == b.ever_capture_rate &&
+                a.captured_fraction == b.captured_fraction,
+            "the same captures");
+    require(a.length == b.length && a.survivors == b.survivors, "the same length and survivors");
+    require(a.returns == b.returns && a.overlap == b.overlap, "the same returns and overlap");
+    require(a.collisions == b.collisions && a.faults == b.faults, "the same collisions");
+    require(a.agent_steps == b.agent_steps, "the same agent-steps");
+}
+
+inline void check_same(const std::vector<EpisodeStatistics>& a,
+                       const std::vector<EpisodeStatistics>& b) {
+    require(a.size() == b.size(), "statistics of all episodes");
+    for (std::size_t i = 0; i < a.size(); ++i) check_same(a[i], b[i]);
+}
+
+// ---- Drivers ---------------------------------------------------------------------------------
+
+inline int n_failed = 0;
+
+template <typename Play>
+void run(const std::string& name, Play play) {
+    try {
+        play();
+    } catch (const std::exception& error) {
+        ++n_failed;
+        std::printf("%s: %s\n", name.c_str(), error.what());
+    }
+}
+
+// Plays under the combinations of the rules: each of them, or one out of `stride`, as many times as
+// the driver's argument says.
+template <typename Play>
+void play_all(const char* name, Play play, int argc, char** argv, Random& random, int stride = 1) {
+    const std::vector<Rules> rows = all_rules();
+    const int n_rounds = argc > 1 ? std::atoi(argv[1]) : 1;
+    for (std::size_t i = 0; i * stride < rows.size() * n_rounds; ++i) {
+        const std::size_t row = i * stride % rows.size();
+        run("rules " + std::to_string(row) + ", " + name, [&] { play(rows[row], random); });
+    }
+}
+
+// Prints the number of checks and returns the exit code of a driver.
+inline int finish(const char* name) {
+    std::printf("%s: %ld checks passed, %d failed\n", name, n_passed.load(), n_failed);
+    return n_failed == 0 ? 0 : 1;
 }
 
 }  // namespace matrixworld::tests

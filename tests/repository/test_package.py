@@ -226,7 +226,7 @@ ALLOWED = {
     "play": {"grid", "kernels", "game", "observe"},
     "solve": {"grid", "kernels", "game", "observe", "play"},
     "bindings": {"grid", "kernels", "game", "observe", "play", "solve"},
-    "tests": {"grid", "kernels", "game", "observe", "play", "solve"},
+    "tests": {"grid", "kernels", "game", "observe", "play", "solve", "bindings"},
 }
 INCLUDE = re.compile(r'^#include "(?:(\w+)/)?([\w.]+)"', re.MULTILINE)
 

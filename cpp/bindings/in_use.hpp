@@ -1,37 +1,17 @@
-// Objects that several of Python's threads use at once: each lets one caller in at a time.
+// Whether a call of a batch is in progress. Its methods release the GIL, and with it the lock of the
+// Python object, so they refuse a second caller.
+//
+//     InUse in_use;                        // beside the batch
+//     const InUse::Call call(in_use);      // in each of its methods
 #pragma once
-
-#include <pybind11/critical_section.h>
-#include <pybind11/pybind11.h>
 
 #include <atomic>
 #include <stdexcept>
-#include <utility>
 
 #include "play/threads.hpp"
 
 namespace matrixworld {
 
-// A method of which several calls of one object follow each other. The GIL sees to it where there
-// is one; otherwise the lock of the Python object does, which costs nothing beside a GIL.
-template <typename Object, typename Result, typename... Args>
-auto locked(Result (Object::*method)(Args...)) {
-    return [method](const pybind11::handle& self, Args... args) -> Result {
-        const pybind11::scoped_critical_section lock(self);
-        return (self.cast<Object&>().*method)(std::forward<Args>(args)...);
-    };
-}
-
-template <typename Object, typename Result, typename... Args>
-auto locked(Result (Object::*method)(Args...) const) {
-    return [method](const pybind11::handle& self, Args... args) -> Result {
-        const pybind11::scoped_critical_section lock(self);
-        return (self.cast<const Object&>().*method)(std::forward<Args>(args)...);
-    };
-}
-
-// Whether a call of a batch is in progress. Its methods release the GIL, and with it such a lock,
-// so they refuse a second caller.
 class InUse {
   public:
     // A call, from its construction to its end. Throws std::runtime_error (in Python RuntimeError)
