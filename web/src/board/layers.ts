@@ -47,7 +47,7 @@ export function drawPaper({ ctx, grid, colors }: Sheet): void {
   for (let row = 1; row < rows; row++) ctx.fillRect(left, top + row * cell, width, line);
 }
 
-/** Obstacles and the border. */
+/** Obstacles, and the border. */
 export function drawObstacles({ ctx, grid, colors }: Sheet, recording: Recording): void {
   const { left, top, cell, rows, cols } = grid;
   ctx.fillStyle = colors.obstacle;
@@ -56,6 +56,11 @@ export function drawObstacles({ ctx, grid, colors }: Sheet, recording: Recording
     const [row, col] = [Math.floor(index / cols), index % cols];
     ctx.fillRect(left + col * cell, top + row * cell, cell, cell);
   }
+  drawFrame({ ctx, grid, colors });
+}
+
+/** The border. */
+function drawFrame({ ctx, grid: { left, top, cell, rows, cols }, colors }: Sheet): void {
   const frame = Math.min(5, Math.max(2, Math.round(cell / 18)));
   ctx.strokeStyle = colors.frame;
   ctx.lineWidth = frame;
@@ -89,17 +94,19 @@ function seenBox({ grid }: Sheet, recording: Recording, x: number, y: number): [
   return [pixelX(grid, x0), pixelY(grid, y0), (x1 - x0) * grid.cell, (y1 - y0) * grid.cell];
 }
 
-/** Fog over all that an agent at a place does not see. */
+/** Fog over all that an agent at a place does not see, also over marks that reach beyond the border. */
 export function drawFog(sheet: Sheet, recording: Recording, x: number, y: number): void {
   const { ctx, grid, colors } = sheet;
+  ctx.save();
   ctx.beginPath();
   ctx.rect(0, 0, ctx.canvas.width, ctx.canvas.height);
   ctx.rect(...seenBox(sheet, recording, x, y));
-  ctx.save();
   ctx.clip("evenodd");
+  ctx.clearRect(0, 0, ctx.canvas.width, ctx.canvas.height);
   ctx.fillStyle = colors.line;
   ctx.fillRect(grid.left, grid.top, grid.cols * grid.cell, grid.rows * grid.cell);
   ctx.restore();
+  drawFrame(sheet);
 }
 
 /** A square around the agent that a person plays, and the word "You". */

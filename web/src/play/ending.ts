@@ -26,5 +26,6 @@ export function comparison(engine: Engine, live: Live, played: Played, players: 
     const fill = row(name);
     setTimeout(() => fill(resultInSeat(engine, played, policy())));
   }
-  return html("div", {}, table, html("p", { class: "small muted" }, "One match: luck has its part in it."));
+  const began = played.from ? `You took over at step ${played.from}. ` : "";
+  return html("div", {}, table, html("p", { class: "small muted" }, `${began}One match: luck has its part in it.`));
 }

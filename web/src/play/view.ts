@@ -39,9 +39,9 @@ export class PlayView {
   readonly #title = html("h2");
   readonly #told = html("p", { class: "play-told", role: "status" });
   readonly #pad = pad((action) => this.act(action));
-  readonly #pace = html("select", {}, ...PACES.map((each) => html("option", { value: each }, each ? `${each} steps a second` : "step by step")));
+  readonly #pace = html("select", {}, ...PACES.map((each) => html("option", { value: each }, each ? `${each} / s` : "step by step")));
   readonly #fog = html("input", { type: "checkbox" });
-  readonly #ending = html("section", { class: "play-ending", tabindex: -1, "aria-label": "Result" });
+  readonly #ending = html("section", { class: "play-ending", tabindex: -1, "aria-labelledby": "play-headline" });
   readonly #bar = playerBar(this.player);
   #game: Game | null = null;
   #live: Live | null = null;
@@ -68,7 +68,7 @@ export class PlayView {
       html("div", { class: "play-stage" }, this.#canvas),
       html("div", { class: "play-side" },
         this.#ending, this.#pad.element,
-        html("label", { class: "play-choice" }, "Pace ", this.#pace),
+        html("label", { class: "play-choice", title: "Steps a second" }, "Pace ", this.#pace),
         html("label", { class: "play-choice" }, this.#fog, " Fog: see only what it sees"),
         html("p", { class: "small muted play-keys", id: "play-keys" }, "Arrow keys move and Space stays; Q W E A S D Z X C and the numeric keypad know diagonals, too. On the board: swipe, or tap where to go.")),
       this.#bar,
@@ -169,7 +169,7 @@ export class PlayView {
     const [game, live, played] = [this.#game!, this.#live!, this.played!];
     const link = hasAddress() ? game.link(played) : null;
     this.#ending.replaceChildren(
-      html("h3", {}, headline(live, played.seat)), ...game.ending(live, played),
+      html("h3", { id: "play-headline" }, headline(live, played.seat)), ...game.ending(live, played),
       html("div", { class: "play-buttons" },
         html("button", { type: "button", class: "primary", onclick: () => game.again() }, "Again"),
         html("button", { type: "button", onclick: () => this.#watch() }, "Watch it"),
