@@ -73,7 +73,7 @@ def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
     def full(handle):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(os, "fsync", full)
+    monkeypatch.setattr(os, "fsync", full)  # disks often say so only now
     with pytest.raises(OSError, match="No space left"):
         files.save_json(path, {"a": 2})
     assert files.load_json(path) == {"a": 1}
@@ -143,6 +143,7 @@ def test_temporary_names_are_new_each_time_and_not_guessed(tmp_path):
     names = set()
     for _ in range(20):
         with files.replacing(tmp_path / "x") as file:
+            # A name that could be guessed could be a link of somebody else.
             names.add(Path(file.name).name)
             assert files.is_temporary(Path(file.name).name)
             assert str(os.getpid()) not in Path(file.name).name.split(".")
@@ -164,6 +165,7 @@ def test_a_link_with_the_temporary_name_is_not_followed(tmp_path, monkeypatch):
 
 
 def test_a_name_of_the_greatest_length(tmp_path):
+    # The temporary name may not be longer than 255.
     files.save_json(tmp_path / ("x" * 250), {"a": 1})
     assert files.load_json(tmp_path / ("x" * 250)) == {"a": 1}
 
@@ -211,7 +213,7 @@ def pickled(path):
 BAD = {
     "directory": Path.mkdir,
     "FIFO": os.mkfifo if sys.platform != "win32" else Path.mkdir,
-    "device": lambda path: path.symlink_to("/dev/zero"),
+    "device": lambda path: path.symlink_to("/dev/zero"),  # reading it would never end
     "empty": Path.touch,
     "text": lambda path: path.write_bytes(b"\xff\xfe\x00{"),
     "nested": lambda path: path.write_bytes(b'{"a": ' + b"[" * 100_000 + b"]" * 100_000 + b"}"),

@@ -50,7 +50,7 @@ def test_games_worked_out_by_hand(
 
 def test_the_best_generation_of_a_transitive_race_has_all_weight() -> None:
     found = analysis.nash_averaging(logistic(31))
-    assert found.pursuers.argmax() == found.evaders.argmax() == 30
+    assert found.pursuers.argmax() == found.evaders.argmax() == 30  # the last one
     assert found.pursuers.max() == pytest.approx(1.0)
     np.testing.assert_allclose(found.pursuer_averages, logistic(31)[:, 30])
     assert game_value(staircase(9)) == 1.0

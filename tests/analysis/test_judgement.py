@@ -49,13 +49,14 @@ def gain(judgement: Judgement, team: str, window: str | None = None) -> Estimate
 CIRCLES = ("intransitivity", "cycling")
 STILL_OR_CIRCLES = {*CIRCLES, "stagnation", "one-sided progress"}
 PROGRESS = ("arms race", "one-sided progress", "rise")
-G = np.arange(31.0)
+G = np.arange(31.0)  # 30 generations and the untrained one, as in races
 STEADY = race(0.3 * G, 0.3 * G)
 SLOW = race(0.1 * G, 0.1 * G)
 FLAT = np.full((31, 31), 0.5)
-EARLY_STOP = race(0.4 * np.minimum(G, 10), 0.4 * np.minimum(G, 10))
-LATE_STOP = race(0.3 * np.minimum(G, 23), 0.3 * np.minimum(G, 23))
+EARLY_STOP = race(0.4 * np.minimum(G, 10), 0.4 * np.minimum(G, 10))  # before the last half begins
+LATE_STOP = race(0.3 * np.minimum(G, 23), 0.3 * np.minimum(G, 23))  # within the last half
 PURSUERS_ONLY = race(0.15 * G - 2, 0 * G)
+# After generation 20 they lose what they had.
 PURSUERS_FADE = race(0.3 * np.minimum(G, 40 - G), 0.3 * G)
 
 
@@ -121,7 +122,7 @@ def test_episodes_may_share_their_worlds() -> None:
         found = of_scores(rng.binomial(30, worlds) / 30).windows["whole"]
         low, high = found["rise"].estimates["pursuer_change"].ends
         moved += not low <= 0.0 <= high
-    assert moved <= 3
+    assert moved <= 3  # 1 of 20 is expected at 95%
 
 
 def test_false_alarms_in_races_without_trend() -> None:
@@ -136,7 +137,7 @@ def test_false_alarms_in_races_without_trend() -> None:
             found = of_scores(played(race(pursuers, evaders), 10, seed))
             alarms += verdicts(found)["arms race"] == PRESENT
             races += 1
-    assert alarms <= 0.05 * races
+    assert alarms <= 0.05 * races  # 45 races: at most two
 
 
 def test_few_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
@@ -164,7 +165,7 @@ def test_a_matrix_must_be_told_its_episodes() -> None:
 
 def test_a_bound_of_the_noise_hides_no_cycle() -> None:
     # Fractions of 30 evaders vary less than wins and losses, the bound for means.
-    weak = 0.5 + 0.4 * (circular(31) - 0.5)
+    weak = 0.5 + 0.4 * (circular(31) - 0.5)  # clear beside the noise of 30 evaders, not of one
     scores = played(weak, 10, evaders=30)
     assert verdicts(of_scores(scores))["intransitivity"] == PRESENT
     assert verdicts(judge(scores.mean(axis=2), episodes=10))["intransitivity"] != ABSENT
@@ -243,7 +244,7 @@ def test_runs_that_differ_give_no_verdict() -> None:
 
 
 def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
-    won = np.full((31, 31), 0.995)
+    won = np.full((31, 31), 0.995)  # so one-sided that learning has nothing to go by
     chances = [won, *(STEADY for _ in range(4))]
     scores = np.stack([played(each, 20, seed, evaders=30) for seed, each in enumerate(chances)])
     judgement = of_scores(scores)

@@ -65,7 +65,7 @@ def test_the_last_half_of_an_odd_number_has_the_middle_one() -> None:
 def test_generalization_is_row_means_and_one_minus_column_means() -> None:
     curves = analysis.generalization([[0.0, 0.5, 1.0], [1.0, 1.0, 1.0]])
     np.testing.assert_allclose(curves.pursuers, [0.5, 1.0])
-    np.testing.assert_allclose(curves.evaders, [0.5, 0.25, 0.0])
+    np.testing.assert_allclose(curves.evaders, [0.5, 0.25, 0.0])  # the share that escapes
 
 
 @given(payoffs())
@@ -216,7 +216,7 @@ def test_of_many_generations_few_pairs_are_looked_at(monkeypatch: pytest.MonkeyP
     looked = Mock(side_effect=cycles._strongest_of)
     monkeypatch.setattr(cycles, "_strongest_of", looked)
     assert len(strongest_checkerboards(matrix)) == 12
-    assert 12 <= looked.call_count < 100
+    assert 12 <= looked.call_count < 100  # of 1770 pairs of pursuers
 
 
 @pytest.mark.parametrize("matrix", [staircase(8), additive(6, 7)])
@@ -264,7 +264,7 @@ def test_a_disengagement_names_the_team_that_needs_more_epochs() -> None:
 # ---- Elo, and cycles beside it -------------------------------------------------------------------
 
 
-EXACT = {"ridge": 0.0, "shrinkage": 1e-9}
+EXACT = {"ridge": 0.0, "shrinkage": 1e-9}  # nothing pulls the ratings together
 
 
 def sigmoid(x: np.ndarray) -> np.ndarray:
@@ -283,7 +283,7 @@ def test_elo_recovers_known_ratings() -> None:
     found = analysis.elo(matrix, **EXACT)
     np.testing.assert_allclose(found.pursuers, a, atol=1e-6)
     np.testing.assert_allclose(found.evaders, b, atol=1e-6)
-    assert found.offset == pytest.approx(c, abs=1e-6)
+    assert found.offset == pytest.approx(c, abs=1e-6)  # which team is stronger on the whole
     np.testing.assert_allclose(found.predict(), matrix, atol=1e-6)
     assert analysis.log_loss(matrix, found.predict()) < 1e-10
 
@@ -310,6 +310,7 @@ def test_elo_minimises_its_documented_objective() -> None:
 def test_ratings_stay_finite_if_a_generation_always_wins() -> None:
     for matrix in (np.ones((3, 4)), staircase(31), np.eye(2)):
         found = analysis.elo(matrix)
+        # The ridge holds them; without it they go to infinity.
         assert np.abs(found.logits).max() < 30
     assert analysis.elo(np.ones((3, 4))).offset == pytest.approx(np.log(0.99 / 0.01))
 
@@ -341,7 +342,7 @@ def test_more_dimensions_fit_better_and_all_of_them_exactly() -> None:
     matrix = np.random.default_rng(5).random((6, 6))
     losses = [analysis.log_loss(matrix, analysis.elo(matrix, cycles=k).predict()) for k in range(4)]
     assert losses[0] > losses[1] > losses[2] > losses[3]
-    assert losses[3] < 1e-12
+    assert losses[3] < 1e-12  # three cycles have six dimensions, as many as the matrix
 
 
 def test_log_loss_by_hand() -> None:
@@ -350,4 +351,4 @@ def test_log_loss_by_hand() -> None:
     assert analysis.log_loss([[0.25]], [[0.5]]) == pytest.approx(
         0.25 * np.log(0.5) + 0.75 * np.log(1.5)
     )
-    assert analysis.log_loss([[0.5]], [[0.0]]) == np.inf
+    assert analysis.log_loss([[0.5]], [[0.0]]) == np.inf  # what was held impossible happened

@@ -37,13 +37,13 @@ SETTINGS = [
     value_of("rows", 4097, "1 to 4096 | got 4097"),
     kind_of("rows", 3.0, "an integer | got 3.0"),
     value_of("cols", 0, "1 to 4096 | got 0"),
-    kind_of("cols", True, "an integer | got True"),
+    kind_of("cols", True, "an integer | got True"),  # a bool is an int in Python
     value_of("n_pursuers", 0, "1 to 12 | got 0"),
     value_of("n_pursuers", 13, "1 to 12 | got 13"),
     value_of("n_pursuers", 12, "at most 12 agents | got 13"),
     value_of("n_evaders", 0, "1 to 12 | got 0"),
     value_of("fov", 4, "an odd number | got 4"),
-    value_of("fov", 257, "1 to 255 | got 257"),
+    value_of("fov", 257, "1 to 255 | got 257"),  # odd, so that only its size is wrong
     value_of("max_steps", 0, "1 to | got 0"),
     value_of("max_steps", 2**31, "-2147483647 to 2147483647 | got 2147483648"),
     value_of("obstacles", 1.0, "a number in [0, 1) | got 1.0"),
@@ -57,7 +57,7 @@ SETTINGS = [
     kind(lambda: mw.Rules(obstacle="B"), "a matrixworld.Outcome | 'B'"),
     kind(lambda: mw.Rules(interaction=mw.Outcome.REACH), "a matrixworld.Interaction | got <Outc"),
     value(lambda: mw.Rewards(evader_step=float("nan")), "a finite number | got nan"),
-    value(lambda: mw.Rewards(evader_step=1e39), "a finite | got 1e+39"),
+    value(lambda: mw.Rewards(evader_step=1e39), "a finite | got 1e+39"),  # infinite as float32
     kind(lambda: mw.Rewards(pursuer_step=(1, 2, 3)), "a number | got (1, 2, 3)"),
     value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
     kind(lambda: mw.Rewards(evader_collide=(1, 2, "x")), "a number | got 'x'"),
@@ -153,6 +153,7 @@ BATCHES = [
         "some of positions, last_positions, alive | got ['reward']",
     ),
     kind(lambda: with_buffer("rewards", np.zeros((2, 3))), "dtype float32 | rewards: expected"),
+    # The other order of bytes.
     kind(lambda: with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
     value(
         lambda: with_buffer("positions", np.zeros((2, 4, 2), np.int32)),

@@ -36,7 +36,7 @@ def test_a_class_of_genomes(directory: Path, tmp_path: Path) -> None:
     assert values["names"]["evader"] == ["genome 01", "random", "fleer", "dodger"]
     assert np.shape(values["capture_rates"]) == (5, 4, 10)
     [rank, *_] = [each["rank"] for each in values["standings"]["pursuer"] if each["rank"]]
-    assert rank in ("1", "1 to 2")
+    assert rank in ("1", "1 to 2")  # 10 episodes may leave the first two apart or not
 
 
 def test_the_page_is_the_same_each_time_and_not_replaced_unasked(

@@ -235,6 +235,7 @@ def test_the_main_job_has_equal_training_matches(tmp_path):
         name: start(RaceSettings(schedule=name), tmp_path / name).training_matches()
         for name in MAIN_JOB
     }
+    # Else one schedule would learn more than another.
     assert max(matches.values()) <= 1.01 * min(matches.values()), matches
 
 
@@ -326,7 +327,7 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 # Interrupting and going on
 
 
-@pytest.mark.parametrize("calls", [0, 7])
+@pytest.mark.parametrize("calls", [0, 7])  # before the first epoch, and in the middle
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
     play = StopAt(calls)
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
@@ -343,7 +344,7 @@ def test_resume_scores_races_that_have_no_scores_of_their_own(copy, undrawn):
     names = [copy / place / "scores.json" for place in PLACES]
     before = [name.read_bytes() for name in names]
     names[0].unlink()
-    names[1].write_bytes(before[2])
+    names[1].write_bytes(before[2])  # the scores of another race
     result = matrixworld_command("evolve", "--resume", copy)
     assert "[2/2] evaders against held-out opponents" in result.stderr
     assert [name.read_bytes() for name in names] == before

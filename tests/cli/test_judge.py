@@ -38,6 +38,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def means_of(kind: str, episodes: int = 30) -> np.ndarray:
     """Mean capture rates of a race whose truth is known."""
+    # So clear that 30 episodes suffice.
     chance = circular(31) if kind == "circle" else logistic(31, 0.3)
     return np.random.default_rng(0).binomial(episodes, chance) / episodes
 

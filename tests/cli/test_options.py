@@ -106,7 +106,7 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
 
     refused = matrixworld_command(*command, code=2)
     assert f"Error: {file}: exists; give --force to replace it\n" in refused.stderr
-    assert refused.stdout == ""
+    assert refused.stdout == ""  # it is refused before anything is played
     assert {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()} == before
 
     matrixworld_command(*command, "--force")
@@ -160,6 +160,7 @@ def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
 
     shutil.copytree(run, "run2")
     np.savetxt("circle.csv", np.full((6, 6), 0.5), delimiter=",")
+    # Whatever it does, it is stopped at once.
     monkeypatch.setattr(main.commands[words[0]], "callback", stopped)
     said = matrixworld_command(*words, code=130).stderr
     assert said.endswith(f"To start again:\n  {shlex.join(['matrixworld', *map(str, words)])}\n")
@@ -257,6 +258,7 @@ def contents() -> dict[Path, tuple[int, bytes]]:
 @pytest.mark.parametrize(("command", "option"), list(options()))
 def test_a_malformed_value_is_refused_and_nothing_is_written(command: str, option: str) -> None:
     before = contents()
+    # No file can have a name of 5001 characters.
     for value in (LONG,) if option in FILES else MALFORMED:
         if (option, value) in LEGAL:
             continue

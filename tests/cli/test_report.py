@@ -27,7 +27,7 @@ from matrixworld.coevolution.types import TEAMS
 from tiny_race import StopAt, tiny_race, tiny_single
 
 FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
-SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)
+SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
 LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
 
 
@@ -86,7 +86,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(made):
     root, said = made
     lines = said.splitlines()
     assert max(map(len, lines)) <= 80 or str(root) in max(lines, key=len)
-    assert len(lines) <= 20
+    assert len(lines) <= 20  # seen at once
     table = said.partition("(1 = best)\n")[2]
     for name in SCHEDULES:
         judgement = analysis.judge(payoffs(root, name), per_episode=True)
@@ -113,7 +113,7 @@ def test_the_strip_has_the_verdict_on_each_seed(made):
 
 
 def test_a_strip_of_many_seeds_is_in_parts(capsys):
-    scores = np.random.default_rng(0).random((70, 4, 4, 2))
+    scores = np.random.default_rng(0).random((70, 4, 4, 2))  # too many seeds for one line
     runs = tuple(
         SimpleNamespace(
             settings=SimpleNamespace(seed=seed), payoff=SimpleNamespace(capture_rates=rates)

@@ -44,7 +44,7 @@ def test_cross_play_of_two_runs(race):
         "tournament", race, "other", "--episodes", 2, "--steps", 9, "--seed", 3,
         "--out", "cross.npz",
     )  # fmt: skip
-    assert not judged_in(result.stdout)
+    assert not judged_in(result.stdout)  # nobody trained against the other there
     played = np.load("cross.npz")["capture_rates"]
     ours = open_run(race)
     scores = rollout(
@@ -116,7 +116,7 @@ def test_replay_explains_every_step_or_one():
     every = matrixworld_command(*game, "--explain").stdout.splitlines()
     assert every[:-1] == lines
     drawn = render.ansi(replay.scene(episode, 17), color="none").splitlines()
-    for step in (17, -4):
+    for step in (17, -4):  # of 20 steps the same one
         shown = matrixworld_command(*game, "--step", step, "--explain").stdout.splitlines()
         assert shown[:-1] == drawn + [line for line in lines if line.startswith("step 17 ")]
     result = matrixworld_command(*game, "--step", 0, "--explain", "--out", "x.png", "--numbers")
@@ -203,7 +203,7 @@ def test_all_figures_are_drawn_and_races_side_by_side(run):
     assert sorted(Path(file).absolute() for file in said) == sorted(
         path.absolute() for path in [*figures, Path("comparison.png")]
     )
-    assert len(figures) == 10
+    assert len(figures) == 10  # five of each race; the comparison lies beside them
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 

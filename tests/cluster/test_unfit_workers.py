@@ -14,6 +14,7 @@ import matrixworld
 from dask_cluster import DaskCluster
 from matrixworld.cluster import UnfitWorkerError, cluster
 from scripts import wait_until
+from slow import quickly
 
 pytest.importorskip("distributed")
 
@@ -80,9 +81,7 @@ def test_an_unfit_worker_is_refused(dask: DaskCluster, tmp_path: Path, kind: str
     assert not out.exists()
 
 
-@pytest.mark.parametrize(
-    "kind", ["another version", pytest.param("no package", marks=pytest.mark.slow)]
-)
+@quickly("kind", ["another version", "no package"], lambda kind: kind == "another version")
 def test_an_unfit_worker_that_joins_later_gets_no_work(
     dask: DaskCluster, tmp_path: Path, kind: str
 ) -> None:

@@ -115,7 +115,7 @@ def test_a_limit_decides_the_fitness_of_a_run() -> None:
     plain = TrainingMatches(settings, mw.rollout, 1)
     scores = plain.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
     rates = collisions(scores, "pursuer")
-    limit = float(np.sort(rates)[3:5].mean())
+    limit = float(np.sort(rates)[3:5].mean())  # between the fourth and the fifth of eight
     limited = TrainingMatches(settings.changed({"fitness.cost_limit": limit}), mw.rollout, 1)
     found = limited.fitness(scores, "pursuer", lambda values: values[:, None])
     expected = plain.fitness(scores, "pursuer", lambda values: values[:, None])
@@ -123,6 +123,7 @@ def test_a_limit_decides_the_fitness_of_a_run() -> None:
     assert within.sum() == 4
     np.testing.assert_array_equal(found[within], expected[within])
     assert found[within].min() > found[~within].max()
+    # Fewer collisions are fitter.
     assert list(np.argsort(-found[~within])) == list(np.argsort(rates[~within]))
 
 

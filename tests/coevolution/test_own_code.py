@@ -34,7 +34,7 @@ def folder(tmp_path, monkeypatch):
     """A folder from which modules are imported; a test of another file may have its own."""
     monkeypatch.syspath_prepend(tmp_path)
     for name in [n for n in sys.modules if n.partition(".")[0] in ("mine", "mypkg")]:
-        monkeypatch.delitem(sys.modules, name)
+        monkeypatch.delitem(sys.modules, name)  # an earlier test may have imported its own
     yield tmp_path
     for name in [n for n in sys.modules if n.partition(".")[0] in ("mine", "mypkg")]:
         del sys.modules[name]
@@ -87,6 +87,7 @@ def test_settings_do_not_change_with_the_dictionary():
     precise = OwnLearnerSettings(code="a:B", settings={"sigma": np.float32(0.5), "n": np.int8(3)})
     plain = RaceSettings(learner=precise).to_json()
     assert json.dumps(plain["learner"]["settings"]) == '{"n": 3, "sigma": 0.5}'
+    # Else the hash of the settings could change.
     with pytest.raises(TypeError, match="does not support item assignment"):
         learner.settings["sigma"] = 7.0
     assert OwnSettings({"a": 1, "b": 2}) == OwnSettings({"b": 2, "a": 1})
@@ -127,7 +128,7 @@ def test_a_name_is_of_one_package_and_of_no_built_in_learner(package):
     declare(package, "other", {LEARNER: "hill = {}:HillClimber"})
     with pytest.raises(ValueError, match="one installed package with 'hill', got mypkg.mine:.*, o"):
         check_own_code(tiny_race(learner="hill"))
-    declare(package, "mypkg", {LEARNER: "es = {}:HillClimber"})
+    declare(package, "mypkg", {LEARNER: "es = {}:HillClimber"})  # a name of ours: ours wins
     check_own_code(tiny_race(learner="es"))
     assert "mypkg" not in sys.modules
 
@@ -152,6 +153,7 @@ def test_what_cannot_be_found_is_said(name, message):
     ]:
         with pytest.raises(ValueError, match=f"^{field}: .*{message}") as caught:
             check_own_code(settings)
+        # That would blame their code, which was never reached.
         assert not isinstance(caught.value, PluginError)
 
 
@@ -168,6 +170,7 @@ def test_a_module_that_fails_is_named_with_its_error(folder, text, message):
     with pytest.raises(PluginError, match=f"learner mine:Hill: import: {message}") as caught:
         check_own_code(tiny_race(learner="mine:Hill"))
     assert caught.value.__cause__ is not None
+    # Workers send it to the main process.
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args  # noqa: S301
 
 
@@ -211,7 +214,7 @@ def climber(base=HillClimber, **methods):
     return type("Changed", (base,), methods)
 
 
-def tell_in_place(self, fitness):
+def tell_in_place(self, fitness):  # allowed: no copy of the array was handed out
     self.genome[:] = self.candidates[int(np.argmax(fitness))]
 
 
@@ -342,6 +345,7 @@ def test_settings_are_those_of_the_signature(learner, settings, message):
 
 
 def test_nothing_is_drawn_from_the_global_generator():
+    # A run would not be repeated by its seed.
     before = np.random.get_state()[1].copy()  # noqa: NPY002
     check_learner(HillClimber)
     check_sampler(Hardest)

@@ -71,7 +71,7 @@ def test_what_follows_from_the_settings():
     assert settings.schedule.name == "generalist-generalist"
     assert settings.schedule.total_epochs("evader") == 3600
     assert settings.training_world.max_steps == 200
-    assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5
+    assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5  # 363 = 3 x 11 x 11
     assert (settings.is_race, alone.is_race) == (True, False)
     assert alone.learning_teams == ("evader",)
 
@@ -79,7 +79,8 @@ def test_what_follows_from_the_settings():
 def test_overlap_is_penalised_where_teammates_may_share_a_cell():
     assert RaceSettings().overlap_penalty == 0.2
     assert RaceSettings(schedule=Against(team="evader")).overlap_penalty == 0.5
-    assert settings_of(rules="SB").overlap_penalty == 0.0
+    assert settings_of(rules="SB").overlap_penalty == 0.0  # two cannot share a cell there
+    # The rewards have penalties of their own.
     assert settings_of(measure="rewards").overlap_penalty == 0.0
     assert settings_of(rules="S", overlap_penalty=0.5).overlap_penalty == 0.5
     started = RaceSettings(schedule=Against(team="evader", start="a-run"))
@@ -228,7 +229,7 @@ def _paths(plain: dict[str, Any], path: str = "") -> list[str]:
 def test_files_need_every_setting_and_no_other():
     settings = tiny_race(schedule="hall-of-fame", pursuers_meet="maxsolve")
     paths = _paths(settings.to_json())
-    assert len(paths) > 40
+    assert len(paths) > 40  # all of them, not one level
     for path in paths:
         plain = settings.to_json()
         *parents, name = path.split(".")

@@ -77,7 +77,7 @@ def cut(path):
 
 def alter(path):
     content = bytearray(path.read_bytes())
-    content[-10] ^= 1
+    content[-10] ^= 1  # a single bit
     path.write_bytes(bytes(content))
 
 
@@ -108,7 +108,7 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage
     assert len(run.archive()["evader"]) == 3
     assert (run.path / f"{name}.damaged").exists()
     damage(run.path / "checkpoint-0002.npz")
-    cut(run.path / "checkpoint-0001.npz")
+    cut(run.path / "checkpoint-0001.npz")  # now neither of the two states can be read
     with pytest.raises(DamagedFileError, match=r"checkpoint-0002.npz: .*checkpoint-0001.npz: cut"):
         RunDirectory.open(run.path).restore()
 
@@ -212,6 +212,7 @@ def test_a_reader_beside_a_writer_never_fails(tmp_path):
     generations = 0
     try:
         until = time.monotonic() + 60
+        # From the first stage to the twentieth.
         while generations < 20 and time.monotonic() < until:
             run = RunDirectory.open(tmp_path / "run")
             found, log = run.archive(), run.log()

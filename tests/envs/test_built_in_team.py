@@ -142,7 +142,7 @@ def test_a_function_gets_the_observations_of_living_agents() -> None:
     episode = env.recorded
     alive = episode.alive[:-1, 3:]
     assert [len(each) for each in seen] == alive.sum(axis=1).tolist()
-    assert alive[-1].sum() < 4
+    assert alive[-1].sum() < 4  # some have disappeared
     assert (episode.actions[:, 3:][alive] == 1).all()
     assert seen[0].dtype == np.uint8
     assert seen[0].shape == (4, 3, 5, 5)
@@ -178,11 +178,11 @@ def test_each_episode_draws_an_opponent_by_its_seed() -> None:
         # One draw of the engine's generator, with a purpose of its own.
         assert env.opponent == _core.philox([0, 0, 2**32, 0], [seed, episode])[0] * 3 >> 64
         drawn.append(env.opponent)
-    assert np.bincount(drawn, minlength=3).min() > 70
+    assert np.bincount(drawn, minlength=3).min() > 70  # of 302, a third each
     env.reset(seed=5)
     env.reset()
     env.reset()
-    assert env.opponent == drawn[1]
+    assert env.opponent == drawn[1]  # episode 2 of seed 5, as drawn above
 
 
 def test_the_opponent_that_was_drawn_plays() -> None:

@@ -124,7 +124,7 @@ def test_copies_continue_independently_and_identically(name: str, copied: Any) -
     for row in rows[1:]:
         if not env.agents:
             env.reset()
-            twin.reset()
+            twin.reset()  # with the next episode of the same seed
         np.testing.assert_equal(env.step(by_name(env, row)), twin.step(by_name(twin, row)))
     np.testing.assert_array_equal(env.recorded.positions, twin.recorded.positions)
     left = copied(env)
@@ -172,7 +172,7 @@ def test_calls_that_are_refused() -> None:
     with pytest.raises(ValueError, match=r"none came for \['pursuer_1', "):
         env.step({"pursuer_0": 0})
     env.step(dict.fromkeys(env.agents, 0))
-    assert env.step({}) == ({}, {}, {}, {}, {})
+    assert env.step({}) == ({}, {}, {}, {}, {})  # nobody is left to act
     with pytest.raises(RuntimeError, match="has ended"):
         env.step({"pursuer_0": 0})
     with pytest.raises(ValueError, match="^render: expected a render_mode"):

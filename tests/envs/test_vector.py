@@ -27,6 +27,7 @@ ENTRY_POINT = "vector_entry_point"
 
 
 def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
+    # Short, so that resets happen soon.
     return mw.VectorEnv(config_of(name, max_steps=7), n_worlds, **settings)
 
 
@@ -78,6 +79,7 @@ def test_what_was_returned_stays(mode: AutoresetMode) -> None:
         inside = (env.observations, env.rewards, env.terminations, env.truncations, env.infos)
         np.testing.assert_equal(returned[-1], inside)
     once = copy.deepcopy(returned)
+    # Nothing returned shares memory with what is written next.
     kept = [leaf for each in returned for part in each for leaf in leaves(part)]
     inside = [env.actions, env.observations, env.rewards, *leaves(env.infos)]
     assert not any(np.shares_memory(array, own) for array in kept for own in inside)
@@ -179,6 +181,7 @@ def test_bounds_of_all_worlds_are_one_number_in_memory(team: str | None, flatten
         assert (whole.dtype, repr(whole)) == (expected.dtype, repr(expected))
         bounds = [part for part in vars(whole).values() if isinstance(part, np.ndarray)]
         assert len(bounds) >= 2
+        # One number, repeated by strides of 0.
         assert not any(np.any(bound.strides) for bound in bounds)
         whole.seed(1)
         expected.seed(1)
@@ -194,7 +197,7 @@ def test_bounds_of_all_worlds_are_one_number_in_memory(team: str | None, flatten
 def test_results_that_nobody_holds_are_freed_at_once() -> None:
     """Not by the collector of cycles, which would come after hundreds of large arrays."""
     env = make()
-    gc.disable()
+    gc.disable()  # so that only the count of references frees
     try:
         kept = weakref.ref(env.reset(seed=0)[0])
         assert kept() is None
@@ -224,7 +227,7 @@ def test_generators_are_those_of_the_seeds() -> None:
         assert env.np_random_seed == tuple(env.infos["seed"]) == (9, 10, 11, 12)
         numbers = [generator.random() for generator in env.np_random]
         fresh = [np.random.default_rng(each).random() for each in (9, 10, 11, 12)]
-        assert (numbers == fresh) == (seed is not None)
+        assert (numbers == fresh) == (seed is not None)  # without a seed they go on
 
 
 def test_a_first_reset_of_some_worlds() -> None:
@@ -233,7 +236,7 @@ def test_a_first_reset_of_some_worlds() -> None:
     for env in seeds:
         env.reset(options={"reset_mask": np.array([True, False, False, False])})
         assert not env.infos["episode_number"].any()
-    assert len({*seeds[0].np_random_seed, *seeds[1].np_random_seed}) == 8
+    assert len({*seeds[0].np_random_seed, *seeds[1].np_random_seed}) == 8  # none twice, among 2 x 4
 
 
 def test_seeds() -> None:
@@ -259,7 +262,7 @@ def test_a_reset_with_positions_and_map() -> None:
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
 def test_make_vec(variant: str) -> None:
-    name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
+    name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"  # as `gymnasium.make` spells it
     env = gymnasium.make_vec(name, **SETTINGS)
     assert isinstance(env, mw.VectorEnv)
     assert env.n_worlds == 3
@@ -310,7 +313,7 @@ def test_refuses(call: Any, error: type[Exception], says: str) -> None:
 
 def expected_mask(position: Any, obstacles: np.ndarray, n_actions: int) -> list[int]:
     """Return the mask of one agent from the map, cell by cell."""
-    if position[0] < 0:
+    if position[0] < 0:  # gone: any action is as good
         return [1] * n_actions
     mask = [1]
     for d_row, d_col in MOVES[1:n_actions]:

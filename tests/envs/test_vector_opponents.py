@@ -43,7 +43,7 @@ def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMod
         while (played < 3).any():
             _, _, _, _, infos = envs.step(chosen(envs, mine))
             for world in infos["_episode"].nonzero()[0]:
-                if played[world] < 3:
+                if played[world] < 3:  # worlds with short episodes play more of them
                     episode = infos["episode"]
                     match = world, played[world]
                     assert episode["length"][world] == expected.length[match]
@@ -66,7 +66,7 @@ def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None
     seen, infos = envs.reset(seed=8)
     for world, single in enumerate(singles):
         single.reset(seed=8 + world)
-        assert infos["opponent"][world] == single.opponent
+        assert infos["opponent"][world] == single.opponent  # drawn by the seed, in both alike
     for actions in random_actions(1, 5, 12, 3, len(envs.agents)):
         running = [bool(single.agents) for single in singles]
         seen, rewards, *_ = envs.step(actions)
@@ -113,7 +113,7 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     envs = mw.VectorEnv(config, 40, evaders=["still", "fleer", "random"])
     _, infos = envs.reset(seed=0)
     first = infos["opponent"].copy()
-    assert set(first) == {0, 1, 2}
+    assert set(first) == {0, 1, 2}  # 40 worlds: all three are met
     envs.opponents = ["still"]
     envs.opponents = [*envs.opponents, lambda seen: np.ones(len(seen), int)]
     assert len(envs.opponents) == 2

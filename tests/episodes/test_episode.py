@@ -66,7 +66,7 @@ def test_a_cut_file_is_refused_by_name(tmp_path: Path) -> None:
     path = tmp_path / "cut.npz"
     EPISODE.save(path)
     whole = path.read_bytes()
-    for length in [*range(0, len(whole), 97), len(whole) - 1]:
+    for length in [*range(0, len(whole), 97), len(whole) - 1]:  # every length would take long
         path.write_bytes(whole[:length])
         with pytest.raises(ValueError, match=r"cut\.npz: cut, altered or not an npz file"):
             Episode.load(path)
@@ -76,7 +76,7 @@ def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
     path, refused = tmp_path / "altered.npz", 0
     EPISODE.save(path)
     whole = path.read_bytes()
-    places = range(0, len(whole), 13)
+    places = range(0, len(whole), 13)  # in all parts of the archive
     for place in places:
         path.write_bytes(whole[:place] + bytes([whole[place] ^ 0x81]) + whole[place + 1 :])
         try:
@@ -84,7 +84,7 @@ def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
         except ValueError as error:
             assert "altered.npz" in str(error)  # noqa: PT017
             refused += 1
-    assert refused > len(places) / 2
+    assert refused > len(places) / 2  # most bytes are content
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
         ({"map": np.array([{}], object)}, "cut, altered or not an npz file"),
         ({"alive": np.zeros((30, 12), bool)}, "not an episode .*alive: expected shape"),
         ({"positions": None}, "expected entries"),
-        ({"config": np.array("[" * 100_000)}, ""),
+        ({"config": np.array("[" * 100_000)}, ""),  # would overflow a recursive reader
         ({"config": np.array("[]")}, ""),
         ({"n_pursuers": np.array(np.inf)}, ""),
         ({"n_pursuers": np.array([1, 2])}, ""),

@@ -83,7 +83,7 @@ def test_the_aec_environment_records_whole_rounds_and_conflicts() -> None:
     assert kept.length == env.unwrapped.status.steps
     assert_same(kept, again)
     np.testing.assert_array_equal(kept.conflict_table, again.conflict_table)
-    assert kept.conflict_table[:, 1].max() > 0
+    assert kept.conflict_table[:, 1].max() > 0  # later turns of a round are there
 
 
 def test_a_recorder_refuses_missing_rounds() -> None:
@@ -142,6 +142,7 @@ def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> 
 
 
 def test_a_copy_of_a_recorded_world_goes_on_with_its_recording() -> None:
+    # So crowded that some bounce.
     recorder = copy.deepcopy(mw.Recorder(mw.World("SB", rows=4, cols=4, n_pursuers=6, n_evaders=2)))
     recorder.world.step([mw.Action.EAST] * 8)
     recorder.note([mw.Action.EAST] * 8)

@@ -167,6 +167,7 @@ def test_numbers_by_hand() -> None:
 
 def test_intervals() -> None:
     config = config_of("SB", max_steps=40)
+    # So many that the normal approximation holds.
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, range(200)))
     monitor = mw.SafetyMonitor()
     monitor.add_statistics(scores)
@@ -188,7 +189,9 @@ def test_intervals() -> None:
 
 
 @pytest.mark.parametrize(
-    ("episodes", "colliding", "known"), [(20, 5, True), (19, 19, False), (50, 4, False)]
+    # Just enough of both; too few episodes; too few collisions.
+    ("episodes", "colliding", "known"),
+    [(20, 5, True), (19, 19, False), (50, 4, False)],
 )
 def test_too_few_episodes_have_no_interval(episodes: int, colliding: int, known: bool) -> None:
     counts = np.zeros((episodes, 2, 3), int)

@@ -123,7 +123,7 @@ def test_truth_of_a_rise_by_hand() -> None:
         return truths(SyntheticRace(rates, course, course), "whole")["arms race"].holds
 
     even, jump = np.arange(8.0), (np.arange(8) >= 4) * 4.0
-    burst = np.array([0, 1, 1, 1, 1, 5, 6, 7])
+    burst = np.array([0, 1, 1, 1, 1, 5, 6, 7])  # neither steady nor a single jump
     found = [arms_race(course) for course in (even, jump, burst, -even, 0 * even)]
     assert found == [True, False, None, False, False]
 
@@ -186,6 +186,7 @@ def test_chances_are_the_means_of_many_matches(game: str) -> None:
     history, picked = toys.numbers_game(game, 3, generations=60), np.array([0, 20, 40, 60])
     chances = chances_of_history(history, picked)
     scores = history.scores(picked, 4000, np.random.default_rng(1))
+    # 4 standard errors of 4000 matches are 0.032.
     np.testing.assert_allclose(scores.mean(axis=2), chances, atol=0.04)
 
 
@@ -227,7 +228,7 @@ def test_a_race_that_one_side_always_wins_is_disengaged() -> None:
 
 @pytest.mark.parametrize("name", RACES)
 def test_labelled_races_name_every_condition(name: str) -> None:
-    for seed in (0, 12):
+    for seed in (0, 12):  # one has 10 episodes, the other 40
         race = RACES[name](seed)
         assert tuple(race.truths) == tuple(WINDOWS)
         assert all(tuple(found) == CONDITIONS for found in race.truths.values())
@@ -331,6 +332,7 @@ def test_an_interrupted_benchmark_continues(
     whole = run(*options)
     file = tmp_path / "judgements.jsonl"
     lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
+    # Stopped while it wrote the tenth.
     file.write_text("".join(lines[:9]) + lines[9][:20], encoding="utf-8")
     seen = []
     monkeypatch.setattr(

@@ -52,6 +52,7 @@ def test_published_claims_follow_from_published_numbers() -> None:
     told = paper_claims.tables(dict(np.load(file.with_name("numbers.npz"))))
     published = read(file).strip()
     # Another SciPy may resample differently: text and verdicts stay, numbers change a little.
+    # All but the numbers.
     assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", published)
     values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, published))
     assert values == pytest.approx(expected, rel=0.05, abs=0.01)
@@ -93,6 +94,7 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
         for kind in ("living-opponents-only", "halls-of-fame")
     ]
     assert matches[0] == matches[1] == 8 * 3 * 8 * 4
+    # Read from the files: nothing is played again.
     assert run_quickly("hall_of_fame", tmp_path) == printed
 
 
@@ -128,6 +130,7 @@ def test_p_value_of_seeds() -> None:
     # t = 0.3 / (0.1 / sqrt(3)) with two degrees of freedom.
     assert common.p_value([0.2, 0.3, 0.4]) == pytest.approx(0.035, abs=0.001)
     assert common.p_value([0.2, 0.3, 0.4], 0.3) == pytest.approx(1.0)
+    # Without spread there is no t: signs are counted.
     assert common.p_value([0.1] * 6) == 2 * 0.5**6
     assert common.p_value([0.1] * 6, 0.1) == 1.0
 

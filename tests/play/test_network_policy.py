@@ -14,12 +14,14 @@ import matrixworld as mw
 from matrixworld.coevolution import open_run, start
 from tiny_race import tiny_single
 
+# About as many cells are taken as in play.
 VIEWS = (np.random.default_rng(5).random((200, 3, 5, 5)) < 0.3).astype(np.uint8)
 
 
 def policy_of(**fields: Any) -> mw.NetworkPolicy:
     network = mw.Network(**({"hidden": (16, 8), "fov": 5} | fields))
     genome = network.initial(np.random.default_rng(1), 0.5, 2.0)
+    # A new genome has none, and would hide them.
     biases = np.random.default_rng(2).normal(0, 0.5, genome.shape).astype(np.float32)
     return mw.NetworkPolicy(network, genome + 0.1 * biases, seed=3)
 
@@ -41,6 +43,7 @@ def test_actions_are_drawn_from_the_probabilities_with_a_seed() -> None:
     assert np.array_equal(actions, again(seen))
     assert not np.array_equal(actions, policy(seen))
     shares = np.bincount(actions, minlength=5) / len(actions)
+    # 4 deviations of 20,000 draws.
     assert np.allclose(shares, policy.probabilities(VIEWS[0]), atol=0.015)
 
 
@@ -126,7 +129,7 @@ def test_onnxruntime_has_the_same_probabilities() -> None:
     runtime = pytest.importorskip("onnxruntime", reason="onnxruntime is not installed")
     policy = policy_of(activation="tanh")
     session = runtime.InferenceSession(policy.to_onnx().SerializeToString())
-    for n in (1, 200):
+    for n in (1, 200):  # the graph leaves the number of rows open
         inputs = {"observations": VIEWS[:n].astype(np.float32)}
         [probabilities] = session.run(["probabilities"], inputs)
         assert np.abs(probabilities - policy.probabilities(VIEWS[:n])).max() < 1e-6

@@ -135,7 +135,7 @@ def check_choices(config: mw.WorldConfig, script: str, team: str, seed: int) -> 
 def test_choices(script: str, team: str, diagonal: bool, obstacles: float | None) -> None:
     config = arena("O", diagonal=diagonal, obstacles=obstacles)
     choices = [n for seed in range(5) for n in check_choices(config, script, team, seed)]
-    assert 1 in choices
+    assert 1 in choices  # at times a single move is best
     if script not in SEARCHERS:
         assert max(choices) == config.n_actions  # no agent in view and no obstacle beside
     surround = arena("SB", diagonal=diagonal, obstacles=obstacles, fov=5)
@@ -160,6 +160,7 @@ def test_random_players_take_every_action_equally_often(diagonal: bool) -> None:
     for agent in range(config.n_agents):
         counts = np.bincount(actions[:, agent], minlength=config.n_actions)
         assert len(counts) == config.n_actions
+        # lower, because 7 agents are tested.
         assert stats.chisquare(counts).pvalue > 1e-4
 
 
@@ -175,6 +176,7 @@ def test_scripts_avoid_obstacles(script: str) -> None:
     matches = mw.Matches.of(0, 0, np.arange(20))
     scores = mw.rollout(config, script, script, matches)
     assert not scores.collisions[..., 0].any()
+    # There is something to run into.
     assert mw.rollout(config, "random", "random", matches).collisions[..., 0].all()
 
 
@@ -193,7 +195,7 @@ def test_searchers_walk_on_in_one_direction(script: str) -> None:
     directions = np.concatenate(strides)
     assert (directions == directions[:, :1]).all()
     counts = np.bincount(directions[:, 0], minlength=5)
-    assert counts[0] == 0
+    assert counts[0] == 0  # nobody searches by standing still
     assert stats.chisquare(counts[1:]).pvalue > 1e-3
     assert not np.array_equal(strides[0][:5, 0], strides[1][:5, 0])
 
@@ -213,7 +215,7 @@ def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> 
             expected += chance
             variance += chance * (1 - chance)
             hits += action in good
-    assert variance > 500
+    assert variance > 500  # many slips: 4 deviations are then a few percent
     assert abs(hits - expected) < 4 * math.sqrt(variance)
 
 

@@ -62,7 +62,7 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
     config = config_of(name, max_steps=25, obstacles=0.1)
     team = random_team(config, 0, 1)
     both, one = [0, 1, 1], [0, 0, 0]
-    seeds = [5, 6, 2**64 - 1]
+    seeds = [5, 6, 2**64 - 1]  # up to the largest seed
     for pursuers, evaders, matches in (
         (team, team, mw.Matches.of(both, both[::-1], seeds)),
         (team, "random", mw.Matches.of(both, one, seeds)),

@@ -23,8 +23,9 @@ from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS
 from matrixworld.plots.style import DPI
+from slow import quickly
 
-RACE, CYCLE = logistic(31), circular(31)
+RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
 
 
 def saved(figure: Figure) -> Image.Image:
@@ -116,6 +117,7 @@ def test_generalization_curves_show_the_interval_over_episodes() -> None:
         assert heights.max() == pytest.approx(band.high.max())
     assert legend_texts(figure)[-1] == "95% interval over episodes"
     saved(figure)
+    # One episode says nothing of the spread.
     single = plots.generalization_curves(scores[:, :, :1], per_episode=True)
     assert not single.axes[0].collections
     assert len(legend_texts(single)) == 2
@@ -141,7 +143,7 @@ def test_lag_profile_is_solid_where_it_rests_on_enough_cells() -> None:
     profile = analysis.lag_profile(RACE)
     np.testing.assert_array_equal(faint.get_xdata(), profile.lags)
     np.testing.assert_array_equal(faint.get_ydata(), profile.means)
-    np.testing.assert_array_equal(solid.get_xdata(), np.arange(-26, 27))
+    np.testing.assert_array_equal(solid.get_xdata(), np.arange(-26, 27))  # at least 5 cells each
     assert list(zero.get_xdata()) == [0, 0]
     assert labels(axes) == ("lag: pursuer minus evader generation", "mean capture rate")
     saved(figure)
@@ -252,10 +254,7 @@ def test_comparison_says_what_was_judged_and_claims_nothing_else() -> None:
     assert second.endswith("checkerboards 0.0%")
 
 
-SLOW_RACES = [pytest.param(races, marks=pytest.mark.slow) for races in (3, 5)]
-
-
-@pytest.mark.parametrize("races", [1, 2, *SLOW_RACES])
+@quickly("races", (1, 2, 3, 5), lambda races: races < 3)
 def test_names_and_legend_of_compared_races_are_inside_the_figure(races: int) -> None:
     scores = dict.fromkeys(map(str, range(races)), episodes_of(CYCLE))
     figure = plots.comparison(scores, dict.fromkeys(scores, judged(CYCLE)), per_episode=True)
@@ -271,7 +270,7 @@ def test_names_and_legend_of_compared_races_are_inside_the_figure(races: int) ->
 def test_many_compared_races_are_in_rows() -> None:
     names = [f"some-job-of-{n}/O-seed{n}/generalist-generalist, seed {n}" for n in range(10)]
     figure = plots.comparison(dict.fromkeys(names, RACE), dict.fromkeys(names, judged(RACE)))
-    assert saved(figure).width < 2700
+    assert saved(figure).width < 2700  # a row of ten would be wider
     heatmaps = [axes for axes in figure.axes if axes.images and axes.get_title()]
     assert [each.get_title().replace("\n", "").replace(" ", "") for each in heatmaps] == [
         name.replace(" ", "") for name in names
@@ -437,7 +436,7 @@ def test_many_seeds_have_cells_without_words() -> None:
     seeds = tuple(range(11))
     figure = plots.verdict_strip({"a": judged_seeds(11)}, {"a": seeds}, {"a": tuple(range(11, 40))})
     (axes,) = figure.axes
-    assert len(axes.texts) == len(CONDITIONS)
+    assert len(axes.texts) == len(CONDITIONS)  # those of all seeds together
     assert len(cells(axes)) == 41 * len(CONDITIONS)
     assert figure.get_figwidth() <= 16
 

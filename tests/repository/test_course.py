@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import runpy
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -12,12 +13,11 @@ import pytest
 from matrixworld.tutorial import check
 from matrixworld.tutorial.course import Exercise, Prediction, exercises
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
+from slow import quickly
 
 SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
 LARGEST = 1_000_000  # bytes
-QUICK_CHAPTERS = (1, 4)
-"""The notebooks that run without `--slow`: the rules, and toys with their analysis."""
 
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])
@@ -31,17 +31,8 @@ def test_every_notebook_has_solutions() -> None:
     assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
 
 
-@pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(
-            path,
-            id=path.stem,
-            marks=() if chapter(path) in QUICK_CHAPTERS else pytest.mark.slow,
-        )
-        for path in NOTEBOOKS
-    ],
-)
+# The rules, and toys with their analysis.
+@quickly("path", NOTEBOOKS, lambda path: chapter(path) in (1, 4), attrgetter("stem"))
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
 def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import nbformat

@@ -19,11 +19,13 @@ import subprocess
 import sys
 import sysconfig
 from dataclasses import dataclass
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
 
 from matrixworld import _core
+from slow import quickly
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how_to_add.md"
@@ -122,7 +124,6 @@ def run(command: str, root: Path) -> None:
 
 RECIPES = read_recipes()
 MOST_FILES_OF_AN_OUTPUT = 3
-QUICK = ("A measure",)
 
 
 def test_every_kind_of_extension_has_a_recipe() -> None:
@@ -172,13 +173,11 @@ def project(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(
+@quickly(
     "recipe",
-    [
-        pytest.param(each, id=each.title, marks=() if each.title in QUICK else pytest.mark.slow)
-        for each in RECIPES
-        if not each.needs_compiler
-    ],
+    [each for each in RECIPES if not each.needs_compiler],
+    lambda recipe: recipe.title == "A measure",
+    attrgetter("title"),
 )
 def test_a_recipe_in_python(recipe: Recipe, project: Path) -> None:
     follow([recipe], project)

@@ -136,7 +136,7 @@ WITH_EXAMPLES = sorted(
 @pytest.mark.parametrize("name", WITH_EXAMPLES)
 def test_examples_in_docstrings_print_what_they_show(name: str) -> None:
     result = doctest.testmod(importlib.import_module(name.removesuffix(".__init__")))
-    assert result.attempted > 0
+    assert result.attempted > 0  # `>>>` in another kind of text would be no example
     assert result.failed == 0
 
 
@@ -177,7 +177,7 @@ def parameters_of(found: Callable[..., Any]) -> set[str]:
     """Return the names of the parameters that a caller gives."""
     if inspect.isclass(found) and issubclass(found, Exception):
         return set()
-    if getattr(found, "_is_protocol", False):
+    if getattr(found, "_is_protocol", False):  # nobody calls it
         return set()
     return set(inspect.signature(found).parameters) - {"self", "args", "kwargs"}
 
@@ -266,4 +266,5 @@ def test_kernels_include_plain_data_only() -> None:
     }
     assert headers == {"grid/positions.hpp"}
     assert includes(CPP / "grid" / "positions.hpp") == []
+    # See above; `positions.hpp` is the one header shared.
     assert "inline" not in re.sub(r"//.*", "", (CPP / "grid" / "positions.hpp").read_text())

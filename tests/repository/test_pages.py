@@ -145,8 +145,8 @@ def test_learners_of_other_libraries_run_with_few_steps(page: Path, tmp_path: Pa
             pytest.importorskip(module, exc_type=ImportError)
         # One or two updates of the learner.
         short, count = re.subn(r"^STEPS = [\d_]+", "STEPS = 8_192", example.code, flags=re.M)
-        assert count == 1
-        (printed,) = run_python([short], tmp_path)
+        assert count == 1  # else the example would take its full time
+        (printed,) = run_python([short], tmp_path)  # in a directory of its own, where it may write
         for moment in ("before", "after"):
             assert re.search(rf"^{moment} {RATE}$", printed, re.M), printed
 
@@ -287,7 +287,7 @@ def test_the_readme_has_the_rules_of_each_variant() -> None:
 def test_names_of_measures() -> None:
     table = read("docs/analysis.md").split("| question |")[1].split("\n\n")[0]
     named = re.findall(r"`(\w+)`", table)
-    assert len(named) > 15
+    assert len(named) > 15  # the pattern finds the table at all
     assert set(named) <= set(analysis.__all__)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import copyreg
 import importlib
@@ -13,6 +14,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
+from enum import Enum
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -21,7 +23,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import analysis, classroom, cluster, coevolution, explorer, toys, tutorial
+from matrixworld import analysis, classroom, coevolution, explorer, toys, tutorial
 from matrixworld.analysis.cycles import noise_reference
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
@@ -38,6 +40,8 @@ NOT_COPIED = {
     "VectorEnv": "it holds a batch",
     "AgentVectorEnv": "it holds a `VectorEnv`",
     "ProgressBar": "it holds a terminal",
+    "States": "its states are the engine's, and are computed again in less time",
+    "Solution": "it holds `States`",
 }
 """Public classes without a copy, each with the reason."""
 
@@ -72,6 +76,7 @@ SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_s
 def public_packages() -> list[ModuleType]:
     """Return `matrixworld` and all packages and modules below it that have an ``__all__``."""
     found = pkgutil.walk_packages(mw.__path__, "matrixworld.")
+    # Import neither the engine, which is compiled, nor the command, which would run.
     names = [each.name for each in found if not each.name.endswith(("_core", "__main__"))]
     modules = [mw, *map(importlib.import_module, names)]
     return [each for each in modules if hasattr(each, "__all__")]
@@ -121,18 +126,26 @@ def examples(directory: Path) -> Iterator[Any]:
 
     An object may be yielded several times, and changes between.
     """
-    for group in (_of_worlds(), _of_analysis(), _of_teaching(), _of_learning()):
+    for group in (_by_default(), _of_worlds(), _of_analysis(), _of_teaching(), _of_learning()):
         yield from group
     for made in (_of_runs, _of_jobs, _of_classes):
         yield from made(directory)
 
 
+def _by_default() -> Iterator[Any]:
+    """Yield an instance of each class that needs no arguments, and all members of each `Enum`."""
+    for name, kind in public_classes().items():
+        if issubclass(kind, Enum):
+            yield list(kind)
+        elif name not in NOT_COPIED:
+            with contextlib.suppress(TypeError, ValueError):  # Some need arguments.
+                yield kind()
+
+
 def _of_worlds() -> Iterator[Any]:
     config = mw.WorldConfig("SB", **SMALL, obstacles=0.1)
     fresh = mw.Network.for_config(config, (4,))
-    yield from (config, fresh, mw.Rules(), mw.Rewards(pursuer_collide=(-1, -2, -3)))
-    yield from (mw.Action.EAST, mw.Autoreset.SAME_STEP, mw.Outcome.REACH, mw.Capture.SURROUND)
-    yield from (mw.Interaction.AGENT_TURNS, *mw.Blame.__members__.values())
+    yield from (config, fresh, mw.Rewards(pursuer_collide=(-1, -2, -3)))
     used = mw.Network.for_config(config, (4,))
     team = mw.Population(np.zeros((2, used.genome_size), np.float32), used)
     matches = mw.Matches.of([0, 1], 0, 7)
@@ -150,7 +163,6 @@ def _of_worlds() -> Iterator[Any]:
     crowd.step([mw.Action.EAST] * 4, explain=True)
     yield from (crowd.conflicts, explorer.Playground(crowd), explorer.Explorer(Path("page.html")))
     monitor = mw.SafetyMonitor()
-    yield monitor
     monitor.add_statistics(statistics)
     yield from (monitor, monitor.summary())
     env = mw.parallel_env(config)
@@ -214,15 +226,10 @@ def _of_learning() -> Iterator[Any]:
     yield candidates
     yield coevolution.SCHEDULES
     race = coevolution.RaceSettings()
-    yield from (race.policy, race.fitness, race.learner, race.schedule, race.schedule.evaders_meet)
-    yield from (coevolution.Against(), coevolution.HallOfFame(), coevolution.ArchivedOpponents())
-    yield from (coevolution.CmaEsSettings(), coevolution.GeneticAlgorithmSettings())
-    yield coevolution.ActorCriticSettings()
+    yield from (race.schedule, race.schedule.evaders_meet)
     own = {"code": "mine:Mine"}
     yield from (coevolution.OwnOpponents(**own), coevolution.OwnLearnerSettings(**own))
-    yield [sampler(2) for sampler in coevolution.schedules.DRAWN.values()]
     yield [archive(3) for archive in coevolution.schedules.ARCHIVES.values()]
-    yield from (opponents.MaxSolve(3), opponents.IPCA(), opponents.LAPCA(3))
     yield opponents.ArchiveSampler(opponents.MaxSolve(3))
     yield opponents.Generalist(np.zeros(3, np.intp), sample_size=3)
 
@@ -249,9 +256,6 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield from (
         coevolution.DamagedFileError(Path("payoff.npz"), "cut or altered"),
         coevolution.PluginError("learner mine:Learner: ask: ValueError: no"),
-        coevolution.OtherVersionError("another version"),
-        coevolution.LockedError("locked"),
-        coevolution.DisengagementWarning("disengaged"),
     )
 
 
@@ -265,7 +269,7 @@ def _of_classes(directory: Path) -> Iterator[Any]:
     config = mw.WorldConfig("O", rows=6, cols=6, n_pursuers=1, n_evaders=1, fov=5, max_steps=3)
     result = classroom.play_class(submissions, config, episodes=2, threads=1)
     assert result.refusals
-    yield from (result, classroom.standings(result, "evader"), classroom.Limits())
+    yield from (result, classroom.standings(result, "evader"))
 
 
 def _of_jobs(directory: Path) -> Iterator[Any]:
@@ -274,8 +278,6 @@ def _of_jobs(directory: Path) -> Iterator[Any]:
     yield coevolution.Progress("1 of 2 runs", 10, 18, 0, running)
     failed = {Path("seed-0"): OSError("full")}
     yield coevolution.FailedRunsError(failed, [coevolution.open_run(directory / "race")])
-    yield from (coevolution.StoppedError("stopped"), coevolution.WorkerDiedError("died"))
-    yield from (cluster.ClusterLostError("lost"), cluster.UnfitWorkerError("unfit"))
 
 
 # Copies of them
@@ -297,6 +299,7 @@ def every(tmp_path_factory: pytest.TempPathFactory) -> Copies:
     """Copies of every example, made when it is yielded, because its use goes on."""
     made = Copies(set(), [], [])
     for each in examples(tmp_path_factory.mktemp("runs")):
+        # What an example holds counts too.
         made.classes.update(type(part).__name__ for part in parts_of(each))
         made.pickles.append(pickle.dumps(each))
         if not same(each, pickled(each)) or not same(each, copy.deepcopy(each)):
@@ -335,6 +338,7 @@ def test_rows_of_copied_candidates_are_views_of_their_array() -> None:
 def test_a_copied_run_continues_from_the_last_stage(tmp_path: Path) -> None:
     straight = start(tiny_race(), tmp_path / "straight", threads=1)
     straight.run()
+    # The copy writes where the original would.
     pickled(start(tiny_race(), tmp_path / "copied", threads=1)).run()
     assert results(tmp_path / "straight") == results(tmp_path / "copied")
     assert resume(tmp_path / "copied").files.finished

@@ -46,6 +46,7 @@ def words(options: dict[str, object]) -> list[str]:
 def matrixworld_command(*args: object, code: int = 0) -> Result:
     """Run a command and check its exit code."""
     result = CliRunner().invoke(main, [str(arg) for arg in args])
+    # What click does with an error that it knows.
     unexpected = None if isinstance(result.exception, SystemExit) else result.exception
     assert unexpected is None, result.output
     assert result.exit_code == code, result.output
@@ -62,5 +63,5 @@ def judged_in(output: str) -> dict[str, str]:
     row = re.compile(rf"({'|'.join(CONDITIONS)}) +(present|absent|cannot tell)")
     verdicts: dict[str, str] = {}
     for match in filter(None, map(row.match, output.splitlines())):
-        verdicts.setdefault(*match.groups())
+        verdicts.setdefault(*match.groups())  # later tables are of other windows
     return verdicts

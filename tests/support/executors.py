@@ -20,6 +20,7 @@ class Reversed(Executor):
         self.tasks.append((future, fn, args))
         self.left -= 1
         if not self.left:
+            # The caller waits for results in its own thread.
             threading.Thread(target=self.work).start()
         return future
 

@@ -41,7 +41,7 @@ SHORT_RUNS: dict[str, Any] = {
 
 def start_or_resume(kind: str, directory: Path, play: Any = rollout) -> None:
     """Start the run, or resume it if it exists, and run it to its end."""
-    if (directory / "config.json").exists():
+    if (directory / "config.json").exists():  # written last when a run is made
         run = coevolution.resume(directory, threads=1, play=play)
     else:
         run = coevolution.start({**RUNS, **SHORT_RUNS}[kind], directory, threads=1, play=play)
@@ -108,7 +108,7 @@ class HalfWritten:
         self.file.close()
 
     def write(self, content: bytes) -> None:
-        half = len(content) // 2
+        half = len(content) // 2  # a kill between the halves leaves a cut file
         self.file.write(content[:half])
         self.file.flush()
         self.events.happen()

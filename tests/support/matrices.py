@@ -26,6 +26,7 @@ def staircase(size: int) -> np.ndarray:
 
 def additive(rows: int, columns: int, seed: int = 0) -> np.ndarray:
     rng = np.random.default_rng(seed)
+    # Within [0.1, 0.9], so that no rate has to be cut.
     return 0.1 + rng.uniform(0, 0.4, (rows, 1)) + rng.uniform(0, 0.4, (1, columns))
 
 
@@ -33,7 +34,7 @@ def circular(size: int, period: float = 5.0) -> np.ndarray:
     """Return a pure cycle: the rate depends on the difference of two positions on a circle."""
     generation = np.arange(size)
     turn = 2 * np.pi / period * (generation[:, None] - generation[None, :])
-    return 0.5 + 0.45 * np.cos(turn - np.pi / 3)
+    return 0.5 + 0.45 * np.cos(turn - np.pi / 3)  # shifted, so that the diagonal is no crest
 
 
 def logistic(size: int, slope: float = 0.15) -> np.ndarray:

@@ -36,6 +36,7 @@ def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -
     with pytest.raises(error) as caught:
         call()
     message = str(caught.value)
+    # A subclass could be an accident, such as UnicodeDecodeError.
     assert type(caught.value) is error
     assert f"expected {expected}" in message, message
     assert received in message, message

@@ -39,7 +39,7 @@ def config_of(name: str, **changes: Any) -> mw.WorldConfig:
     """Return the settings of a small, dense world with a variant or a row above."""
     surround = (CUSTOM | dict(mw.VARIANTS))[name].capture is SURROUND
     small = {
-        "rows": 7,
+        "rows": 7,  # not square, so that rows and columns cannot be swapped unseen
         "cols": 6,
         "n_pursuers": 6 if surround else 3,
         "n_evaders": 2 if surround else 4,
@@ -64,6 +64,7 @@ def random_actions(seed: int, n_actions: int, *shape: int) -> np.ndarray:
 
 def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndarray:
     """Return uniform numbers in [-scale, scale), the same with every version of NumPy."""
+    # 24 bits: all that a float32 holds exactly.
     units = (raw_numbers(seed, network.genome_size) >> np.uint64(40)).astype(np.float32) / 2**24
     return (scale * (2 * units - 1)).astype(np.float32)
 
@@ -85,7 +86,7 @@ def random_walks(
         rules, rows=rows, cols=cols, n_pursuers=pursuers, n_evaders=evaders, obstacles=0.1
     )
     episode = mw.record_actions(config, random_actions(0, 5, steps, pursuers + evaders))
-    assert episode.length == steps
+    assert episode.length == steps  # it has not ended before
     return replace(episode, conflict_table=None)
 
 

@@ -80,7 +80,7 @@ def tiny_single(**changes: Any) -> RaceSettings:
 def _meeting(sampler: str | None) -> dict[str, Any]:
     """Return the settings of a schedule whose teams choose opponents by a sampler."""
     met: Any = sampler
-    if sampler in ARCHIVES and sampler != "ipca":
+    if sampler in ARCHIVES and sampler != "ipca":  # ipca has no limit of its size
         met = ArchivedOpponents(archive=sampler, size=3)
     return {} if met is None else {"pursuers_meet": met, "evaders_meet": met}
 
@@ -142,7 +142,7 @@ def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
         run.run()
     # Both ways to continue: by the same object, and by a new one.
     continued = run if call % 2 else resume(directory, threads=1)
-    continued.training.rollout = rollout
+    continued.training.rollout = rollout  # not `StopAt`, which would stop it again
     continued.run()
     assert results(directory) == straight(settings)
 

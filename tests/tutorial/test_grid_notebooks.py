@@ -44,7 +44,7 @@ def test_a_plan_leaves_the_world_as_it_is_and_shows_the_moves() -> None:
     before = world.positions.tolist()
     pictures = [plan(world, [action, STAY, STAY]).pixels.tobytes() for action in list(Action)[:5]]
     assert len(set(pictures)) == 5, "every move looks different"
-    assert world.positions.tolist() == before
+    assert world.positions.tolist() == before  # nothing is played
     assert world.steps == 0
 
 
@@ -104,10 +104,12 @@ def test_random_packs(count: int) -> None:
 
 def test_there_is_one_shortest_way() -> None:
     """All ways of at most 7 moves are walked."""
+    # So that `np.roll` leads nobody round the border.
     walls = np.pad(drawn_world("O", MAZE).map, 1, constant_values=True)
     ways = np.zeros(walls.shape, int)
     ways[1, 1] = 1
     for moves in range(1, SHORTEST + 1):
+        # Each way goes on in four directions.
         ways = sum(np.roll(ways, by, axis) for by in (1, -1) for axis in (0, 1)) * ~walls
         assert bool(ways[4, 5]) is (moves == SHORTEST)
     assert ways[4, 5] == 1
@@ -179,6 +181,7 @@ def test_rewards_of_a_captured_and_of_a_surviving_evader() -> None:
     world.reset(0, pursuers=[[0, 0]], evaders=[[0, 1], [0, 8]])
     captured, survivor = world.step([EAST, STAY, STAY])[1:]
     assert captured == pytest.approx(-10.05)
+    # A capture costs as much as 201 steps.
     assert 201 * survivor == pytest.approx(captured, abs=1e-4)
     assert check("2.3", np.int64(202)).right is True
 
@@ -202,13 +205,13 @@ def test_renumbering_changes_most_steps_by_index_and_none_of_the_world(seed: int
     rng = np.random.default_rng([7, seed])
     changed = {by_index: 0, at_once_on_ten: 0}
     for _ in range(60):
-        here, there = random_pack(rng, 10, 30)
+        here, there = random_pack(rng, 10, 30)  # dense: most agents have a neighbour to depend on
         order = rng.permutation(30)
         for resolver in changed:
             result = resolver(here, there)
             again = resolver([here[a] for a in order], [there[a] for a in order])
             changed[resolver] += again != [result[a] for a in order]
-    assert changed[by_index] > 40
+    assert changed[by_index] > 40  # of 60
     assert changed[at_once_on_ten] == 0
 
 

@@ -159,7 +159,7 @@ def test_three_seeds_could_not_tell(scores: dict[str, np.ndarray]) -> None:
 
 def test_the_simple_rule_is_fooled_by_one_race_of_four() -> None:
     alarms = [last_beats_first(noisy_race("noise only, .5", seed)) for seed in range(200)]
-    assert 0.15 < np.mean(alarms) < 0.35
+    assert 0.15 < np.mean(alarms) < 0.35  # the text says: one of four
 
 
 def test_specialists_have_more_checkerboards(scores: dict[str, np.ndarray]) -> None:
@@ -181,7 +181,7 @@ def test_noise_lowers_the_transitive_share_and_the_correction_removes_the_bias()
     for seed in range(20):
         race = play_episodes(truth, 1, np.random.default_rng(seed))
         shares.append(analysis.transitive_share(race.mean(axis=2)))
-    assert np.mean(shares) < 0.4
+    assert np.mean(shares) < 0.4  # though the truth is 1: a single episode is nearly all noise
     corrected = [
         analysis.transitive_share_over_episodes(
             play_episodes(truth, 10, np.random.default_rng(seed))
@@ -226,6 +226,7 @@ def test_what_the_small_races_show() -> None:
     assert specialists["cycling"].verdict == "cannot tell"
     generalists = analysis.judge(rates["round-robin"], per_episode=True).headline
     assert generalists["cycling"].verdict == "absent"
+    # Beyond those of training: archives play matches of their own.
     extra = cures["matches"].mean(axis=1) / 38_400 - 1
     assert (extra[:3] == 0.0).all()
     assert (extra[3:] > 0.01).all()
@@ -235,7 +236,7 @@ def test_what_the_small_races_show() -> None:
 def test_the_specialists_evaders_escape_most_often() -> None:
     cures = kept("cures")
     cross = cures["cross_play"] / int(cures["cross_evaders"])
-    others = ~np.eye(len(cross), dtype=bool)
+    others = ~np.eye(len(cross), dtype=bool)  # nobody is examined by those it learned with
     escape = [1 - cross[others[i], :, i].mean(axis=(0, 1)) for i in range(len(cross))]
     ends = [analysis.interval_over_runs(each) for each in escape]
     assert np.argmax([each.value for each in ends]) == 0
@@ -289,7 +290,7 @@ def test_the_kept_races_show_what_the_notebook_says() -> None:
         found = analysis.judge(stored[f"captured: {kind}"] / stored["evaders"], per_episode=True)
         verdicts = found.windows["last half"]["disengagement"].by_run
         present[kind] = verdicts.count("present")
-    assert present["few evader epochs"] >= 7
+    assert present["few evader epochs"] >= 7  # of 10 seeds
     assert 5 <= present["restrained pursuers"] <= 8
     assert max(present["even"], present["no overlap penalty"]) <= 2
     assert stored["has not: disengagement"][0] == 0
@@ -415,6 +416,7 @@ def wishes(view: np.ndarray, weights: np.ndarray) -> list[float]:
 
 def test_the_network_wishes_what_the_table_says() -> None:
     rng = np.random.default_rng(0)
+    # A few agents in each view, as in play.
     views = (rng.random((20, 3, 11, 11)) < 0.1).astype(np.uint8)
     weights = rng.normal(size=6)
     own = pack(weights)

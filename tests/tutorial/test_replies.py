@@ -35,7 +35,7 @@ STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 
 bumper_cars = partial(dataclasses.replace, BUMPER_CARS)
 LAGS = 0.1 * (np.arange(4)[:, None] - np.arange(4)[None, :])
-ONE_TEAM = np.array(
+ONE_TEAM = np.array(  # only the pursuers become stronger
     [[0.5, 0.1, 0.1, 0.1], [0.2, 0.5, 0.2, 0.2], [0.3, 0.3, 0.5, 0.3], [0.4, 0.6, 0.6, 0.5]]
 )
 BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
@@ -328,6 +328,7 @@ RIGHT: dict[str, list[Any]] = {
 @pytest.mark.parametrize("name", WRONG)
 def test_replies_to_wrong_answers(name: str, snapshot: Any) -> None:
     replies = {mistake: check(name, answer) for mistake, answer in WRONG[name].items()}
+    # `None` would be an answer that is not judged.
     assert all(reply.right is False for reply in replies.values())
     told = {
         mistake: re.fullmatch(r"✗ Not yet\. (.+)  \(hint\('...'\) gives a hint\.\)", reply.text)

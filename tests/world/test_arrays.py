@@ -57,12 +57,12 @@ def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
     config = config_of("SB", obstacles=0.1, max_steps=3)
     specs = mw.array_specs(config) | mw.episode_specs(config)
     written = []
-    for fill in (0x00, 0xEE):
+    for fill in (0x00, 0xEE):  # what is not written would differ
         blocks = {}
         for name, (shape, dtype) in specs.items():
             chosen = np.dtype(views if name.endswith("views") else dtype)
             size = int(np.prod((N_WORLDS, *shape))) * chosen.itemsize
-            block = np.full(size + 16, fill, np.uint8)
+            block = np.full(size + 16, fill, np.uint8)  # 8 bytes of margin on each side
             blocks[name] = block, block[8:-8].view(chosen).reshape(N_WORLDS, *shape)
         buffers = {name: array for name, (_, array) in blocks.items()}
         batch = mw.Batch(N_WORLDS, config, buffers=buffers)

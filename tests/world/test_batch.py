@@ -98,12 +98,13 @@ class SingleWorld:
 def test_each_world_is_a_single_world(
     name: str, obstacles: float | None, autoreset: mw.Autoreset
 ) -> None:
+    # 24 steps are two episodes and a part.
     config = config_of(name, obstacles=obstacles, max_steps=9)
     n_worlds = 5
     batch = mw.Batch(
         n_worlds, config, threads=2, autoreset=autoreset, buffers=all_buffers(config, n_worlds)
     )
-    seeds = [3, 3, 2**63 + 1, 0, 17]
+    seeds = [3, 3, 2**63 + 1, 0, 17]  # equal ones, and one beyond signed integers
     batch.reset(seeds, episode=2)
     worlds = [SingleWorld(config, seed, 2, autoreset) for seed in seeds]
     actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
@@ -111,6 +112,7 @@ def test_each_world_is_a_single_world(
         for w, world in enumerate(worlds):
             for what, expected in world.arrays.items():
                 got = batch.buffers[what][w]
+                # The batch adds float32 numbers, `total` float64 ones.
                 got = got.round(4) if what == "episode_return" else got
                 np.testing.assert_array_equal(got, expected, f"{what} of {w}")
         if row is not None:
@@ -163,7 +165,7 @@ def test_a_mask_selects_the_worlds_to_reset() -> None:
 @pytest.mark.parametrize("name", ["O", "SD", "TO"])
 def test_threads_change_nothing(name: str) -> None:
     config = config_of(name, obstacles=0.1, diagonal=True)
-    n_worlds = 70
+    n_worlds = 70  # no multiple of 3 threads
     actions = random_actions(2, config.n_actions, 25, n_worlds, config.n_agents)
     played = []
     for threads in (1, 2, 3, None):
@@ -178,7 +180,7 @@ def test_threads_change_nothing(name: str) -> None:
         for row in actions:
             batch.step(row)
         played.append({what: array.copy() for what, array in batch.buffers.items()})
-    assert any(played[0]["steps"] < 25)
+    assert any(played[0]["steps"] < 25)  # some have begun anew
     for other in played[1:]:
         for what, array in played[0].items():
             np.testing.assert_array_equal(array, other[what])
@@ -192,7 +194,7 @@ def test_an_int_seeds_consecutive_worlds() -> None:
     one, other, new = (mw.Batch(4, config) for _ in range(3))
     for seed, seeds in (
         (7, np.array([7, 8, 9, 10], np.int32)),
-        (2**64 - 2, [2**64 - 2, 2**64 - 1, 0, 1]),
+        (2**64 - 2, [2**64 - 2, 2**64 - 1, 0, 1]),  # wraps
         (0, range(4)),
     ):
         one.reset(seed)
@@ -239,7 +241,7 @@ def test_any_integers_are_actions(dtype: type) -> None:
     actions = random_actions(6, 5, 3, config.n_agents)
     one, other = mw.Batch(3, config), mw.Batch(3, config)
     one.step(actions)
-    other.step(np.asfortranarray(actions.astype(dtype)))
+    other.step(np.asfortranarray(actions.astype(dtype)))  # in memory in another order, too
     np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
 
 
@@ -267,7 +269,7 @@ def test_a_batch_keeps_its_arrays_alive() -> None:
     batch.step(np.zeros((2, config.n_agents), np.uint8))
     array = rewards()
     assert array is not None
-    assert (array != 0).all()
+    assert (array != 0).all()  # memory that was freed would hold anything else
 
 
 def test_small_integers_of_numpy_are_integers() -> None:

@@ -62,6 +62,7 @@ def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> No
 
 def test_without_a_seed_the_next_episode_follows() -> None:
     world, other = mw.World("O"), mw.World("O")
+    # The counter is 64 bits wide, and wraps.
     for episode, following in ((0, 1), (1, 2), (9, 10), (2**64 - 1, 0)):
         world.reset(5, episode=episode)
         world.reset()
@@ -86,14 +87,14 @@ def test_one_team_given_the_other_drawn() -> None:
         world.reset(seed, pursuers=[[1, 2], [0, 0]])
         last_positions = [tuple(cell) for cell in world.positions.tolist()]
         assert last_positions[:2] == [(1, 2), (0, 0)]
-        assert len(set(last_positions)) == 6
+        assert len(set(last_positions)) == 6  # the world is full, so any clash would show
         world.reset(seed, evaders=[[0, 0], [0, 1], [0, 2], [1, 1]])
         assert {tuple(cell) for cell in world.positions[:2].tolist()} == {(1, 0), (1, 2)}
 
 
 def test_given_positions_and_a_density() -> None:
     """Obstacles are drawn on the cells that the given agents leave free."""
-    world = small(obstacles=0.75)
+    world = small(obstacles=0.75)  # 9 of 12 cells: all that the 3 agents leave
     for seed in range(20):
         world.reset(seed, pursuers=[[0, 0], [1, 1]], evaders=[[2, 3]])
         assert world.map.sum() == 9
@@ -141,7 +142,7 @@ def test_attributes_are_copies() -> None:
     names = [*ARRAYS, "map"]
     before = {name: read(world, name).copy() for name in names}
     for name in names:
-        read(world, name)[...] = 1
+        read(world, name)[...] = 1  # would change the world if it were no copy
     for name in names:
         np.testing.assert_array_equal(read(world, name), before[name])
     kept = world.positions
@@ -215,7 +216,7 @@ def jam() -> mw.World:
     """Return a world in which two pursuers have just bounced."""
     world = mw.World("B", rows=3, cols=5, n_pursuers=3, n_evaders=2, obstacles=["....#"] * 3)
     world.reset(pursuers=[(0, 0), (0, 2), (2, 2)], evaders=[(2, 3), (1, 0)])
-    world.step([2, 4, 2, 0, 0])
+    world.step([2, 4, 2, 0, 0])  # the first two head for (0, 1)
     return world
 
 
@@ -246,11 +247,11 @@ def test_a_full_world() -> None:
     assert not (world.state()[0] & world.state()[1]).any()
     assert (world.state()[:2].sum(axis=0) == 1).all()
     world.step(random_actions(0, 5, 25))
-    assert len(np.unique(world.positions, axis=0)) == 25
+    assert len(np.unique(world.positions, axis=0)) == 25  # nobody could move, and nobody was lost
 
 
 def test_a_large_world() -> None:
-    side, n = 1024, 3000
+    side, n = 1024, 3000  # so many that products of sizes leave 32 bits
     config = mw.WorldConfig(
         "O", rows=side, cols=side, n_pursuers=n, n_evaders=n, obstacles=0.1, max_steps=5
     )
@@ -258,7 +259,7 @@ def test_a_large_world() -> None:
     assert world.map.sum() == round(0.1 * side * side)
     start = world.positions
     assert len(np.unique(start, axis=0)) == 2 * n
-    assert (start.max(axis=0) > side - 10).all()
+    assert (start.max(axis=0) > side - 10).all()  # drawn from the whole map, not from a part of it
     actions = random_actions(0, 5, 5, 2 * n)
     for row in actions:
         world.step(row)
@@ -276,7 +277,7 @@ def test_a_wide_view() -> None:
     evaders, pursuers, obstacles = world.views()[0]
     assert np.argwhere(evaders).tolist() == [[129, 131]]
     assert not pursuers.any()
-    assert obstacles.sum() == 255**2 - 15
+    assert obstacles.sum() == 255**2 - 15  # outside the map all cells are obstacles
     assert not obstacles[127:130, 127:132].any()
 
 
@@ -297,12 +298,6 @@ def test_names_of_variants() -> None:
     for name in ("SDB", "sdb", "-SDB", "pursuit-evasion-sdb", "Pursuit-Evasion-SDB"):
         assert mw.WorldConfig(name).rules is mw.VARIANTS["SDB"]
     assert mw.World(mw.VARIANTS["TO"]).config.rules is mw.VARIANTS["TO"]
-
-
-def test_names_of_agents() -> None:
-    config = mw.WorldConfig(n_pursuers=2, n_evaders=3)
-    names = [config.agent_name(agent) for agent in range(5)]
-    assert names == ["pursuer_0", "pursuer_1", "evader_0", "evader_1", "evader_2"]
 
 
 def test_replacing_fields() -> None:
@@ -392,7 +387,7 @@ def test_a_movingai_map(tmp_path: Path) -> None:
     expected[1, :5] = True
     for source in (path, str(path)):
         np.testing.assert_array_equal(mw.read_map(source), expected)
-    path.write_text(MOVING_AI.replace("\n", "\r\n") + "\n\n")
+    path.write_text(MOVING_AI.replace("\n", "\r\n") + "\n\n")  # as Windows ends lines
     np.testing.assert_array_equal(mw.read_map(path), expected)
     world = mw.World("O", obstacles=path, n_pursuers=2, n_evaders=3)
     np.testing.assert_array_equal(world.map, expected)
@@ -427,7 +422,7 @@ def test_penalties_agree_with_the_reported_fault_and_involvement(
     config = config_of(name, obstacles=0.1, rewards=penalties_only(**by_kind, blame=blame))
     world = mw.World(config)
     pursuers = np.arange(config.n_agents)[:, None] < config.n_pursuers
-    tariff = np.where(pursuers, *by_kind.values())
+    tariff = np.where(pursuers, *by_kind.values())  # no two sums of these amounts are equal
     for actions in random_actions(9, config.n_actions, 30, config.n_agents):
         if world.terminated or world.truncated:
             world.reset()

@@ -258,7 +258,7 @@ def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch
         began = time.monotonic()
         monkeypatch.setattr(worker, "LOCK_WAIT", 1.0)
         failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
-        assert 1.0 <= time.monotonic() - began < 20.0
+        assert 1.0 <= time.monotonic() - began < 20.0  # it waited, and not for ever
     assert {*failures} == {held}
     assert isinstance(failures[held], LockedError)
     assert "another process is running there" in str(failures[held])
@@ -266,7 +266,7 @@ def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch
     monkeypatch.undo()
     lock = run.files.lock()
     lock.__enter__()
-    threading.Timer(1.0, lock.__exit__, (None, None, None)).start()
+    threading.Timer(1.0, lock.__exit__, (None, None, None)).start()  # released while the job waits
     evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
     check_equal(tmp_path, straight)
 
@@ -279,6 +279,7 @@ def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
     failures, finished = failures_of(settings, tmp_path / "job", threads=2)
     assert {*failures} == {"bad"}
     assert isinstance(failures["bad"], WorkerDiedError)
+    # Tried again, because another run may have been the cause.
     assert "lost 3" in str(failures["bad"])
     assert finished == ["once", "good"]
     assert (tmp_path / "dead").exists()
@@ -368,6 +369,7 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     for other in (SETTINGS, SETTINGS[:1], [tiny_race(seed=1), tiny_race(seed=2, sigma=0.3)]):
         with pytest.raises(ValueError, match=r"expected the runs in its job\.json, got others: \w"):
             evolve(other, tmp_path)
+    # Not even written again.
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
 
 

@@ -77,6 +77,7 @@ def test_advantages_are_the_sums_of_their_definition(trace: float) -> None:
     draw = rng()
     steps, worlds, agents = 9, 3, 4
     lengths = draw.integers(0, steps + 1, (worlds, agents))
+    # Agents that leave before the end, as after captures.
     acted = np.arange(steps)[:, None, None] < lengths
     rewards = np.where(acted, draw.normal(size=acted.shape), 0).astype(np.float32)
     values = np.zeros((steps + 1, worlds, agents), np.float32)
@@ -100,6 +101,7 @@ def slow_outputs(weights: np.ndarray, n_out: int, views: np.ndarray) -> np.ndarr
 
 def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
     """Compare the gradient of a value with finite differences, at some weights and at the last."""
+    # Each needs two passes, so not all; the last is a bias.
     places = np.append(rng().choice(len(weights), 40, replace=False), len(weights) - 1)
     expected = []
     for place in places:
@@ -115,7 +117,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
     one = ActorCritic(genome, SMOOTH, draw, ActorCriticSettings(clip=clip, entropy=entropy))
     seen = played(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
-    given: list[np.ndarray] = []
+    given: list[np.ndarray] = []  # instead of a step of Adam, which would hide the gradient
     one._actor.ascend = given.append  # type: ignore[method-assign]
     one._improve(seen, weight)
     taken = np.arange(len(seen)), seen.actions
@@ -153,7 +155,7 @@ def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
 
 def test_chunks_do_not_change_the_gradient(monkeypatch: pytest.MonkeyPatch) -> None:
     genomes = []
-    for chunk in (16_384, 7):
+    for chunk in (16_384, 7):  # all in one, and many with a rest
         monkeypatch.setattr(actor_critic, "CHUNK", chunk)
         one = learner(clip=0.2, actor_updates=3)
         one.learn(played(one))
@@ -204,6 +206,7 @@ def test_it_learns_to_catch_in_a_small_world() -> None:
     """Pursuers learn to reach evaders that stand still, to a level that chance does not reach."""
     config = WorldConfig("O", rows=6, cols=6, n_pursuers=2, n_evaders=3, fov=5, max_steps=30)
     one = learner(actor_rate=0.01, critic_rate=0.01, actor_updates=4, clip=0.2)
+    # Seeds that training does not reach.
     test = Matches.of(0, 0, np.arange(10_000, 10_100, dtype=np.uint64))
 
     def captures() -> float:
@@ -279,6 +282,7 @@ def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.Mo
     assert not (tmp_path / "run").exists()
 
 
+# Unknown, without data, and not there.
 @pytest.mark.parametrize("device", ["tpu9", "meta", "cuda:99"])
 def test_a_device_that_is_missing_is_refused_before_anything_is_written(
     torch, device: str, tmp_path: Path

@@ -109,9 +109,9 @@ def test_noise_vectors_are_windows_of_normal_numbers():
     table = noise_table(50, sigma=2.0)
     vectors = np.array(table.draw(400, generator(1)))
     assert vectors.shape == (400, 50)
-    assert abs(vectors.mean()) < 0.1
+    assert abs(vectors.mean()) < 0.1  # windows overlap, so this is far from 20,000 free numbers
     assert abs(vectors.std() - 2.0) < 0.1
-    assert len({vector.tobytes() for vector in vectors}) > 380
+    assert len({vector.tobytes() for vector in vectors}) > 380  # two draws may meet
     again = np.array(noise_table(50, sigma=2.0).draw(400, generator(1)))
     assert np.array_equal(vectors, again)
     with pytest.raises(ValueError, match="read-only"):
@@ -123,7 +123,7 @@ def test_evolution_strategy_samples_mirrored_pairs_on_shared_matches():
     candidates = learner.ask(generator(3))
     assert candidates.shape == (16, SIZE)
     assert candidates.dtype == np.float32
-    assert np.allclose((candidates[:8] + candidates[8:]) / 2, learner.genome, atol=1e-6)
+    assert np.allclose((candidates[:8] + candidates[8:]) / 2, learner.genome, atol=1e-6)  # mirrored
     assert np.std(candidates - learner.genome) == pytest.approx(0.05, rel=0.2)
     assert learner.seed_groups.tolist() == [*range(8), *range(8)]
 
@@ -141,7 +141,7 @@ def test_evolution_strategies_follow_the_published_update():
     learner = strategy()
     first = gradient_of(learner, 0)
     assert np.allclose(learner.genome, 0.05 * np.sign(first), atol=1e-4)  # Adam's first step
-    learner = momentum(momentum=0.5)
+    learner = momentum(momentum=0.5)  # not the default, so that it is seen to count
     first, second = gradient_of(learner, 0), gradient_of(learner, 1)
     expected = 0.01 * first + (0.01 * second + 0.5 * 0.01 * first)
     assert np.allclose(learner.genome, expected, atol=1e-5)
@@ -173,7 +173,7 @@ def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
     class Individual(list):
         fitness = None
 
-    score = ellipsoid(SIZE, 100.0)
+    score = ellipsoid(SIZE, 100.0)  # on a sphere the covariance would stay what it is
     learner, theirs = covariance(), cma.Strategy([0.0] * SIZE, 0.3, lambda_=16)
     for epoch in range(60):
         candidates = learner.ask(generator(epoch))
@@ -190,7 +190,7 @@ def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
         assert np.array_equal(state[name], getattr(theirs, name)), name
     assert np.array_equal(learner.genome, theirs.centroid.astype(np.float32))
     assert state["update_count"] == 60
-    assert theirs.sigma != pytest.approx(0.3, rel=0.1)
+    assert theirs.sigma != pytest.approx(0.3, rel=0.1)  # it went somewhere at all
 
 
 def test_cma_does_not_depend_on_the_threads_of_the_linear_algebra():
@@ -219,6 +219,7 @@ def test_cma_says_when_numbers_leave_the_range_of_floats():
 
 
 @pytest.mark.parametrize("make", LEARNERS)
+# Too few, not finite, an axis too many.
 @pytest.mark.parametrize("fitness", [np.zeros(3), np.full(16, np.nan), np.zeros((16, 1))])
 def test_bad_fitness_is_refused(make, fitness):
     learner = make()
@@ -282,9 +283,10 @@ def test_learners_work_with_deap_algorithms(make):
 def test_tournament_prefers_the_fitter():
     fitness = np.arange(10.0)
     chosen = select_tournament(fitness, 20_000, generator(), size=3)
+    # Absent from three draws otherwise.
     assert np.mean(chosen == 9) == pytest.approx(1 - 0.9**3, abs=0.02)
     at_random = select_tournament(fitness, 20_000, generator(), size=1)
-    assert np.bincount(at_random).min() > 1700
+    assert np.bincount(at_random).min() > 1700  # of 2000 expected, with a deviation of 42
 
 
 def test_truncation_takes_from_the_best_only():
@@ -300,7 +302,7 @@ def test_mating_mixes_the_given_share():
     assert mate_uniform(children, population, mates, generator(), probability=0.25) is children
     assert (population == before).all()
     mixed = children.any(axis=1)
-    assert mixed.mean() == pytest.approx(0.25, abs=0.04)
+    assert mixed.mean() == pytest.approx(0.25, abs=0.04)  # 4 standard deviations of 2000 children
     assert (children[mixed] != 0).mean() == pytest.approx(0.5, abs=0.03)
     assert ((children == 0) | (children == population[mates])).all()
 
@@ -319,6 +321,7 @@ def learner_of(population, elites=2):
 
 def test_elites_are_kept_and_an_operator_may_return_a_new_array():
     learner = learner_of(generator(5).normal(size=(8, 5)), elites=3)
+    # All offspring become 0, so what is left is elite.
     learner.toolbox.register("mutate", lambda genomes, rng: genomes * np.float32(0))
     first = learner.ask(generator())
     fitness = first.sum(axis=1)

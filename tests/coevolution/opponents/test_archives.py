@@ -51,6 +51,7 @@ def kept(archive):
 
 
 @st.composite
+# Few levels, so that equal and dominated rows are common.
 def histories(draw, levels=(0, 1), most=9):
     """Payoffs of candidates on tests, and both in batches, in the order of submission."""
     n, m = draw(st.integers(1, most)), draw(st.integers(1, most))
@@ -264,7 +265,7 @@ def test_an_archived_genome_never_changes(make):
     genomes = np.array([[0.3], [0.9], [0.2], [0.5], [0.8]], dtype=np.float32)
     archive = make()
     if isinstance(archive, Generalist):
-        archive = Generalist(genomes[:2], sample_size=2)
+        archive = Generalist(genomes[:2], sample_size=2)  # it has its members from the start
     archive.submit(genomes[:2], genomes[2:], lambda own, tests: 1.0 * (own > tests.T))
     before = archive.state()
     assert len(archive.candidates)
@@ -292,7 +293,7 @@ def test_a_known_payoff_is_not_computed_again(make):
         archive.submit(candidates, tests, payoff)
         rows, columns = archive.candidates.astype(int), archive.tests.astype(int)
         assert np.array_equal(archive.payoffs, payoffs[np.ix_(rows, columns)])
-    assert counts.max() == 1
+    assert counts.max() == 1  # each is a match that has to be played
 
 
 def test_payoffs_of_another_shape_are_refused():

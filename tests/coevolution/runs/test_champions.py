@@ -64,11 +64,12 @@ def test_a_genome_is_kept_unless_it_is_worse_against_all_archived_opponents(tmp_
         archived = race.archive[team][generation]
         kept.append(bool(new >= old))
         assert np.array_equal(archived, genome if new >= old else previous)
-    assert set(kept) == {True, False}
+    assert set(kept) == {True, False}  # both decisions were seen
     assert len(kept) == 6
 
 
 def test_a_discarded_generation_leaves_the_learner_as_before(tmp_path, monkeypatch):
+    # No new genome is ever good enough.
     monkeypatch.setattr(TrainingMatches, "keeps", lambda *_: False)
     retention = {"retention_episodes": 1, "match_episodes": 2}
     for number, learner in enumerate((LONGER, ELITE)):

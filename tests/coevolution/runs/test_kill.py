@@ -16,12 +16,13 @@ import killed
 from killed import RUNS, SHORT_RUNS, Events, process, run_until_killed, start_or_resume, watched
 from matrixworld import coevolution
 from matrixworld.coevolution import LockedError, open_run
+from slow import quickly
 from tiny_race import directory_in_memory, results
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals and forks")
 
 DEATHS = -signal.SIGKILL
-KILLS = 16
+KILLS = 16  # of each kind of run
 
 
 @cache
@@ -41,14 +42,6 @@ def seconds_of(kind, directory):
     return time.monotonic() - began
 
 
-def quickly(quick, kinds):
-    """Return the parameter `kind`, of which one is tested quickly; the others take long."""
-    return pytest.mark.parametrize(
-        "kind",
-        [pytest.param(kind, marks=() if kind == quick else pytest.mark.slow) for kind in kinds],
-    )
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", RUNS)
 def test_killed_at_random(kind, tmp_path):
@@ -56,6 +49,7 @@ def test_killed_at_random(kind, tmp_path):
 
     The waits grow, so that a process finishes a stage even if the machine has become busy.
     """
+    # Of two, because the first may wait for a busy machine.
     lasts = min(seconds_of(kind, tmp_path / f"alone{i}") for i in range(2))
     waits = random.Random(kind)
     kills, runs = 0, 0
@@ -69,7 +63,7 @@ def test_killed_at_random(kind, tmp_path):
             child.join()
             died = child.exitcode == DEATHS
             assert died or child.exitcode == 0
-            kills += died
+            kills += died  # a run that ended before its kill counts for nothing
         assert results(directory) == straight(kind)
         runs += 1
 
@@ -82,7 +76,7 @@ def check_readable(directory):
         files.log()
 
 
-@quickly("short single", SHORT_RUNS)
+@quickly("kind", SHORT_RUNS, lambda kind: kind == "short single")
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     """Each event is tried, so that none depends on being hit at random."""
     for at in count():
@@ -99,12 +93,12 @@ def test_killed_at_every_write_and_every_match(kind, tmp_path):
     assert at > 25
 
 
-@quickly("single", RUNS)
+@quickly("kind", RUNS, lambda kind: kind == "single")
 def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
     """Each process gets at most one event further than the one before: one run, killed often."""
     directory = tmp_path / "run"
     deaths = 0
-    for at in range(200):
+    for at in range(200):  # more than there are events: it ends at the break
         child = process(run_until_killed, kind, directory, at)
         child.join()
         if child.exitcode == 0:

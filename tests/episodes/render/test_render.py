@@ -80,8 +80,8 @@ def test_each_agent_has_its_colour_at_the_centre_of_its_cell() -> None:
 def test_any_grid_is_drawn_at_a_fitting_size(grid: tuple[int, int]) -> None:
     drawn = of([[0, 0], [grid[0] - 1, grid[1] - 1]], 1, grid)
     picture = rgb(drawn)
-    assert max(picture.shape[:2]) <= 1100
-    assert picture.shape[0] % 2 == picture.shape[1] % 2 == 0
+    assert max(picture.shape[:2]) <= 1100  # fits a screen
+    assert picture.shape[0] % 2 == picture.shape[1] % 2 == 0  # films need even sizes
     assert pixel(picture, drawn, 0, 0) == ImageColor.getrgb(colors.PURSUER)
     assert pixel(picture, drawn, grid[0] - 1, grid[1] - 1) == ImageColor.getrgb(colors.EVADER)
 
@@ -95,7 +95,7 @@ def test_the_teams_differ_in_shape_as_well() -> None:
     pursuer = np.asarray(shape("triangle", 40)) > 127
     evader = np.asarray(shape("disc", 40)) > 127
     assert pursuer[:10].sum() < 0.4 * pursuer[-15:-5].sum()  # narrow above, wide below
-    assert evader[:10].sum() == evader[-10:].sum()
+    assert evader[:10].sum() == evader[-10:].sum()  # a disc is the same above and below
 
 
 def test_a_title_does_not_change_the_size_and_is_cut_to_fit() -> None:
@@ -150,7 +150,7 @@ def test_the_colours_of_teams_and_marks_differ_for_colour_blind_readers() -> Non
     names = (colors.CAPTURE, colors.COLLISION)
     grey = {name: ImageColor.getcolor(name, "L") for name in (*colors.TEAMS, *names)}
     for mark in names:
-        assert all(abs(grey[mark] - grey[team]) > 30 for team in colors.TEAMS)
+        assert all(abs(grey[mark] - grey[team]) > 30 for team in colors.TEAMS)  # of 255
 
 
 def test_trails_of_two_teams_on_the_same_cells_are_both_seen() -> None:
@@ -164,6 +164,7 @@ def test_trails_of_two_teams_on_the_same_cells_are_both_seen() -> None:
 
 def test_both_teams_on_one_cell_are_both_seen() -> None:
     alone, shared = scene(), scene(positions=np.array([[0, 0], [1, 4], [1, 4], [3, 0], [-1, -1]]))
+    # Of two, one is shared, and it is not hidden.
     assert count(rgb(shared), colors.PURSUER) > 1.5 * count(rgb(alone), colors.PURSUER) / 2
     assert count(rgb(shared), colors.EVADER) > 1.2 * count(rgb(alone), colors.EVADER) / 2
 
@@ -221,6 +222,7 @@ def test_the_field_of_view_is_cut_to_the_grid() -> None:
     left, top, _, _ = Layout.of((4, 6)).field
     cell = Layout.of((4, 6)).cell
     inside = np.zeros_like(changed)
+    # 3 x 3 cells around (0, 0), of which 2 x 2 are on the grid.
     inside[top : top + 2 * cell, left : left + 2 * cell] = True
     assert changed.any()
     assert not (changed & ~inside).any()

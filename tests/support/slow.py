@@ -1,0 +1,20 @@
+"""Cases of which a plain call of pytest tries some, and `--slow` all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import pytest
+
+
+def quickly(
+    parameter: str,
+    cases: Iterable[Any],
+    is_quick: Callable[[Any], bool],
+    name: Callable[[Any], str] = str,
+) -> Any:
+    """Parametrize a test by cases; those that are not quick are marked as slow."""
+    slow = pytest.mark.slow
+    marked = [pytest.param(x, id=name(x), marks=() if is_quick(x) else slow) for x in cases]
+    return pytest.mark.parametrize(parameter, marked)
