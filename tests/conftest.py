@@ -19,7 +19,7 @@ from tiny_race import tiny_race
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
-    "ci",
+    "ci",  # derandomized: the same examples in every run
     derandomize=True,
     database=None,
     deadline=None,

@@ -27,7 +27,7 @@ def test_a_result_has_a_text_of_one_line(name):
     text = repr(RESULTS[name]())
     assert text.startswith(f"{name}(")
     assert "\n" not in text
-    assert len(text) <= 600
+    assert len(text) <= 600  # a few lines of a notebook; arrays would have thousands
 
 
 def test_a_run_says_what_it_is(tmp_path):

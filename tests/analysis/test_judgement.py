@@ -175,7 +175,7 @@ def test_a_bound_of_the_noise_hides_no_cycle() -> None:
 
 def test_a_wave_in_the_first_half_is_reported() -> None:
     chance = STEADY.copy()
-    chance[:15, :15] = circular(15)
+    chance[:15, :15] = circular(15)  # the pairs of the first half only
     judgement = of_scores(played(chance, 20, evaders=30))
     assert judgement.window == "last half"
     assert verdicts(judgement)["cycling"] == ABSENT
@@ -187,12 +187,13 @@ def test_a_wave_in_the_first_half_is_reported() -> None:
 def test_short_races_have_one_window_or_none() -> None:
     assert judge(logistic(8), episodes=10).window == "whole"
     assert judge(logistic(12), episodes=10).window == "last half"
-    short = judge(logistic(5), episodes=10)
+    short = judge(logistic(5), episodes=10)  # one generation too few
     assert set(verdicts(short).values()) == {CANNOT_TELL}
     assert short.headline["arms race"].estimates == {}
     assert "at least 6 generations" in short.headline["cycling"].reason
 
 
+# 6 is the fewest that can be judged.
 @pytest.mark.parametrize("shape", [(40, 12), (12, 40), (31, 6)])
 def test_sides_of_different_length(shape: tuple[int, int]) -> None:
     rows, columns = (np.arange(size) for size in shape)

@@ -235,15 +235,15 @@ WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
     [
         (np.empty((0, 2)), ()),
         ([OPEN] * 5, ()),
-        ([WON] * 2, ()),
+        ([WON] * 2, ()),  # one generation short of a stretch
         ([WON] * 3, (Disengagement("pursuers", 1, 3),)),
         ([LOST] * 3 + [OPEN], (Disengagement("evaders", 1, 3),)),
         ([OPEN, *[LOST] * 4], (Disengagement("evaders", 2, 5),)),
         ([WON, WON, OPEN, WON, WON], ()),
         ([HALF_WON] * 9, ()),
         ([WON, WON, LOST, LOST], ()),
-        ([(0.99, 0.01)] * 6, ()),
-        ([(0.97, 0.97)] * 6, ()),
+        ([(0.99, 0.01)] * 6, ()),  # each team wins while it learns: a swing, not an end
+        ([(0.97, 0.97)] * 6, ()),  # at the limit, not above it
         ([(0.03, 0.03)] * 6, ()),
         ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
     ],

@@ -37,6 +37,7 @@ def test_csv_files(tmp_path: Path, text: str) -> None:
 
 
 def test_csv_files_of_runs_and_episodes(tmp_path: Path) -> None:
+    # Quarters: written as text and read without rounding.
     scores = np.random.default_rng(0).integers(0, 5, (2, 3, 4, 5)) / 4
     lines = ["run,pursuer,evader,episode,capture_rate"]
     lines += [",".join(map(str, key)) + f",{rate}" for key, rate in np.ndenumerate(scores)]
@@ -44,6 +45,7 @@ def test_csv_files_of_runs_and_episodes(tmp_path: Path) -> None:
     payoffs = analysis.read_payoffs(path)
     np.testing.assert_array_equal(payoffs.scores, scores)
     np.testing.assert_allclose(payoffs.matrices, scores.mean(axis=3))
+    # The header and run 0.
     without_run = [line.split(",", 1)[1] for line in lines if line[0] in "r0"]
     single = analysis.read_payoffs(written(tmp_path, "\n".join(without_run)))
     np.testing.assert_array_equal(single.scores, scores[:1])

@@ -156,6 +156,7 @@ def test_a_malformed_value_is_a_value_or_type_error(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     name = call.func.__qualname__
+    # None: as if it were not given.
     others = {key: value for key, value in call.keywords.items() if value is not None}
     for what, wrong in MALFORMED.items():
         if (name, parameter, what) in ACCEPTED:
@@ -164,6 +165,7 @@ def test_a_malformed_value_is_a_value_or_type_error(
             call.func(**{**others, parameter: wrong})
         if f"{name}({parameter})" not in ELSEWHERE and what not in UNREADABLE:
             assert "expected" in str(caught.value), what
+        # `start` and `save` write files if they are not refused.
         assert list(tmp_path.iterdir()) == [], what
 
 

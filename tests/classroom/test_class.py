@@ -52,7 +52,8 @@ HOSTILE = (
     "deep source",
 )  # fmt: skip
 """Attacks in a class; each attack is tried alone, too."""
-ENTRIES = {"program": 14, "genome": 4}
+ENTRIES = {"program": 14, "genome": 4}  # with the hostile files more than fifty submissions
+# As small as honest programs allow: hostile ones use all.
 LIMITS = Limits(seconds=1, wait=2.0, memory=128)
 
 
@@ -99,7 +100,7 @@ def test_fifty_submissions_are_ranked_or_refused_and_leave_nothing(played: Tourn
     one, other = ({entry.name for entry in entries[team]} for team in TEAMS)
     assert {"student 02", "student 03"} <= one & other
     assert played.seconds < 180.0  # about 15 on an idle machine
-    assert {path.name for path in played.directory.iterdir()} == played.files
+    assert {path.name for path in played.directory.iterdir()} == played.files  # nothing was written
     assert processes_of_programs() == []
 
 
@@ -134,7 +135,7 @@ def test_equal_results_with_any_threads_and_any_company(tmp_path: Path) -> None:
     assert all(
         np.array_equal(one.recordings[pair], other.recordings[pair]) for pair in one.recordings
     )
-    different = small(tmp_path, seed=4)
+    different = small(tmp_path, seed=4)  # else equal results would show nothing
     assert not np.array_equal(one.capture_rates, different.capture_rates)
     # A student who comes later changes no result of the others.
     write_programs(tmp_path, {"another": HARMLESS_ATTACKS["catches"]})
@@ -152,7 +153,7 @@ def test_a_program_that_fails_in_the_tournament_is_left_out(tmp_path: Path) -> N
         "    assert memory['calls'] <= 10, memory\n"
         "    return 0\n"
     )
-    late += "    return [0][calls > 30]\n"
+    late += "    return [0][calls > 30]\n"  # after more calls than the trial of an entry makes
     write_programs(tmp_path, honest_programs(2) | {"late": late, "counts": counts})
     result = small(tmp_path, episodes=3)
     students = [entry.name for entry in result.entries["pursuer"] if entry.file]
@@ -163,6 +164,7 @@ def test_a_program_that_fails_in_the_tournament_is_left_out(tmp_path: Path) -> N
 
 
 def test_a_program_that_takes_too_long_in_all_is_left_out(tmp_path: Path) -> None:
+    # 5 ms an answer: legal in a match, too much in all.
     busy = "import time\ndef pursue(view, rng):\n    end = time.process_time() + 0.005\n"
     busy += "    while time.process_time() < end: pass\n    return 0\n"
     write_programs(tmp_path, honest_programs(1) | {"busy": busy})
@@ -260,6 +262,7 @@ def test_directories_of_students(tmp_path: Path) -> None:
 def test_submissions_with_names_of_modules_are_not_imported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    # What Python or the package imports later.
     names = ("random", "numpy", "json", "matrixworld", "jinja2", "scipy", "sitecustomize")
     mark = tmp_path / "mark"
     text = f"try:\n    open({str(mark)!r}, 'w')\nexcept OSError:\n    pass\n" + ACTS + "return 0\n"
@@ -310,7 +313,7 @@ def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
             "endless": "while True: pass",
             "writes": f"open({str(mark)!r}, 'w').write('x' * 100)",
             "forks": "import os\nif os.fork() == 0:\n    while True: pass\nraise OSError",
-            "memory": "x = bytearray(1 << 40)",
+            "memory": "x = bytearray(1 << 40)",  # a terabyte
             "kills": "import os\nos.kill(os.getppid(), 9)\nwhile True: pass",
         },
     )
@@ -419,7 +422,7 @@ def test_a_program_that_breaks_a_rule_is_refused(
     entries, [refusal] = admitted(pool, text)
     assert entries == []
     assert re.search(reason, refusal.reason), refusal.reason
-    assert len(refusal.reason) < 400
+    assert len(refusal.reason) < 400  # a program may raise an error of any length
     assert time.monotonic() - began < 20.0
     assert [path.name for path in tmp_path.iterdir()] == ["student 00.py"]
     assert processes_of_programs() == before

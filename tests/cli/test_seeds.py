@@ -30,7 +30,7 @@ ALONE = {name: value for name, value in WORLD.items() if name != "seed"}
         ("0,3,5-7", (0, 3, 5, 6, 7)),
         ("9,1", (9, 1)),
         ("9223372036854775807", (2**63 - 1,)),
-        ("0-99999", tuple(range(100_000))),
+        ("0-99999", tuple(range(100_000))),  # as many as are allowed
     ],
 )
 def test_seeds_that_a_text_names(text, seeds):
@@ -122,7 +122,7 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     assert {path.name for path in Path("out").iterdir()} == {MAIN_JOB[0], "job.json", ".lock"}
 
     process = process_of("--resume", "out")
-    later = Path("out").glob
+    later = Path("out").glob  # a fast machine may end before the kill, which is no failure
     wait_until(lambda: [*later("*/*/stage-0005.npz")] or process.poll() is not None, "a stage")
     process.kill()
     process.communicate()

@@ -94,7 +94,7 @@ def test_a_tournament_in_blocks_is_the_one_of_this_process(dask: DaskCluster) ->
     with cluster(dask.address) as executor:
         # So little time that each of the 25 pairs is a block.
         found = play(executor=executor, block_seconds=1e-9, on_row=rows.append)
-    assert len(rows) == 25
+    assert len(rows) == 25  # told after each block
     for name, array in play().arrays().items():
         np.testing.assert_array_equal(found.arrays()[name], array)
 
@@ -116,7 +116,7 @@ def test_work_goes_on_when_all_workers_were_lost_and_another_joins(dask: DaskClu
     told: list[str] = []
     with cluster(dask.address, tell=told.append) as executor:
         asked = [executor.submit(time.sleep, 0.5) for _ in range(3)]
-        wait_until(asked[0].running, "begin of the work")
+        wait_until(asked[0].running, "begin of the work")  # so that the kill loses work
         dask.kill(only)
         wait_until(lambda: len(told) == 1, "sentence for the user")
         assert not asked[-1].done()
@@ -180,7 +180,7 @@ def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
 
 
 def test_a_scheduler_that_does_not_answer_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "CONNECT_SECONDS", 1)
+    monkeypatch.setattr(module, "CONNECT_SECONDS", 1)  # many seconds otherwise
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         answer = pytest.raises(

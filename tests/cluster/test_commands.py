@@ -114,6 +114,7 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         wait_until(lambda: len(list(out.glob("*/*/stage-0001.npz"))) >= 1, "a race")
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does it: to all processes
         _, told = process.communicate(timeout=60)
+        # The workers of the cluster, too.
         wait_until(lambda: not group_lives(process.pid), "end of all processes")
     finally:
         kill_group(process.pid)

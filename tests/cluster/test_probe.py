@@ -51,6 +51,7 @@ def test_the_fingerprint_changes_with_what_the_engine_does(monkeypatch: pytest.M
     before = probe.engine_fingerprint()
 
     def crowded(variant: str, **options: object) -> mw.WorldConfig:
+        # As if the engine drew other obstacles.
         return mw.WorldConfig(variant, **{**options, "obstacles": 0.2})
 
     monkeypatch.setattr(probe, "WorldConfig", crowded)

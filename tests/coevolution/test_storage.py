@@ -46,7 +46,7 @@ def row(epoch):
 def archive(generations):
     """One genome of five genes per generation, all equal to the generation."""
     genomes = np.repeat(np.arange(generations, dtype=np.float32)[:, None], 5, axis=1)
-    return {"pursuer": genomes, "evader": -genomes}
+    return {"pursuer": genomes, "evader": -genomes}  # told apart by their signs
 
 
 def save(files_of_run, stage):
@@ -101,7 +101,7 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage
         restored = reopened.restore()
     assert restored.state["state"].tolist() == [1]
     assert len(restored.archive["evader"]) == 2
-    save(reopened, 2)
+    save(reopened, 2)  # played again
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert len(RunDirectory.open(run.path).restore().stages) == 3
@@ -117,7 +117,7 @@ def test_a_stage_costs_the_same_in_every_generation(tmp_path):
     """A stage writes two files of the same size, removes one, and touches no other."""
     run = new_run(tmp_path / "run")
     sizes = []
-    for stage in range(1, 60):
+    for stage in range(1, 60):  # enough for a cost that grows to show
         before = {path: path.stat() for path in run.path.iterdir()}
         save(run, stage)
         after = {path: path.stat() for path in run.path.iterdir()}

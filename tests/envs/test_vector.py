@@ -57,7 +57,7 @@ def test_its_arrays_are_those_of_a_batch(name: str, mode: AutoresetMode) -> None
         if mode is AutoresetMode.DISABLED and written["ended"].any():
             env.reset(options={"reset_mask": written["ended"]})
             batch.reset(mask=written["ended"])
-    assert written["episode"].all()
+    assert written["episode"].all()  # each world began anew at least once
 
 
 # ---- Arrays ------------------------------------------------------------------------------------
@@ -135,7 +135,7 @@ def test_views_for_networks(dtype: Any, flatten: bool) -> None:
     plain = make(autoreset_mode="SameStep")
     env.reset(seed=2)
     plain.reset(seed=2)
-    shape = (4, 7, 75) if flatten else (4, 7, 3, 5, 5)
+    shape = (4, 7, 75) if flatten else (4, 7, 3, 5, 5)  # 3 x 5 x 5
     for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
         seen, *_, infos = env.step(actions)
         assert (seen.shape, seen.dtype) == (shape, np.dtype(dtype))
@@ -232,7 +232,7 @@ def test_generators_are_those_of_the_seeds() -> None:
 
 def test_a_first_reset_of_some_worlds() -> None:
     """The other worlds have random seeds, too."""
-    seeds = [make() for _ in range(2)]
+    seeds = [make() for _ in range(2)]  # two, whose seeds would be equal if they were fixed
     for env in seeds:
         env.reset(options={"reset_mask": np.array([True, False, False, False])})
         assert not env.infos["episode_number"].any()

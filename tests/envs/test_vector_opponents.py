@@ -118,7 +118,7 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     envs.opponents = [*envs.opponents, lambda seen: np.ones(len(seen), int)]
     assert len(envs.opponents) == 2
     begun = np.zeros(40, bool)
-    for _ in range(4):
+    for _ in range(4):  # of five steps
         *_, infos = envs.step(np.zeros((40, 3), int))
         assert (infos["opponent"] == first).all()
         assert not begun.any()

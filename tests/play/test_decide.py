@@ -89,7 +89,7 @@ def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
         random_team(config, 2, sampled=False),
         "random",
     ]
-    n_worlds = 50
+    n_worlds = 50  # ten for each of the league
     place = np.random.default_rng(0).integers(len(league), size=n_worlds)
     batches = [mw.Batch(n_worlds, config, threads=threads) for threads in (1, 3)]
     for batch in batches:
@@ -101,12 +101,13 @@ def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
             if league[place[world]] is not None:
                 batches[0].world(world).decide(league[place[world]], agents, row)
         for batch in batches:
+            # No legal action: what is not written stays visible.
             actions = np.full_like(expected, 7)
             batch.decide(league, place, agents, actions)
             assert np.array_equal(actions, expected)
             assert (actions[:, : config.n_pursuers] == 7).all()
             batch.step(actions % 5)
-    assert (expected == 7).all()
+    assert (expected == 7).all()  # nobody decides in an episode that has ended
 
 
 def test_a_refused_decision_writes_nothing() -> None:

@@ -18,7 +18,7 @@ ONE_CALL = "Batch or VectorEnv: expected one call at a time, got a second one"
 
 def busy_batch() -> mw.Batch:
     """A batch whose steps take some milliseconds, nearly all of them without the GIL."""
-    views = np.zeros((40, 38, 3, 61, 61), np.uint8)
+    views = np.zeros((40, 38, 3, 61, 61), np.uint8)  # large views take most of the time of a step
     return mw.Batch(40, fov=61, threads=1, buffers={"views": views})
 
 
@@ -123,7 +123,7 @@ actions = np.random.default_rng(0).integers(0, 5, (300, 38))
 for _ in range(3):
     np.testing.assert_array_equal(env.step(actions)[0], other.step(actions)[0])
 """)
-    assert int(output) > 0
+    assert int(output) > 0  # the threads did meet each other
 
 
 def test_many_threads_use_one_world() -> None:

@@ -375,7 +375,7 @@ def test_bands_show_means_and_intervals_over_seeds() -> None:
 
 
 def test_single_seeds_are_thin_lines_if_there_are_few() -> None:
-    few = plots.seed_bands({"few": MATRICES[:10]})
+    few = plots.seed_bands({"few": MATRICES[:10]})  # the most that are drawn one by one
     many = plots.seed_bands({"many": MATRICES})
     assert len(few.axes[1].lines) == 2 + 2 * 10
     assert len(many.axes[1].lines) == 2
@@ -551,8 +551,9 @@ def test_a_figure_for_a_column_has_type_that_can_be_read(name: str, tmp_path: Pa
         with Image.open(plots.save_figure(figure, tmp_path / "x.png")) as image:
             assert image.width == pytest.approx(3.35 * DPI, abs=1)
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
+    # Points; smaller type cannot be read on paper.
     assert min(text.get_fontsize() for text in texts) >= 6.0
-    edge = figure.bbox.padded(2)
+    edge = figure.bbox.padded(2)  # antialiasing may reach a pixel further
     names = [axis.label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
     names += [axes.title for axes in figure.axes] + [figure._suptitle or Text()]
     shown = [name for name in names if name.get_text()]

@@ -123,7 +123,7 @@ def run(command: str, root: Path) -> None:
 
 
 RECIPES = read_recipes()
-MOST_FILES_OF_AN_OUTPUT = 3
+MOST_FILES_OF_AN_OUTPUT = 3  # with more, there would be a table too many
 
 
 def test_every_kind_of_extension_has_a_recipe() -> None:

@@ -136,7 +136,7 @@ def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
         f"{file.name} is out of date: run python docs/make_pages.py"
     )
     with Image.open(file.with_suffix(".png")) as picture:
-        assert picture.size == (504, 410)
+        assert picture.size == (504, 410)  # of one size, so that the pages look alike
     games = (DOCS / "README.md").read_text(encoding="utf-8")
     assert f"](variants/{file.name})" in games, "docs/README.md, The nine games: add a row"
 

@@ -26,6 +26,7 @@ CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(["killed"])
 
 HALL = {"schedule": "hall-of-fame", "contemporaries": 1, "hall_sample": 1}
+# As many stages as epochs, so as many writes.
 SINGLE = {"team": "evader", "learner": "ga", "archive_every": 1}
 RUNS: dict[str, Any] = {
     "race": tiny_race(),

@@ -111,11 +111,12 @@ def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
         cells,
         pick(st.integers(1, n_agents - 1)),
         n_agents,
+        # At most half of the free cells, so that there is room to move.
         pick(st.integers(0, (len(cells) - n_agents) // 2)),
         pick(st.lists(step, min_size=1, max_size=MAX_STEPS)),
         diagonal=diagonal,
         fov=pick(st.sampled_from([1, 3, 5])),
-        max_steps=pick(st.sampled_from([2, 500])),
+        max_steps=pick(st.sampled_from([2, 500])),  # ended by time, or by captures only
         rewards=replace(UNITS, capture_repeats=pick(st.booleans())),
     )
 
@@ -123,7 +124,7 @@ def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
 def random_scene(fields: dict[str, Any], rng: np.random.Generator) -> Scene:
     """Return a scene of given rules that is often nearly full, without Hypothesis."""
     rows, cols = (int(side) for side in rng.integers(1, 5, size=2))
-    rows += rows * cols == 1
+    rows += rows * cols == 1  # two agents need two cells
     n_cells = rows * cols
     cells = [(int(k) // cols, int(k) % cols) for k in rng.permutation(n_cells)]
     n_agents = int(rng.integers(2, 1 + min(MAX_AGENTS, n_cells)))

@@ -34,7 +34,7 @@ def all_occupied(cells: list, targets: list) -> set[int]:
 def careless(cells: list, targets: list) -> list[int]:
     """Change the arguments."""
     found = sorted(conflicts(cells, targets))
-    cells.clear()
+    cells.clear()  # the caller still needs them
     return found
 
 

@@ -27,7 +27,7 @@ TINY: dict[str, Any] = {
     "n_pursuers": 2,
     "n_evaders": 3,
     "fov": 3,
-    "max_steps": 12,
+    "max_steps": 12,  # longer than training, which ends after 8
     "hidden": (4,),
     "population": 4,
     "train_steps": 8,
@@ -109,7 +109,7 @@ def results(directory: Path) -> dict[str, bytes]:
 def directory_in_memory() -> Iterator[Path]:
     """Yield a temporary directory, in memory if possible, where syncing costs nothing."""
     memory = Path("/dev/shm")
-    usable = memory.is_dir() and os.access(memory, os.W_OK)
+    usable = memory.is_dir() and os.access(memory, os.W_OK)  # Linux only
     with tempfile.TemporaryDirectory(dir=memory if usable else None) as directory:
         yield Path(directory)
 

@@ -384,6 +384,7 @@ def test_masks_rule_collisions_out(runs: dict[str, np.ndarray]) -> None:
     from_the_start, _ = shares(runs, "mask")
     afterwards, _ = shares(runs, "late_mask")
     assert from_the_start.min() > 0.9
+    # A mask on what has learned without it costs captures.
     assert afterwards.mean() < from_the_start.mean() - 0.1
 
 
@@ -445,7 +446,7 @@ def test_without_a_mask_it_plays_like_a_rollout() -> None:
     assert abs(masked.steps.mean() - played.length.mean()) < 2
     assert abs(masked.captured.mean() - played.capture_rate.mean()) < 0.05
     assert masked.safety.episodes == 400
-    assert masked.steps.max() <= WORLD.max_steps
+    assert masked.steps.max() <= WORLD.max_steps  # it keeps the time limit itself
 
 
 def test_a_forbidden_action_is_never_chosen() -> None:

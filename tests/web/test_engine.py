@@ -159,6 +159,7 @@ def test_a_match_equals_the_recorded_one(run_command: Commands, name: str) -> No
     config = config_of(row, max_steps=60, **changes)
     pursuers, evaders = team(config, hidden, 1, **more), team(config, hidden, 2, **more)
     wanted = mw.record(config, pursuers, evaders, seed=BIG_SEED, episode=3)
+    # Forwards, backwards, and twice the same.
     seek = [wanted.length, 0, wanted.length // 2, wanted.length]
     got = run_command(
         do="match", **asked(config, pursuers, evaders, BIG_SEED, episode=3, seek=seek)
@@ -283,7 +284,7 @@ def test_a_snapshot_goes_on_in_another_world(run_command: Commands) -> None:
     for told in world:
         assert {name: told[name] for name in READ} == wanted
         assert told["turn"] == original.turn
-    assert twin[0] == twin[1]
+    assert twin[0] == twin[1]  # the two ways of going on agree
     assert twin[0] != world[0]
 
 

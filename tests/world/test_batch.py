@@ -215,6 +215,7 @@ def test_the_arrays_are_those_of_the_caller() -> None:
     before = {name: array.copy() for name, array in kept.items()}
     assert batch.step(np.full((3, config.n_agents), mw.Action.EAST)) is buffers
     assert all(batch.buffers[name] is array for name, array in kept.items())
+    # A step wrote into them.
     changed = {name for name in kept if not np.array_equal(kept[name], before[name])}
     assert {"positions", "rewards", "steps", "views", "state", "involved", "fault"} <= changed
 
@@ -265,7 +266,7 @@ def test_a_batch_keeps_its_arrays_alive() -> None:
     config = config_of("O")
     batch = mw.Batch(2, config)
     rewards = weakref.ref(batch.buffers["rewards"])
-    batch.buffers.clear()
+    batch.buffers.clear()  # the only names of the arrays
     batch.step(np.zeros((2, config.n_agents), np.uint8))
     array = rewards()
     assert array is not None
@@ -277,7 +278,7 @@ def test_small_integers_of_numpy_are_integers() -> None:
     small, match = np.int8, mw.Matches.of(0, 0, 0)
     batch = mw.Batch(small(2), rows=small(9), max_steps=small(99), threads=small(1))
     assert batch.reset(small(3), episode=small(4))["seed"].tolist() == [3, 4]
-    for number in (small(2), np.int64(2), np.uint8(2)):
+    for number in (small(2), np.int64(2), np.uint8(2)):  # what NumPy hands out as a size
         assert mw.rollout(
             "O", "still", "still", match, episodes=number, threads=number
         ).length.shape == (1, 2)

@@ -28,7 +28,7 @@ def assert_agrees(world: mw.World, network: mw.Network, seed: int) -> None:
     expected = network.logits(genome, world.views()[world.alive])
     found = logits_of(world, network, genome)
     assert found.dtype == np.float32
-    scale = max(1.0, float(np.abs(expected).max()))
+    scale = max(1.0, float(np.abs(expected).max()))  # float32: the error grows with the numbers
     np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-5 * scale)
 
 
@@ -41,12 +41,13 @@ def test_shapes(hidden: tuple[int, ...], activation: str) -> None:
         assert_agrees(world, network, number)
 
 
+# Up to views much larger than the grid.
 @pytest.mark.parametrize("fov", [1, 3, 5, 7, 9, 11, 13, 15, 55, 57, 61])
 @pytest.mark.parametrize("shape", [(7, 6), (1, 40), (33, 2), (20, 24)])
 def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
     """Wherever an agent stands, it sees the border that belongs to that place."""
     rows, cols = shape
-    n_evaders = rows * cols // 3
+    n_evaders = rows * cols // 3  # the grid is full: somebody stands on each cell
     n_pursuers = rows * cols - n_evaders
     world = mw.World(rows=rows, cols=cols, n_pursuers=n_pursuers, n_evaders=n_evaders, fov=fov)
     assert_agrees(world, mw.Network.for_config(world.config, (9,)), fov)
@@ -127,7 +128,7 @@ def softmax(logits: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("activation", ["relu", "tanh"])
 def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> None:
-    steps = 4000
+    steps = 4000  # so many that a wrong share of some percent shows
     config = sealed(steps, diagonal=diagonal)
     network = mw.Network.for_config(config, (8,), activation=activation)
     genome = random_genome(network, 5, scale=0.6)
@@ -150,7 +151,7 @@ def test_draws_are_independent_of_each_other() -> None:
     pairs = [(actions[:, a], actions[:, b]) for a in range(4) for b in range(a)]
     pairs += [(actions[:-1, a], actions[1:, a]) for a in range(4)]
     for one, other in pairs:
-        table = np.zeros((5, 5))
+        table = np.zeros((5, 5))  # how often each pair of actions was drawn
         np.add.at(table, (one, other), 1)
         assert stats.chi2_contingency(table).pvalue > 1e-3
 
@@ -194,6 +195,7 @@ def hash_with_kernels(level: str | None) -> tuple[str, str]:
 def test_every_instruction_set_gives_the_same_bits() -> None:
     best, expected = hash_with_kernels(None)
     assert best == _core.kernel_level()
+    # This processor has these, too.
     lower = list(LEVELS.values())[: list(LEVELS.values()).index(best)]
     for level in (level for level, name in LEVELS.items() if name in lower):
         assert hash_with_kernels(level) == (LEVELS[level], expected)

@@ -26,7 +26,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.tables import counts, print_head, print_judgement
 from matrixworld.coevolution import Payoff, Progress, SavedRun, open_run, tournament
-from matrixworld.world.policy import Population
+from matrixworld.coevolution.evaluation.tournament import team_size
 
 SUFFIX = ".npz"
 
@@ -140,9 +140,7 @@ def _play(
     where: str | None,
 ) -> Payoff:
     pursuers, evaders = ours.teams["pursuer"], theirs.teams["evader"]
-    # A script is one opponent; a team that learned has one for each generation.
-    sizes = [len(t.genomes) if isinstance(t, Population) else 1 for t in (pursuers, evaders)]
-    total = sizes[0] * sizes[1] * episodes
+    total = team_size(pursuers) * team_size(evaders) * episodes
     with on_cluster(where, threads) as executor, progress() as report:
         # The first row may take minutes, and the bar should be there before.
         report(Progress("tournament", 0, total))

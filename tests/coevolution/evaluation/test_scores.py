@@ -236,8 +236,11 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     expected = mw.score_policy(policy.population(), team, config, episodes=7, seed=3)
     assert np.array_equal(scores.rates, expected.rates)
     assert scores.opponents == expected.opponents
-    assert scores.left_out == expected.left_out != ""
+    assert (
+        scores.left_out == expected.left_out != ""
+    )  # views of 5 x 5 are not those of evolved opponents
     assert scores.mean() == expected.mean()
+    # Never asked for nobody.
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
 
 

@@ -28,12 +28,14 @@ def played(pursuers=None, **options):
     """Return the payoff of a small tournament, as bytes by name."""
     sides = pursuers or population("pursuer", 7), population("evader", 5)
     world = SETTINGS.world
+    # Not (0, 0), so that the seeds show which generations play.
     payoff = tournament(world, *sides, seed=3, episodes=4, first=(2, 1), **options)
     return {
         name: (array.dtype, array.shape, array.tobytes()) for name, array in payoff.arrays().items()
     }
 
 
+# Below, at and above rows of 5, columns of 7, and all 35.
 @pytest.mark.parametrize("pairs", [1, 2, 3, 5, 6, 9, 10, 12, 34, 35, 1000])
 def test_blocks_of_any_size_give_the_same_bytes(pairs, monkeypatch):
     monkeypatch.setattr(Pairs, "seconds", lambda self: 1.0)

@@ -57,13 +57,13 @@ def test_the_engine_never_plays_a_forbidden_move(
     views = played.views.reshape(-1, 3, 5, 5)
     refused = forbidden(views, mask, team, config.n_actions)
     each = np.arange(len(played))
-    assert refused.any(axis=0)[1:].all()
+    assert refused.any(axis=0)[1:].all()  # each move was forbidden somewhere
     assert not refused[each, played.actions].any()
     # No other move is forbidden, and none is more or less likely than without the mask.
     without = np.where(weights.values == FORBIDDEN, np.float32(0), genomes[0])
     logits, bare = network.logits(genomes[0], views), network.logits(without, views)
     np.testing.assert_array_equal(logits[~refused], bare[~refused])
-    assert (logits[refused] < FORBIDDEN / 2).all()
+    assert (logits[refused] < FORBIDDEN / 2).all()  # whatever the other weights add
     assert len(np.unique(played.actions)) == config.n_actions
 
 
@@ -78,7 +78,9 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
         assert weights is not None
         np.testing.assert_array_equal(weights.write(genomes), genomes)
         learned = (genomes[0] != genomes[-1])[~weights.fixed]
+        # The others did learn; a genetic algorithm changes a part of them.
         assert learned.mean() > 0.3
+    # A unit for each direction beside those of the settings.
     assert run.teams["pursuer"].network.hidden == (4 + 4,)
 
 

@@ -44,7 +44,7 @@ def test_log_has_a_row_per_epoch_and_counts_matches(straight):
     assert log["epoch"].tolist() == [0, 1, 0, 1, 2] * 2
     assert log["opponent"].tolist() == [0, 0, 0, 1, 0, 0, 1, 0, 1, 2]
     assert log["matches"].tolist() == [4 * row for row in range(1, EPOCHS + 1)]
-    steps = np.diff(log["steps"], prepend=0)
+    steps = np.diff(log["steps"], prepend=0)  # the log has sums since the beginning
     assert np.allclose(steps, 4 * log["length"])
     assert straight.training.matches == straight.training_matches() == 4 * EPOCHS
 
@@ -56,6 +56,7 @@ def test_training_matches_are_those_of_the_log(tmp_path):
         played.append((config.max_steps, pursuers, evaders, matches, options["episodes"]))
         return rollout(config, pursuers, evaders, matches, **options)
 
+    # Two, so that worlds and matches are told apart.
     race = Race(tiny_race(match_episodes=2), tmp_path / "run", play=play)
     race.run()
     archive = race.files.archive()

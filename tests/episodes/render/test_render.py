@@ -111,7 +111,7 @@ def test_several_on_one_cell_carry_their_number() -> None:
 
     assert count(rgb(scene()), colors.INK) == 0
     assert count(on_one_cell(2), colors.INK) > 50
-    assert (on_one_cell(2) != on_one_cell(3)).any()
+    assert (on_one_cell(2) != on_one_cell(3)).any()  # the number is drawn, not a mere mark
     assert (on_one_cell(10) == on_one_cell(11)).all()  # from ten on, a plus
 
 

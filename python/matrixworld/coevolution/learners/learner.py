@@ -268,11 +268,9 @@ class Momentum(Saved):
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
         self.updates += 1
-        self.velocity *= np.float32(self.momentum)
-        self.velocity += np.float32(rate) * gradient
-        # A copy: the next step changes the velocity in place.
-        change: Genome = self.velocity.copy()
-        return change
+        kept: Genome = np.float32(self.momentum) * self.velocity
+        self.velocity = kept + np.float32(rate) * gradient
+        return self.velocity
 
 
 def check_momentum(momentum: Any) -> None:
