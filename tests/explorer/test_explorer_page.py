@@ -39,7 +39,8 @@ from tiny_race import tiny_race, tiny_single
 
 Job = dict[str, SavedRun]
 CELLS = 10
-HOME, END, RIGHT, DOWN, ESCAPE = "\ue011", "\ue010", "\ue014", "\ue015", "\ue00c"
+HOME, END, ESCAPE = "\ue011", "\ue010", "\ue00c"
+LEFT, UP, RIGHT, DOWN = "\ue012", "\ue013", "\ue014", "\ue015"
 PLAYED = "document.querySelector('#match').dataset.played"
 
 # What a test reads of the match that is shown.
@@ -166,6 +167,16 @@ def test_keys(opened: Browser) -> None:
     opened.press("n", "n", "N")
     opened.wait(f"{PLAYED} === '0 2 0 1 '")
     opened.press("m", DOWN, RIGHT)
+    opened.wait(f"{PLAYED} === '0 1 1 0 '")
+    # Charts whose generations can be chosen take the focus and the same keys.
+    charts = "[...document.querySelectorAll('.chart[tabindex], .triangle[tabindex]')]"
+    assert opened.js(f"{charts}.length") == 4
+    for chart, cell in enumerate(("2 1", "2 2", "2 1", "2 2")):
+        opened.js(f"{charts}[{chart}].focus()")
+        opened.press(*((UP,), (RIGHT,), (LEFT,), (UP,))[chart])
+        opened.wait(f"{PLAYED} === '0 {cell} 0 '")
+    opened.js("document.activeElement.blur()")
+    opened.press("P", "E")
     opened.wait(f"{PLAYED} === '0 1 1 0 '")
     opened.press("r")
     opened.wait(f"{PLAYED}.match(/^0 1 1 0 [0-9]+$/) !== null")

@@ -1,7 +1,7 @@
 // What is shown, for others: a link to the match and its step, and a GIF of it.
 
 import { gifOf } from "../board/gif.ts";
-import { html } from "../page/dom.ts";
+import { hasAddress, html } from "../page/dom.ts";
 import type { MatchPanel } from "./match.ts";
 import type { Store } from "./store.ts";
 
@@ -33,8 +33,8 @@ export function share(match: MatchPanel, store: Store): { button: HTMLElement; d
   const dialog = html("dialog", { class: "share", "aria-labelledby": "share-title" },
     html("h2", { id: "share-title" }, "Share this match"),
     gif,
-    html("p", {}, "The link leads to this step in the same file. Nothing is sent anywhere."),
-    html("div", { class: "link" }, link, html("button", { type: "button", onclick: copy }, "Copy")),
+    hasAddress() && html("p", {}, "The link leads to this step in the same file. Nothing is sent anywhere."),
+    hasAddress() && html("div", { class: "link" }, link, html("button", { type: "button", onclick: copy }, "Copy")),
     told, html("button", { type: "button", onclick: () => dialog.close() }, "Close"));
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   const open = (): void => {

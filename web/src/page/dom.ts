@@ -33,3 +33,6 @@ function filled<Made extends Element>(element: Made, attributes: Attributes, chi
 function isShown(child: Child): child is Node | string | number {
   return child !== null && child !== undefined && child !== false;
 }
+
+/** Return whether the address of the page leads anywhere: that of a frame in a notebook does not. */
+export const hasAddress = (): boolean => ["file:", "http:", "https:"].includes(location.protocol);

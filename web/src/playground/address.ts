@@ -27,9 +27,6 @@ function exampleOf(data: PageData, scene: string): Example | null {
   return data.gallery.find((example) => example.scene === scene) ?? null;
 }
 
-/** Return whether the address of the page leads anywhere: that of a frame in a notebook does not. */
-export const hasAddress = (): boolean => ["file:", "http:", "https:"].includes(location.protocol);
-
 /** Return the part of the address that holds a scene. */
 export function hash(): string {
   try {

@@ -1,7 +1,6 @@
 // Dialogs of the page: the link of a scene, and the keys.
 
-import { html } from "../page/dom.ts";
-import { hasAddress } from "./address.ts";
+import { hasAddress, html } from "../page/dom.ts";
 import { linkOf } from "./link.ts";
 import type { Store } from "./store.ts";
 

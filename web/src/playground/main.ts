@@ -1,8 +1,8 @@
 // The playground: conflicts on a small board, step by step, under any rules.
 
 import { loadEngine } from "../engine/engine.ts";
-import { html } from "../page/dom.ts";
-import { followAddress, hasAddress, hash, storeOf } from "./address.ts";
+import { hasAddress, html } from "../page/dom.ts";
+import { followAddress, hash, storeOf } from "./address.ts";
 import { pageData } from "./data.ts";
 import { showPlayground } from "./page.ts";
 

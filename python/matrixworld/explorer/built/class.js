@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ef4c31066ca0c5bb4398d3238ec57026485d85724e82eaefe7bc58659e26e08d */
+/* built from web/ by "npm run build"; sources 7b35b299f55207af3b774b5dfe1360a32a3c360c166d41a702ac27b2249e7eb7 */
 "use strict";(()=>{var br={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],Q=0,Z=12,gr=2,J=class extends EventTarget{#e;#t;#r;#n;#o=0;#a=0;#s=!1;#c=null;#d=0;#i=[];glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#n=r.still??!1,this.#r=r.clock??br}get step(){return this.#o}get time(){return this.#n?this.#o:this.#a}get arrived(){return this.#a===
 this.#o}get playing(){return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#o>e&&this.jump(e),this.#l("state")}get marks(){return this.#i}set marks(e){
@@ -24,15 +24,15 @@ let[r,n,o,a,s,i,l,...c]=Array.from(t),d=s<0?[a]:[a,s],[m,h,p]=c.map(_=>d.filter(
 length-1],cell:`(${i}, ${l})`}),x=B(Ve,{event:f,outcome:vr(d.length,h,p,e)});return{kind:Ge[n],form:be[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:r,
 text:x}}function vr(t,e,r,n){if(t===2&&e.length===2)return H["both held"];if(t===2&&r.length===2)return H["both doomed"];let o=a=>s=>B(H[a],{agent:ve(s,n)});return[
 ...e.map(o("held")),...r.map(o("doomed"))].join(", ")||H.none}function te(t,e){let r=[];for(let n=0;n<t.length;n+=I)r.push(wr(t.subarray(n+1,n+I),e));return r}var E=class extends Error{name="EngineError"};function b(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new E(`${t}\
-: expected ${e}, got ${n}`)}var P=class{bytes;constructor(e){this.bytes=e}},Xe=0,Me=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],qe=4,Ye=4,xr=new TextEncoder,
-Mr=new TextDecoder;function Ar(t){for(let e=Me.length-1;e>Xe;--e)if(t instanceof Me[e])return e;throw new TypeError("array: expected a typed array of the engine\
-'s numbers, got another")}function xe(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Sr(t){return xr.encode(`${t}\0`)}var Ae=class{engine;addresses=[];constructor(e){
+: expected ${e}, got ${n}`)}var P=class{bytes;constructor(e){this.bytes=e}},Xe=0,Ae=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],qe=4,Ye=4,xr=new TextEncoder,
+Ar=new TextDecoder;function Mr(t){for(let e=Ae.length-1;e>Xe;--e)if(t instanceof Ae[e])return e;throw new TypeError("array: expected a typed array of the engine\
+'s numbers, got another")}function xe(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Sr(t){return xr.encode(`${t}\0`)}var Me=class{engine;addresses=[];constructor(e){
 this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new E("memory: expected room for the arguments, got none");return this.addresses.
 push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Sr(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([a,s])=>{let i=s instanceof P,l=i?s.bytes:s;
-return[this.text(a),i?Xe:Ar(l),l.length,this.copy(xe(l))]}),o=this.copy(xe(Int32Array.from(n)));return this.copy(xe(Int32Array.of(r.length,o)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function Je(t,e){let r=t.HEAPU8;return Mr.decode(r.subarray(e,r.indexOf(0,e)))}function re(t){let e=new Int32Array(t.HEAPU8.buffer),
-r=t._last_outputs()/qe,n=e[r+1]/qe,o={};for(let a=n;a<n+e[r]*Ye;a+=Ye){let s=Me[e[a+1]],i=e[a+2]*s.BYTES_PER_ELEMENT,l=e[a+3];o[Je(t,e[a])]=new s(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function G(t,e){let r=new Ae(t);try{let n=e(r);if(n===0)throw new E(Je(t,t._last_error()));return n}finally{r.free()}}var Tr=2**31-1,_r=2n**64n-1n,Er=34028234663852886e22;function S(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Tr)throw b(t,"an integer",e);return Int32Array.
+return[this.text(a),i?Xe:Mr(l),l.length,this.copy(xe(l))]}),o=this.copy(xe(Int32Array.from(n)));return this.copy(xe(Int32Array.of(r.length,o)))}free(){for(let e of this.
+addresses)this.engine._free(e)}};function Je(t,e){let r=t.HEAPU8;return Ar.decode(r.subarray(e,r.indexOf(0,e)))}function re(t){let e=new Int32Array(t.HEAPU8.buffer),
+r=t._last_outputs()/qe,n=e[r+1]/qe,o={};for(let a=n;a<n+e[r]*Ye;a+=Ye){let s=Ae[e[a+1]],i=e[a+2]*s.BYTES_PER_ELEMENT,l=e[a+3];o[Je(t,e[a])]=new s(t.HEAPU8.slice(
+l,l+i).buffer)}return o}function G(t,e){let r=new Me(t);try{let n=e(r);if(n===0)throw new E(Je(t,t._last_error()));return n}finally{r.free()}}var Tr=2**31-1,_r=2n**64n-1n,Er=34028234663852886e22;function S(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Tr)throw b(t,"an integer",e);return Int32Array.
 of(e)}function ne(t,e){if(typeof e!="boolean")throw b(t,"true or false",e);return new P(Uint8Array.of(Number(e)))}function C(t,e,r){let n=typeof e=="string"&&Object.
 hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw b(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Se(t,e){if(typeof e!="number"||!(Math.
 abs(e)<=Er))throw b(t,"a finite number",e);return e}function O(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;if(n<0n||
@@ -96,17 +96,17 @@ j(t,t.moments[r-1],e).length?[r]:[]);function ce(t,e){return Array.from({length:
 -.23,-.23],[.23,-.23]]},{size:.36,at:bt.flatMap(t=>bt.map(e=>[e,t]))}],Fr=.3,Dr=.35,Hr=.55;function V(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[o,a]=g(e,n),s=o*t.cols+a,i=r.get(s);i?i.push(n):r.set(s,[n])}return r}function wt(t,e){let r=Array.from(e.alive,(n,o)=>{let[a,s]=g(e,o);return{
 x:s+.5,y:a+.5,size:1,alpha:0}});for(let n of V(t,e).values()){let o=gt[Math.min(n.length,gt.length)-1];n.forEach((a,s)=>{let[i,l]=o.at[Math.min(s,o.at.length-1)],
-c=r[a];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return r}var vt=t=>t*t*(3-2*t),$=(t,e,r)=>t+(e-t)*r,xt=t=>Math.min(1,Math.max(0,t));function Mt(t,e,r,n){let o={1:2,
+c=r[a];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return r}var vt=t=>t*t*(3-2*t),$=(t,e,r)=>t+(e-t)*r,xt=t=>Math.min(1,Math.max(0,t));function At(t,e,r,n){let o={1:2,
 2:r}[t.interaction]??1;if(o===1)return vt(n);let a=o===r?e:+!k(t,e),s=Math.max(1/o,Dr);return vt(xt((n-a/(o-1)*(1-s))/s))}function de(t,e){let r=t.moments.length-
-1,n=Math.min(Math.floor(e),r),o=t.moments[n],a=wt(t,o);if(n===r||e===n)return a;let s=t.moments[n+1],i=wt(t,s);return a.map((l,c)=>{let d=Mt(t,c,a.length,e-n);return Br(
-o,s,c,l,i[c],d)})}function Oe(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[a,s]=[t.moments[o],t.moments[Math.min(o+1,n)]],i=Mt(t,e,a.alive.length,
+1,n=Math.min(Math.floor(e),r),o=t.moments[n],a=wt(t,o);if(n===r||e===n)return a;let s=t.moments[n+1],i=wt(t,s);return a.map((l,c)=>{let d=At(t,c,a.length,e-n);return Br(
+o,s,c,l,i[c],d)})}function Oe(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[a,s]=[t.moments[o],t.moments[Math.min(o+1,n)]],i=At(t,e,a.alive.length,
 r-o),[[l,c],[d,m]]=[g(a,e),g(s,e)];return[$(c,m,i)+.5,$(l,d,i)+.5]}function Br(t,e,r,n,o,a){let s=n.alpha>o.alpha,i={x:$(n.x,o.x,a),y:$(n.y,o.y,a),size:s?n.size:
 $(n.size,o.size,a),alpha:s?xt((1-a)/(1-Hr)):$(n.alpha,o.alpha,a)};if(ie(t,e,r)){let[l,c]=g(t,r),[d,m]=le(t,e,r),h=Fr*Math.sin(Math.PI*a);i.x+=(m-c)*h,i.y+=(d-l)*
-h}return i}var At=2*Math.PI;function K(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,At)}function St(t,e,r,n){let o=n/2,a=[[0,-.97],[.97,.83],[-.97,.83]].map(([s,i])=>[e+s*o,r+i*
+h}return i}var Mt=2*Math.PI;function K(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Mt)}function St(t,e,r,n){let o=n/2,a=[[0,-.97],[.97,.83],[-.97,.83]].map(([s,i])=>[e+s*o,r+i*
 o]);t.beginPath(),t.moveTo((a[2][0]+a[0][0])/2,(a[2][1]+a[0][1])/2),a.forEach(([s,i],l)=>{let[c,d]=a[(l+1)%3];t.arcTo(s,i,c,d,n*.09)}),t.closePath()}function Tt(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function _t(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let a=n/
-2*(o%2?.6:.95),s=At*o/16;t.lineTo(e+a*Math.sin(s),r-a*Math.cos(s))}t.closePath()}function Et(t,e,r,n,o,a){let s=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Ct=4,Gr=1.6,zr=.95,jr=5,Vr=.16,Kr=9,qr=.09,Yr=.2,kt=.75,M=(t,e)=>t.left+e*t.cell,A=(t,e)=>t.top+e*t.cell;function U(t,e,r){return k(e,r)?t.colors.pursuer:t.
+2*(o%2?.6:.95),s=Mt*o/16;t.lineTo(e+a*Math.sin(s),r-a*Math.cos(s))}t.closePath()}function Et(t,e,r,n,o,a){let s=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Ct=4,Gr=1.6,zr=.95,jr=5,Vr=.16,Kr=9,qr=.09,Yr=.2,kt=.75,A=(t,e)=>t.left+e*t.cell,M=(t,e)=>t.top+e*t.cell;function U(t,e,r){return k(e,r)?t.colors.pursuer:t.
 colors.evader}function Rt({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:a,rows:s,cols:i}=e,[l,c]=[i*a,s*a];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),a<jr)return;
 t.fillStyle=r.line;let d=Math.max(1,Math.round(a/60));for(let m=1;m<i;m++)t.fillRect(n+m*a,o,d,c);for(let m=1;m<s;m++)t.fillRect(n,o+m*a,l,d)}function Nt({ctx:t,
 grid:e,colors:r},n){let{left:o,top:a,cell:s,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let c=0;c<i*l;c++){if(!n.obstacles[c])continue;let[d,m]=[Math.floor(c/l),
@@ -115,9 +115,9 @@ Math.round(n/18)));t.strokeStyle=s.frame,t.lineWidth=i,t.strokeRect(e-i/2,r-i/2,
 cols:l}=e,c=s<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,s*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.
 textAlign="center";let d=5*n+s/40;for(let m=0;m<l;m+=c)t.fillText(String(m),o+(m+.5)*s,a-d);t.textAlign="right",t.textBaseline="middle";for(let m=0;m<i;m+=c)t.fillText(
 String(m),o-d,a+(m+.5)*s)}function Ot({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[a,s]=[Math.max(0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(
-t.rows,n+o)];return[M(t,a),A(t,i),(s-a)*t.cell,(l-i)*t.cell]}function Lt(t,e,r,n){let{ctx:o,grid:a,colors:s}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
+t.rows,n+o)];return[A(t,a),M(t,i),(s-a)*t.cell,(l-i)*t.cell]}function Lt(t,e,r,n){let{ctx:o,grid:a,colors:s}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
 o.canvas.height),o.rect(...Ot(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=s.line,o.fillRect(a.left,a.top,a.cols*a.cell,
-a.rows*a.cell),o.restore(),It(t)}function $t({ctx:t,grid:e,colors:r},{x:n,y:o,alpha:a},s){let i=Math.max(e.cell,16*s)*1.06,[l,c]=[M(e,n),A(e,o)];t.globalAlpha=Math.
+a.rows*a.cell),o.restore(),It(t)}function $t({ctx:t,grid:e,colors:r},{x:n,y:o,alpha:a},s){let i=Math.max(e.cell,16*s)*1.06,[l,c]=[A(e,n),M(e,o)];t.globalAlpha=Math.
 max(a,.6),t.beginPath(),t.roundRect(l-i/2,c-i/2,i,i,i*.2),t.strokeStyle=r.focus,t.lineWidth=Math.max(2,2.5*s),t.stroke();let d=Math.max(11*s,Math.min(18*s,e.cell*
 .5));t.font=`700 ${Math.round(d)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let m=c-i/2<d*1.2,h=c+(m?1:-1)*(i/2+d*.7);t.strokeStyle=
 r.paper,t.lineJoin="round",t.lineWidth=d*.35,t.strokeText("You",l,h),t.fillStyle=r.ink,t.fillText("You",l,h),t.globalAlpha=1}function Ut(t,e,r,n,o){let{ctx:a,grid:s}=t,
@@ -125,15 +125,15 @@ i=Ot(t,e,n,o),l=U(t,e,r);a.globalAlpha=.11,a.fillStyle=l,a.fillRect(...i),a.glob
 a.globalAlpha=1}function Wt(t,e,r,n,o){let{ctx:a,grid:s}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];a.lineCap="round",a.lineWidth=Math.min(Kr,
 Math.max(1,s.cell*Vr));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],h=Math.max(0,Math.min(1,(r-c)/n));a.globalAlpha=
 kt+(Yr-kt)*h;for(let p=0;p<m.alive.length;p++){let y=c===i&&r<i;if(!d.alive[p]||!(l.alive[p]||y))continue;let f=(k(e,p)?-1:1)*qr,[x,_]=g(d,p),[R,N]=g(m,p);if(x===
-R&&_===N)continue;let X=y?o[p].x:N+.5,yr=y?o[p].y:R+.5;a.strokeStyle=U(t,e,p),a.beginPath(),a.moveTo(M(s,_+.5+f),A(s,x+.5+f)),a.lineTo(M(s,X+f),A(s,yr+f)),a.stroke()}}
+R&&_===N)continue;let X=y?o[p].x:N+.5,yr=y?o[p].y:R+.5;a.strokeStyle=U(t,e,p),a.beginPath(),a.moveTo(A(s,_+.5+f),M(s,x+.5+f)),a.lineTo(A(s,X+f),M(s,yr+f)),a.stroke()}}
 a.globalAlpha=1}function Ft(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Ct+1);o<=n;o++){let[a,s]=[e.moments[o-1],e.moments[o]],
 i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Ct,l=j(e,a,s);for(let c of ce(a,s))l.includes(c)||Jr(t,g(s,c),i);for(let c of l)Xr(t,g(s,c),i)}t.ctx.globalAlpha=1}function Xr({
-ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,_t(t,M(e,o+.5),A(e,n+.5),Math.max(8,e.cell*Gr)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
-max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Jr({ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,Tt(t,M(e,o+.5),A(e,n+.5),Math.max(7,e.cell*zr)),t.strokeStyle=
+ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,_t(t,A(e,o+.5),M(e,n+.5),Math.max(8,e.cell*Gr)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
+max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Jr({ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,Tt(t,A(e,o+.5),M(e,n+.5),Math.max(7,e.cell*zr)),t.strokeStyle=
 r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Dt({ctx:t,grid:e,colors:r},n,o){let a=Math.max(1,e.cell*.07);t.strokeStyle=
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[s,i]of n){if(s<0||i<0||s>=e.rows||i>=e.cols)continue;let l=[
-M(e,i)+a,A(e,s)+a,e.cell-2*a,e.cell-2*a];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Ht({ctx:t,
-grid:e,colors:r},n,o,a,s){t.globalAlpha=s,K(t,M(e,n),A(e,o),Math.max(8,e.cell*a*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
+A(e,i)+a,M(e,s)+a,e.cell-2*a,e.cell-2*a];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Ht({ctx:t,
+grid:e,colors:r},n,o,a,s){t.globalAlpha=s,K(t,A(e,n),M(e,o),Math.max(8,e.cell*a*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
 a)),t.stroke(),t.globalAlpha=1}var Qr=.8,Zr=.92,en=15,tn=7,Le=9;function Bt(t,e,r,n,o,a){n.forEach((s,i)=>{s.alpha>0&&rn(t,e,r,i,s,o,a)}),t.ctx.globalAlpha=1;for(let s of V(e,r).values())s.length>
 Le&&nn(t,n[s[Le-1]],s.length-Le+1)}function rn(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:c}=t,d=k(e,n),[m,h]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
 o.size*(d?Zr:Qr)),y=U(t,e,n),f=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?St:K)(i,m,h,p),p>tn*s&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
@@ -143,10 +143,10 @@ x,m,h+p*(d?.17:.03))}function nn({ctx:t,grid:e,colors:r},n,o){let[a,s]=[e.left+n
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,a,s),t.fillStyle=r.ink,t.fillText(`+${o}`,
 a,s)}var on=.46,an=.86,sn=.66,Gt=.48,ln=.78,cn=.58;function zt(t,e,r,n){let[o,a]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:s,grid:i,colors:l}=t;s.strokeStyle=
 l.collision,s.lineWidth=Math.max(1.5,i.cell*.07),s.lineCap="butt",s.globalAlpha=n;for(let c=0;c<a.alive.length;c++)ie(o,a,c)&&dn(t,e,g(o,c),le(o,a,c));s.globalAlpha=
-1}function dn({ctx:t,grid:e},r,n,o){let[a,s]=[o[1]-n[1],o[0]-n[0]],i=m=>M(e,n[1]+.5+a*m),l=m=>A(e,n[0]+.5+s*m),c=ke(r,o)?ln:cn;t.setLineDash([e.cell*.09,e.cell*
+1}function dn({ctx:t,grid:e},r,n,o){let[a,s]=[o[1]-n[1],o[0]-n[0]],i=m=>A(e,n[1]+.5+a*m),l=m=>M(e,n[0]+.5+s*m),c=ke(r,o)?ln:cn;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Gt),l(Gt)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(a,s);t.beginPath(),t.moveTo(i(c)-s*d,l(c)+
 a*d),t.lineTo(i(c)+s*d,l(c)-a*d),t.stroke()}function jt(t,e,r,n,o,a){let s=Ce[a];if(!a||!s)return;let{ctx:i,grid:l,colors:c}=t,d=ke(e,[n[0]+s[0],n[1]+s[1]])?an:
-sn,m=on*o.size,h=[M(l,o.x+s[1]*m),A(l,o.y+s[0]*m),M(l,o.x+s[1]*d),A(l,o.y+s[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
+sn,m=on*o.size,h=[A(l,o.x+s[1]*m),M(l,o.y+s[0]*m),A(l,o.x+s[1]*d),M(l,o.y+s[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
 p*2.1],[U(t,e,r),p]])i.strokeStyle=y,i.lineWidth=f,Et(i,...h,l.cell*.2),i.stroke()}var Kt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function qt(t,e,r,n,o){let{ctx:a,grid:s,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),c=e.moments[l],d=r===l,m=de(e,r),h=d?1:Math.max(0,1-2*(l-r));a.clearRect(0,0,a.canvas.width,a.canvas.height),Rt(t);for(let f of n.
 viewers)m[f]?.alpha&&Ut(t,e,f,...Oe(e,f,r));Nt(t,e),n.axes&&Pt(t,o),Wt(t,e,r,n.trail,m),Dt(t,c.contested??[],h),Ft(t,e,r),zt(t,e,l,h),m.forEach(({x:f,y:x,size:_},R)=>{
@@ -224,8 +224,8 @@ n>.179?"#000":"#fff"}var cr=t=>`rgb(${ir(t).join(" ")})`,dr=()=>`linear-gradient
 {class:"marks"});#s;constructor(e,r){[this.#e,this.#t]=[e,r],this.#r=e.standings.pursuer.map(({number:n})=>n),this.#n=e.standings.evader.map(({number:n})=>n),this.#s=
 this.#c(),this.element=u("section",{class:"card matrix-card","aria-label":"All matches"},u("header",{},u("h2",{},"All matches"),u("p",{class:"small muted"},"Cap\
 ture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),this.#s,u("div",{class:"scale-of-rates small"},
-"0",Mn(),"1"),this.#o),r.on("pair",()=>this.#l()),r.on("hover",()=>this.#l()),this.#l()}#c(){let[e,r]=[this.#r.length,this.#n.length],n=vn/Math.max(e,r),o=Math.
-min(26,Math.max(11,.78*n)),a=An([...this.#e.names.pursuer,...this.#e.names.evader].map(mr),o)+12,s=w("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"\
+"0",An(),"1"),this.#o),r.on("pair",()=>this.#l()),r.on("hover",()=>this.#l()),this.#l()}#c(){let[e,r]=[this.#r.length,this.#n.length],n=vn/Math.max(e,r),o=Math.
+min(26,Math.max(11,.78*n)),a=Mn([...this.#e.names.pursuer,...this.#e.names.evader].map(mr),o)+12,s=w("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"\
 Matrix of capture rates; arrow keys choose a match, Enter plays it",preserveAspectRatio:"xMidYMin meet",viewBox:`${-a} ${-a} ${r*n+a} ${e*n+a}`,onpointermove:l=>this.#t.
 point(this.#u(l,n)),onpointerleave:()=>this.#t.point(null),onclick:l=>{let c=this.#u(l,n);c&&this.#t.play(c)},onkeydown:l=>this.#p(l)}),i=this.#r.flatMap((l,c)=>this.#n.
 map((d,m)=>{let h=this.#e.capture_rate[l][d];return w("rect",{x:m*n,y:c*n,width:n,height:n,fill:cr(h),"data-pair":`${l} ${d}`})}));return s.append(...i,...this.#d(
@@ -242,7 +242,7 @@ this.#a.replaceChildren(o(e,"selected-halo"),o(e,"selected"),...r?[o(r,"hovered"
 pursuer ${a.pursuer}`,`evader ${a.evader}`].includes(s.dataset.name);s.classList.toggle("about",i)}this.#o.replaceChildren(...this.#f(a))}#f({pursuer:e,evader:r}){
 let{names:n,capture_rate:o,lowest:a,highest:s,length:i,episodes:l}=this.#e,c=rr(o[e][r],null,null),[d,m]=[v(a[e][r]),v(s[e][r])];return[u("span",{},u("span",{class:"\
 pursuer"},n.pursuer[e])," against ",u("span",{class:"evader"},n.evader[r])),u("span",{},u("strong",{},c),u("span",{class:"small muted"},` captured; ${d} to ${m}\
- in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function Mn(){let t=u("span",{class:"gradient"});return t.style.backgroundImage=dr(),t}function An(t,e){
+ in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function An(){let t=u("span",{class:"gradient"});return t.style.backgroundImage=dr(),t}function Mn(t,e){
 let r=document.createElement("canvas").getContext("2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).fontFamily}`,Math.max(...t.map(n=>r.measureText(
 n).width))}var pr=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,fe=class extends EventTarget{#e;#t=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
 return this.#t}select(e){pr(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){

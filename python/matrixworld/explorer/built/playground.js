@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ef4c31066ca0c5bb4398d3238ec57026485d85724e82eaefe7bc58659e26e08d */
+/* built from web/ by "npm run build"; sources 7b35b299f55207af3b774b5dfe1360a32a3c360c166d41a702ac27b2249e7eb7 */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},X={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var Z=["obstacle","teammate","adversary"],Ue=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],De=["pu\
 rsuer_{number}","evader_{number}"],wt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"{\
 first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Q={"both held":"both bounce","both doomed":"\
@@ -73,13 +73,14 @@ o,s)}rollout(t,n,r,o,s){return $t(this.compiled,{config:t,pursuers:n,evaders:r},
 if(!e)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");let t=Uint8Array.from(atob(e.binary),n=>n.charCodeAt(0));return new ze(
 await e({wasmBinary:t}))}var Pr="http://www.w3.org/2000/svg";function c(e,t={},...n){return Wt(document.createElement(e),t,n)}function ye(e,t={},...n){return Wt(document.createElementNS(
 Pr,e),t,n)}function Wt(e,t,n){for(let[r,o]of Object.entries(t))o==null||o===!1||(typeof o=="function"?e.addEventListener(r.slice(2),o):e.setAttribute(r,o===!0?"":
-String(o)));return e.append(...n.filter($r).map(r=>typeof r=="number"?String(r):r)),e}function $r(e){return e!=null&&e!==!1}var R="champion";var Ke=e=>({cell:e,gone:!1,captured:!1,everCaptured:!1}),M=e=>[...e.pursuers,...e.evaders],x=e=>e.pursuers.length+e.evaders.length,Ve=(e,t)=>t<e.pursuers.length?
+String(o)));return e.append(...n.filter($r).map(r=>typeof r=="number"?String(r):r)),e}function $r(e){return e!=null&&e!==!1}var ve=()=>["file:","http:","https:"].
+includes(location.protocol);var R="champion";var Ke=e=>({cell:e,gone:!1,captured:!1,everCaptured:!1}),M=e=>[...e.pursuers,...e.evaders],x=e=>e.pursuers.length+e.evaders.length,Ve=(e,t)=>t<e.pursuers.length?
 "pursuers":"evaders";function k(e,t){let n=e.pursuers.length;return t<n?`pursuer_${t}`:`evader_${t-n}`}var Ye=(e,t)=>Object.keys(e).every(n=>e[n]===t[n]);function G(e,t){
 return Object.keys(t).find(n=>Ye(t[n],e))??null}function Ht(e,t){let n=new Set(e.walls),r=Array.from({length:e.rows},(o,s)=>Array.from({length:e.cols},(a,i)=>n.
 has(s*e.cols+i)?"#":".").join(""));return{rules:t,rows:e.rows,cols:e.cols,n_pursuers:e.pursuers.length,n_evaders:e.evaders.length,fov:e.fov,diagonal:e.diagonal,
-max_steps:e.maxSteps,obstacles:r,rewards:e.rewards}}var ve=(e,t,n)=>({...e,next:e.next.map((r,o)=>o===t?n:r)}),jt=e=>({...e,played:[...e.played,e.next],next:e.next.
+max_steps:e.maxSteps,obstacles:r,rewards:e.rewards}}var we=(e,t,n)=>({...e,next:e.next.map((r,o)=>o===t?n:r)}),jt=e=>({...e,played:[...e.played,e.next],next:e.next.
 map(t=>typeof t=="number"?0:t)}),Ft=e=>({...e,played:e.played.slice(0,-1),next:e.played.at(-1)??e.next});function Je(e,t,n){let r=(o,s)=>o.map((a,i)=>i===s?{...a,cell:n}:a);return{...e,pursuers:r(e.pursuers,t),evaders:r(e.evaders,t-e.pursuers.length)}}function Gt(e,t,n){
-let r=t==="pursuers"?e.pursuers.length:x(e);return{...e,[t]:[...e[t],Ke(n)],next:[...e.next.slice(0,r),0,...e.next.slice(r)],ended:!1}}function we(e,t){let n=Ve(
+let r=t==="pursuers"?e.pursuers.length:x(e);return{...e,[t]:[...e[t],Ke(n)],next:[...e.next.slice(0,r),0,...e.next.slice(r)],ended:!1}}function Se(e,t){let n=Ve(
 e,t),r=n==="pursuers"?t:t-e.pursuers.length;return{...e,[n]:e[n].filter((o,s)=>s!==r),next:e.next.filter((o,s)=>s!==t)}}function qe(e,t,n){let r=t[0]*e.cols+t[1],
 o=e.walls.filter(s=>s!==r);return{...e,walls:n?[...o,r].sort((s,a)=>s-a):o}}function zt(e,t,n){let r=([s,a])=>s<t&&a<n,o=M(e).map(({cell:s})=>r(s));return{...e,
 rows:t,cols:n,walls:e.walls.map(s=>[Math.floor(s/e.cols),s%e.cols]).filter(r).map(([s,a])=>s*n+a),pursuers:e.pursuers.filter((s,a)=>o[a]),evaders:e.evaders.filter(
@@ -97,12 +98,12 @@ o=>JSON.stringify(t.rewards[o])===n)??Object.values(e).map(o=>String(o)).join($)
 scripts.findIndex(({name:r})=>r===e);return String.fromCharCode(97+n)}function ie(e,t){e.length>Yt&&y("link",`at most ${Yt} characters`,`${e.length} characters`);
 let n=Br(e),r=(h,p="")=>n.get(h)??p,o=Qt("rules",r("rules"),t),[s,a]=Wr(r("size")),i=h=>Ze(r(h)).map(p=>Hr(h,p,s,a)),[l,d,u]=zr(r("seed","0.0.0")),m={rules:o,others:n.
 has("others")?Qt("others",r("others"),t):null,rewards:Fr(r("rewards",U.rewards),t),rows:s,cols:a,seed:l,episode:d,steps:u,diagonal:Zt("diagonal",r("diagonal","0")),
-fov:Se("fov",r("fov",String(U.fov)),1,255),maxSteps:Se("limit",r("limit",String(U.maxSteps)),1,2**31-1),ended:Zt("ended",r("ended","0")),walls:jr(r("walls"),s,a),
+fov:xe("fov",r("fov",String(U.fov)),1,255),maxSteps:xe("limit",r("limit",String(U.maxSteps)),1,2**31-1),ended:Zt("ended",r("ended","0")),walls:jr(r("walls"),s,a),
 pursuers:i("pursuers"),evaders:i("evaders"),played:[],next:[]};return Kr(m),Vr(m,Ze(r("played")),r("next"),t)}function Br(e){let t=new Map;for(let n of e.replace(
 /^#/,"").split("&").filter(Boolean)){let[r,o]=n.includes("=")?[n.slice(0,n.indexOf("=")),n.slice(n.indexOf("=")+1)]:[n,""];Xe.includes(r)||y("link",`parts ${Xe.
-join(", ")}`,r),t.has(r)&&y(r,"it once","it twice"),t.set(r,o)}return t}var Ze=e=>e?e.split($):[];function Se(e,t,n,r){let o=/^\d{1,10}$/.test(t)?Number(t):NaN;
+join(", ")}`,r),t.has(r)&&y(r,"it once","it twice"),t.set(r,o)}return t}var Ze=e=>e?e.split($):[];function xe(e,t,n,r){let o=/^\d{1,10}$/.test(t)?Number(t):NaN;
 return o>=n&&o<=r||y(e,`a number from ${n} to ${r}`,t),o}function Zt(e,t){return t!=="0"&&t!=="1"&&y(e,"0 or 1",t),t==="1"}function Wr(e){let[t,n,...r]=e.split(
-"x");return(t===void 0||n===void 0||r.length)&&y("size","rows and columns, such as 4x6",e),[Se("size",t,1,64),Se("size",n,1,64)]}function tn(e,t,n,r){let o=/^(\d{1,4})\.(\d{1,4})$/.
+"x");return(t===void 0||n===void 0||r.length)&&y("size","rows and columns, such as 4x6",e),[xe("size",t,1,64),xe("size",n,1,64)]}function tn(e,t,n,r){let o=/^(\d{1,4})\.(\d{1,4})$/.
 exec(t),s=[Number(o?.[1]),Number(o?.[2])];return(!o||s[0]>=n||s[1]>=r)&&y(e,`cells of a ${n} x ${r} grid, such as 0.2`,t),s}function Hr(e,t,n,r){let o=/^(.*?)([ce]?)(x?)$/.
 exec(t),s=tn(e,o[1],n,r);return e==="pursuers"&&o[2]&&y(e,"no captured pursuer",t),{cell:s,gone:o[3]==="x",captured:o[2]==="c",everCaptured:o[2]!==""}}function jr(e,t,n){
 let r=Ze(e).map(o=>{let[s,a]=tn("walls",o,t,n);return s*n+a});return[...new Set(r)].sort((o,s)=>o-s)}function Qt(e,t,n){let r=Object.hasOwn(n.variants,t)?n.variants[t]:
@@ -119,11 +120,11 @@ dd number",String(e.fov)),e.steps>e.maxSteps&&y("seed",`at most ${e.maxSteps} st
 ayed",`at most ${300} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&y(a,`${o} characters, one for each agent`,i),[...i].map(l=>Yr(a,l,e.diagonal?9:5,r)));
 return{...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(0)}}function Yr(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;if(t===en&&r.
 champions)return R;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??y(e,`actions 0 to ${n-1} or scripts a to ${a}`,
-t)}var Jr={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},Ae=[.5,1,2,4,8,16,32,64];var nn=12,qr=2,Ce=class extends EventTarget{#e;#n;#t;#a;#o=0;#r=0;#s=!1;#c=null;#l=0;#u=[];glide=.28;constructor(t,n={}){super(),this.#e=t,this.#n=n.speed??4,this.#a=
+t)}var Jr={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},Ce=[.5,1,2,4,8,16,32,64];var nn=12,qr=2,Ee=class extends EventTarget{#e;#n;#t;#a;#o=0;#r=0;#s=!1;#c=null;#l=0;#u=[];glide=.28;constructor(t,n={}){super(),this.#e=t,this.#n=n.speed??4,this.#a=
 n.still??!1,this.#t=n.clock??Jr}get step(){return this.#o}get time(){return this.#a?this.#o:this.#r}get arrived(){return this.#r===this.#o}get playing(){return this.#s}get length(){
 return this.#e}set length(t){this.#e=t,this.#o>t&&this.jump(t),this.#i("state")}get marks(){return this.#u}set marks(t){this.#u=t,this.#i("state")}get pace(){return this.#n||
-Math.max(qr,this.#e/nn)}get speed(){return this.#n}set speed(t){this.#n=t,this.#i("state")}changeSpeed(t){let n=Ae.findIndex(r=>r>=this.pace);this.speed=Ae[Math.
-min(Ae.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#e||(this.#o===this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#p())}pause(){this.#s&&(this.#s=!1,
+Math.max(qr,this.#e/nn)}get speed(){return this.#n}set speed(t){this.#n=t,this.#i("state")}changeSpeed(t){let n=Ce.findIndex(r=>r>=this.pace);this.speed=Ce[Math.
+min(Ce.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#e||(this.#o===this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#p())}pause(){this.#s&&(this.#s=!1,
 this.#i("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.pause();let n=Math.min(this.#e,Math.max(0,this.#o+t));Math.abs(n-this.#r)>1?this.jump(n):
 this.#d(n),this.#p()}jump(t){this.#r=Math.min(this.#e,Math.max(0,Math.round(t))),this.#d(this.#r),this.#i("frame")}#d(t){t!==this.#o&&(this.#o=t,this.#i("step"),
 this.#a&&this.#i("frame"))}#p(){this.#c===null&&(this.#l=this.#t.now(),this.#c=this.#t.request(()=>this.#m()))}#m(){this.#c=null;let t=this.#t.now();this.#h(Math.
@@ -133,18 +134,18 @@ s=Math.min(Math.abs(o),n*r);n-=s/r,this.#r=s===Math.abs(o)?this.#o:this.#r+Math.
 t))}};var K=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function Qe(e,t,n){let[r,o]=[t[0]-e[0],t[1]-e[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||(r=
 0),K.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var D=(e,t)=>t<e.nPursuers,w=(e,t)=>[e.positions[2*t],e.positions[2*t+1]],Xr=(e,t)=>e[0]===t[0]&&e[1]===
 t[1],et=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,tt=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),nt=(e,t)=>tt(e.fault,t),rn=(e,t)=>!nt(e,t)&&
-tt(e.involved,t,2);function Ee(e,t,n){let r=!Xr(w(e,n),w(t,n)),o=t.involved===void 0||tt(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Me(e,t,n){
+tt(e.involved,t,2);function Me(e,t,n){let r=!Xr(w(e,n),w(t,n)),o=t.involved===void 0||tt(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Te(e,t,n){
 let[r,o]=w(e,n),[s,a]=K[t.actions?.[n]??0];return[r+s,o+a]}function on(e,t,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
 !t.everCaptured[o]).map(o=>e.nPursuers+o)}function sn(e,t){return Array.from({length:t.alive.length},(r,o)=>o).filter(r=>e.alive[r]&&!t.alive[r])}var an=[-.31,0,.31],ln=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:an.flatMap(e=>an.map(t=>[t,e]))}],Zr=.3,Qr=.35,eo=.55;function le(e,t){let n=new Map;for(let r=0;r<t.alive.length;r++){if(!t.
 alive[r])continue;let[o,s]=w(t,r),a=o*e.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function cn(e,t){let n=Array.from(t.alive,(r,o)=>{let[s,a]=w(t,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let r of le(e,t).values()){let o=ln[Math.min(r.length,ln.length)-1];r.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 d=n[s];d.x+=i,d.y+=l,d.size=o.size,d.alpha=1})}return n}var dn=e=>e*e*(3-2*e),V=(e,t,n)=>e+(t-e)*n,un=e=>Math.min(1,Math.max(0,e));function mn(e,t,n,r){let o={1:2,
-2:n}[e.interaction]??1;if(o===1)return dn(r);let s=o===n?t:+!D(e,t),a=Math.max(1/o,Qr);return dn(un((r-s/(o-1)*(1-a))/a))}function Te(e,t){let n=e.moments.length-
+2:n}[e.interaction]??1;if(o===1)return dn(r);let s=o===n?t:+!D(e,t),a=Math.max(1/o,Qr);return dn(un((r-s/(o-1)*(1-a))/a))}function _e(e,t){let n=e.moments.length-
 1,r=Math.min(Math.floor(t),n),o=e.moments[r],s=cn(e,o);if(r===n||t===r)return s;let a=e.moments[r+1],i=cn(e,a);return s.map((l,d)=>{let u=mn(e,d,s.length,t-r);return to(
 o,a,d,l,i[d],u)})}function st(e,t,n){let r=e.moments.length-1,o=Math.min(Math.floor(n),r),[s,a]=[e.moments[o],e.moments[Math.min(o+1,r)]],i=mn(e,t,s.alive.length,
 n-o),[[l,d],[u,m]]=[w(s,t),w(a,t)];return[V(d,m,i)+.5,V(l,u,i)+.5]}function to(e,t,n,r,o,s){let a=r.alpha>o.alpha,i={x:V(r.x,o.x,s),y:V(r.y,o.y,s),size:a?r.size:
-V(r.size,o.size,s),alpha:a?un((1-s)/(1-eo)):V(r.alpha,o.alpha,s)};if(Ee(e,t,n)){let[l,d]=w(e,n),[u,m]=Me(e,t,n),h=Zr*Math.sin(Math.PI*s);i.x+=(m-d)*h,i.y+=(u-l)*
+V(r.size,o.size,s),alpha:a?un((1-s)/(1-eo)):V(r.alpha,o.alpha,s)};if(Me(e,t,n)){let[l,d]=w(e,n),[u,m]=Te(e,t,n),h=Zr*Math.sin(Math.PI*s);i.x+=(m-d)*h,i.y+=(u-l)*
 h}return i}var pn=2*Math.PI;function ce(e,t,n,r){e.beginPath(),e.arc(t,n,r/2,0,pn)}function hn(e,t,n,r){let o=r/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[t+a*o,n+i*
 o]);e.beginPath(),e.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[d,u]=s[(l+1)%3];e.arcTo(a,i,d,u,r*.09)}),e.closePath()}function fn(e,t,n,r){
 let o=r*.32;e.beginPath(),e.moveTo(t-o,n-o),e.lineTo(t+o,n+o),e.moveTo(t+o,n-o),e.lineTo(t-o,n+o)}function gn(e,t,n,r){e.beginPath();for(let o=0;o<16;o++){let s=r/
@@ -185,13 +186,13 @@ i.font=`700 ${Math.round(p*(u?.4:.5)*(b.length>1?.8:1))}px system-ui, sans-serif
 b,m,h+p*(u?.17:.03))}function bo({ctx:e,grid:t,colors:n},r,o){let[s,a]=[t.left+r.x*t.cell,t.top+r.y*t.cell];e.font=`700 ${Math.round(t.cell*.3)}px system-ui, sa\
 ns-serif`,e.textAlign="center",e.textBaseline="middle",e.strokeStyle=n.paper,e.lineWidth=t.cell*.1,e.strokeText(`+${o}`,s,a),e.fillStyle=n.ink,e.fillText(`+${o}`,
 s,a)}var yo=.46,vo=.86,wo=.66,On=.48,So=.78,xo=.58;function In(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let d=0;d<s.alive.length;d++)Ee(o,s,d)&&Ao(e,t,w(o,d),Me(o,s,d));a.globalAlpha=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let d=0;d<s.alive.length;d++)Me(o,s,d)&&Ao(e,t,w(o,d),Te(o,s,d));a.globalAlpha=
 1}function Ao({ctx:e,grid:t},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=m=>A(t,r[1]+.5+s*m),l=m=>C(t,r[0]+.5+a*m),d=et(n,o)?So:xo;e.setLineDash([t.cell*.09,t.cell*
 .06]),e.beginPath(),e.moveTo(i(On),l(On)),e.lineTo(i(d),l(d)),e.stroke(),e.setLineDash([]);let u=.17*t.cell/Math.hypot(s,a);e.beginPath(),e.moveTo(i(d)-a*u,l(d)+
 s*u),e.lineTo(i(d)+a*u,l(d)-s*u),e.stroke()}function Pn(e,t,n,r,o,s){let a=K[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=e,u=et(t,[r[0]+a[0],r[1]+a[1]])?vo:wo,
 m=yo*o.size,h=[A(l,o.x+a[1]*m),C(l,o.y+a[0]*m),A(l,o.x+a[1]*u),C(l,o.y+a[0]*u)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[d.paper,
 p*2.1],[Y(e,t,n),p]])i.strokeStyle=g,i.lineWidth=f,bn(i,...h,l.cell*.2),i.stroke()}var Un={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Dn(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(
-Math.ceil(n),t.moments.length-1),d=t.moments[l],u=n===l,m=Te(t,n),h=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),wn(e);for(let f of r.
+Math.ceil(n),t.moments.length-1),d=t.moments[l],u=n===l,m=_e(t,n),h=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),wn(e);for(let f of r.
 viewers)m[f]?.alpha&&Tn(e,t,f,...st(t,f,n));Sn(e,t),r.axes&&An(e,o),_n(e,t,n,r.trail,m),Rn(e,d.contested??[],h),kn(e,t,n),In(e,t,l,h),m.forEach(({x:f,y:b,size:S},T)=>{
 let B=rn(d,T)?.4:0,ue=nt(d,T)?1:B;ue&&Ln(e,f,b,S,ue*h)});let p=u?d:t.moments[Math.max(0,l-1)];if(Nn(e,t,p,m,r.numbers,o),u&&r.plan)for(let[f,b]of m.entries())b.
 alpha&&Pn(e,t,f,w(d,f),b,r.plan[f]??0);r.you!==null&&(r.fog&&En(e,t,...st(t,r.you,n)),Mn(e,m[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.
@@ -200,7 +201,7 @@ s.setLineDash([]))}function $n({ctx:e,grid:t},n,r,o){let s=o*t.cell;e.beginPath(
 cell:l,left:Math.round((r-t*l+a)/2),top:Math.round((o-e*l+a)/2)}}function Hn(e,t,n){let r=Math.floor((n-e.top)/e.cell),o=Math.floor((t-e.left)/e.cell);return r>=
 0&&r<e.rows&&o>=0&&o<e.cols?[r,o]:null}var Co={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function jn(e){let t=getComputedStyle(e),n=Object.entries(Co).map(([r,o])=>[r,t.getPropertyValue(
-o).trim()]);return Object.fromEntries(n)}var Fn=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,_e=class{canvas;#e=null;#n=0;#t;#a={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#r;#s;constructor(t,n={}){
+o).trim()]);return Object.fromEntries(n)}var Fn=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,ke=class{canvas;#e=null;#n=0;#t;#a={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#r;#s;constructor(t,n={}){
 this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#t={...Un,...n},this.#r=new ResizeObserver(()=>this.#l()),this.#r.observe(t),this.#s=new MutationObserver(
 ()=>this.redraw()),this.#s.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#r.disconnect(),this.#s.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#o)}get look(){
@@ -209,12 +210,12 @@ length-1),this.#c(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimation
 canvas.getContext("2d");if(!t||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||1;this.#a=Wn(n,r,this.#t.axes,this.canvas.width,this.canvas.height,
 o);let s={ctx:t,grid:this.#a,colors:jn(this.canvas)};Dn(s,this.#e,this.#n,this.#t,o)}cellAt(t,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
 width;return Hn(this.#a,(t-r.left)*o,(n-r.top)*o)}agentAt(t,n){let r=this.cellAt(t,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#n)],s=le(
-this.#e,o).get(r[0]*this.#e.cols+r[1])??[],a=Te(this.#e,Math.round(this.#n)),i=l=>{let[d,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-t,u-n)};return s.length?
+this.#e,o).get(r[0]*this.#e.cols+r[1])??[],a=_e(this.#e,Math.round(this.#n)),i=l=>{let[d,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-t,u-n)};return s.length?
 s.reduce((l,d)=>i(d)<i(l)?d:l):null}pointOf(t,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[r.left+
 (s+t*i)*o,r.top+(a+n*i)*o]}#c(){if(!this.#e)return;let{rows:t,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(Bn(t,n)))}#l(){let t=devicePixelRatio||
 1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};var Mo={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function Gn(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:Mo[e.rules.interaction],
 obstacles:t,moments:n}}function zn(e,t){return{positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_ca\
-ptured"),actions:t,involved:e.read("involved"),fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var ke=class{recording;rules;outcomes=[];#e;#n;#t;#a=[];#o=[];constructor(t,n,r,o){this.#e=n,this.#n=o,this.rules=r;let s=Ht(n,r);this.#t=t.world(s),this.#t.restore(
+ptured"),actions:t,involved:e.read("involved"),fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var Re=class{recording;rules;outcomes=[];#e;#n;#t;#a=[];#o=[];constructor(t,n,r,o){this.#e=n,this.#n=o,this.rules=r;let s=Ht(n,r);this.#t=t.world(s),this.#t.restore(
 _o(this.#t,n)),this.recording=Gn(s,this.#t.map(),this.#a),this.#s(void 0);for(let a of n.played)this.#r(a)}follow(t){if(!it(this.#e,t))return!1;let n=this.#e.played,
 r=t.played.findIndex((a,i)=>a!==n[i]),o=r<0?t.played.length:r,s=Math.min(o+1,this.#a.length);this.#a.length=this.outcomes.length=this.#o.length=s,this.#t.restore(
 this.#o.at(-1));for(let a of t.played.slice(s-1))this.#r(a);return this.#e=t,!0}get length(){return this.#a.length-1}get over(){let{terminated:t,truncated:n}=this.
@@ -230,8 +231,8 @@ t.evaders,a=>Number(a[s]));return{...e.snapshot(),seed:BigUint64Array.of(t.seed)
 s),last_cells:Int32Array.from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(
 t.evaders.length),rewards:new Float32Array(x(t)),report:new Int32Array(x(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(
 Number(t.ended)),truncated:Uint8Array.of(+(t.steps>=t.maxSteps))}}function it(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||
-e[r]===t[r])}var ko={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},Ro=200,Re=class extends EventTarget{data;player;#e;#n;#t;#a=[];#o=[];#r=[];#s=!1;#c="act";#l=0;#u=null;#d;constructor(t,n,r,o=null){
-super(),[this.#u,this.#d]=[o,r],this.#e=t,this.data=n,this.#n=r,this.#t=this.#m(r),this.player=new Ce(this.game.length,{still:Fn()}),this.player.jump(this.game.
+e[r]===t[r])}var ko={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},Ro=200,Le=class extends EventTarget{data;player;#e;#n;#t;#a=[];#o=[];#r=[];#s=!1;#c="act";#l=0;#u=null;#d;constructor(t,n,r,o=null){
+super(),[this.#u,this.#d]=[o,r],this.#e=t,this.data=n,this.#n=r,this.#t=this.#m(r),this.player=new Ee(this.game.length,{still:Fn()}),this.player.jump(this.game.
 length),this.player.addEventListener("frame",()=>this.#g()),this.#i()}get scene(){return this.#n}get game(){return this.#t[0]}get games(){return this.#t}get mode(){
 return this.#c}set mode(t){this.stop(),this.#c=t,this.#f()}get selected(){return this.#l}set selected(t){this.#l=t,this.#f()}get running(){return this.#s}get example(){
 return it(this.#d,this.#n)?this.#u:null}get canStep(){return!this.game.over&&this.#n.played.length<300}change(t,n={}){let r;try{r=this.#m(t)}catch(o){if(!(o instanceof
@@ -243,16 +244,15 @@ n.next);this.change(n),this.#r=r}restart(){this.stop();let{played:t}=this.#n;if(
 this.change({...this.#n,played:[],next:t[0]}),this.#r=n}run(){if(this.#s)return this.stop();this.#s=this.canStep,this.step()}stop(){this.#s&&(this.#s=!1,this.#f())}undo(){
 this.#p(this.#a,this.#o)}redo(){this.#p(this.#o,this.#a)}get canUndo(){return this.#a.length>0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{
 text:t,problem:n}}))}#p(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#n),this.#r=[],this.#h(r,this.#m(r)))}#m(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#t??
-[];return n.map(o=>{let s=r.find(i=>i.rules===o),a=s?.follow(t)?s:new ke(this.#e,t,o,this.data.champions);return a.actions(t.next),a})}#h(t,n){let[r,o]=[this.#n,
+[];return n.map(o=>{let s=r.find(i=>i.rules===o),a=s?.follow(t)?s:new Re(this.#e,t,o,this.data.champions);return a.actions(t.next),a})}#h(t,n){let[r,o]=[this.#n,
 this.#t.length];for(let l of this.#t)n.includes(l)||l.free();this.#n=t,this.#t=n,this.#l!==null&&this.#l>=M(t).length&&(this.#l=null);let s=this.game.length,[a,
 i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#i(),i&&s&&this.player.jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(
 s-this.player.step):this.player.jump(s),this.#f()}#i(){this.player.glide=ko[this.#n.rules.interaction]}#g(){this.#s&&this.player.arrived&&this.step()}#f(){this.
-dispatchEvent(new Event("change"))}};function Kn(e,t,n){let r=s=>new Re(e,t,ie(s,t),Yn(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Vn(s)}}}function Vn(e){
-if(e instanceof se||e instanceof E)return`This link holds no scene. ${e.message}`;throw e}function Yn(e,t){return e.gallery.find(n=>n.scene===t)??null}var Le=()=>[
-"file:","http:","https:"].includes(location.protocol);function de(){try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var Lo=100;
-function Jn(e){let[t,n,r]=[ae(e.scene,e.data),de(),0],o=()=>{r=0,de()===n&&(n=t,history.replaceState(null,"",`#${t}`))};e.addEventListener("change",()=>{t=ae(e.
-scene,e.data),t!==n&&!r&&(r=setTimeout(o,Lo))}),window.addEventListener("hashchange",()=>{if(n=de(),n!==t)try{e.change(ie(n,e.data),{example:Yn(e.data,n)})}catch(s){
-e.say(Vn(s),!0)}})}function qn(){let e=JSON.parse(document.getElementById("data").textContent),t=document.getElementById("champions")?.textContent;return t?{...e,champions:JSON.parse(
+dispatchEvent(new Event("change"))}};function Kn(e,t,n){let r=s=>new Le(e,t,ie(s,t),Yn(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Vn(s)}}}function Vn(e){
+if(e instanceof se||e instanceof E)return`This link holds no scene. ${e.message}`;throw e}function Yn(e,t){return e.gallery.find(n=>n.scene===t)??null}function de(){
+try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var Lo=100;function Jn(e){let[t,n,r]=[ae(e.scene,e.data),de(),0],o=()=>{
+r=0,de()===n&&(n=t,history.replaceState(null,"",`#${t}`))};e.addEventListener("change",()=>{t=ae(e.scene,e.data),t!==n&&!r&&(r=setTimeout(o,Lo))}),window.addEventListener(
+"hashchange",()=>{if(n=de(),n!==t)try{e.change(ie(n,e.data),{example:Yn(e.data,n)})}catch(s){e.say(Vn(s),!0)}})}function qn(){let e=JSON.parse(document.getElementById("data").textContent),t=document.getElementById("champions")?.textContent;return t?{...e,champions:JSON.parse(
 t,No)}:e}var No=(e,t)=>e==="genome"?Float32Array.from(t):t;var Oo=matchMedia("(prefers-color-scheme: dark)");function Io(){let e=document.documentElement.dataset.theme;return e?e==="dark":Oo.matches}function lt(){document.
 documentElement.dataset.theme=Io()?"light":"dark"}function Xn(){return c("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:lt},"◐")}var O=["stay","north","east","south","west","northeast","southeast","southwest","northwest"],ct=["·","↑","→","↓","←","↗","↘","↙","↖"],Zn=e=>typeof e==
 "number"?`${ct[e]} ${O[e]}`:e,Po={obstacle:["obstacle"],teammate:["teammate"],adversary:["evader","pursuer"]},$o=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(
@@ -274,7 +274,7 @@ i=e.pursuers.length,l=`after ${e.maxSteps} steps`;return r&&(l=a(0,i)?"every eva
 eft"),[{kind:"end",text:`The episode has ended: ${l}.`,turn:0,blame:"",cost:"",used:[]}]}function Ie(e){return e.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).map((t,n)=>n%
 2?c("span",{class:"whole"},t):t)}var rr={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},Wo={e:5,c:6,y:7,z:7,q:8};function or(e){let t=c("div",{class:"arena"}),n=[tr(e,0),tr(e,1)];t.append(...n.
 map(o=>o.element));let r=()=>n.forEach(o=>o.update());return e.addEventListener("change",r),e.player.addEventListener("frame",r),r(),t}function tr(e,t){let n=c(
-"canvas",{tabindex:0,"aria-describedby":"board-keys"}),r=c("h2",{class:"arm-name"}),o=c("figure",{class:"arm"},r,n),s=new _e(n,{axes:!0,trail:1}),a=new ut;Ho(e,
+"canvas",{tabindex:0,"aria-describedby":"board-keys"}),r=c("h2",{class:"arm-name"}),o=c("figure",{class:"arm"},r,n),s=new ke(n,{axes:!0,trail:1}),a=new ut;Ho(e,
 s),Go(e,n,a);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:d,scene:u}=e;n.setAttribute("role","application"),n.ariaLabel=`Board, ${u.rows} by ${u.
 cols} cells`,n.dataset.mode=d,r.textContent=I(e,t),r.hidden=e.games.length<2;let m=e.player.arrived&&e.player.step===e.game.length;s.look={plan:d==="act"&&m&&!l.
 over?l.actions(u.next):null,selected:d==="act"?e.selected:null,cursor:d==="build"&&document.activeElement===n?a.cell:null},s.show(l.recording,e.player.time)};return n.
@@ -286,7 +286,7 @@ r.clientX,r.clientY);n=e.mode==="build"?Fo(e,o,s):jo(e,o,s)}),t.canvas.addEventL
 max(Math.abs(s[0]-t[0]),Math.abs(s[1]-t[1]))===1&&J(e,Qe(s,t,e.scene.diagonal)),null}let r=e.selected===n;e.selected=n;let o=dt(e,n);return o?(r&&J(e,0),s=>J(e,
 Qe(o,s,e.scene.diagonal))):null}function Fo(e,t,n){let r=!1,o=i=>{e.change(i,{part:r}),r=!0};if(n!==null)return e.selected=n,i=>{let l=e.game.scene();L(l,i)===null&&
 !N(l,i)&&o(Je(l,n,i))};let s=!N(e.game.scene(),t),a=i=>{let l=e.game.scene();L(l,i)===null&&N(l,i)!==s&&o(qe(l,i,s))};return a(t),a}function J(e,t){let{selected:n,
-scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(ve(r,n,t)),e.say(`${k(r,n)}: ${O[t]}.`))}var ut=class extends EventTarget{cell=[0,0];move(t,n,r){
+scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(we(r,n,t)),e.say(`${k(r,n)}: ${O[t]}.`))}var ut=class extends EventTarget{cell=[0,0];move(t,n,r){
 let o=(s,a)=>Math.min(a-1,Math.max(0,s));this.cell=[o(this.cell[0]+t[0],n),o(this.cell[1]+t[1],r)],this.dispatchEvent(new Event("change"))}};function Go(e,t,n){
 t.addEventListener("keydown",r=>{if(r.ctrlKey||r.metaKey||r.altKey)return;(e.mode==="act"?mt(e,r):zo(e,r,n))&&r.preventDefault()})}function mt(e,t){let n=t.key.
 length===1?t.key.toLowerCase():t.key,r=rr[n]??(e.scene.diagonal?Wo[n]:void 0)??{s:0,Delete:0}[n];return r!==void 0?(e.selected===null&&nr(e,1),J(e,r),!0):n!=="n"&&
@@ -294,7 +294,7 @@ n!=="p"?!1:(nr(e,n==="n"?1:-1),!0)}function nr(e,t){let n=x(e.scene),r=e.game.re
 (o+t+n)%n,!r[o])continue;e.selected=o;let[a,i]=dt(e,o);return e.say(`${k(e.scene,o)} at (${a}, ${i}).`)}}function zo(e,t,n){let r=e.game.scene(),o=rr[t.key];if(o!==
 void 0){let a=t.shiftKey?L(r,n.cell):null;n.move(K[o],r.rows,r.cols);let i=L(r,n.cell)===null&&!N(r,n.cell);a!==null&&i&&e.change(Je(r,a,n.cell));let[l,d]=n.cell;
 return e.say(`(${l}, ${d}): ${Ko(e,n.cell)}.`),!0}let s=L(r,n.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(qe(r,n.cell,!N(r,n.cell))):e.selected=
-s,!0):t.key==="Delete"&&s!==null?(e.change(we(r,s)),!0):!1}function Ko(e,t){let n=e.game.scene(),r=L(n,t);return r!==null?k(n,r):N(n,t)?"obstacle":"free"}function pt(e){let t=e==="pursuers"?ye("path",{d:"M12 3 22 20H2z"}):ye("circle",{cx:12,cy:12,r:9.5});return ye("svg",{viewBox:"0 0 24 24",class:`glyph ${e}`,"ar\
+s,!0):t.key==="Delete"&&s!==null?(e.change(Se(r,s)),!0):!1}function Ko(e,t){let n=e.game.scene(),r=L(n,t);return r!==null?k(n,r):N(n,t)?"obstacle":"free"}function pt(e){let t=e==="pursuers"?ye("path",{d:"M12 3 22 20H2z"}):ye("circle",{cx:12,cy:12,r:9.5});return ye("svg",{viewBox:"0 0 24 24",class:`glyph ${e}`,"ar\
 ia-hidden":!0},t)}function sr(e){let t=[0,1].map(()=>c("th",{class:"reward",scope:"col"})),n=c("tbody"),r=c("table",{class:"agents"},c("thead",{},c("tr",{},c("t\
 h",{scope:"col"},"agent"),c("th",{scope:"col"},"next"),...t)),n),o=c("section",{class:"card agents-card"},c("h2",{},"Agents"),e.data.champions?c("button",{type:"\
 button",title:"The networks of the match move all agents but the chosen one",onclick:()=>Vo(e)},"Networks move all others"):"",c("div",{class:"agents-scroll"},r)),
@@ -302,7 +302,7 @@ s=[],a="",i=()=>{let{scene:l}=e,d=`${l.pursuers.length} ${l.evaders.length} ${l.
 ...s.map(u=>u.element))),t.forEach((u,m)=>{u.hidden=m>=e.games.length,u.textContent=e.games.length>1&&e.games[m]?I(e,m):"reward",u.title="Reward of the step"}),
 s.forEach((u,m)=>qo(e,u,m))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function Vo(e){e.stop(),e.change({...e.scene,next:e.
 scene.next.map((t,n)=>n===e.selected?t:R)})}function Yo(e,t){let{scene:n}=e,r=k(n,t),o=c("select",{"aria-label":`${r} does next`},...Jo(e,n,t));o.addEventListener(
-"change",()=>{let u=o.value;e.stop(),e.change(ve(e.scene,t,/^\d$/.test(u)?Number(u):u))});let s=c("span",{class:"state muted"}),a=c("span",{class:"heard"}),i=c(
+"change",()=>{let u=o.value;e.stop(),e.change(we(e.scene,t,/^\d$/.test(u)?Number(u):u))});let s=c("span",{class:"state muted"}),a=c("span",{class:"heard"}),i=c(
 "button",{type:"button",class:"agent-name",onclick:()=>e.selected=t},pt(Ve(n,t)),r,a),l=[0,1].map(()=>c("td",{class:"reward numbers"}));return{element:c("tr",{},
 c("th",{scope:"row"},i),c("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function Jo(e,t,n){let r=O.slice(0,t.diagonal?9:5).map((i,l)=>c("option",{value:l},
 Zn(l))),o=e.data.scripts.map(({name:i,text:l})=>c("option",{value:i,title:l},i)),s=[c("optgroup",{label:"move"},...r),c("optgroup",{label:"script"},...o)],a=e.data.
@@ -315,7 +315,7 @@ rewards[a];p.classList.toggle("differs",g>0&&b!==void 0&&T!==b)})}function ar(e,
 {},e),n),...t);return n.addEventListener("click",()=>r.close()),r.addEventListener("click",o=>o.target===r&&r.close()),r}function ir(e){let t=c("input",{type:"t\
 ext",readonly:!0,"aria-label":"Link"}),n=c("input",{type:"text",readonly:!0,"aria-label":"Scene"}),r=c("p",{class:"muted small",role:"status"}),o=a=>async()=>{a.
 select();try{await navigator.clipboard.writeText(a.value),r.textContent="Copied."}catch{r.textContent="Selected: copy it with Ctrl+C."}},s=ar("Share this scene",
-c("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),c("label",{class:"copy",hidden:!Le()},c("span",{},"Link to\
+c("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),c("label",{class:"copy",hidden:!ve()},c("span",{},"Link to\
  this page"),t,c("button",{type:"button",onclick:o(t)},"Copy")),c("label",{class:"copy"},c("span",{},"Scene, for any copy of the playground"),n,c("button",{type:"\
 button",onclick:o(n)},"Copy")),r);return{element:s,open:()=>{n.value=`#${ae(e.scene,e.data)}`,t.value=location.href.split("#")[0]+n.value,r.textContent="",s.showModal()}}}
 var Xo=[[["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or stop"],[["N","P"],"choose the nex\
@@ -350,7 +350,7 @@ forEach((s,a)=>{let i=n[a];i.hidden=s>4&&!e.scene.diagonal,i.setAttribute("aria-
 String(o===s))})}}}function ur(e){let t=c("button",{type:"button",title:"Undo the last change (Ctrl+Z)",onclick:()=>e.undo()},"Undo"),n=()=>t.setAttribute("aria\
 -disabled",String(!e.canUndo));return e.addEventListener("change",n),n(),t}function $e(e,t){let n=e.game.scene(),r=Kt(n);if(!r)return e.say("Every cell is taken\
 .",!0);if(n[t].length>=100)return e.say(`${t}: expected at most ${100}`,!0);let o=t==="pursuers"?n.pursuers.length:x(n);e.change(Gt(n,t,r))&&(e.selected=o)}function ft(e){
-let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let n=we(e.game.scene(),t);n.pursuers.length&&n.evaders.length?e.change(n):e.say("A \
+let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let n=Se(e.game.scene(),t);n.pursuers.length&&n.evaders.length?e.change(n):e.say("A \
 team needs at least one agent.",!0)}function mr(e,t){let n=Object.keys(e.data.variants),r={Enter:()=>e.step(),Backspace:()=>e.back(),Home:()=>e.restart()," ":()=>e.run(),m:()=>e.mode=e.mode==="act"?
 "build":"act",l:t.share,d:lt,"?":t.keys},o={"+":()=>$e(e,"pursuers"),"-":()=>$e(e,"evaders"),Delete:()=>ft(e)};document.addEventListener("keydown",s=>{if(s.defaultPrevented||
 document.querySelector("dialog[open]"))return;let a=s.key.length===1?s.key.toLowerCase():s.key;if((s.ctrlKey||s.metaKey)&&!s.altKey){let d={z:()=>s.shiftKey?e.redo():
@@ -391,6 +391,6 @@ ine-text"},...Ie(t)),r&&c("span",{class:"line-blame muted"},r),o&&c("strong",{},
 ({text:r,blame:o,cost:s})=>[r,o,s].filter(Boolean).join(" "))].filter(Boolean).join(" ");function br(e,t){let n=ir(t),r=lr(),o=()=>r.showModal(),s=c("header",{class:"top"},c("h1",{},c("span",{class:"muted"},"matrixworld "),"playground"),c("div",{class:"\
 buttons"},ur(t),c("button",{type:"button",title:"Link to this scene (L)",onclick:n.open},"Share"),c("button",{type:"button",title:"Keys (?)",onclick:o},"Keys"),
 Xn())),a=c("main",{class:"layout"},hr(t),c("section",{class:"card stage","aria-label":"Board"},or(t),dr(t)),c("div",{class:"side"},gr(t),sr(t)));e.classList.add(
-"playground"),e.replaceChildren(s,cr(t),a,n.element,r),mr(t,{share:n.open,keys:o})}async function hs(e){let t=qn(),{store:n,problem:r}=Kn(await Bt(),t,de()||t.scene);br(e,n),Le()&&Jn(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var yr=document.
+"playground"),e.replaceChildren(s,cr(t),a,n.element,r),mr(t,{share:n.open,keys:o})}async function hs(e){let t=qn(),{store:n,problem:r}=Kn(await Bt(),t,de()||t.scene);br(e,n),ve()&&Jn(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var yr=document.
 getElementById("page");hs(yr).catch(e=>{throw yr.append(c("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
 document.body.dataset.ready="true"});})();
