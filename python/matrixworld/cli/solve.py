@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +25,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import print_head
-from matrixworld.solve import Solution, States, solve
+from matrixworld.solve import States, solve
 from matrixworld.world.config import WorldConfig
 
 EXAMPLES = """\b
@@ -87,51 +87,33 @@ def solve_command(
         config = WorldConfig(variant or "O", **given)
         began = time.perf_counter()
         solution = solve(States(config, threads=threads))
-        in_turns = solution.states.n_turns > 1
-        # None: never.
-        found = solution.capture_time if in_turns else math.inf
-        capture_time = None if math.isinf(found) else int(found)
-        seconds = time.perf_counter() - began
-    _print(solution, variant or "O", in_turns, capture_time, seconds)
-    write_json(
-        json_file,
-        {
-            "world": config.to_json(),
+        found: dict[str, Any] = {
             "value": solution.value,
             "value_by_step": solution.means.tolist(),
-            **({"capture_time": capture_time} if in_turns else {}),
             "states": solution.states.total,
             "gap": solution.gap,
-            "seconds": seconds,
-        },
-    )
-
-
-def _print(
-    solution: Solution, variant: str, in_turns: bool, capture_time: int | None, seconds: float
-) -> None:
-    config, means = solution.states.config, solution.means
+        }
+        if solution.states.n_turns > 1:
+            rounds = solution.capture_time
+            found["capture_time"] = None if math.isinf(rounds) else int(rounds)
+        found["seconds"] = time.perf_counter() - began
     size = f"{config.rows} x {config.cols} cells"
-    print_head(f"{variant}, {size}, {config.n_pursuers} against {config.n_evaders}")
-    # Half of the value tells how fast it is reached.
-    half = next(step for step, mean in enumerate(means) if mean >= means[-1] / 2)
-    rows = [[f"capture rate after {solution.steps} steps", f"{solution.value:.4f}"]]
-    rows += [["steps to half of it", str(half)]] if means[-1] > 0 else []
-    if in_turns:
-        never = "never: the evaders can escape"
-        rows.append(
-            [
-                "rounds to capture from the best start",
-                str(never if capture_time is None else capture_time),
-            ]
-        )
-    rows += [
-        ["states", f"{solution.states.total:,}"],
-        ["largest gap between the guarantees of a step", f"{solution.gap:.1g}"],
-        ["seconds", f"{seconds:.2f}"],
-    ]
-    width = max(len(name) for name, _ in rows)
-    for name, value in rows:
+    print_head(f"{variant or 'O'}, {size}, {config.n_pursuers} against {config.n_evaders}")
+    _print(found, config.max_steps)
+    write_json(json_file, {"world": config.to_json(), **found})
+
+
+def _print(found: Mapping[str, Any], steps: int) -> None:
+    rows = {f"capture rate after {steps} steps": f"{found['value']:.4f}"}
+    if "capture_time" in found:
+        # None is infinite.
+        rounds = found["capture_time"] or "never: the evaders can escape"
+        rows["rounds to capture from the best start"] = str(rounds)
+    rows["states"] = f"{found['states']:,}"
+    rows["largest gap between the guarantees of a step"] = f"{found['gap']:.1g}"
+    rows["seconds"] = f"{found['seconds']:.2f}"
+    width = max(map(len, rows))
+    for name, value in rows.items():
         say(f"  {name:{width}}  {value}")
     say()
     print_wrapped(LEGEND)
