@@ -50,6 +50,13 @@ def test_two_cops_need_half_the_perimeter(rows: int, cols: int) -> None:
     assert solution.capture_time == (rows + cols) // 2 - 1
 
 
+def test_capture_times_do_not_depend_on_the_steps_that_were_solved() -> None:
+    states = States(world("TO", rows=3, obstacles=np.array(HOLE, bool)))
+    short, long = solve(states, steps=1), solve(states, steps=50)
+    assert len(long.values[0]) < 50
+    assert np.array_equal(short.capture_times, long.capture_times)
+
+
 def test_one_cop_needs_the_diagonals() -> None:
     assert solve(world("TO", n_pursuers=1)).capture_time == np.inf
     assert solve(world("TO", n_pursuers=1, diagonal=True)).capture_time < np.inf

@@ -168,16 +168,19 @@ class Solution:
         states = self.states
         if states.n_turns == 1:
             raise ValueError("capture_times: expected a game in turns, got simultaneous moves")
-        # An end is won or not, and wins within n rounds can only become more with n.
-        won = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)
-        times = np.where(won == 1.0, 0.0, np.inf)
+        if not self.fixed and self.payoff == "capture-rate" and len(self.values[0]) <= self.steps:
+            won = self.values[0] == 1.0  # more rounds would change nothing
+            return np.where(won.any(axis=0), won.argmax(axis=0), np.inf)
+        # What is won within n rounds only becomes more with n.
+        now = (np.arange(states.count()) == states.n_ends - 1).astype(np.float64)
+        times = np.where(now == 1.0, 0.0, np.inf)
         for rounds in range(1, states.count() + 1):
-            before = won
+            before = now
             for turn in reversed(range(states.n_turns)):
-                won = _backup(states, won, turn, rounds, {})[0]
-            if (won == before).all():
+                now = _backup(states, now, turn, rounds, {})[0]
+            if (now == before).all():
                 break
-            times[(won == 1.0) & (before < 1.0)] = rounds
+            times[(now == 1.0) & (before < 1.0)] = rounds
         return times
 
     @property
@@ -187,10 +190,13 @@ class Solution:
         The classical capture time of cops and robbers. The evaders start on other cells than the
         pursuers.
         """
-        cells = self.states.cells()[self.states.starts, : self.states.config.n_pursuers]
-        _, number = np.unique(cells, axis=0, return_inverse=True)
+        config = self.states.config
+        cells = self.states.cells()[self.states.starts, : config.n_pursuers].astype(np.int64)
+        # One number for the cells of all pursuers: unique rows would take longer than the solution.
+        start = cells @ (config.rows * config.cols) ** np.arange(config.n_pursuers)
+        _, number = np.unique(start, return_inverse=True)
         worst = np.zeros(number.max() + 1)
-        np.maximum.at(worst, number.ravel(), self.capture_times[self.states.starts])
+        np.maximum.at(worst, number, self.capture_times[self.states.starts])
         return float(worst.min())
 
 
