@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shlex
 import shutil
@@ -140,6 +141,8 @@ def test_settings_from_a_file(undrawn, tmp_path):
     assert (race.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
 
     Path("race.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
+    said = matrixworld_command("evolve", "--config", os.devnull, code=1).stderr
+    assert said == f"Error: {os.devnull}: expected a file, got a device\n"  # it may have no end
     said = matrixworld_command("evolve", "--config", "race.toml", code=2).stderr
     assert "--variant: expected one of" in said
     start(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run").run()

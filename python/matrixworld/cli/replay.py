@@ -10,6 +10,7 @@ from typing import Any, cast
 import click
 
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
+from matrixworld._util.files import read_content
 from matrixworld.classroom.submissions import read_genome
 from matrixworld.cli.arguments import failures, find_runs, race_option, run_of
 from matrixworld.cli.console import say
@@ -257,7 +258,7 @@ def _is_file(who: str) -> bool:
 def _of_file(team: str, who: str) -> Population:
     """Return the genome that ``class export`` has written for a team."""
     path = Path(who)
-    found, population = read_genome(path, path.read_bytes())
+    found, population = read_genome(path, read_content(path))
     if found != team:
         raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
     return population

@@ -17,7 +17,7 @@ from typing import Any, get_args
 
 import click
 
-from matrixworld._util.files import DamagedFileError, load_toml
+from matrixworld._util.files import DamagedFileError, check_regular, load_toml
 from matrixworld.cli.arguments import run_in
 from matrixworld.cli.console import say
 from matrixworld.cli.options import option_name
@@ -77,6 +77,7 @@ def _configured(ctx: click.Context, param: click.Parameter, path: Path | None) -
     """Return the settings in a file."""
     if path is None:
         return {}
+    check_regular(path, path.stat().st_mode)  # a device may have no end
     try:
         is_toml = path.suffix == ".toml"
         values = load_toml(path) if is_toml else json.loads(path.read_text(encoding="utf-8"))

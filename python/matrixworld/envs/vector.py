@@ -476,6 +476,8 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ``final_obs`` with ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
 
     With ``copy=False`` and both teams, arrays are overwritten by the next step as in `VectorEnv`.
+    Those of one team are copies in any case, so ``copy=False`` only tells the worlds that their own
+    copies, of all agents, need no memory.
 
     Examples
     --------
@@ -507,8 +509,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
-        part = len(self._agents) / len(worlds.agents)
-        if worlds.copy or part < 1:  # agents of one team lie apart in memory
+        # In place of the copies of the worlds. Agents of one team lie apart in memory.
+        if worlds.copy or len(self._agents) < worlds.config.n_agents:
+            part = len(self._agents) / len(worlds.agents)
             check_memory("environment of agents", copies=int(part * worlds._copies))
         seen = worlds.observations
         n_actions = worlds.config.n_actions

@@ -1,0 +1,249 @@
+"""Every command with every option at its borders writes all that it announces, or nothing.
+
+The cases follow from the commands themselves: a new one, or a new option, is tried without a line
+here. In-range values that would play for hours, such as 2^31 - 1 episodes, are left out.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import unicodedata
+import zlib
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from PIL import Image
+
+from command_line import RACE
+from matrixworld.classroom import save_genome
+from matrixworld.cli import main
+from matrixworld.cli.console import printable
+from matrixworld.coevolution import open_run
+from tiny_race import path_of
+
+Tree = dict[Path, bytes | None]
+
+# ---- What makes a command small and complete -----------------------------------------------------
+
+PLACES = {"directory": "class", "runs": "RUN"}
+"""Values of arguments; that of others that are required is RUN."""
+REQUIRED = {"--champion": "evader", "--team": "pursuer", "--out": "champion.npz"}
+SMALL = {
+    "--config": "tiny.toml",
+    "--episodes": "3",  # what the run has
+    "--hidden": "2",
+    "--matches": "96",
+    "--no-open": None,
+    "--schedule": "generalist-generalist",
+    "--threads": "1",
+    ("bench", "--seconds"): "0.01",
+    ("bench", "--set"): "world.rows=6",
+    ("class", "--fov"): "3",  # what its genomes see
+    ("class", "--steps"): "5",
+    **{("solve", option): "3" for option in ("--rows", "--cols", "--steps")},
+}
+"""Options that a command gets if it has them; None: a flag."""
+
+
+def commands(
+    group: click.Group = main, path: tuple[str, ...] = ()
+) -> Iterator[tuple[tuple[str, ...], click.Command]]:
+    for name, each in group.commands.items():
+        if isinstance(each, click.Group):
+            yield from commands(each, (*path, name))
+        else:
+            yield (*path, name), each
+
+
+def usual(path: tuple[str, ...], param: click.Parameter) -> list[str]:
+    """Return the words of a parameter that is not tried."""
+    if isinstance(param, click.Argument):
+        place = PLACES.get(param.name or "", "RUN" if param.required else None)
+        return [place] if place else []
+    for option in (*param.opts, *param.secondary_opts):
+        known = {**SMALL, **REQUIRED} if param.required else SMALL
+        if (key := (path[0], option)) in known or (key := option) in known:
+            return [option] if known[key] is None else [option, str(known[key])]
+    return []
+
+
+NUMBERS = ["", "-1", "0", "1", "x", "nan", "inf", "-inf", "1e-320", "1" + 30 * "0"]
+TEXTS = [
+    "",
+    " ",
+    "-",
+    "0",
+    "x",
+    "-1",
+    "nan",
+    "\udcff",
+    "\x1b]0;x\x07",
+    "x" * 5000,
+    "a=b",
+    "=",
+    "a=",
+]
+ENDINGS = ["", ".json", ".npz", ".html", ".png", ".csv", ".toml"]
+FILES = [
+    "missing/x",
+    "file.txt/x",
+    "/proc/x",
+    "\udcff",
+    "x" * 300,
+    "directory",
+    "old",
+    "cut",
+    "new",
+]
+PATHS = ["", ".", "..", "-", "file.txt", "RUN", "/dev/null", "link", "empty", "RUN/payoff.npz"]
+
+
+def borders(path: tuple[str, ...], param: click.Parameter) -> list[list[str]]:
+    """Return the words to try for a parameter of a command."""
+    flag = isinstance(param, click.Option) and param.is_flag
+    if flag:
+        return [[option] for option in (*param.opts, *param.secondary_opts)]
+    type_: Any = param.type
+    values = list(TEXTS)
+    if isinstance(type_, click.Choice):
+        values += [*type_.choices][:1] + [*type_.choices][-1:]
+    elif isinstance(type_, click.types.IntParamType | click.types.FloatParamType):
+        least, most = (getattr(type_, end, None) for end in ("min", "max"))
+        values = NUMBERS + [str(each) for each in (least, least and least - 1) if each is not None]
+        values += [str(2**31 - 1 if most is None else most + 1)]
+    elif isinstance(type_, click.Path) or re.search("RUN|FILE|DIR|PATH", param.metavar or ""):
+        values = PATHS + [f"{file}{ending}" for file in FILES for ending in ENDINGS]
+        values += [] if isinstance(type_, click.Path) else TEXTS
+    values = list(dict.fromkeys(values))
+    if isinstance(param, click.Argument):
+        return [["--", value] for value in values]
+    return [[param.opts[0], value] for value in values]
+
+
+CASES = [(path, command, param) for path, command in commands() for param in command.params]
+
+
+def some(path: tuple[str, ...], param: click.Parameter) -> list[list[str]]:
+    """Return a border of a parameter, another one for each of them."""
+    all_of_them = borders(path, param)
+    return [all_of_them[zlib.crc32(f"{path}{param.name}".encode()) % len(all_of_them)]]
+
+
+@pytest.fixture(scope="module")
+def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A directory with a run, files of all kinds that are none, and a class of two."""
+    root = tmp_path_factory.mktemp("borders") / "here"
+    shutil.copytree(race, root / "RUN")
+    for name in ("directory", "empty", "class"):
+        (root / name).mkdir()
+    tiny = {path_of(name): json.dumps(value) for name, value in RACE.items() if name != "hidden"}
+    tiny = {name: value for name, value in tiny.items() if not name.startswith("schedule.joint")}
+    text = "".join(f"{name} = {value}\n" for name, value in tiny.items())
+    (root / "tiny.toml").write_text(text)
+    (root / "file.txt").write_text("precious")
+    (root / "link").symlink_to("file.txt")
+    for ending in ENDINGS:
+        (root / f"old{ending}").write_bytes(b"precious \xff")
+        (root / f"directory{ending}").mkdir(exist_ok=True)
+    (root / "cut.npz").write_bytes((race / "payoff.npz").read_bytes()[:-20])
+    (root / "cut.json").write_text('{"a": ')
+    (root / "cut.csv").write_text("0.5,nan\n0.5")
+    for team in ("pursuer", "evader"):
+        save_genome(root / "class" / f"{team}.npz", team, open_run(race).policy(team))
+    return root
+
+
+def tree(root: Path) -> Tree:
+    return {
+        path.relative_to(root): None if path.is_dir() else path.read_bytes()
+        for path in root.rglob("*")
+    }
+
+
+READERS: list[Any] = [
+    lambda path: json.loads(path.read_text("utf-8")),
+    lambda path: [*np.load(path).values()],
+    np.load,
+    lambda path: Image.open(path).verify(),
+    lambda path: path.read_text("utf-8").index("</html>"),
+    lambda path: np.loadtxt(path, str, delimiter=",", ndmin=2)[1],
+]
+
+
+def is_readable(path: Path) -> bool:
+    """Return whether a file is whole, whatever its name; locks are empty."""
+    for read in READERS:
+        with suppress(Exception):
+            read(path)
+            return True
+    return path.name.endswith(".lock") and not path.stat().st_size
+
+
+def problem_of(words: list[str], root: Path, before: Tree) -> str:
+    """Return what a command does against its promise; empty if it keeps it."""
+    done = CliRunner().invoke(main, words)
+    after = tree(root)
+    if not isinstance(done.exception, SystemExit | None):
+        return f"raises {done.exception!r}"
+    if done.exit_code:
+        said = re.findall(r"^Error: .+", done.stderr, re.MULTILINE)
+        if done.exit_code not in (1, 2) or len(said) != 1 or "Traceback" in done.output:
+            return f"ends with {done.exit_code}: {done.output[-300:]!r}"
+        if any(unicodedata.category(c) in ("Cc", "Cs", "Cf") for c in said[0]):
+            return f"gives a terminal orders: {said[0]!r}"
+        changed = sorted({*before.items()} ^ {*after.items()}, key=str)
+        return f"fails, and changes {[str(path) for path, _ in changed]}" if changed else ""
+    if lost := [path for path in before if after.get(path, 0) != before[path]]:
+        return "" if "--force" in words else f"changes {lost}"
+    new = [path for path in after.keys() - before.keys() if after[path] is not None]
+    if broken := [path for path in new if not is_readable(root / path)]:
+        return f"writes {broken}, which is not readable"
+    written = {printable(str(path.relative_to("here"))) for path in after}
+    announced = {name.split(", ")[0] for name in re.findall("Written: (.+)", done.stdout)}
+    missing = [name for name in announced - written if not Path(name).exists()]
+    return f"announces {missing}" if missing else ""
+
+
+@pytest.fixture
+def here(template: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The working directory, inside of one that must not change, either."""
+    monkeypatch.setattr("webbrowser.open", lambda page: True)
+    # Tables and figures at the end of a job take seconds, and have tests of their own.
+    monkeypatch.setattr("matrixworld.cli.evolve.report", lambda *args, **options: None)
+    shutil.copytree(template, root := tmp_path / "case" / "here", symlinks=True)
+    monkeypatch.chdir(root)
+    return root
+
+
+@pytest.mark.usefixtures("here")
+def test_the_usual_words_of_all_commands_are_valid():
+    for path, command in commands():
+        words = [*path, *(word for param in command.params for word in usual(path, param))]
+        done = CliRunner().invoke(main, words)
+        assert done.exit_code == 0, f"{words}: {done.output}"
+
+
+@pytest.mark.parametrize("tried", [some, pytest.param(borders, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    ("path", "command", "param"), CASES, ids=[f"{' '.join(c[0])} {c[2].opts[0]}" for c in CASES]
+)
+def test_all_is_written_or_nothing(path, command, param, tried, template, here):
+    rest = [word for other in command.params if other is not param for word in usual(path, other)]
+    root, before, problems = here.parent, tree(here.parent), []
+    for words in tried(path, param):
+        typed = [*path, *rest, *words]
+        if problem := problem_of(typed, root, before):
+            problems.append(f"{typed} {problem}")
+        if tree(root) != before:
+            for entry in here.iterdir():
+                shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
+            shutil.copytree(template, here, symlinks=True, dirs_exist_ok=True)
+    assert not problems, "\n".join(problems)
