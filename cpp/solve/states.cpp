@@ -136,10 +136,6 @@ States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers:
       cell_of_(n_cells_),
       index_of_(setup_->grid.n_cells(), kGone) {
     const Config& config = setup_->config;
-    if (config.map.size() == 0 && config.n_random_obstacles() > 0) {
-        throw std::invalid_argument(
-            "obstacles: expected none or a map, got obstacles that each episode draws anew");
-    }
     for (int i = 0; i < n_cells_; ++i) {
         cell_of_[i] = setup_->grid.cell(i / config.cols, i % config.cols);
         index_of_[cell_of_[i]] = i;

@@ -30,7 +30,7 @@ namespace matrixworld {
 
 class States {
   public:
-    // Throws std::invalid_argument for obstacles that are drawn at each reset, and where more joint
+    // Precondition: no obstacles are drawn at a reset. Throws std::invalid_argument where more joint
     // places of the agents exist than 31 bits count.
     States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll = {});
 
