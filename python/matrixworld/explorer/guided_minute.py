@@ -43,7 +43,7 @@ def guided_minute(
         ),
         Stop(
             f"At the end: pursuers {g} capture {matrix[g, h]:.0%} of evaders {h}. Both teams have "
-            "trained, so this number does not tell which one became better; other opponents do.",
+            "trained, so it takes other opponents to tell which one became better.",
             *(g, h),
         ),
         _early_opponent(matrix, judgement, kept),
