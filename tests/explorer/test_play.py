@@ -173,13 +173,14 @@ def press_button(browser: Browser, text: str) -> None:
 
 def saved(browser: Browser, folder: Path) -> Path:
     """Press Save and return the file."""
-    before = {*folder.iterdir()}
+    for file in folder.iterdir():
+        file.unlink()  # the browser may replace a file of the same name
     press_button(browser, "Save")
     deadline = time.monotonic() + 20
-    while not (new := {file for file in folder.iterdir() if file.suffix == ".npz"} - before):
+    while not (found := [*folder.glob("*.npz")]):
         assert time.monotonic() < deadline
         time.sleep(0.02)
-    return new.pop()
+    return found[0]
 
 
 def same(first: Episode, second: Episode) -> bool:

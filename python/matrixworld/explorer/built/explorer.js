@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7b35b299f55207af3b774b5dfe1360a32a3c360c166d41a702ac27b2249e7eb7 */
+/* built from web/ by "npm run build"; sources 4a0dcfe34c917f68b8b5572335e0c62451f551a96f3ebca74cd626fba2737705 */
 "use strict";(()=>{var da=Object.create;var cr=Object.defineProperty;var pa=Object.getOwnPropertyDescriptor;var ma=Object.getOwnPropertyNames;var ha=Object.getPrototypeOf,fa=Object.prototype.hasOwnProperty;var ga=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var ya=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ma(e))!fa.call(t,o)&&o!==n&&cr(t,o,{get:()=>e[o],enumerable:!(r=pa(e,o))||r.enumerable});
 return t};var ba=(t,e,n)=>(n=t!=null?da(ha(t)):{},ya(e||!t||!t.__esModule?cr(n,"default",{value:t,enumerable:!0}):n,t));var zs=ga(or=>{var _s=Object.defineProperty,Cl=t=>_s(t,"__esModule",{value:!0}),Tl=(t,e)=>{for(var n in e)_s(t,n,{get:e[n],enumerable:!0})};Cl(or);Tl(or,{GIFEncoder:()=>Bs,
 applyPalette:()=>Nl,default:()=>Vl,nearestColor:()=>zl,nearestColorIndex:()=>Ns,nearestColorIndexWithDistance:()=>Us,prequantize:()=>Ol,quantize:()=>Il,snapColorsToPalette:()=>Fl});

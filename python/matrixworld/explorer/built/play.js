@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7b35b299f55207af3b774b5dfe1360a32a3c360c166d41a702ac27b2249e7eb7 */
+/* built from web/ by "npm run build"; sources 4a0dcfe34c917f68b8b5572335e0c62451f551a96f3ebca74cd626fba2737705 */
 "use strict";(()=>{var tr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},rr={OCCUPATION:0,SURROUND:1},nr={FAULT:0,INVOLVED:1};var ht=["obstacle","teammate","adversary"],yt=["vertex","edge","chain"],or=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],gt=["p\
 ursuer_{number}","evader_{number}"],sr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ne={"both held":"both bounce","both doomed":"\
