@@ -42,6 +42,7 @@ from matrixworld.cli.classroom import play_command
 from matrixworld.cli.options import option_name
 from matrixworld.coevolution import TEAMS, Progress, Team
 from matrixworld.play.rollout import match_seed
+from scripts import wait_until
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 
@@ -335,8 +336,7 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
 
     with pytest.raises(KeyboardInterrupt):
         small(tmp_path, threads=2, progress=lambda unit: contextlib.nullcontext(interrupt))
-    time.sleep(0.2)
-    assert processes_of_programs() == []
+    wait_until(lambda: not processes_of_programs(), "end of all programs", 5.0)
     with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads
         assert pool.submit(int).result() == 0
 
@@ -349,14 +349,13 @@ def test_two_interruptions_end_the_command(tmp_path: Path, pause: float) -> None
             time.sleep(pause)
         # The second may meet the end of the interpreter, when nothing is left to end.
         assert command.wait(timeout=10.0) in (130, -signal.SIGINT)
-    assert processes_of_programs() == []
+    wait_until(lambda: not processes_of_programs(), "end of all programs", 5.0)
 
 
 def test_a_killed_command_leaves_no_process(tmp_path: Path) -> None:
     with playing(tmp_path) as command:
         command.kill()
-    time.sleep(0.5)
-    assert processes_of_programs() == []
+    wait_until(lambda: not processes_of_programs(), "end of all programs", 5.0)
 
 
 @contextlib.contextmanager
