@@ -3,8 +3,8 @@
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
-import { comparison } from "../play/ending.ts";
-import { ladder, linkTo, movesOf, teamOf } from "../play/played.ts";
+import { playOn } from "../play/ending.ts";
+import { movesOf, teamOf } from "../play/played.ts";
 import type { Moves } from "../play/played.ts";
 import { PlayView } from "../play/view.ts";
 import { placeOf } from "./address.ts";
@@ -70,15 +70,9 @@ export class TakeOver {
       this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.#view.element);
     }
     if (!this.dialog.open) this.dialog.showModal();
-    this.#view.play({
-      title: `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`,
-      played: {
-        config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, ...moves,
-        policies: { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) },
-      },
-      ending: (live, played) => [comparison(engine, live, played, ladder(players))],
-      again: () => this.#play(place, { ...moves, moves: moves.moves.slice(0, moves.from) }),
-      link: (played) => linkTo({ run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) }, played),
-    });
+    const title = `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
+    const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
+    const played = { config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
+    playOn(engine, this.#view, title, played, players, { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) });
   }
 }

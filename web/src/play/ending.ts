@@ -1,13 +1,24 @@
-// The end of a played match: what generations make of the same seat.
+// A match against players that are compared at its end: what each makes of the same seat.
 
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import type { Live } from "./live.ts";
-import { resultInSeat, resultOf, teamOf } from "./played.ts";
+import { ladder, linkTo, resultInSeat, resultOf, teamOf } from "./played.ts";
 import type { Played, Player, Result } from "./played.ts";
+import type { PlayView } from "./view.ts";
+
+/** Play a match on from its moves; `players` are compared, and `place` names the match in a link. */
+export function playOn(engine: Engine, view: PlayView, title: string, played: Played, players: readonly Player[], place: Parameters<typeof linkTo>[0]): void {
+  view.play({
+    title, played,
+    ending: (live, now) => [comparison(engine, live, now, ladder(players))],
+    again: () => playOn(engine, view, title, { ...played, moves: played.moves.slice(0, played.from) }, players, place),
+    link: (now) => linkTo(place, now),
+  });
+}
 
 /** Return a table of the person and of others in the same seat of the same match. */
-export function comparison(engine: Engine, live: Live, played: Played, players: readonly Player[]): HTMLElement {
+function comparison(engine: Engine, live: Live, played: Played, players: readonly Player[]): HTMLElement {
   const evader = teamOf(played.config, played.seat) === "evader";
   const most = evader ? played.config.max_steps : played.config.n_evaders;
   const table = html("table", { class: "numbers" },

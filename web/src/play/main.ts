@@ -9,10 +9,10 @@ import type { Team } from "../explorer/data.ts";
 import { html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
 import { themeButton } from "../page/theme.ts";
-import { comparison } from "./ending.ts";
+import { playOn } from "./ending.ts";
 import { escapeGame } from "./escape.ts";
 import { readEpisode } from "./file.ts";
-import { ladder, linkTo, movesOf, randomSeed } from "./played.ts";
+import { movesOf, randomSeed } from "./played.ts";
 import type { Moves, Player } from "./played.ts";
 import { PlayView } from "./view.ts";
 
@@ -54,13 +54,9 @@ function play(engine: Engine, view: PlayView, choice: Choice, moves: Moves): voi
   const [config, team] = [data.world, TEAMS[Number(moves.seat >= data.world.n_pursuers)]!];
   const names = TEAMS.map((each) => players[each][choice[each]]!.name);
   const policies = { pursuer: players.pursuer[choice.pursuer]!.policy(), evader: players.evader[choice.evader]!.policy() };
-  view.play({
-    title: `You are ${agentName(moves.seat, config.n_pursuers)}: pursuers ${names[0]}, evaders ${names[1]}`,
-    played: { config, seed: choice.seed, episode: 0, policies, ...moves },
-    ending: (live, played) => [comparison(engine, live, played, ladder(players[team]))],
-    again: () => play(engine, view, choice, { ...moves, moves: moves.moves.slice(0, moves.from) }),
-    link: (played) => linkTo({ pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed }, played),
-  });
+  const title = `You are ${agentName(moves.seat, config.n_pursuers)}: pursuers ${names[0]}, evaders ${names[1]}`;
+  playOn(engine, view, title, { config, seed: choice.seed, episode: 0, policies, ...moves }, players[team],
+    { pursuers: choice.pursuer, evaders: choice.evader, seed: choice.seed });
 }
 
 /** Play on where the match of a link ends; return whether the address holds one. */

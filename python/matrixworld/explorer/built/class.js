@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4a0dcfe34c917f68b8b5572335e0c62451f551a96f3ebca74cd626fba2737705 */
+/* built from web/ by "npm run build"; sources f022983c9f47789565c0c8af0a0d1af5a4cf540bb294f260f14833bfc192cafb */
 "use strict";(()=>{var br={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],Q=0,Z=12,gr=2,J=class extends EventTarget{#e;#t;#r;#n;#o=0;#a=0;#s=!1;#c=null;#d=0;#i=[];glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#n=r.still??!1,this.#r=r.clock??br}get step(){return this.#o}get time(){return this.#n?this.#o:this.#a}get arrived(){return this.#a===
 this.#o}get playing(){return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#o>e&&this.jump(e),this.#l("state")}get marks(){return this.#i}set marks(e){

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4a0dcfe34c917f68b8b5572335e0c62451f551a96f3ebca74cd626fba2737705 */
+/* built from web/ by "npm run build"; sources f022983c9f47789565c0c8af0a0d1af5a4cf540bb294f260f14833bfc192cafb */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},X={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var Z=["obstacle","teammate","adversary"],Ue=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],De=["pu\
 rsuer_{number}","evader_{number}"],wt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"{\
 first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Q={"both held":"both bounce","both doomed":"\
