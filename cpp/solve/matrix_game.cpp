@@ -8,7 +8,10 @@ namespace matrixworld {
 
 namespace {
 
-constexpr double kNone = 1e-13;   // entries are scaled to [1, 2]; what is smaller is rounding
+// Entries are scaled to [1, 2]: what is smaller is rounding, and no pivot.
+constexpr double kNone = 1e-10;
+constexpr double kTie = 1e-12;    // ratios so near to each other are equal
+constexpr double kGood = 1e-9;    // a gap of the certificate that rounding explains
 constexpr int kQuickPivots = 60;  // then the rule that cannot cycle
 
 // What a mixture of rows guarantees: its smallest mean over a column.
@@ -42,17 +45,24 @@ void normalize(double* weights, int n) {
 
 GameValue MatrixGame::solve(const double* matrix, int n_rows, int n_cols, double* rows,
                             double* cols) {
-    if (!find_saddle(matrix, n_rows, n_cols, rows, cols)) {
-        // Few constraints and many variables: the tableau's rows are long, its pivots few.
-        const bool transposed = n_rows > n_cols;
+    GameValue solved;
+    const auto certify = [&] {
+        const double least = guarantee(matrix, n_rows, n_cols, rows);
+        return GameValue{least, concession(matrix, n_rows, n_cols, cols) - least};
+    };
+    if (find_saddle(matrix, n_rows, n_cols, rows, cols)) return certify();
+    // Few constraints and many variables: the tableau's rows are long, its pivots few.
+    const bool transposed = n_rows > n_cols;
+    for (const bool careful : {false, true}) {
         fill(matrix, n_rows, n_cols, transposed);
-        for (int n = 0; pivot_once(n > kQuickPivots); ++n) continue;
+        for (int n = 0; pivot_once(careful || n > kQuickPivots); ++n) continue;
         read(transposed ? cols : rows, transposed ? rows : cols);
         normalize(rows, n_rows);
         normalize(cols, n_cols);
+        solved = certify();
+        if (solved.gap < kGood) break;
     }
-    const double least = guarantee(matrix, n_rows, n_cols, rows);
-    return {least, concession(matrix, n_rows, n_cols, cols) - least};
+    return solved;
 }
 
 // A row and a column, neither of which has a better reply to the other.
@@ -117,15 +127,16 @@ bool MatrixGame::pivot_once(bool careful) {
         }
     }
     if (col < 0) return false;
-    int row = -1;
+    // The smallest ratio keeps all variables positive. Many are equal, because the bounds all begin as
+    // 1: of those the largest pivot loses the fewest digits.
     double least = HUGE_VAL;
     for (int i = 0; i < n_constraints_; ++i) {
-        if (at(i, col) <= kNone) continue;
-        const double ratio = at(i, n_variables_) / at(i, col);
-        if (ratio < least || (ratio == least && basic_[i] < basic_[row])) {
-            least = ratio;
-            row = i;
-        }
+        if (at(i, col) > kNone) least = std::min(least, at(i, n_variables_) / at(i, col));
+    }
+    int row = -1;
+    for (int i = 0; i < n_constraints_; ++i) {
+        if (at(i, col) <= kNone || at(i, n_variables_) / at(i, col) > least + kTie) continue;
+        if (row < 0 || (careful ? basic_[i] < basic_[row] : at(i, col) > at(row, col))) row = i;
     }
     if (row < 0) return false;  // only by rounding: the sum of the variables is bounded
     pivot(row, col);

@@ -40,6 +40,12 @@ def test_two_pursuers_on_4_x_4_reach_what_regret_matching_found() -> None:
     assert solution.gap < 1e-9
 
 
+@pytest.mark.parametrize("changes", [{"diagonal": True}, {"n_evaders": 2}, {"rows": 6, "cols": 6}])
+def test_strategies_of_large_games_guarantee_the_same(changes: dict[str, Any]) -> None:
+    """Games of 81 x 9, 25 x 25 and 25 x 5 joint actions, most of them degenerate."""
+    assert solve(world(**changes), steps=10).gap < 1e-10
+
+
 # Mehrabian 2011, "The capture time of grids", Discrete Mathematics 311.
 GRIDS = [(2, 6), (3, 3), (3, 7), (4, 4), (4, 5), (5, 5), (6, 6)]
 
@@ -104,6 +110,7 @@ def test_a_pair_gets_exactly_what_its_matches_come_to(name: str) -> None:
     states = States(config)
     solution, pursuers = solve(states), network(config)
     response = best_response(states, pursuers, "pursuer")
+    assert solution.gap < 1e-10
     perfect = solution.policy("pursuer")
     pairs: list[tuple[Any, Any, float]] = [
         (pursuers, "clumsy-fleer", expected_payoff(states, pursuers, "clumsy-fleer")),
