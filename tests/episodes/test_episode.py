@@ -92,6 +92,7 @@ def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
     [
         ({"format": np.array("payoffs 1")}, "expected a file marked 'matrixworld episode 3'"),
         ({"payoff": np.zeros(3)}, r"expected entries .* got .*'payoff'"),
+        ({"seat": np.array(99)}, "not an episode .*seat: expected 0 to 11, got 99"),
         ({"map": np.array([{}], object)}, "cut, altered or not an npz file"),
         ({"alive": np.zeros((30, 12), bool)}, "not an episode .*alive: expected shape"),
         ({"positions": None}, "expected entries"),
