@@ -132,12 +132,11 @@ def write_explorer(groups: Sequence[Group], page: Path) -> None:
             "matrixworld explore RUN... makes one of others."
         )
         print_wrapped(left_out)
-    scores = {run.path: run.held_out for run in shown if run.settings.is_race and run.held_out}
     # A group of one run is judged already, or will be: the page need not do it again.
     alone = [group for group in groups if len(group.runs) == 1 and group.is_race]
     judgements = {group.runs[0].path: group.judgement for group in alone}
     saved = [open_run(run.path) for run in shown]
-    html = explorer_page(saved, held_out=scores, judgements=judgements, note=left_out)
+    html = explorer_page(saved, judgements=judgements, note=left_out)
     write_page(page, html)
 
 

@@ -115,34 +115,26 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
 def explorer_page(
     runs: Sequence[SavedRun],
     *,
-    held_out: Mapping[Path, Mapping[str, Any]] | None = None,
     judgements: Mapping[Path, analysis.Judgement] | None = None,
     note: str = "",
     live: str | None = None,
 ) -> str:
     """Return the page of finished runs as HTML, in this order.
 
-    By run directory, `held_out` has scores against held-out opponents (see `run_data`), and
-    `judgements` those that are known; other races are judged here. A `note` says what the page does
-    not show, such as further runs of the job. FileNotFoundError if a run is not finished. A page
-    that is `live` (see `matrixworld.explorer.live`) has this version, and no judgement.
+    By run directory, `judgements` has those that are known; other races are judged here. A `note`
+    says what the page does not show, such as further runs of the job. FileNotFoundError if a run is
+    not finished. A page that is `live` (see `matrixworld.explorer.live`) has this version, and no
+    judgement.
     """
     paths = [run.files.path.absolute() for run in runs]
     common = Path(os.path.commonpath(paths))
     # Each by its path below the directory that holds all of them.
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
     archives = archives_of(runs)
-    scores, known = held_out or {}, judgements or {}
+    known = judgements or {}
     plain = [
         {
-            **run_data(
-                name,
-                run,
-                scores.get(run.files.path),
-                known.get(run.files.path),
-                step=archives.step,
-                live=live,
-            ),
+            **run_data(name, run, known.get(run.files.path), step=archives.step, live=live),
             "teams": teams,
         }
         for name, run, teams in zip(names, runs, archives.teams, strict=True)
@@ -203,7 +195,6 @@ WINDOWS, LONGEST = 4, 100
 def run_data(
     name: str,
     run: SavedRun,
-    held_out: Mapping[str, Any] | None = None,
     judgement: analysis.Judgement | None = None,
     *,
     step: int = 1,
@@ -211,9 +202,8 @@ def run_data(
 ) -> dict[str, Any]:
     """Return what a page shows of a run, without its teams.
 
-    `held_out` has ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last
-    ``"evaders"``. A race without `judgement` is judged here, unless the page is `live`. The page
-    holds the genomes of every generation by a `step`.
+    A race without `judgement` is judged here, unless the page is `live`. The page holds the genomes
+    of every generation by a `step`.
     """
     settings, payoff = run.settings, run.payoff()
     teams = [run.teams[team] for team in TEAMS]
@@ -236,7 +226,6 @@ def run_data(
         ],
         "findings": findings(payoff, judgement, step=step, live=live) if race else None,
         "limits": too_few_episodes(payoff) if race else "",
-        "held_out": held_out and {f"{team}s": held_out.get(f"{team}s") for team in TEAMS},
     }
 
 
@@ -369,7 +358,6 @@ def curves(payoff: Payoff) -> dict[str, Any]:
     ratings = analysis.elo(matrix)
     return {
         "generalization": _generalization(payoff),
-        "lags": plain_values(analysis.lag_profile(matrix)),
         # The triangles are the two halves of the payoff, which the page has.
         "ciao": {
             team: {

@@ -1,6 +1,6 @@
 // The buttons of a player: the same on every page.
 
-import { html } from "../page/dom.ts";
+import { html, svg } from "../page/dom.ts";
 import { FITTING, Player, SPEEDS, WHOLE, playerKey } from "./player.ts";
 
 const ICONS = {
@@ -16,25 +16,13 @@ export type Icon = keyof typeof ICONS;
 
 /** Return an icon that has the colour of the text around it. */
 export function icon(name: Icon): SVGSVGElement {
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("viewBox", "0 0 24 24");
-  svg.setAttribute("aria-hidden", "true");
-  svg.classList.add("icon");
-  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  path.setAttribute("d", ICONS[name]);
-  svg.append(path);
-  return svg;
+  return svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", class: "icon" }, svg("path", { d: ICONS[name] }));
 }
 
 function button(name: Icon, label: string, keys: string, act: () => void): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.className = "player-button";
-  made.append(icon(name));
-  made.ariaLabel = label;
-  made.title = `${label} (${keys})`;
-  made.addEventListener("click", act);
-  return made;
+  return html("button", {
+    type: "button", class: "player-button", "aria-label": label, title: `${label} (${keys})`, onclick: act,
+  }, icon(name));
 }
 
 /**
@@ -44,17 +32,12 @@ function button(name: Icon, label: string, keys: string, act: () => void): HTMLB
  * `playerKey` there.
  */
 export function playerBar(player: Player): HTMLElement {
-  const bar = document.createElement("div");
-  bar.className = "player";
-  bar.role = "group";
-  bar.ariaLabel = "Player";
   const play = button("play", "Play", "Space", () => player.toggle());
   const scrub = scrubber(player);
   const marks = html("div", { class: "captures", "aria-hidden": "true", title: "Captures" });
   const speed = speeds(player);
-  const count = document.createElement("output");
-  count.className = "player-count";
-  bar.append(
+  const count = html("output", { class: "player-count" });
+  const bar = html("div", { class: "player", role: "group", "aria-label": "Player" },
     button("first", "First step", "Home", () => player.move(-player.length)),
     button("back", "Step back", "←", () => player.move(-1)),
     play,
@@ -92,12 +75,7 @@ export function playerBar(player: Player): HTMLElement {
 }
 
 function scrubber(player: Player): HTMLInputElement {
-  const scrub = document.createElement("input");
-  scrub.type = "range";
-  scrub.className = "player-scrub";
-  scrub.min = "0";
-  scrub.step = "1";
-  scrub.ariaLabel = "Step";
+  const scrub = html("input", { type: "range", class: "player-scrub", min: 0, step: 1, "aria-label": "Step" });
   scrub.addEventListener("input", () => {
     player.pause();
     player.jump(Number(scrub.value));
@@ -106,11 +84,9 @@ function scrubber(player: Player): HTMLInputElement {
 }
 
 function speeds(player: Player): HTMLSelectElement {
-  const speed = document.createElement("select");
-  speed.className = "player-speed";
-  speed.ariaLabel = "Speed";
-  speed.title = `Steps a second, or the whole in ${WHOLE} s (+ and -)`;
-  speed.append(new Option(`in ${WHOLE} s`, String(FITTING)), ...SPEEDS.map((each) => new Option(`${each} / s`, String(each))));
+  const title = `Steps a second, or the whole in ${WHOLE} s (+ and -)`;
+  const speed = html("select", { class: "player-speed", "aria-label": "Speed", title },
+    html("option", { value: FITTING }, `in ${WHOLE} s`), ...SPEEDS.map((each) => html("option", { value: each }, `${each} / s`)));
   speed.addEventListener("change", () => {
     player.speed = Number(speed.value);
   });

@@ -1,4 +1,4 @@
-// Line charts: axes, lines, bands and marks as SVG, drawn anew when their room changes.
+// Line charts: axes, lines and marks as SVG, drawn anew when their room changes.
 
 import { html, svg } from "../page/dom.ts";
 import { ticks } from "./format.ts";
@@ -82,14 +82,6 @@ export function line(into: Frame, xs: readonly number[], ys: Curve, style: strin
   return made;
 }
 
-/** Add the area between two curves. */
-export function band(into: Frame, xs: readonly number[], low: Curve, high: Curve, style: string): void {
-  const point = (i: number, value: number | null): string => `${into.x(xs[i]!).toFixed(1)} ${into.y(value ?? 0).toFixed(1)}`;
-  const there = xs.map((_, i) => point(i, high[i]!));
-  const back = xs.map((_, i) => point(i, low[i]!)).reverse();
-  into.root.insertBefore(svg("path", { d: `M${[...there, ...back].join("L")}Z`, class: `band ${style}` }), into.marks);
-}
-
 /** Add a mark on a value of the horizontal axis: a line, and a dot where a curve is. */
 export function mark(into: Frame, value: number, style: string, dot: number | null = null): void {
   const place = into.x(value);
@@ -115,15 +107,14 @@ export interface Chart {
 /**
  * Return an element that holds a chart and draws it as wide as it is.
  *
- * `draw` makes the chart for a size, `marks` what moves with the selection, and `point` and `choose`
- * get the value of the horizontal axis under the pointer.
+ * `draw` makes the chart for a size, `marks` what moves with the selection, and `choose` gets the
+ * value of the horizontal axis that is clicked.
  */
 export function chart(
   label: string,
   draw: (width: number, height: number) => Frame,
   options: {
     marks?: (into: Frame) => void;
-    point?: (value: number | null) => void;
     choose?: (value: number, into: Frame, event: MouseEvent) => void;
   } = {},
 ): Chart {
@@ -140,8 +131,6 @@ export function chart(
     element.replaceChildren(shownFrame.root);
     remark();
   };
-  element.addEventListener("pointermove", (event) => options.point?.(shownFrame?.at(event.clientX) ?? null));
-  element.addEventListener("pointerleave", () => options.point?.(null));
   if (options.choose) {
     element.classList.add("chooses");
     element.addEventListener("click", (event) => shownFrame && options.choose?.(shownFrame.at(event.clientX), shownFrame, event));

@@ -1,4 +1,4 @@
-// Training curve, lag profile and ratings.
+// Training curve and ratings.
 
 import { listenToArrows } from "./arrow_keys.ts";
 import { chart, frame, legend, line, mark } from "./chart.ts";
@@ -57,36 +57,6 @@ export function trainingPanel(run: Run, store: Store): Panel {
   return {
     element: card("Training", `${thousands(training.matches)} training matches. Lines: the generations that are selected.`,
       legend(...learning), made.element),
-    update: made.remark,
-  };
-}
-
-/** The mean capture rate by the distance of the generations. */
-export function lagPanel(run: Run, store: Store): Panel | null {
-  const profile = run.findings?.lags;
-  if (!profile) return null;
-  const [low, high] = [profile.lags[0]!, profile.lags.at(-1)!];
-  const most = Math.min(5, (Math.max(...profile.cells) + 1) / 2);
-  const sure = profile.means.map((mean, i) => (profile.cells[i]! >= most ? mean : null));
-  const made = chart("Lag profile", (width, height) => {
-    const into = frame(width, height, { low, high, label: "lag: pursuer minus evader generation", whole: true }, RATE);
-    line(into, profile.lags, profile.means, "raw ink");
-    line(into, profile.lags, sure, "ink");
-    return into;
-  }, {
-    marks: (into) => {
-      const { pursuer, evader } = store.selected;
-      mark(into, 0, "zero");
-      const lag = store.hover.lag ?? pursuer - evader;
-      mark(into, lag, "ink", profile.means[lag - low]);
-    },
-    point: (value) => {
-      const lag = value === null ? null : Math.round(value);
-      store.point({ lag: lag !== null && lag >= low && lag <= high ? lag : null });
-    },
-  });
-  return {
-    element: card("Lag profile", "Left: evaders are later. Right: pursuers are later. It rises if both teams keep what they learn. Faint: fewer than 5 cells.", made.element),
     update: made.remark,
   };
 }

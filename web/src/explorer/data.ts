@@ -84,7 +84,6 @@ export interface Findings {
   readonly table: readonly (readonly [string, string, string, string])[];
   readonly reasons: readonly string[];
   readonly generalization: OfTeams<Band>;
-  readonly lags: { readonly lags: readonly number[]; readonly means: Curve; readonly cells: readonly number[] };
   readonly ciao: OfTeams<{
     readonly fading: number | null; readonly stripes: number; readonly period: number | null;
   }>;
@@ -92,22 +91,6 @@ export interface Findings {
   readonly checkerboards: readonly Checkerboard[];
   readonly guided_minute: readonly Stop[];
   readonly margin: number;
-}
-
-export interface HeldOut {
-  readonly team: Team;
-  readonly score: string;
-  readonly episodes: number;
-  readonly generations: readonly number[];
-  readonly against: Readonly<Record<string, readonly Interval[]>>;
-  readonly mean: readonly Interval[];
-  readonly left_out: string;
-}
-
-export interface Interval {
-  readonly value: number;
-  readonly low: number | null;
-  readonly high: number | null;
 }
 
 export interface Run {
@@ -123,7 +106,6 @@ export interface Run {
   readonly seeds: readonly (readonly string[])[];
   readonly findings: Findings | null;
   readonly limits: string;
-  readonly held_out: Readonly<Partial<Record<"pursuers" | "evaders", HeldOut | null>>> | null;
   readonly teams: Readonly<Record<Team, TeamData>>;
 }
 

@@ -144,12 +144,6 @@ export class MatrixPanel {
     marks.push(across(selected.pursuer, "strip pursuer"), down(selected.evader, "strip evader"));
     if (hover.pursuer !== null && hover.pursuer < rows) marks.push(across(hover.pursuer, "strip hover"));
     if (hover.evader !== null && hover.evader < columns) marks.push(down(hover.evader, "strip hover"));
-    if (hover.lag !== null) {
-      for (let h = 0; h < columns; h++) {
-        const g = h + hover.lag;
-        if (g >= 0 && g < rows) marks.push(svg("rect", { class: "lagged", x: left + h * cell, y: y(g), width: cell, height: cell }));
-      }
-    }
     marks.push(...this.#dots(places));
     const at = { x: left + selected.evader * cell, y: y(selected.pursuer), width: cell, height: cell };
     marks.push(svg("rect", { class: "chosen under", ...at }), svg("rect", { class: "chosen", ...at }));

@@ -1,13 +1,12 @@
-// What belongs to a run below its matrix: diagnosis, curves, checkerboards, scores, settings.
+// What belongs to a run below its matrix: diagnosis, curves, checkerboards, settings.
 
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { checkerboardPanel } from "./checkerboards.ts";
 import { ciaoPanel } from "./ciao.ts";
-import { lagPanel, ratingPanel, trainingPanel } from "./curves.ts";
+import { ratingPanel, trainingPanel } from "./curves.ts";
 import type { Run } from "./data.ts";
 import { diagnosisPanel } from "./diagnosis.ts";
-import { heldOutPanel } from "./held_out.ts";
 import type { Panel } from "./panel.ts";
 import { settingsPanel } from "./settings.ts";
 import type { Store } from "./store.ts";
@@ -37,10 +36,8 @@ function panelsOf(run: Run, store: Store, engine: () => Engine | null): Panel[] 
     diagnosisPanel(run),
     trainingPanel(run, store),
     checkerboardPanel(run, store, engine),
-    lagPanel(run, store),
     ratingPanel(run, store),
     ciaoPanel(run, store),
-    heldOutPanel(run),
     settingsPanel(run),
   ];
   return all.filter((panel) => panel !== null);

@@ -14,11 +14,9 @@ export interface Selection {
 export interface Hover {
   readonly pursuer: number | null;
   readonly evader: number | null;
-  /** Pursuer minus evader generation: a diagonal. */
-  readonly lag: number | null;
 }
 
-export const NOTHING: Hover = { pursuer: null, evader: null, lag: null };
+export const NOTHING: Hover = { pursuer: null, evader: null };
 
 /** The selection, and the pointer. It dispatches `run`, `match` and `hover` when they change, and `rest`: another match plays. */
 export class Store extends EventTarget {
@@ -49,7 +47,7 @@ export class Store extends EventTarget {
 
   point(at: Partial<Hover>): void {
     const hover = { ...NOTHING, ...at };
-    if (hover.pursuer === this.#hover.pursuer && hover.evader === this.#hover.evader && hover.lag === this.#hover.lag) return;
+    if (hover.pursuer === this.#hover.pursuer && hover.evader === this.#hover.evader) return;
     this.#hover = hover;
     this.dispatchEvent(new Event("hover"));
   }

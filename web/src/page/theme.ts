@@ -15,12 +15,6 @@ export function changeTheme(): void {
   document.documentElement.dataset["theme"] = isDark() ? "light" : "dark";
 }
 
-/** Call a function when the colours change. */
-export function onTheme(act: () => void): void {
-  dark.addEventListener("change", act);
-  new MutationObserver(act).observe(document.documentElement, { attributeFilter: ["data-theme"] });
-}
-
 /** Return a button that changes the theme. */
 export function themeButton(): HTMLButtonElement {
   return html("button", { type: "button", title: "Light or dark (D)", "aria-label": "Light or dark", onclick: changeTheme }, "◐");

@@ -109,11 +109,6 @@ export const steppedBack = (scene: Scene): Scene => ({
   ...scene, played: scene.played.slice(0, -1), next: scene.played.at(-1) ?? scene.next,
 });
 
-/** Go back to the start, with the commands of the first step. */
-export const restarted = (scene: Scene): Scene => ({
-  ...scene, played: [], next: scene.played[0] ?? scene.next,
-});
-
 // Edits of the board. They begin a new start: `now` is the scene whose start is the present moment.
 
 export function moved(now: Scene, agent: number, cell: Cell): Scene {
