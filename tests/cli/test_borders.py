@@ -206,9 +206,9 @@ def problem_of(words: list[str], root: Path, before: Tree) -> str:
     new = [path for path in after.keys() - before.keys() if after[path] is not None]
     if broken := [path for path in new if not is_readable(root / path)]:
         return f"writes {broken}, which is not readable"
-    written = {printable(str(path.relative_to("here"))) for path in after}
-    announced = {name.split(", ")[0] for name in re.findall("Written: (.+)", done.stdout)}
-    missing = [name for name in announced - written if not Path(name).exists()]
+    names = {printable(path.name) for path in after}  # escapes are printed
+    announced = [Path(name.split(", ")[0]) for name in re.findall("Written: (.+)", done.stdout)]
+    missing = [path for path in announced if not path.exists() and path.name not in names]
     return f"announces {missing}" if missing else ""
 
 
@@ -243,7 +243,7 @@ def test_all_is_written_or_nothing(path, command, param, tried, template, here):
         if problem := problem_of(typed, root, before):
             problems.append(f"{typed} {problem}")
         if tree(root) != before:
-            for entry in here.iterdir():
+            for entry in [*here.iterdir(), *({*root.iterdir()} - {here})]:
                 shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
             shutil.copytree(template, here, symlinks=True, dirs_exist_ok=True)
     assert not problems, "\n".join(problems)

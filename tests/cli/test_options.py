@@ -115,6 +115,13 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
         assert (run / kept).read_bytes() == before[run / kept]
 
 
+@pytest.mark.skipif(not Path("/proc").exists(), reason="needs a directory that takes no files")
+def test_a_directory_that_takes_no_files_is_refused_first(run):
+    said = matrixworld_command("score", "run", "--json", "/proc/scores.json", code=2)
+    assert "expected a directory in which files can be made, got '/proc'" in said.stderr
+    assert said.stdout == ""
+
+
 def test_numbers_on_standard_output(run):
     for command in (["judge", "run"], ["score", "run", "--episodes", 2]):
         done = matrixworld_command(*command, "--json", "-")

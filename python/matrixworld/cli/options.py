@@ -14,6 +14,7 @@ from concurrent.futures import Executor
 from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Any, TypeVar
 
 import click
@@ -293,6 +294,11 @@ def refuse_existing(*files: Path | None, force: bool, redraws: bool = True) -> N
             raise click.UsageError(
                 f"{file}: expected a directory that exists, got {str(file.parent)!r}"
             )
+        try:
+            TemporaryFile(dir=file.parent).close()
+        except OSError as error:
+            expected = f"a directory in which files can be made, got {str(file.parent)!r}"
+            raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
         try:
             check_replaceable(file)
         except FileExistsError as error:
