@@ -1,7 +1,5 @@
 """The option for slow tests, settings of random ones, quick jobs, a race, and worlds of cases."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module

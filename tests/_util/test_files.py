@@ -1,7 +1,5 @@
 """Files are complete or refused: atomic writes and checksums."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import secrets

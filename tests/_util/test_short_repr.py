@@ -1,7 +1,5 @@
 """Results with arrays have a text of one line."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Games: equilibria by hand and by their properties, best responses, and alpha-Rank."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

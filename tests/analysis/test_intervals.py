@@ -1,7 +1,5 @@
 """Intervals over runs and episodes, beside SciPy's and rliable's, their coverage, and curves."""
 
-from __future__ import annotations
-
 from itertools import permutations
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The judgement of races: verdicts on races whose truth is known, windows, runs and bad input."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The numbers behind a judgement, each against an independent or slower computation."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """The measures of matrixworld.analysis on matrices whose answer is known."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from unittest.mock import Mock
 

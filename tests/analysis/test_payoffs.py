@@ -1,7 +1,5 @@
 """Payoffs from arrays and files; errors name file and line."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """CIAO triangles and kinds of progress against plain loops; the dominance tournament."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

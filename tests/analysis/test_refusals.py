@@ -1,7 +1,5 @@
 """Arguments that are wrong are refused in one sentence: what was expected and what came."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from functools import partial

@@ -1,7 +1,5 @@
 """Reports: all measures of one run or several, as text and as JSON; races in sentences."""
 
-from __future__ import annotations
-
 import json
 import re
 

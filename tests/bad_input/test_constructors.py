@@ -1,7 +1,5 @@
 """Malformed values of every parameter of public constructors: ValueError or TypeError, no files."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Iterator
 from enum import IntEnum

@@ -1,7 +1,5 @@
 """Sizes that cannot be are refused, with an estimate, before anything is allocated or written."""
 
-from __future__ import annotations
-
 import multiprocessing
 from collections.abc import Callable
 from functools import partial

@@ -1,7 +1,5 @@
 """Values that are no settings, networks, matches or batches: the exceptions and their messages."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

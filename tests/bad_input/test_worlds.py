@@ -1,7 +1,5 @@
 """Bad calls of a world or a batch raise, state what was expected, and change nothing."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

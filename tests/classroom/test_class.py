@@ -1,7 +1,5 @@
 """Submissions of a class, honest, broken and hostile: what they can do, and who gets a rank."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import os

@@ -1,7 +1,5 @@
 """Results of a class: ranks that are ranges where the episodes cannot tell more, and the page."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Genomes as files: written and read, and whatever else a stranger may hand in is refused."""
 
-from __future__ import annotations
-
 import io
 import os
 import signal

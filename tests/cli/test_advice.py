@@ -1,7 +1,5 @@
 """Advice: what to try, from a judgement and the settings of the race."""
 
-from __future__ import annotations
-
 import shlex
 
 import numpy as np

@@ -1,7 +1,5 @@
 """``matrixworld bench``: what it prints, writes and refuses. Speed itself is not tested."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -4,8 +4,6 @@ The cases follow from the commands themselves: a new one, or a new option, is tr
 here. In-range values that would play for hours, such as 2^31 - 1 episodes, are left out.
 """
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

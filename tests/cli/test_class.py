@@ -1,7 +1,5 @@
 """``matrixworld class`` and ``matrixworld class export``."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

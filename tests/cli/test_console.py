@@ -1,7 +1,5 @@
 """What commands print while they work: progress as lines or as a bar, and warnings."""
 
-from __future__ import annotations
-
 import io
 import json
 import os

@@ -1,7 +1,5 @@
 """``matrixworld evolve``: options, jobs, interruptions, and progress."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """``matrixworld explore`` and ``playground``, and the page at the end of ``evolve``."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

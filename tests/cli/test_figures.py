@@ -1,7 +1,5 @@
 """``matrixworld explore --figures``: one figure or all, formats, figures of the game, baselines."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """``matrixworld judge``: what it judges, prints and refuses."""
 
-from __future__ import annotations
-
 import re
 import shutil
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Options that commands share: declared once, existing outputs, malformed values."""
 
-from __future__ import annotations
-
 import json
 import os
 import shlex

@@ -1,7 +1,5 @@
 """What commands print, as a whole: numbers are masked, which other tests compare."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

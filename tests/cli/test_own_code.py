@@ -1,7 +1,5 @@
 """A learner and samplers of the user's own on the command line."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

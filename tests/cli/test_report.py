@@ -1,7 +1,5 @@
 """Groups of seeds: the report of ``evolve``, and what judge, score and explore make of them."""
 
-from __future__ import annotations
-
 import io
 import re
 import shutil

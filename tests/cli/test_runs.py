@@ -1,7 +1,5 @@
 """The table of variants, and the commands that work on runs: tournament, replay, figures."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """``matrixworld evolve --seeds``: layout, what is printed, interruptions and failures."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """``matrixworld solve``: what it prints, and worlds that it refuses."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

@@ -1,7 +1,5 @@
 """Without PyTorch, what learns by it is refused before anything is written, and the rest works."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

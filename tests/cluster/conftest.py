@@ -1,7 +1,5 @@
 """A Dask cluster for the tests of a module, each of which asks for its workers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

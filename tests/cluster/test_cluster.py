@@ -3,8 +3,6 @@
 Each test gets the workers that it asks for, in processes of their own.
 """
 
-from __future__ import annotations
-
 import operator
 import os
 import signal

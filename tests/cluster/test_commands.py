@@ -1,7 +1,5 @@
 """The option --cluster of the commands."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """What a process must have to share work, without a cluster."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Workers that cannot share the work are refused, and get none if they join later."""
 
-from __future__ import annotations
-
 import operator
 import re
 import shutil

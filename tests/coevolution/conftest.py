@@ -1,7 +1,5 @@
 """Directories of runs, for all tests of co-evolution."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

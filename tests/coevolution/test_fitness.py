@@ -1,7 +1,5 @@
 """Fitness from statistics, competitive sharing, reduced virulence, limits; seeds of matches."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Learners and samplers of one's own: names as data, what an import finds, and kept promises."""
 
-from __future__ import annotations
-
 import json
 import pickle
 import sys

@@ -1,7 +1,5 @@
 """Settings: defaults, what is refused, what has no effect, and settings as JSON."""
 
-from __future__ import annotations
-
 import json
 import pickle
 from dataclasses import fields, replace

@@ -1,7 +1,5 @@
 """Run directories: stages, checkpoints, readers beside a writer; damage is repaired or reported."""
 
-from __future__ import annotations
-
 import itertools
 import multiprocessing
 import os

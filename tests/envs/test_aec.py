@@ -1,7 +1,5 @@
 """The AEC environment: a turn is played when all its agents have chosen an action."""
 
-from __future__ import annotations
-
 import copy
 from typing import Any
 

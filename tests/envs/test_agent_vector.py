@@ -1,7 +1,5 @@
 """Agents as sub-environments: the arrays of VectorEnv, Gymnasium's wrappers, ends of episodes."""
 
-from __future__ import annotations
-
 import copy
 from typing import Any
 

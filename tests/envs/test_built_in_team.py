@@ -1,7 +1,5 @@
 """Environments that play one team themselves: scripts, held-out genomes, champions, functions."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

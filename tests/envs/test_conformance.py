@@ -1,7 +1,5 @@
 """PettingZoo's own tests, for every variant and some other rows of rules."""
 
-from __future__ import annotations
-
 import io
 import warnings
 from contextlib import redirect_stdout

@@ -1,7 +1,5 @@
 """The parallel environment agrees with its world; keyword arguments of all environments."""
 
-from __future__ import annotations
-
 import copy
 import inspect
 import pickle

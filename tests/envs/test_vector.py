@@ -1,7 +1,5 @@
 """VectorEnv against single worlds, Gymnasium's interface, action masks, and who owns the arrays."""
 
-from __future__ import annotations
-
 import copy
 import gc
 import itertools

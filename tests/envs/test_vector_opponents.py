@@ -1,7 +1,5 @@
 """Vector environments that play one team themselves."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

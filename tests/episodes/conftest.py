@@ -1,7 +1,5 @@
 """A terminal that keeps what is written to it, and a clock that stands still."""
 
-from __future__ import annotations
-
 import sys
 
 import pytest

@@ -1,7 +1,5 @@
 """Where an environment with render_mode="human" is shown."""
 
-from __future__ import annotations
-
 import copy
 import dataclasses
 import pickle

@@ -1,7 +1,5 @@
 """Recorded episodes: arrays, files, and refused input."""
 
-from __future__ import annotations
-
 import dataclasses
 import os
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Episodes recorded while they are played, and replayed from their actions."""
 
-from __future__ import annotations
-
 import copy
 import dataclasses
 

@@ -1,7 +1,5 @@
 """Replays of an episode: scenes, GIFs, films, contact sheets, terminal animations."""
 
-from __future__ import annotations
-
 import base64
 import io
 import os

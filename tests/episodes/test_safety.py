@@ -1,7 +1,5 @@
 """Collisions over many episodes, compared with counts by hand and by plain loops."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The benchmark of the judgement: races whose truth is known, counts, tables and files."""
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Scripts in evolution/ that measure over many runs: their runs, verdicts, tables and files."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from functools import partial

@@ -1,7 +1,5 @@
 """The scripts in evolution/ run, and their numbers are correct."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The data of the explorer are those of the run, and so are its matches in a real browser."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

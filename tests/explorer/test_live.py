@@ -1,7 +1,5 @@
 """The page of runs that go on: what it shows, that nothing else is served, and how it ends."""
 
-from __future__ import annotations
-
 import http.client
 import threading
 import urllib.request

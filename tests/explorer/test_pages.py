@@ -1,7 +1,5 @@
 """Pages as files, in notebooks and behind links, whatever text they hold."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import html

@@ -1,7 +1,5 @@
 """A person plays in a real browser: the match is that of `World`, of the file, and of the link."""
 
-from __future__ import annotations
-
 import dataclasses
 import re
 import time

@@ -1,7 +1,5 @@
 """The playground in a browser: keys, pointer, links, steps back and forth, and hostile links."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path

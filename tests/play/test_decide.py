@@ -1,7 +1,5 @@
 """Policies outside of rollouts act as they do inside, with the same random numbers."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

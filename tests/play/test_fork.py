@@ -1,7 +1,5 @@
 """Processes that fork while batches and environments have threads."""
 
-from __future__ import annotations
-
 import os
 
 import pytest

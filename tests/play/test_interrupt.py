@@ -1,7 +1,5 @@
 """Ctrl-C in the middle of long calls of the engine."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

@@ -1,7 +1,5 @@
 """Matches in lockstep against the same matches with one world after the other, bit by bit."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

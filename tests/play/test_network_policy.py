@@ -1,7 +1,5 @@
 """Genomes as policies: actions, probabilities, and the same function in other libraries."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 from pathlib import Path

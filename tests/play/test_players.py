@@ -1,7 +1,5 @@
 """Scripted opponents, and what agents see when the rules take turns."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from typing import NamedTuple

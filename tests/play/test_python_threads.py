@@ -1,7 +1,5 @@
 """Python's own threads: objects that several of them use at once, and Python without a GIL."""
 
-from __future__ import annotations
-
 import sys
 import threading
 import time

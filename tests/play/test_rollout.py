@@ -1,7 +1,5 @@
 """Episode statistics against the recorded episodes, counted in plain NumPy."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The default number of threads."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Figures of the game show what the engine does, and the rules that it plays."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

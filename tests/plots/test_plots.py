@@ -1,7 +1,5 @@
 """Every figure can be saved without a display, shows the given numbers, or is refused."""
 
-from __future__ import annotations
-
 import io
 import subprocess
 import sys

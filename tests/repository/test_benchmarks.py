@@ -1,7 +1,5 @@
 """The benchmarks run and check their results; times are not tested."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The course: notebooks run from top to bottom, and their exercises can be solved and failed."""
 
-from __future__ import annotations
-
 import os
 import re
 import runpy

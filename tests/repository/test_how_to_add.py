@@ -10,8 +10,6 @@ A fenced block with a title is an edit of the file that the title names::
 A block ``sh`` holds commands that must succeed afterwards.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

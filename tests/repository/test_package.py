@@ -1,7 +1,5 @@
 """What is installed and what it says: distribution, docstrings, and includes of the C++ tree."""
 
-from __future__ import annotations
-
 import doctest
 import importlib
 import inspect

@@ -1,7 +1,5 @@
 """Pages: their examples run and print what is shown, their links lead somewhere, names exist."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 import json

@@ -1,7 +1,5 @@
 """Public objects go through `pickle` and `copy.deepcopy`, before and after their use."""
 
-from __future__ import annotations
-
 import contextlib
 import copy
 import copyreg

@@ -1,7 +1,5 @@
 """The pages of the variants: their tables are true, and the files on disk are up to date."""
 
-from __future__ import annotations
-
 import importlib.util
 import pickle
 import re

@@ -1,7 +1,5 @@
 """Values of small worlds against a slow reading of the rules, for all kinds of collisions."""
 
-from __future__ import annotations
-
 import warnings
 from itertools import product
 

@@ -1,7 +1,5 @@
 """Exact solutions of small worlds, against theory, an own trial and slow computations."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable
 from typing import Any

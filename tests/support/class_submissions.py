@@ -1,7 +1,5 @@
 """Submissions of a class: honest programs, broken ones and attacks, and what is said of them."""
 
-from __future__ import annotations
-
 import os
 import re
 from contextlib import suppress

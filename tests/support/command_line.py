@@ -1,7 +1,5 @@
 """The command line, called in the tests' process, with the options of tiny runs."""
 
-from __future__ import annotations
-
 import re
 
 from click.testing import CliRunner, Result

@@ -1,7 +1,5 @@
 """A real Dask cluster of processes on this machine, to be damaged by tests."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

@@ -6,8 +6,6 @@ A drawing has its rows on lines or between slashes and its cells between spaces:
 is missing is gone.  Moves are ``"A> b^"``, or ``A↗`` on a diagonal; agents not named stay.
 """
 
-from __future__ import annotations
-
 import warnings
 from collections import Counter
 from collections.abc import Callable, Sequence

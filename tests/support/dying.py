@@ -1,7 +1,5 @@
 """Tasks and learners that kill their own process, or take their time."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

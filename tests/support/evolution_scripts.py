@@ -1,7 +1,5 @@
 """Run the scripts of evolution/ from the command line, and read what they have published."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Executors that do their work in an order of their own."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future

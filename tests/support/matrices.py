@@ -1,7 +1,5 @@
 """Payoff matrices with known properties."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import combinations, permutations
 

@@ -1,7 +1,5 @@
 """One hash of what networks of several shapes compute and play, run as a script once a kernel."""
 
-from __future__ import annotations
-
 import hashlib
 import sys
 from dataclasses import fields

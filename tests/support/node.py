@@ -1,7 +1,5 @@
 """Programs of tests/web in Node.js, which comes as a wheel."""
 
-from __future__ import annotations
-
 import base64
 import json
 import os

@@ -1,7 +1,5 @@
 """The notebooks of the course, as text."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Rollouts whose worlds play one after the other: the reference of matches in lockstep."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Learners and opponent samplers as users write them, and some that fail."""
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

@@ -4,8 +4,6 @@ It checks every pair of agents, with sets and dictionaries, and has one short fu
 sentence of the rules.  ``p`` is where an agent stands, ``q`` where it intends to go.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations

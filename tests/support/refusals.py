@@ -1,7 +1,5 @@
 """Tables of bad input: the call, the exception, and the message."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -7,8 +7,6 @@ prints them again. The tests do not install it, because it needs pandas, seaborn
 which fails to import beside pandas 3.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 

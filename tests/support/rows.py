@@ -1,7 +1,5 @@
 """Worlds that several tests play in: all variants, and other rows of rules."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable
 from dataclasses import replace

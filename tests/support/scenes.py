@@ -1,7 +1,5 @@
 """Small dense worlds with the actions of a few steps, for random tests."""
 
-from __future__ import annotations
-
 import string
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Python scripts that tests run in a process of their own, and the end of processes."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

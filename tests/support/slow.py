@@ -1,7 +1,5 @@
 """Cases of which a plain call of pytest tries some, and `--slow` all."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from typing import Any
 

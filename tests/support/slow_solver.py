@@ -3,8 +3,6 @@
 Agents keep their numbers, states are dictionaries, and every game is a linear programme of SciPy.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from copy import copy
 from functools import cache

@@ -1,7 +1,5 @@
 """Functions that students of the course write, right ones and with their mistakes."""
 
-from __future__ import annotations
-
 from itertools import permutations
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Runs that take a fraction of a second, and a way to interrupt them."""
 
-from __future__ import annotations
-
 import os
 import tempfile
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Toys, against their known answers."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

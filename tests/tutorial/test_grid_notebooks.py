@@ -1,7 +1,5 @@
 """Notebooks 1 and 2: what their texts say is true, and their small worlds do what they say."""
 
-from __future__ import annotations
-
 import dataclasses
 import io
 from itertools import product

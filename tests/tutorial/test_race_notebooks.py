@@ -1,7 +1,5 @@
 """Notebooks 3 to 9: what their texts say of learning, races and results that are kept is true."""
 
-from __future__ import annotations
-
 import runpy
 from typing import Any
 

@@ -4,8 +4,6 @@ The replies stand in ``__snapshots__``; ``pytest --snapshot-update`` writes them
 named by its mistake; a reply helps, and does not give the answer away. So do the hints.
 """
 
-from __future__ import annotations
-
 import dataclasses
 import re
 from functools import partial

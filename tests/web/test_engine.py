@@ -1,7 +1,5 @@
 """The built engine is that of the sources, and plays as the extension does, bit for bit."""
 
-from __future__ import annotations
-
 import runpy
 import shutil
 import subprocess

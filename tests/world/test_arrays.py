@@ -1,7 +1,5 @@
 """The table of output arrays: its descriptions, and that arrays are written in full."""
 
-from __future__ import annotations
-
 import inspect
 import re
 from collections.abc import Callable

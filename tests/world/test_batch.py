@@ -1,7 +1,5 @@
 """Batches against single worlds, and the memory and threads that they use."""
 
-from __future__ import annotations
-
 import weakref
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any

@@ -1,7 +1,5 @@
 """The compiled network against NumPy, its samples, and the kernels of each instruction set."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

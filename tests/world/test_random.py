@@ -1,7 +1,5 @@
 """Random numbers: the generator against NumPy's, and what a reset does with it."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy import stats

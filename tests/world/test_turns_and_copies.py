@@ -1,7 +1,5 @@
 """Rounds played turn by turn, copies of a world in the middle of a round, and snapshots of it."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 import re

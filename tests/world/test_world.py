@@ -1,7 +1,5 @@
 """One world: episodes and seeds, starts, maps, text, drawings, large sizes, and rewards."""
 
-from __future__ import annotations
-
 import dataclasses
 import io
 import json

@@ -1,7 +1,5 @@
 """Held-out opponents, and the scores of runs and of any policy against them."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Tournaments in blocks, which an executor plays anywhere, are equal to those of one process."""
 
-from __future__ import annotations
-
 import multiprocessing
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Best responses to the champions of runs, and the command that evolves them."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

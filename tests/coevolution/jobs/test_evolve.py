@@ -1,7 +1,5 @@
 """Many runs at one call: the same bytes as one by one, whatever happens to them."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

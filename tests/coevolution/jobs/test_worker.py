@@ -1,7 +1,5 @@
 """Worker processes: Ctrl-C, the end of the main process, and processes that cannot start."""
 
-from __future__ import annotations
-
 import multiprocessing.queues
 import os
 import signal

@@ -1,7 +1,5 @@
 """The actor-critic learner: advantages, gradients, state, what it learns, and its runs."""
 
-from __future__ import annotations
-
 import pickle
 import sys
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Learners and their parts, on functions of known optimum; champions of a genetic algorithm."""
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from itertools import count

@@ -1,7 +1,5 @@
 """Action masks as fixed weights: forbidden moves are never played, and no learner changes them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Archives of candidates and tests: MaxSolve, IPCA, LAPCA, Generalist; the paper's schedules."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

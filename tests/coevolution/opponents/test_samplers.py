@@ -1,7 +1,5 @@
 """Opponent samplers: by hand, and properties that hold for any input."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

@@ -1,7 +1,5 @@
 """Matches that choose champions: re-evaluated elites, and the retention of new genomes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

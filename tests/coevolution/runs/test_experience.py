@@ -1,7 +1,5 @@
 """Experience: transitions of a team's agents are those of the matches that `rollout` plays."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

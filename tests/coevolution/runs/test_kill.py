@@ -1,7 +1,5 @@
 """Runs that are killed or cannot write end, when resumed, as if nothing had happened."""
 
-from __future__ import annotations
-
 import errno
 import random
 import signal

@@ -1,7 +1,5 @@
 """Runs with a learner and samplers of one's own: all schedules, interruptions, errors."""
 
-from __future__ import annotations
-
 import traceback
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Races in turns and at the same time: matches, files, opponents, sharing, and divergence."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Runs of every kind: stopped anywhere, they end as if never stopped; all matches are counted."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Runs in which one team learns against fixed opponents."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

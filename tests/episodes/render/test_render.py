@@ -1,7 +1,5 @@
 """Drawings: every agent is there, at its place and in its colour."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 
