@@ -114,6 +114,25 @@ class GuardedBatch {
     Batch batch_;
 };
 
+// However short the calls are, no two of them are in progress at once.
+void take_turns() {
+    InUse in_use;
+    long n_inside = 0;
+    std::atomic<long> n_taken{0};
+    in_threads(3, [&](int) {
+        for (int i = 0; i < 20000; ++i) {
+            try {
+                const InUse::Call call(in_use);
+                ++n_inside;
+                ++n_taken;
+            } catch (const std::runtime_error&) {
+                continue;
+            }
+        }
+    });
+    require(n_inside == n_taken, "one call at a time");
+}
+
 // Two batches of one setup, each stepped by a thread of its own.
 void play_two_batches(const Rules& rules, Random& random) {
     const auto setup = std::make_shared<const Setup>(random_config(rules, random));
@@ -154,6 +173,7 @@ int main(int argc, char** argv) {
     Random random(23);
     run("a stop", stop_rollouts);
     run("a failure", fail_a_piece);
+    run("turns", take_turns);
     play_all("rollouts", play_rollouts, argc, argv, random, kStride);
     play_all("two batches", play_two_batches, argc, argv, random, kStride);
     play_all("one batch", share_one_batch, argc, argv, random, kStride);
