@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 03b71a713408ca548a636ac7436da21f370b56dc48b25a8c9fffc06b022e2d40 */
+/* built from web/ by "npm run build"; sources 5925afb4c26599a5fc1719b3c920a737b371341c25782e5e9500e9b854ee73ef */
 "use strict";(()=>{var br={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],Q=0,Z=12,gr=2,J=class extends EventTarget{#e;#t;#r;#n;#o=0;#s=0;#a=!1;#c=null;#d=0;#i=[];glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#n=r.still??!1,this.#r=r.clock??br}get step(){return this.#o}get time(){return this.#n?this.#o:this.#s}get arrived(){return this.#s===
 this.#o}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#o>e&&this.jump(e),this.#l("state")}get marks(){return this.#i}set marks(e){

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 03b71a713408ca548a636ac7436da21f370b56dc48b25a8c9fffc06b022e2d40 */
+/* built from web/ by "npm run build"; sources 5925afb4c26599a5fc1719b3c920a737b371341c25782e5e9500e9b854ee73ef */
 "use strict";(()=>{var rr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},nr={OCCUPATION:0,SURROUND:1},or={FAULT:0,INVOLVED:1};var dt=["obstacle","teammate","adversary"],yt=["vertex","edge","chain"],sr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],gt=["p\
 ursuer_{number}","evader_{number}"],ar={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ne={"both held":"both bounce","both doomed":"\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 03b71a713408ca548a636ac7436da21f370b56dc48b25a8c9fffc06b022e2d40 */
+/* built from web/ by "npm run build"; sources 5925afb4c26599a5fc1719b3c920a737b371341c25782e5e9500e9b854ee73ef */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Z={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var Q=["obstacle","teammate","adversary"],Ue=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],De=["pu\
 rsuer_{number}","evader_{number}"],wt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"{\
 first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ee={"both held":"both bounce","both doomed":"\
