@@ -58,17 +58,7 @@ class LiveRun(SavedRun):
 class LivePage:
     """A server of one page, at an address with a random token, and the thread that plays for it.
 
-    Parameters
-    ----------
-    root : Path
-        The directory of the job.
-    names : sequence of str
-        The runs of the page: their directories inside `root`. They need not exist yet.
-
-    Attributes
-    ----------
-    url : str
-        The address of the page.
+    The runs are named by their directories inside `root`, which need not exist yet.
     """
 
     def __init__(self, root: Path, names: Sequence[str]) -> None:

@@ -280,16 +280,12 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
 
 
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
-    """Return path, value and meaning of each setting, and whether it differs from the default."""
+    """Return path, value and meaning of each setting that differs from the default."""
     usual = {leaf.path: leaf.value for leaf in leaves(_usual(settings))}
     return [
-        {
-            "name": leaf.path,
-            "value": _shown(plain_values(leaf.value)),
-            "help": leaf.help,
-            "changed": leaf.value != usual.get(leaf.path),
-        }
+        {"name": leaf.path, "value": _shown(plain_values(leaf.value)), "help": leaf.help}
         for leaf in leaves(settings)
+        if leaf.value != usual.get(leaf.path)
     ]
 
 

@@ -59,10 +59,6 @@ export class Board {
     this.redraw();
   }
 
-  get time(): number {
-    return this.#time;
-  }
-
   /** Show a recording at a time; drawn with the next frame of the browser. */
   show(recording: Recording, time: number): void {
     this.#recording = recording;

@@ -1,15 +1,8 @@
 // Recordings from what the engine returns.
 
 import type { Match, World } from "../engine/engine.ts";
-import type { Interaction, WorldConfig } from "../engine/types.ts";
-import { AGENT_TURNS, SIMULTANEOUS, SWARM_TURNS } from "./recording.ts";
+import type { WorldConfig } from "../engine/types.ts";
 import type { Moment, Recording } from "./recording.ts";
-
-const TURNS: Record<Interaction, number> = {
-  SIMULTANEOUS: SIMULTANEOUS,
-  SWARM_TURNS: SWARM_TURNS,
-  AGENT_TURNS: AGENT_TURNS,
-};
 
 /** Return a recording of a world of these settings. */
 export function recording(config: WorldConfig, obstacles: Uint8Array, moments: readonly Moment[]): Recording {
@@ -18,7 +11,7 @@ export function recording(config: WorldConfig, obstacles: Uint8Array, moments: r
     cols: config.cols,
     nPursuers: config.n_pursuers,
     fov: config.fov,
-    interaction: TURNS[config.rules.interaction],
+    interaction: config.rules.interaction,
     obstacles,
     moments,
   };

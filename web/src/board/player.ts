@@ -1,18 +1,5 @@
 // A clock over the moments of a recording: play, pause, step, scrub. It knows neither pages nor boards.
 
-/** What drives a player: the browser's frames, or a test. */
-export interface Clock {
-  now(): number;
-  request(callback: () => void): number;
-  cancel(handle: number): void;
-}
-
-const FRAMES: Clock = {
-  now: () => performance.now(),
-  request: (callback) => requestAnimationFrame(callback),
-  cancel: (handle) => cancelAnimationFrame(handle),
-};
-
 /** Steps a second that can be chosen. */
 export const SPEEDS: readonly number[] = [0.5, 1, 2, 4, 8, 16, 32, 64];
 /** The speed that shows a whole recording, however long, in `WHOLE` seconds; short ones are faster. */
@@ -34,7 +21,6 @@ const SLOWEST_FITTING = 2;
 export class Player extends EventTarget {
   #length: number;
   #speed: number;
-  #clock: Clock;
   #still: boolean;
   #step = 0;
   #time = 0;
@@ -47,12 +33,11 @@ export class Player extends EventTarget {
   glide = 0.28;
 
   /** `still`: whether pictures jump from moment to moment, for readers who want no motion. */
-  constructor(length: number, options: { speed?: number; still?: boolean; clock?: Clock } = {}) {
+  constructor(length: number, options: { speed?: number; still?: boolean } = {}) {
     super();
     this.#length = length;
     this.#speed = options.speed ?? 4;
     this.#still = options.still ?? false;
-    this.#clock = options.clock ?? FRAMES;
   }
 
   /** The number of the step that is shown, 0 to `length`; while it is drawn, the step being made. */
@@ -162,20 +147,20 @@ export class Player extends EventTarget {
 
   #start(): void {
     if (this.#frame !== null) return;
-    this.#last = this.#clock.now();
-    this.#frame = this.#clock.request(() => this.#tick());
+    this.#last = performance.now();
+    this.#frame = requestAnimationFrame(() => this.#tick());
   }
 
   #tick(): void {
     this.#frame = null;
-    const now = this.#clock.now();
+    const now = performance.now();
     // A page that was hidden continues where it was.
     this.#advance(Math.min(0.25, (now - this.#last) / 1000));
     this.#last = now;
     // Without motion nothing changes until the step has had its time.
     if (!this.#still || this.arrived) this.#emit("frame");
     if (this.#playing || this.#time !== this.#step) {
-      this.#frame = this.#clock.request(() => this.#tick());
+      this.#frame = requestAnimationFrame(() => this.#tick());
     }
   }
 

@@ -1,6 +1,6 @@
 // Where agents are drawn at a time between two moments, in cells: x to the right, y down.
 
-import { AGENT_TURNS, SWARM_TURNS, bounced, cellOf, isPursuer, target } from "./recording.ts";
+import { bounced, cellOf, isPursuer, target } from "./recording.ts";
 import type { Moment, Recording } from "./recording.ts";
 
 /** The middle of an agent, its size (1: alone on its cell) and how visible it is. */
@@ -67,7 +67,7 @@ const clamp = (value: number): number => Math.min(1, Math.max(0, value));
 
 /** Return how much of its own move an agent has made, 0 to 1, at a share of the step. */
 export function progress(recording: Recording, agent: number, agents: number, share: number): number {
-  const turns = { [SWARM_TURNS]: 2, [AGENT_TURNS]: agents }[recording.interaction] ?? 1;
+  const turns = { SIMULTANEOUS: 1, SWARM_TURNS: 2, AGENT_TURNS: agents }[recording.interaction];
   if (turns === 1) return smooth(share);
   const turn = turns === agents ? agent : Number(!isPursuer(recording, agent));
   const length = Math.max(1 / turns, SHORTEST_TURN);

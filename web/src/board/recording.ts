@@ -1,7 +1,8 @@
 // What a board draws: the moments of a world, one after each step, as plain arrays.
 
-/** Row and column, from (0, 0) at the top left. */
-export type Cell = readonly [row: number, col: number];
+import type { Cell, Interaction } from "../engine/types.ts";
+
+export type { Cell };
 
 /** One number or flag for each entry; typed arrays and plain ones both serve. */
 export type Numbers = ArrayLike<number>;
@@ -25,11 +26,6 @@ export interface Moment {
   readonly contested?: readonly Cell[] | undefined;
 }
 
-/** The order in which agents move in a step, as in the engine's rules. */
-export const SIMULTANEOUS = 0;
-export const SWARM_TURNS = 1;
-export const AGENT_TURNS = 2;
-
 /** An episode: the grid, and its moments. Moment 0 is the start; step t leads to moment t. */
 export interface Recording {
   readonly rows: number;
@@ -37,7 +33,8 @@ export interface Recording {
   readonly nPursuers: number;
   /** Side of the square that an agent sees. */
   readonly fov: number;
-  readonly interaction: number;
+  /** The order in which agents move in a step. */
+  readonly interaction: Interaction;
   /** 1 for an obstacle, row by row. */
   readonly obstacles: Flags;
   readonly moments: readonly Moment[];
@@ -64,7 +61,7 @@ export const cellOf = (moment: Moment, agent: number): Cell => [
 
 export const sameCell = (a: Cell, b: Cell): boolean => a[0] === b[0] && a[1] === b[1];
 
-export const isCell = ({ rows, cols }: Recording, [row, col]: Cell): boolean =>
+export const isCell = ({ rows, cols }: { rows: number; cols: number }, [row, col]: Cell): boolean =>
   row >= 0 && col >= 0 && row < rows && col < cols;
 
 /** Return whether an agent was in any collision of the given flags. */

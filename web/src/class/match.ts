@@ -17,6 +17,8 @@ import type { Store } from "./store.ts";
 export class MatchPanel {
   readonly element: HTMLElement;
   readonly player = new Player(0, { speed: FITTING, still: stillMotion() });
+  /** The match that is shown; null where the page has no recording of it. */
+  replay: Live | null = null;
   readonly #data: Data;
   readonly #store: Store;
   readonly #recordings: Recordings;
@@ -26,7 +28,6 @@ export class MatchPanel {
   readonly #words = html("ol", { class: "words", "aria-live": "off", "aria-label": "What happened in this step" });
   readonly #note = html("p", { class: "check small", "aria-live": "polite" });
   #engine: Engine | null = null;
-  #replay: Live | null = null;
 
   constructor(data: Data, store: Store) {
     [this.#data, this.#store, this.#recordings] = [data, store, new Recordings(data)];
@@ -38,16 +39,11 @@ export class MatchPanel {
       html("div", { class: "stage" }, canvas),
       playerBar(this.player), this.#note, legend(), this.#words,
     );
-    this.player.addEventListener("frame", () => this.#replay && this.#board.show(this.#replay.recording, this.player.time));
+    this.player.addEventListener("frame", () => this.replay && this.#board.show(this.replay.recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
     store.on("pair", () => this.#load());
     store.on("play", () => this.#play());
     this.#entitle();
-  }
-
-  /** The match that is shown, for tests. */
-  get replay(): Live | null {
-    return this.#replay;
   }
 
   start(engine: Engine): void {
@@ -56,7 +52,7 @@ export class MatchPanel {
   }
 
   #play(): void {
-    if (!this.#replay) return;
+    if (!this.replay) return;
     this.player.jump(0);
     if (!stillMotion()) this.player.play();
     // On a narrow page the board is below what was clicked.
@@ -68,11 +64,11 @@ export class MatchPanel {
     this.#entitle();
     const { pair } = this.#store;
     if (!this.#engine) return;
-    this.#replay = this.#recordings.has(pair) ? this.#recordings.play(this.#engine, pair) : null;
-    this.element.dataset["played"] = this.#replay ? `${pair.pursuer} ${pair.evader}` : "";
-    this.element.classList.toggle("without-recording", !this.#replay);
-    this.player.length = this.#replay?.length ?? 0;
-    this.player.marks = this.#replay ? captureSteps(this.#replay.recording) : [];
+    this.replay = this.#recordings.has(pair) ? this.#recordings.play(this.#engine, pair) : null;
+    this.element.dataset["played"] = this.replay ? `${pair.pursuer} ${pair.evader}` : "";
+    this.element.classList.toggle("without-recording", !this.replay);
+    this.player.length = this.replay?.length ?? 0;
+    this.player.marks = this.replay ? captureSteps(this.replay.recording) : [];
     this.player.jump(0);
     this.#check();
     this.#tell();
@@ -81,11 +77,11 @@ export class MatchPanel {
   /** Say whether the engine here and the tournament agree. */
   #check(): void {
     const { pursuer, evader } = this.#store.pair;
-    if (!this.#replay) {
+    if (!this.replay) {
       this.#note.textContent = "The page holds no recording of this match: it would be too large.";
       return;
     }
-    const [here, there] = [this.#replay.statistics.capture_rate, this.#data.first[pursuer]![evader]!];
+    const [here, there] = [this.replay.statistics.capture_rate, this.#data.first[pursuer]![evader]!];
     const equal = Math.abs(here - there) < 1e-3;
     this.#note.dataset["equal"] = String(equal);
     this.#note.textContent = equal
@@ -101,16 +97,16 @@ export class MatchPanel {
   }
 
   #tell(): void {
-    if (!this.#replay) {
+    if (!this.replay) {
       this.#words.replaceChildren();
       this.#tally.replaceChildren();
       return;
     }
-    const { recording } = this.#replay;
+    const { recording } = this.replay;
     const step = this.player.step;
     const captured = Array.from(recording.moments[step]!.everCaptured).filter(Boolean).length;
     this.#tally.replaceChildren(
       html("strong", {}, captured), ` of ${this.#data.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
-    this.#words.replaceChildren(...wordsOf(this.#replay, recording, step).map((word) => html("li", { class: word.kind }, word.text)));
+    this.#words.replaceChildren(...wordsOf(this.replay, recording, step).map((word) => html("li", { class: word.kind }, word.text)));
   }
 }

@@ -2,8 +2,9 @@
 
 import { html, svg } from "../page/dom.ts";
 import type { Team } from "../explorer/data.ts";
-import { inkOn, viridisGradient, viridisText } from "../explorer/colormap.ts";
-import { interval, rate } from "../explorer/format.ts";
+import { inkOn, viridisText } from "../explorer/colormap.ts";
+import { rate } from "../explorer/format.ts";
+import { scaleOfRates } from "../explorer/heatmap.ts";
 import type { Data, Pair } from "./data.ts";
 import type { Store } from "./store.ts";
 
@@ -38,7 +39,7 @@ export class MatrixPanel {
         html("h2", {}, "All matches"),
         html("p", { class: "small muted" }, "Capture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),
       this.#drawing,
-      html("div", { class: "scale-of-rates small" }, "0", gradient(), "1"),
+      scaleOfRates("0", "1"),
       this.#readout,
     );
     store.on("pair", () => this.#mark());
@@ -145,7 +146,7 @@ export class MatrixPanel {
 
   #read({ pursuer, evader }: Pair): Node[] {
     const { names, capture_rate, lowest, highest, length, episodes } = this.#data;
-    const mean = interval(capture_rate[pursuer]![evader]!, null, null);
+    const mean = rate(capture_rate[pursuer]![evader]);
     const [low, high] = [rate(lowest[pursuer]![evader]), rate(highest[pursuer]![evader])];
     return [
       html("span", {}, html("span", { class: "pursuer" }, names.pursuer[pursuer]!), " against ", html("span", { class: "evader" }, names.evader[evader]!)),
@@ -153,13 +154,6 @@ export class MatrixPanel {
         ` captured; ${low} to ${high} in ${episodes} episodes, ${length[pursuer]![evader]!.toFixed(0)} steps on average`)),
     ];
   }
-}
-
-/** The colours from 0 to 1. The page's policy allows no style in markup, only by script. */
-function gradient(): HTMLElement {
-  const strip = html("span", { class: "gradient" });
-  strip.style.backgroundImage = viridisGradient();
-  return strip;
 }
 
 /** Return the width of the widest name, in bold as that of a selected pair. */

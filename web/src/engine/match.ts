@@ -15,24 +15,16 @@ export interface Pair {
   evaders: TeamPolicy;
 }
 
+export interface Match extends EpisodeArrays {}
+
 /** A recorded episode of T steps. Step t (from 1) leads from moment t - 1 to moment t. */
-export class Match implements EpisodeArrays {
+export class Match {
   readonly config: WorldConfig;
   readonly seed: bigint;
   readonly episode: number;
   readonly n_agents: number;
   readonly statistics: EpisodeStatistics;
-  readonly positions: Int32Array;
-  readonly last_positions: Int32Array;
-  readonly alive: Uint8Array;
-  readonly captured: Uint8Array;
-  readonly ever_captured: Uint8Array;
-  readonly actions: Uint8Array;
-  readonly rewards: Float32Array;
-  readonly involved: Uint8Array;
-  readonly fault: Uint8Array;
-  readonly map: Uint8Array;
-  private readonly conflict_table: Int32Array;
+  private declare readonly conflict_table: Int32Array;
   private readonly first_conflict: Int32Array; // by step: its first row of the table
 
   constructor(config: WorldConfig, seed: bigint, episode: number, outputs: Outputs) {
@@ -41,17 +33,7 @@ export class Match implements EpisodeArrays {
     this.episode = episode;
     this.n_agents = config.n_pursuers + config.n_evaders;
     this.statistics = statisticsOf(outputs, 0);
-    this.positions = outputs["positions"] as Int32Array;
-    this.last_positions = outputs["last_positions"] as Int32Array;
-    this.alive = outputs["alive"] as Uint8Array;
-    this.captured = outputs["captured"] as Uint8Array;
-    this.ever_captured = outputs["ever_captured"] as Uint8Array;
-    this.actions = outputs["actions"] as Uint8Array;
-    this.rewards = outputs["rewards"] as Float32Array;
-    this.involved = outputs["involved"] as Uint8Array;
-    this.fault = outputs["fault"] as Uint8Array;
-    this.map = outputs["map"] as Uint8Array;
-    this.conflict_table = outputs["conflict_table"] as Int32Array;
+    Object.assign(this, outputs); // they have the names of the arrays
     this.first_conflict = firstOfSteps(this.conflict_table, this.length);
   }
 

@@ -49,7 +49,6 @@ export interface Setting {
   readonly name: string;
   readonly value: string;
   readonly help: string;
-  readonly changed: boolean;
 }
 
 export interface Band {

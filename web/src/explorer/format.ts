@@ -4,14 +4,9 @@
 export const rate = (value: number | null | undefined, digits = 2): string =>
   value === null || value === undefined ? "-" : value.toFixed(digits);
 
-export const percent = (value: number | null | undefined, digits = 1): string =>
-  value === null || value === undefined ? "-" : `${(100 * value).toFixed(digits)} %`;
-
 /** A value and its interval, where it has one. */
-export function interval(value: number, low: number | null, high: number | null, digits = 2): string {
-  return low === null || high === null
-    ? value.toFixed(digits)
-    : `${value.toFixed(digits)} (${low.toFixed(digits)} to ${high.toFixed(digits)})`;
+export function interval(value: number, low: number | null, high: number | null): string {
+  return low === null || high === null ? rate(value) : `${rate(value)} (${rate(low)} to ${rate(high)})`;
 }
 
 export const thousands = (value: number): string => value.toLocaleString("en-GB");

@@ -4,20 +4,12 @@ import type { Payoff } from "./data.ts";
 import { html } from "../page/dom.ts";
 import { viridis, viridisGradient } from "./colormap.ts";
 
-export interface Box {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-}
+type Box = Readonly<Record<"left" | "top" | "width" | "height", number>>;
 
 /** Draw the capture rates of all cells; cells without episodes stay empty. */
 export function drawCells(canvas: HTMLCanvasElement, payoff: Payoff, box: Box): void {
   const ratio = devicePixelRatio || 1;
-  canvas.style.left = `${box.left}px`;
-  canvas.style.top = `${box.top}px`;
-  canvas.style.width = `${box.width}px`;
-  canvas.style.height = `${box.height}px`;
+  for (const [name, pixels] of Object.entries(box)) canvas.style.setProperty(name, `${pixels}px`);
   canvas.width = Math.round(box.width * ratio);
   canvas.height = Math.round(box.height * ratio);
   const ctx = canvas.getContext("2d");

@@ -27,6 +27,9 @@ export class MatchPanel {
   readonly element: HTMLElement;
   readonly player = new Player(0, { speed: FITTING, still: stillMotion() });
   readonly inspector: Inspector;
+  /** The match that is shown; null until the engine has played one. */
+  match: Match | null = null;
+  recording: Recording | null = null;
   /** What can be done with the match that is shown. */
   readonly actions: HTMLElement;
   readonly #board: Board;
@@ -38,9 +41,7 @@ export class MatchPanel {
   readonly #words = html("ol", { class: "words", "aria-live": "off", "aria-label": "What happened in this step" });
   readonly #problem = html("p", { class: "problem", role: "alert" });
   #engine: Engine | null = null;
-  #match: Match | null = null;
   #champions: Champions | null = null;
-  #recording: Recording | null = null;
   #due = 0;
   #plays = false;
   #goal = 0;
@@ -49,7 +50,7 @@ export class MatchPanel {
     [this.#runs, this.#store] = [runs, store];
     const canvas = html("canvas", { "aria-label": "The match" });
     this.#board = new Board(canvas, { numbers: false });
-    this.#strip = new EpisodeStrip(store, this.player);
+    this.#strip = new EpisodeStrip(store);
     this.inspector = new Inspector((agent) => this.#look(agent));
     canvas.addEventListener("click", (event) => this.inspector.choose(this.#board.agentAt(event.clientX, event.clientY)));
     this.actions = html("div", { class: "beside" },
@@ -65,7 +66,7 @@ export class MatchPanel {
         playerBar(this.player),
         this.#strip.element),
     );
-    this.player.addEventListener("frame", () => this.#recording && this.#board.show(this.#recording, this.player.time));
+    this.player.addEventListener("frame", () => this.recording && this.#board.show(this.recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
     store.on("match", () => this.#rest());
     store.on("rest", () => this.player.pause());
@@ -77,15 +78,6 @@ export class MatchPanel {
     return this.#runs[this.#store.selected.run]!;
   }
 
-  /** The match that is shown, for tests. */
-  get match(): Match | null {
-    return this.#match;
-  }
-
-  get recording(): Recording | null {
-    return this.#recording;
-  }
-
   /** Bring the board into view; on a narrow page it is below what was clicked. */
   reveal(): void {
     this.#board.canvas.scrollIntoView({ block: "nearest" });
@@ -93,7 +85,7 @@ export class MatchPanel {
 
   /** The match and its step that is shown. */
   get shown(): Shown | null {
-    return this.#match && this.#champions && { match: this.#match, step: this.player.step, champions: this.#champions };
+    return this.match && this.#champions && { match: this.match, step: this.player.step, champions: this.#champions };
   }
 
   /** Begin to play matches. */
@@ -111,11 +103,11 @@ export class MatchPanel {
   /** Show a step of the selected match, as soon as it is there. */
   goTo(step: number): void {
     this.#goal = step;
-    if (!this.#due && this.#match) this.#load();
+    if (!this.#due && this.match) this.#load();
   }
 
   #begin(): void {
-    if (!this.#plays || !this.#match) return;
+    if (!this.#plays || !this.match) return;
     this.#plays = false;
     this.player.jump(0);
     if (!stillMotion()) this.player.play();
@@ -137,17 +129,17 @@ export class MatchPanel {
     const problem = TEAMS.map((team) => whyNot(this.#run, team, selected[team])).find(Boolean) ?? "";
     this.#problem.textContent = problem;
     if (problem || !this.#engine) return;
-    this.#match = playedMatch(this.#engine, this.#run, selected);
+    this.match = playedMatch(this.#engine, this.#run, selected);
     const [pursuers, evaders] = this.names(selected);
     this.#champions = {
       pursuer: { name: pursuers, policy: policyOf(this.#run, "pursuer", selected.pursuer) },
       evader: { name: evaders, policy: policyOf(this.#run, "evader", selected.evader) },
     };
-    this.#recording = recordingOf(this.#match);
-    this.#strip.show(this.#engine, this.#run, this.#match);
-    this.inspector.show(this.#engine, this.#run, this.#match, selected);
-    this.player.length = this.#match.length;
-    this.player.marks = captureSteps(this.#recording);
+    this.recording = recordingOf(this.match);
+    this.#strip.show(this.#run, this.match);
+    this.inspector.show(this.#engine, this.#run, this.match, selected);
+    this.player.length = this.match.length;
+    this.player.marks = captureSteps(this.recording);
     this.player.jump(this.#goal);
     this.#goal = 0;
     this.#tell();
@@ -175,12 +167,12 @@ export class MatchPanel {
   }
 
   #tell(): void {
-    const match = this.#match;
-    if (!match || !this.#recording) return;
+    const match = this.match;
+    if (!match || !this.recording) return;
     const step = this.player.step;
-    const moment = this.#recording.moments[step]!;
+    const moment = this.recording.moments[step]!;
     this.#count(Array.from(moment.everCaptured).filter(Boolean).length, step);
-    this.#words.replaceChildren(...wordsOf(match, this.#recording, step).map((word) =>
+    this.#words.replaceChildren(...wordsOf(match, this.recording, step).map((word) =>
       html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
     this.inspector.at(step);
     this.#mark();

@@ -1,22 +1,16 @@
-// The settings of the run, those that differ from the defaults first.
+// The settings of the run that differ from the defaults.
 
 import { html } from "../page/dom.ts";
-import type { Run, Setting } from "./data.ts";
+import type { Run } from "./data.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 
-export function settingsPanel(run: Run): Panel {
-  const changed = run.settings.filter((setting) => setting.changed);
-  const others = run.settings.filter((setting) => !setting.changed);
-  const element = card("Settings", `${run.schedule}, seed ${run.seed}. Every setting is an option of matrixworld evolve.`,
-    changed.length ? table(changed, "other than the default") : html("p", { class: "small" }, "All settings are the defaults."),
-    html("details", { class: "small" }, html("summary", {}, `${others.length} settings with their defaults`), table(others, "defaults")));
+export function settingsPanel({ settings, schedule, seed }: Run): Panel {
+  const rows = settings.map(({ name, value, help }) => html("tr", {},
+    html("th", { scope: "row" }, `--${name.replaceAll("_", "-")}`), html("td", { class: "numbers" }, value), html("td", { class: "muted" }, help)));
+  const table = html("table", { class: "small" }, html("caption", { class: "heard" }, "Settings other than the default"), ...rows);
+  const element = card("Settings", `${schedule}, seed ${seed}; all others are the defaults of matrixworld evolve.`,
+    rows.length ? html("div", { class: "wide-table" }, table) : null);
   element.classList.add("settings");
   return { element };
-}
-
-function table(settings: readonly Setting[], caption: string): HTMLElement {
-  return html("div", { class: "wide-table" }, html("table", { class: "small" }, html("caption", { class: "heard" }, `Settings: ${caption}`),
-    ...settings.map(({ name, value, help }) => html("tr", {},
-      html("th", { scope: "row" }, `--${name.replaceAll("_", "-")}`), html("td", { class: "numbers" }, value), html("td", { class: "muted" }, help)))));
 }

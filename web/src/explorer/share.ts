@@ -1,7 +1,7 @@
 // What is shown, for others: a link to the match and its step, and a GIF of it.
 
 import { gifOf } from "../board/gif.ts";
-import { hasAddress, html } from "../page/dom.ts";
+import { copy, hasAddress, html } from "../page/dom.ts";
 import type { MatchPanel } from "./match.ts";
 import type { Store } from "./store.ts";
 
@@ -9,15 +9,6 @@ import type { Store } from "./store.ts";
 export function share(match: MatchPanel, store: Store): { button: HTMLElement; dialog: HTMLDialogElement } {
   const link = html("input", { type: "text", readonly: true, "aria-label": "Link to this step" });
   const told = html("p", { class: "muted small", role: "status" });
-  const copy = async (): Promise<void> => {
-    link.select();
-    try {
-      await navigator.clipboard.writeText(link.value);
-      told.textContent = "Copied.";
-    } catch {
-      told.textContent = "Selected: copy it with Ctrl+C."; // browsers may refuse pages from files
-    }
-  };
   const save = async (): Promise<void> => {
     if (!match.recording) return;
     const { pursuer, evader } = store.selected;
@@ -34,7 +25,7 @@ export function share(match: MatchPanel, store: Store): { button: HTMLElement; d
     html("h2", { id: "share-title" }, "Share this match"),
     gif,
     hasAddress() && html("p", {}, "The link leads to this step in the same file. Nothing is sent anywhere."),
-    hasAddress() && html("div", { class: "link" }, link, html("button", { type: "button", onclick: copy }, "Copy")),
+    hasAddress() && html("div", { class: "link" }, link, html("button", { type: "button", onclick: () => copy(link, told) }, "Copy")),
     told, html("button", { type: "button", onclick: () => dialog.close() }, "Close"));
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   const open = (): void => {

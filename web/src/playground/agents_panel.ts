@@ -1,11 +1,12 @@
 // The agents in a table: what each does next, and what the step that is shown was worth to it.
 
 import { html, svg } from "../page/dom.ts";
+import { ACTIONS } from "../page/names.ts";
 import { rulesName } from "./arena.ts";
 import { CHAMPION, agentName, nAgents, teamOf, withNext } from "./scene.ts";
 import type { Command, Scene, Team } from "./scene.ts";
 import type { Store } from "./store.ts";
-import { DIRECTIONS, commandText, signed, sumOf } from "./words.ts";
+import { commandText, signed, sumOf } from "./words.ts";
 
 /** Return the shape of a team's agents. */
 export function glyph(team: Team): SVGSVGElement {
@@ -77,7 +78,7 @@ function row(store: Store, agent: number): Row {
 }
 
 function choices(store: Store, scene: Scene, agent: number): HTMLElement[] {
-  const actions = DIRECTIONS.slice(0, scene.diagonal ? 9 : 5).map((_, action) => html("option", { value: action }, commandText(action)));
+  const actions = ACTIONS.slice(0, scene.diagonal ? 9 : 5).map((_, action) => html("option", { value: action }, commandText(action)));
   const scripts = store.data.scripts.map(({ name, text }) => html("option", { value: name, title: text }, name));
   const groups = [html("optgroup", { label: "move" }, ...actions), html("optgroup", { label: "script" }, ...scripts)];
   const champion = store.data.champions?.[agent < scene.pursuers.length ? "pursuer" : "evader"];

@@ -2,12 +2,13 @@
 // choose agents and their moves (mode "act"), or place agents and obstacles (mode "build").
 
 import { Board } from "../board/board.ts";
-import { MOVES, towards } from "../board/recording.ts";
+import { MOVES, isCell, towards } from "../board/recording.ts";
 import type { Cell } from "../board/recording.ts";
 import { html } from "../page/dom.ts";
+import { ACTIONS } from "../page/names.ts";
 import { agentOn, agentName, agents, isWall, moved, nAgents, removed, variantOf, withNext, withWall } from "./scene.ts";
 import type { Store } from "./store.ts";
-import { DIRECTIONS } from "./words.ts";
+import type { Control } from "./toolbar.ts";
 
 const ARROW_ACTIONS: Record<string, number> = { ArrowUp: 1, ArrowRight: 2, ArrowDown: 3, ArrowLeft: 4 };
 /** The keys around S, as they lie on a keyboard: for moves that arrow keys lack. */
@@ -25,14 +26,13 @@ export function arena(store: Store): HTMLElement {
   return element;
 }
 
-function arm(store: Store, place: number): { element: HTMLElement; update: () => void } {
+function arm(store: Store, place: number): Control {
   const canvas = html("canvas", { tabindex: 0, "aria-describedby": "board-keys" });
   const name = html("h2", { class: "arm-name" });
   const element = html("figure", { class: "arm" }, name, canvas);
   const board = new Board(canvas, { axes: true, trail: 1 });
-  const cursor = new Cursor();
+  const cursor: Cursor = { cell: [0, 0] };
   listenToPointer(store, board);
-  listenToKeys(store, canvas, cursor);
   const update = (): void => {
     const game = store.games[place];
     element.hidden = !game;
@@ -53,7 +53,7 @@ function arm(store: Store, place: number): { element: HTMLElement; update: () =>
   };
   canvas.addEventListener("focus", update);
   canvas.addEventListener("blur", update);
-  cursor.addEventListener("change", update);
+  listenToKeys(store, canvas, cursor, update);
   return { element, update };
 }
 
@@ -136,26 +136,21 @@ export function command(store: Store, action: number): void {
   const { selected, scene } = store;
   if (selected === null || store.running || store.game.over) return;
   if (scene.next[selected] !== action) store.change(withNext(scene, selected, action));
-  store.say(`${agentName(scene, selected)}: ${DIRECTIONS[action]}.`);
+  store.say(`${agentName(scene, selected)}: ${ACTIONS[action]}.`);
 }
 
 // ---- Keyboard
 
 /** The cell that arrow keys have reached in mode "build". */
-class Cursor extends EventTarget {
-  cell: Cell = [0, 0];
-
-  move(by: Cell, rows: number, cols: number): void {
-    const clamp = (value: number, below: number): number => Math.min(below - 1, Math.max(0, value));
-    this.cell = [clamp(this.cell[0] + by[0], rows), clamp(this.cell[1] + by[1], cols)];
-    this.dispatchEvent(new Event("change"));
-  }
+interface Cursor {
+  cell: Cell;
 }
 
-function listenToKeys(store: Store, canvas: HTMLCanvasElement, cursor: Cursor): void {
+function listenToKeys(store: Store, canvas: HTMLCanvasElement, cursor: Cursor, update: () => void): void {
   canvas.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const done = store.mode === "act" ? actKey(store, event) : buildKey(store, event, cursor);
+    update();
     if (done) event.preventDefault();
   });
 }
@@ -193,7 +188,8 @@ function buildKey(store: Store, event: KeyboardEvent, cursor: Cursor): boolean {
   const action = ARROW_ACTIONS[event.key];
   if (action !== undefined) {
     const carried = event.shiftKey ? agentOn(now, cursor.cell) : null;
-    cursor.move(MOVES[action]!, now.rows, now.cols);
+    const to = [cursor.cell[0] + MOVES[action]![0], cursor.cell[1] + MOVES[action]![1]] as const;
+    if (isCell(now, to)) cursor.cell = to;
     const free = agentOn(now, cursor.cell) === null && !isWall(now, cursor.cell);
     if (carried !== null && free) store.change(moved(now, carried, cursor.cell));
     const [row, col] = cursor.cell;

@@ -1,6 +1,6 @@
 // Dialogs of the page: the link of a scene, and the keys.
 
-import { hasAddress, html } from "../page/dom.ts";
+import { copy, hasAddress, html } from "../page/dom.ts";
 import { linkOf } from "./link.ts";
 import type { Store } from "./store.ts";
 
@@ -18,19 +18,10 @@ export function shareDialog(store: Store): { element: HTMLDialogElement; open: (
   const link = html("input", { type: "text", readonly: true, "aria-label": "Link" });
   const code = html("input", { type: "text", readonly: true, "aria-label": "Scene" });
   const told = html("p", { class: "muted small", role: "status" });
-  const copy = (from: HTMLInputElement) => async (): Promise<void> => {
-    from.select();
-    try {
-      await navigator.clipboard.writeText(from.value);
-      told.textContent = "Copied.";
-    } catch {
-      told.textContent = "Selected: copy it with Ctrl+C."; // the browser gives pages from files no clipboard
-    }
-  };
   const element = dialog("Share this scene",
     html("p", {}, "The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),
-    html("label", { class: "copy", hidden: !hasAddress() }, html("span", {}, "Link to this page"), link, html("button", { type: "button", onclick: copy(link) }, "Copy")),
-    html("label", { class: "copy" }, html("span", {}, "Scene, for any copy of the playground"), code, html("button", { type: "button", onclick: copy(code) }, "Copy")),
+    html("label", { class: "copy", hidden: !hasAddress() }, html("span", {}, "Link to this page"), link, html("button", { type: "button", onclick: () => copy(link, told) }, "Copy")),
+    html("label", { class: "copy" }, html("span", {}, "Scene, for any copy of the playground"), code, html("button", { type: "button", onclick: () => copy(code, told) }, "Copy")),
     told);
   return {
     element,

@@ -114,7 +114,7 @@ export class Game {
 
   #keep(actions: Uint8Array | undefined): void {
     const world = this.#world;
-    this.#moments.push(actions ? momentOf(world, actions) : startOf(world));
+    this.#moments.push(momentOf(world, actions));
     this.#snapshots.push(world.snapshot());
     this.outcomes.push({
       conflicts: actions ? world.conflicts() : [],
@@ -124,16 +124,6 @@ export class Game {
       truncated: Boolean(world.read("truncated")[0]),
     });
   }
-}
-
-/** Return the moment of a start, which no step has led to. */
-function startOf(world: World): Moment {
-  return {
-    positions: world.read("last_positions"),
-    alive: world.read("alive"),
-    captured: world.read("captured"),
-    everCaptured: world.read("ever_captured"),
-  };
 }
 
 /** Return the state of a world at the start of a scene; the engine checks it. */

@@ -7,6 +7,7 @@ import type { Field } from "./data.ts";
 import { MOST_SIDE, resized, sameRules, variantOf } from "./scene.ts";
 import type { Scene } from "./scene.ts";
 import type { Store } from "./store.ts";
+import type { Control } from "./toolbar.ts";
 import { linesOf } from "./words.ts";
 
 /** Return the card of the rules. */
@@ -17,11 +18,6 @@ export function rulesPanel(store: Store): HTMLElement {
   store.player.addEventListener("step", update);
   update();
   return html("section", { class: "card rules" }, ...controls.map((control) => control.element));
-}
-
-interface Control {
-  readonly element: HTMLElement;
-  readonly update: () => void;
 }
 
 const change = (store: Store, scene: Scene): void => {

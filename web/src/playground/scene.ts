@@ -1,5 +1,6 @@
 // A scene: all that the page shows follows from it. Scenes never change; edits return new ones.
 
+import { agentName as nameOf } from "../page/names.ts";
 import type { Cell, Rewards, Rules, ScriptName, WorldConfig } from "../engine/types.ts";
 
 /** Stands for the network of an agent's team, in a scene from the explorer. */
@@ -58,11 +59,7 @@ export const nAgents = (scene: Scene): number => scene.pursuers.length + scene.e
 
 export const teamOf = (scene: Scene, agent: number): Team => (agent < scene.pursuers.length ? "pursuers" : "evaders");
 
-/** Return the name of an agent, as Python has it. */
-export function agentName(scene: Scene, agent: number): string {
-  const first = scene.pursuers.length;
-  return agent < first ? `pursuer_${agent}` : `evader_${agent - first}`;
-}
+export const agentName = (scene: Scene, agent: number): string => nameOf(agent, scene.pursuers.length);
 
 export const sameRules = (a: Rules, b: Rules): boolean =>
   (Object.keys(a) as (keyof Rules)[]).every((name) => a[name] === b[name]);

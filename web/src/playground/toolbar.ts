@@ -3,12 +3,13 @@
 import { icon } from "../board/player_bar.ts";
 import type { Icon } from "../board/player_bar.ts";
 import { html } from "../page/dom.ts";
+import { ACTIONS } from "../page/names.ts";
 import { glyph } from "./agents_panel.ts";
 import { command } from "./arena.ts";
 import { MOST_AGENTS, added, freeCell, nAgents, removed } from "./scene.ts";
 import type { Team } from "./scene.ts";
 import type { Mode, Store } from "./store.ts";
-import { ARROWS, DIRECTIONS } from "./words.ts";
+import { ARROWS } from "./words.ts";
 
 /** Return the bar, with a line for messages. */
 export function toolbar(store: Store): HTMLElement {
@@ -34,14 +35,14 @@ export function toolbar(store: Store): HTMLElement {
   return html("div", { class: "toolbar" }, ...controls.map((control) => control.element), message);
 }
 
-interface Control {
+/** A part of the page that shows the store. */
+export interface Control {
   readonly element: HTMLElement;
   readonly update: () => void;
 }
 
-function button(name: Icon | null, label: string, keys: string, act: () => void): HTMLButtonElement {
-  const made = html("button", { type: "button", title: `${label} (${keys})`, onclick: act }, name && icon(name), html("span", {}, label));
-  return made;
+function button(name: Icon, label: string, keys: string, act: () => void): HTMLButtonElement {
+  return html("button", { type: "button", title: `${label} (${keys})`, onclick: act }, icon(name), html("span", {}, label));
 }
 
 function stepButtons(store: Store): Control {
@@ -96,7 +97,7 @@ function buildButtons(store: Store): Control {
 function padButtons(store: Store): Control {
   const order = [8, 7, 4, 1, 0, 3, 2, 5, 6];
   const buttons = order.map((action) => html("button", {
-    type: "button", "aria-label": DIRECTIONS[action], title: `The chosen agent: ${DIRECTIONS[action]}`, onclick: () => command(store, action),
+    type: "button", "aria-label": ACTIONS[action], title: `The chosen agent: ${ACTIONS[action]}`, onclick: () => command(store, action),
   }, ARROWS[action]));
   const element = html("div", { class: "buttons pad", role: "group", "aria-label": "Move of the chosen agent" }, ...buttons);
   return {

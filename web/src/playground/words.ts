@@ -2,17 +2,17 @@
 
 import type { Moment } from "../board/recording.ts";
 import { html } from "../page/dom.ts";
+import { ACTIONS } from "../page/names.ts";
 import { KINDS } from "../engine/tables.ts";
 import type { Conflict, Rules } from "../engine/types.ts";
 import type { Game } from "./game.ts";
 import { agentName, nAgents } from "./scene.ts";
 import type { Command, Scene } from "./scene.ts";
 
-export const DIRECTIONS = ["stay", "north", "east", "south", "west", "northeast", "southeast", "southwest", "northwest"];
 export const ARROWS = ["·", "↑", "→", "↓", "←", "↗", "↘", "↙", "↖"];
 
 export const commandText = (command: Command): string =>
-  typeof command === "number" ? `${ARROWS[command]} ${DIRECTIONS[command]}` : command;
+  typeof command === "number" ? `${ARROWS[command]} ${ACTIONS[command]}` : command;
 
 /** One line about a step. `used` names the fields of the rules that decided it. */
 export interface Line {
