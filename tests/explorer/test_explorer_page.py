@@ -571,7 +571,6 @@ def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     assert (data["payoff"]["shape"], data["payoff"]["first"]) == ([1, 4], [0, 3])
     assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
     assert data["findings"] is None
-    assert not data["race"]
     [teams] = archives_of([job["single"]]).teams
     assert [teams[team]["script"] for team in TEAMS] == ["chaser", None]
 

@@ -146,7 +146,6 @@ def explorer_page(
         "heading": heading(runs),
         "note": note,
         "live": live,
-        "step": archives.step,
         "playground": page_data(),
         "runs": plain,
     }
@@ -211,7 +210,6 @@ def run_data(
     race = settings.is_race
     return {
         "name": name,
-        "race": race,
         "schedule": settings.schedule.name if race else "one team",
         "learning": list(settings.learning_teams),
         "seed": str(settings.seed),
@@ -336,7 +334,6 @@ def findings(
     return {
         "headline": analysis.headline(judgement),
         "numbers": headline_numbers(judgement),
-        "window": judgement.window,
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
         "checkerboards": plain_values(boards),

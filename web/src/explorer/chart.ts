@@ -67,7 +67,7 @@ export function frame(width: number, height: number, horizontal: Axis, vertical:
 const shown = (value: number): string => String(Number(value.toPrecision(6))).replace("-", "−");
 
 /** Add a curve; where it is not defined, it is interrupted. */
-export function line(into: Frame, xs: readonly number[], ys: Curve, style: string): SVGPathElement {
+export function line(into: Frame, xs: readonly number[], ys: Curve, style: string): void {
   let path = "";
   let pen = "M";
   ys.forEach((value, i) => {
@@ -77,9 +77,7 @@ export function line(into: Frame, xs: readonly number[], ys: Curve, style: strin
       pen = "L";
     }
   });
-  const made = svg("path", { d: path, class: `line ${style}` });
-  into.root.insertBefore(made, into.marks);
-  return made;
+  into.root.insertBefore(svg("path", { d: path, class: `line ${style}` }), into.marks);
 }
 
 /** Add a mark on a value of the horizontal axis: a line, and a dot where a curve is. */
@@ -97,44 +95,31 @@ export function legend(...entries: readonly (readonly [text: string, style: stri
   );
 }
 
-export interface Chart {
-  readonly element: HTMLElement;
-  /** Draw everything anew, or only the marks. */
-  redraw(): void;
-  remark(): void;
-}
-
 /**
- * Return an element that holds a chart and draws it as wide as it is.
+ * Return an element that holds a chart and draws it as wide as it is, and what draws its marks anew.
  *
- * `draw` makes the chart for a size, `marks` what moves with the selection, and `choose` gets the
- * value of the horizontal axis that is clicked.
+ * `draw` makes the chart for a size, `mark` what moves with the selection, and `choose` gets the value
+ * of the horizontal axis that is clicked.
  */
 export function chart(
   label: string,
   draw: (width: number, height: number) => Frame,
-  options: {
-    marks?: (into: Frame) => void;
-    choose?: (value: number, into: Frame, event: MouseEvent) => void;
-  } = {},
-): Chart {
-  const element = html("div", { class: "chart", role: "img", "aria-label": label });
+  mark: (into: Frame) => void,
+  choose: (value: number, into: Frame, event: MouseEvent) => void,
+): { element: HTMLElement; update(): void } {
+  const element = html("div", { class: "chart chooses", role: "img", "aria-label": label });
   let shownFrame: Frame | null = null;
-  const remark = (): void => {
+  const update = (): void => {
     shownFrame?.marks.replaceChildren();
-    if (shownFrame) options.marks?.(shownFrame);
+    if (shownFrame) mark(shownFrame);
   };
-  const redraw = (): void => {
+  element.addEventListener("click", (event) => shownFrame && choose(shownFrame.at(event.clientX), shownFrame, event));
+  new ResizeObserver(() => {
     const { clientWidth, clientHeight } = element;
     if (clientWidth < 50 || clientHeight < 50) return;
     shownFrame = draw(clientWidth, clientHeight);
     element.replaceChildren(shownFrame.root);
-    remark();
-  };
-  if (options.choose) {
-    element.classList.add("chooses");
-    element.addEventListener("click", (event) => shownFrame && options.choose?.(shownFrame.at(event.clientX), shownFrame, event));
-  }
-  new ResizeObserver(redraw).observe(element);
-  return { element, redraw, remark };
+    update();
+  }).observe(element);
+  return { element, update };
 }

@@ -2,6 +2,7 @@
 
 import { listenToArrows } from "./arrow_keys.ts";
 import { chart, frame, legend, line, mark } from "./chart.ts";
+import { TEAMS } from "./data.ts";
 import type { Run, Team } from "./data.ts";
 import { rate, thousands } from "./format.ts";
 import { card } from "./panel.ts";
@@ -36,20 +37,14 @@ export function trainingPanel(run: Run, store: Store): Panel {
       }
     }
     return into;
-  }, {
-    marks: (into) => {
-      const { pursuer, evader } = store.selected;
-      for (const [team, chosen] of [[0, pursuer], [1, evader]] as const) {
-        const span = spanOf(store.hover[team ? "evader" : "pursuer"] ?? chosen, team);
-        if (span) mark(into, (span[0] + span[1]) / 2, LEARNERS[team]);
-      }
-    },
-    choose: (value) => {
-      const at = Math.min(epoch.length - 1, Math.max(0, Math.round(value / epochs) - 1));
-      const chosen = generation[at]!;
-      if (learner[at] !== 1) store.select({ pursuer: Math.min(chosen, run.payoff.shape[0] - 1) });
-      if (learner[at] !== 0) store.select({ evader: Math.min(chosen, run.payoff.shape[1] - 1) });
-    },
+  }, (into) => TEAMS.forEach((team, learns) => {
+    const span = spanOf(store.hover[team] ?? store.selected[team], learns);
+    if (span) mark(into, (span[0] + span[1]) / 2, LEARNERS[learns]!);
+  }), (value) => {
+    const at = Math.min(epoch.length - 1, Math.max(0, Math.round(value / epochs) - 1));
+    const chosen = generation[at]!;
+    if (learner[at] !== 1) store.select({ pursuer: Math.min(chosen, run.payoff.shape[0] - 1) });
+    if (learner[at] !== 0) store.select({ evader: Math.min(chosen, run.payoff.shape[1] - 1) });
   });
   listenToArrows(made.element, store, () => run.payoff.shape);
   const learning = [...new Set(learner)].sort().map((team) =>
@@ -57,7 +52,7 @@ export function trainingPanel(run: Run, store: Store): Panel {
   return {
     element: card("Training", `${thousands(training.matches)} training matches. Lines: the generations that are selected.`,
       legend(...learning), made.element),
-    update: made.remark,
+    update: made.update,
   };
 }
 
@@ -72,28 +67,25 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   const last = Math.max(...run.payoff.shape) - 1;
   const made = chart(`Elo ratings by generation. ${KEYS}`, (width, height) => {
     const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: low - room, high: high + room, label: "Elo points" });
-    for (const team of ["pursuer", "evader"] as const) line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
+    for (const team of TEAMS) line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
     return into;
-  }, {
-    marks: (into) => {
-      for (const team of ["pursuer", "evader"] as const) {
-        const chosen = store.hover[team] ?? store.selected[team];
-        mark(into, chosen, `of-${team}s`, curves[team][chosen] ?? null);
-      }
-    },
-    choose: (value, into, event) => {
-      const generation = Math.round(value);
-      const height = event.clientY - into.root.getBoundingClientRect().top;
-      const away = (team: Team): number => Math.abs(into.y(curves[team][generation] ?? Infinity) - height);
-      const team = away("pursuer") <= away("evader") ? "pursuer" : "evader";
-      if (generation >= 0 && generation < curves[team].length) store.select({ [team]: generation });
-    },
+  }, (into) => {
+    for (const team of TEAMS) {
+      const chosen = store.hover[team] ?? store.selected[team];
+      mark(into, chosen, `of-${team}s`, curves[team][chosen] ?? null);
+    }
+  }, (value, into, event) => {
+    const generation = Math.round(value);
+    const height = event.clientY - into.root.getBoundingClientRect().top;
+    const away = (team: Team): number => Math.abs(into.y(curves[team][generation] ?? Infinity) - height);
+    const team = away("pursuer") <= away("evader") ? "pursuer" : "evader";
+    if (generation >= 0 && generation < curves[team].length) store.select({ [team]: generation });
   });
   listenToArrows(made.element, store, () => run.payoff.shape);
   return {
     element: card("Ratings", `One number for each generation, which cycles do not fit. The game itself: ${rate(ratings.offset, 0)} points for the pursuers.`,
       legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element),
-    update: made.remark,
+    update: made.update,
   };
 }
 
@@ -106,4 +98,3 @@ function movingMean(values: readonly number[], window: number): number[] {
     return (sums[to]! - sums[from]!) / (to - from);
   });
 }
-

@@ -79,7 +79,6 @@ interface OfTeams<Value> {
 export interface Findings {
   readonly headline: string;
   readonly numbers: readonly string[];
-  readonly window: string;
   readonly table: readonly (readonly [string, string, string, string])[];
   readonly reasons: readonly string[];
   readonly generalization: OfTeams<Band>;
@@ -94,7 +93,6 @@ export interface Findings {
 
 export interface Run {
   readonly name: string;
-  readonly race: boolean;
   readonly schedule: string;
   readonly learning: readonly Team[];
   readonly seed: string;
@@ -116,7 +114,6 @@ export interface Data {
   readonly note: string;
   /** The version of the page while its runs go on; null when they have ended. */
   readonly live: string | null;
-  readonly step: number;
   readonly playground: PageData;
   readonly runs: readonly Run[];
 }

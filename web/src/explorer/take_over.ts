@@ -15,22 +15,18 @@ import type { Selection, Store } from "./store.ts";
 
 export class TakeOver {
   readonly dialog = html("dialog", { class: "take-over", "aria-label": "Play an agent" });
+  /** The match that a person plays. */
+  view: PlayView | null = null;
   readonly #runs: readonly Run[];
   readonly #store: Store;
   readonly #match: MatchPanel;
   #engine: Engine | null = null;
-  #view: PlayView | null = null;
 
   constructor(runs: readonly Run[], store: Store, match: MatchPanel) {
     [this.#runs, this.#store, this.#match] = [runs, store, match];
     match.element.addEventListener("takeover", () => this.open());
-    this.dialog.addEventListener("keydown", (event) => this.#view?.key(event) && event.preventDefault());
-    this.dialog.addEventListener("close", () => this.#view?.stop());
-  }
-
-  /** The match that a person plays, for tests. */
-  get view(): PlayView | null {
-    return this.#view;
+    this.dialog.addEventListener("keydown", (event) => this.view?.key(event) && event.preventDefault());
+    this.dialog.addEventListener("close", () => this.view?.stop());
   }
 
   /** Begin, with a match that the address holds. */
@@ -65,14 +61,14 @@ export class TakeOver {
     const players = run.teams[team].kept.map((generation) => ({
       name: run.teams[team].script ?? `generation ${generation}`, policy: () => policyOf(run, team, generation),
     }));
-    if (!this.#view) {
-      this.#view = new PlayView(engine);
-      this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.#view.element);
+    if (!this.view) {
+      this.view = new PlayView(engine);
+      this.dialog.append(html("button", { type: "button", class: "leave", onclick: () => this.dialog.close() }, "Close"), this.view.element);
     }
     if (!this.dialog.open) this.dialog.showModal();
     const title = `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
     const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
     const played = { config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
-    playOn(engine, this.#view, title, played, players, { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) });
+    playOn(engine, this.view, title, played, players, { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) });
   }
 }
