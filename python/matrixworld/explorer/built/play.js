@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 85d2dbb40737bf4ad370c63f88d1f5ae5f1ea68ea2c0a18979a71593463b6582 */
+/* built from web/ by "npm run build"; sources e6aed35075a5beff074b1ba6289374f2834bfba65c2e9f627ea14dd09b27b37f */
 "use strict";(()=>{var Qt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},er={OCCUPATION:0,SURROUND:1},tr={FAULT:0,INVOLVED:1};var yt=["obstacle","teammate","adversary"],gt=["vertex","edge","chain"],rr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],vt=["p\
 ursuer_{number}","evader_{number}"],nr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ne={"both held":"both bounce","both doomed":"\
