@@ -451,13 +451,12 @@ def _plain_team(
 ) -> dict[str, Any]:
     """Return a team as plain values, and add its genomes to the blobs."""
     if isinstance(team, str):
-        return {"script": team, "network": None, "generations": 1, "kept": [0], "genomes": ""}
+        return {"script": team, "network": None, "kept": [0], "genomes": ""}
     network, kept = team.network, kept_generations(len(team.genomes), step)
     blobs[identifier] = packed(team.genomes[kept])
     return {
         "script": None,
         "network": {**plain_values(network), "genome_size": network.genome_size},
-        "generations": len(team.genomes),
         "kept": kept,
         "genomes": identifier,
     }

@@ -15,11 +15,9 @@ export interface TeamData {
   readonly network: {
     readonly hidden: readonly number[];
     readonly activation: "relu" | "tanh";
-    readonly fov: number;
     readonly sampled: boolean;
     readonly genome_size: number;
   } | null;
-  readonly generations: number;
   /** The generations whose genomes the page holds. */
   readonly kept: readonly number[];
   readonly genomes: string;

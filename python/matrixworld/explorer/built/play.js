@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources e6aed35075a5beff074b1ba6289374f2834bfba65c2e9f627ea14dd09b27b37f */
+/* built from web/ by "npm run build"; sources ad3ca4daaf9d8964f2a2d8c5ccf66c56cc285aa3727f6250edc109dca0ef38ac */
 "use strict";(()=>{var Qt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},er={OCCUPATION:0,SURROUND:1},tr={FAULT:0,INVOLVED:1};var yt=["obstacle","teammate","adversary"],gt=["vertex","edge","chain"],rr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],vt=["p\
 ursuer_{number}","evader_{number}"],nr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ne={"both held":"both bounce","both doomed":"\
