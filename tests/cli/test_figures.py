@@ -89,6 +89,7 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
         (["{job}", "--figure", "payoff", "-o", "x.svg"], "of one run, got 2 figures"),
         (["--figure", "rules", "-o", "x.bmp"], "expected a name that ends in .png, .pdf, .svg, g"),
         (["--figure", "rules", "-o", "x.svg", "--format", "png"], "--format png: expected the"),
+        (["--figure", "rules", "--width", "5"], "--width: expected at least 6.9 inches for this"),
         (["{pursuers}", "--figure", "payoff"], "expected a race, got a run of one team"),
         (["{pursuers}", "--figure", "seeds"], "expected a race, got a run of one team"),
         (["{job}/seed-5", "--figure", "comparison"], "expected at least two races, got 1"),

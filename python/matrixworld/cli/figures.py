@@ -228,7 +228,10 @@ def game_figure(name: str) -> Figure:
     """Return a figure that needs no run."""
     from matrixworld import plots
 
-    figure: Figure = getattr(plots, OF_GAME[name])()
+    try:
+        figure: Figure = getattr(plots, OF_GAME[name])()
+    except ValueError as error:  # its texts need more than the width of --width
+        raise click.UsageError(f"--{error}") from error
     return figure
 
 
