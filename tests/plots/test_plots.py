@@ -542,7 +542,8 @@ PANELS = {
 }
 
 
-@pytest.mark.parametrize("name", PANELS)
+# Figures of many panels take seconds each.
+@quickly("name", tuple(PANELS), lambda name: name not in ("comparison", "over seeds", "bands"))
 def test_a_figure_for_a_column_has_type_that_can_be_read(name: str, tmp_path: Path) -> None:
     with plots.at_width(3.35):
         figure = PANELS[name]()
@@ -578,7 +579,7 @@ def test_widths_that_texts_do_not_fit_are_refused() -> None:
     assert plots.lag_profile_curve(RACE).get_figwidth() == 6.4
 
 
-@pytest.mark.parametrize("name", ["comparison", "generalization", "over seeds", "bands"])
+@quickly("name", ("comparison", "generalization", "over seeds", "bands"), "bands".__ne__)
 def test_evaders_are_dashed_and_pursuers_are_not(name: str) -> None:
     lines = [line for axes in PANELS[name]().axes for line in axes.lines]
     of_teams = [line for line in lines if line.get_linewidth() == 1.7]
