@@ -113,7 +113,7 @@ def test_a_text_stands_for_a_section():
         ({**GA, "learner.truncation": 0.5, "learner.tournament": 3}, ValueError, "learner.tourn"),
         ({**GA, "learner.elites": 1, "learner.elite_episodes": 2}, ValueError, "learner.elite_epi"),
         ({"learner.mutation": 0.1}, ValueError, "learner.mutation: expected one of the settings"),
-        ({**HALL, "schedule.contemporaries": 0}, ValueError, "schedule.contemporaries and hall_sa"),
+        ({**HALL, "schedule.contemporaries": 0}, ValueError, "schedule: contemporaries and hall_"),
         ({**HALL, "schedule.evaders_meet": "ipca"}, ValueError, "schedule.evaders_meet: expected "),
         ({"schedule.evaders_meet": "all"}, ValueError, "schedule.evaders_meet: expected one of d"),
         ({"schedule.opponents": 0}, ValueError, "schedule.opponents"),

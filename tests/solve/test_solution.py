@@ -9,6 +9,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.solve import (
+    Solution,
     States,
     best_response,
     expected_payoff,
@@ -178,6 +179,8 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: best_response(world(rows=7), network(world(rows=7)), "pursuer"), "with fov 13"),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter: expected a script"),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
+        (lambda: best_response(world(), None, "pursuer"), "champion: expected a Population, the"),
+        (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
         (lambda: solve(world()).capture_time, "expected a game in turns"),
         (lambda: play(world("R")), "expected the world that it was solved for"),
         (lambda: play(world(max_steps=6)), "expected at most the 5 steps"),
@@ -185,8 +188,12 @@ def test_a_solved_team_plays_in_all_places() -> None:
     ],
 )
 def test_what_is_refused(refused: Callable[[], object], said: str) -> None:
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises((TypeError, ValueError), match=said):
         refused()
+
+
+def longer_reply(champion: Solution) -> Solution:
+    return best_response(champion.states, [(1.0, champion)], "pursuer", steps=9)
 
 
 def network(config: mw.WorldConfig) -> mw.Population:

@@ -23,12 +23,7 @@ from matrixworld.analysis.intervals import (
     normal_quantile,
     t_quantile,
 )
-from matrixworld.analysis.payoffs import (
-    SHRINKAGE,
-    Rates,
-    check_payoff,
-    require,
-)
+from matrixworld.analysis.payoffs import SHRINKAGE, Rates, check_payoff, require
 from matrixworld.analysis.payoffs import logits as logits_of
 
 EPISODES_TO_SUBTRACT_NOISE = 4

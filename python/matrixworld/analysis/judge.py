@@ -15,13 +15,7 @@ from matrixworld._util.text_table import table_lines
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
-from matrixworld.analysis.payoffs import (
-    GENERATIONS_TO_JUDGE,
-    Payoffs,
-    Source,
-    Window,
-    read_payoffs,
-)
+from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.plain_values import plain_values
 
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"

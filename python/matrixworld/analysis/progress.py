@@ -10,14 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.intervals import check_cells
-from matrixworld.analysis.payoffs import (
-    ByTeam,
-    Mask,
-    Rates,
-    check_payoff,
-    require,
-    swap_teams,
-)
+from matrixworld.analysis.payoffs import ByTeam, Mask, Rates, check_payoff, require, swap_teams
 
 
 @dataclass(frozen=True, eq=False)

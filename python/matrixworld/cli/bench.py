@@ -219,6 +219,11 @@ def seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | No
         return None
     timing = timings_of_matches(races[0], check_threads(threads))[-1]
     timing.repeat(SAMPLED)
+    return _seconds(races, timing)
+
+
+def _seconds(races: Sequence[RaceSettings], timing: Timing) -> float:
+    """Estimate the time of the matches of races; `timing` is of matches without learning."""
     return LEARNED * matches_of(races) / (timing.rate * timing.at_once)
 
 
@@ -295,7 +300,7 @@ def bench_command(
         print_lines(lines)
         # Of the first network, with the most threads.
         one = [each for each in of_matches if each.what == of_matches[0].what][-1]
-        took = matches_of(jobs[0]) / (one.rate * one.at_once)
+        took = _seconds(jobs[0], one)
         print_wrapped(
             f"The matches of matrixworld evolve in this world ({one.what}) take about "
             f"{in_words(took)} with --threads {threads}. The time of the learners is not included."

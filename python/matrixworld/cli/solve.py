@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
-from matrixworld._util.checks import INT_MAX
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import print_wrapped, say
 from matrixworld.cli.options import (
-    AnyFunction,
     force_option,
     json_option,
     refuse_existing,
@@ -32,7 +30,7 @@ EXAMPLES = """\b
 Examples:
   matrixworld solve --rows 4 --cols 4 --steps 5
   matrixworld solve --variant TO --rows 8 --cols 8
-  matrixworld solve --variant O --rows 4 --cols 4 --pursuers 2 --evaders 1 --steps 5 --json -
+  matrixworld solve --variant O --rows 4 --cols 4 --n-pursuers 2 --n-evaders 1 --steps 5 --json -
 """
 LEGEND = (
     "Both teams play perfectly, see everything, and choose for all their members together. The "
@@ -40,22 +38,8 @@ LEGEND = (
 )
 
 
-def _team(name: str, default: int) -> Callable[[AnyFunction], AnyFunction]:
-    return click.option(
-        f"--{name}",
-        f"n_{name}",
-        type=click.IntRange(1, INT_MAX),
-        default=default,
-        show_default=True,
-        metavar="INTEGER",
-        help=f"number of {name}",
-    )
-
-
 @click.command("solve", epilog=EXAMPLES, short_help="Solve a small world exactly.")
-@world_options("variant", "rows", "cols")
-@_team("pursuers", 2)
-@_team("evaders", 1)
+@world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @steps_option
 @world_options("diagonal", "obstacles")
 @json_option
@@ -69,7 +53,7 @@ def solve_command(
     threads: int | None,
     **world: Any,
 ) -> None:
-    """Solve a small world exactly.
+    """Solve a small world exactly, by default of 2 pursuers and 1 evader.
 
     The value is the capture rate after the last step when both teams play perfectly, as a mean over
     all starts on distinct free cells. Where the teams take turns, the capture time is printed, too:
@@ -80,7 +64,8 @@ def solve_command(
     docs/ground_truth.md says how it is done.
     """
     refuse_existing(json_file, force=force)
-    given = {name: value for name, value in world.items() if value is not None}
+    few = {"n_pursuers": 2, "n_evaders": 1}
+    given = few | {name: value for name, value in world.items() if value is not None}
     if steps is not None:
         given["max_steps"] = steps
     with failures(), usage_errors():

@@ -47,8 +47,8 @@ WORLD_HELP = {
     "rules": "game variant, a name such as O, or its rules one by one",
     "rows": "rows of the grid; default: those of the obstacle map, or 40",
     "cols": "columns of the grid; default: those of the obstacle map, or 40",
-    "n_pursuers": "number of pursuers; default: depends on the rules",
-    "n_evaders": "number of evaders; default: depends on the rules",
+    "n_pursuers": "number of pursuers; default: depends on rules and command",
+    "n_evaders": "number of evaders; default: depends on rules and command",
     "fov": "side of an agent's square field of view, in cells; odd",
     "diagonal": "allow diagonal moves (9 actions instead of 5)",
     "max_steps": "maximum steps of an evaluation episode",
@@ -170,10 +170,12 @@ def inside(path: str) -> Iterator[None]:
     """Begin the messages of errors with the path of the section that they speak of."""
     try:
         yield
-    except TypeError as error:
-        raise TypeError(f"{path}{error}") from error
-    except ValueError as error:
-        raise ValueError(f"{path}{error}") from error
+    except (TypeError, ValueError) as error:
+        # Words, such as "more agents than free cells", are no field of the section.
+        words = " " in str(error).partition(":")[0]
+        begin = f"{path[:-1]}: " if path and words else path
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"{begin}{error}") from error
 
 
 def _checked(item: Field[Any], hint: Any, value: Any) -> Any:

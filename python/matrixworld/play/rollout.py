@@ -125,7 +125,8 @@ def rollout(
     config : WorldConfig, Rules or str
         A configuration, rules, or the name of a variant.
     pursuers, evaders : Population or str
-        The teams' candidates: a population, or the name of a script.
+        The teams' candidates: a population, the name of a script, or what `solve.Solution.policy`
+        returns.
     matches : Matches
         M matches of these candidates.
     episodes : int, optional

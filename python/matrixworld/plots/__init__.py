@@ -3,8 +3,8 @@
 They need no display and do not touch the state of ``pyplot``. Save a figure with
 ``plots.save_figure(figure, path)``, as pixels or as vector graphics, or show it as the last
 expression of a notebook cell after ``%matplotlib inline``. Within ``plots.at_width(3.35)`` they
-have that width, and type for it. Arguments that are not as a docstring
-describes them, and mappings without an entry, raise a ValueError.
+have that width, and type for it. Arguments that are not as a docstring describes them, and mappings
+without an entry, raise a ValueError.
 """
 
 from __future__ import annotations
@@ -12,12 +12,7 @@ from __future__ import annotations
 from matrixworld.plots.concepts import learning_concepts
 from matrixworld.plots.game import conflict_outcomes, interaction_models, rules_table
 from matrixworld.plots.generalization import generalization_curves, generalization_over_seeds
-from matrixworld.plots.payoffs import (
-    ciao_triangles,
-    comparison,
-    lag_profile_curve,
-    payoff_heatmap,
-)
+from matrixworld.plots.payoffs import ciao_triangles, comparison, lag_profile_curve, payoff_heatmap
 from matrixworld.plots.runs import run_curves, run_dots, seed_bands, seed_scores, verdict_strip
 from matrixworld.plots.style import at_width, save_figure
 from matrixworld.plots.training import collision_rates, training_curve

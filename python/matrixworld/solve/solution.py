@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_choice, check_integer, check_number
+from matrixworld._util.checks import INT_MAX, check_choice, check_integer, check_number, shown
 from matrixworld._util.memory import check_memory
 from matrixworld._util.short_repr import short_repr
 from matrixworld.solve.states import TEAMS, States
@@ -29,9 +29,6 @@ Champion: TypeAlias = "Population | Script | Solution | Sequence[tuple[float, Ch
 of a solution, or weights (their sum is 1) with champions: the team draws one of them in every turn
 anew, for all its members."""
 
-_FLOAT = 8
-"""Bytes of a float64."""
-
 
 @dataclass(frozen=True, eq=False)
 class _Fixed:
@@ -41,9 +38,10 @@ class _Fixed:
     parts: tuple[tuple[float, tuple[NDArray[np.float64], ...] | Solution], ...]
 
     @property
-    def is_constant(self) -> bool:
-        """Whether the play does not depend on the rounds left."""
-        return not any(isinstance(part, Solution) for _, part in self.parts)
+    def steps(self) -> int | None:
+        """For how many rounds the play is known; None if it does not depend on the rounds left."""
+        known = [part.steps for _, part in self.parts if isinstance(part, Solution)]
+        return min(known, default=None)
 
     def at(self, turn: int, rounds: int) -> NDArray[np.float64]:
         """Return the probabilities with so many rounds left, this one included."""
@@ -114,7 +112,7 @@ class Solution:
         Parameters
         ----------
         team : {"pursuer", "evader"}
-            The team. An end has probability 1 for joint action 0 if there is no game to solve.
+            The team. In an end its joint action is 0.
         rounds : int, optional
             Rounds left, this one included, at least 1. The default is all.
         turn : int, optional
@@ -219,16 +217,18 @@ def _induct(
     """Go back from the last round to the first."""
     check_choice("payoff", payoff, PAYOFFS)
     states = States.of(world)
-    limit = check_integer("steps", states.config.max_steps if steps is None else steps, 1)
+    known = [each.steps for each in fixed.values() if each.steps is not None]
+    steps = states.config.max_steps if steps is None else steps
+    limit = check_integer("steps", steps, 1, min(known, default=INT_MAX))
     n_turns = states.n_turns
     counts = [states.count(turn) for turn in range(n_turns)]
     captures = payoff == "capture-rate"
     # Rounds of which no more change the values add no rows.
     kept = [[np.zeros(count) for count in counts]]
     kept[0][0] = states.payoffs if captures else kept[0][0]
-    gap, constant = 0.0, all(each.is_constant for each in fixed.values())
+    gap = 0.0
     for left in range(1, limit + 1):
-        check_memory("values", rounds=2 * _FLOAT * left * sum(counts))
+        check_memory("values", rounds=16 * left * sum(counts))  # they are copied at the end
         row = [kept[-1][0]] * n_turns
         for turn in reversed(range(n_turns)):
             after = row[(turn + 1) % n_turns]
@@ -238,7 +238,7 @@ def _induct(
             row[0] = row[0] - 1.0
             row[0][states.n_ends - 1] = 0.0
         kept.append(row)
-        if constant and (row[0] == kept[-2][0]).all():
+        if not known and (row[0] == kept[-2][0]).all():
             break
     values = tuple(np.stack([row[turn] for row in kept]) for turn in range(n_turns))
     return Solution(states, limit, payoff, values, gap, fixed)
@@ -306,7 +306,8 @@ def best_response(
     ------
     ValueError, TypeError
         As `solve` does; if a network does not see the whole world from every cell; if a script does
-        not see what it looks for; if weights do not sum to 1.
+        not see what it looks for; if weights do not sum to 1; if a solution is of other States, or
+        of fewer rounds.
 
     Examples
     --------
@@ -332,6 +333,8 @@ def expected_payoff(
 ) -> float:
     """Return what a pair comes to on average, exactly: a cell of the payoff matrix without noise.
 
+    Raises as `best_response` does.
+
     Parameters
     ----------
     world : WorldConfig or States
@@ -352,7 +355,7 @@ def exploitability(
 ) -> float:
     """Return by how much a champion's guaranteed capture or escape rate falls short of the value.
 
-    0 for perfect play, up to rounding.
+    0 for perfect play, up to rounding. Raises as `best_response` does.
 
     Parameters
     ----------
@@ -380,7 +383,8 @@ def nash_conv(
 ) -> float:
     """Return the NashConv of a pair: the sum of what both teams gain by a best response.
 
-    It is the sum of the exploitabilities of both teams, and 0 in a Nash equilibrium.
+    It is the sum of the exploitabilities of both teams, and 0 in a Nash equilibrium. Raises as
+    `best_response` does.
 
     Parameters
     ----------
@@ -411,6 +415,9 @@ def _fixed(states: States, champion: Champion, team: Team) -> _Fixed:
     if isinstance(champion, str | Population):
         _check_sees(states.config, champion)
         return _Fixed(team, ((1.0, states.decisions(champion, team)),))
+    if not issubclass(type(champion), Sequence):
+        expected = "a Population, the name of a script, a Solution, or weights with these"
+        raise TypeError(f"champion: expected {expected}, got {shown(champion)}")
     weights = [check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
     if abs(sum(weights) - 1.0) > 1e-9:
         raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")

@@ -39,14 +39,7 @@ from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.network_policy import fits
 from matrixworld.play.rollout import match_seed, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import (
-    SCRIPTS,
-    Network,
-    Population,
-    Script,
-    TablePolicy,
-    TeamPolicy,
-)
+from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TablePolicy, TeamPolicy
 from matrixworld.world.rules import VARIANTS, Capture, Rules, rules_of
 
 FILE = "held_out.npz"
@@ -114,7 +107,7 @@ def _variant_name(rules: Rules) -> str | None:
 def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
     """Return the held-out opponents of a team that fit a world, and in words which do not."""
     every = held_out(other(team), config.rules)
-    fitting = {name: each for name, each in every.items() if _fits(each, config)}
+    fitting = {n: p for n, p in every.items() if isinstance(p, str) or fits(p.network, config)}
     name = _variant_name(config.rules)
     if name is None:
         return fitting, "no evolved opponents: they exist for the variants of the package only"
@@ -127,10 +120,6 @@ def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy]
         f"{NETWORK.n_actions} actions, this world has {config.fov} x {config.fov} and "
         f"{config.n_actions}"
     )
-
-
-def _fits(opponent: TeamPolicy, config: WorldConfig) -> bool:
-    return isinstance(opponent, str) or fits(opponent.network, config)
 
 
 # Scores of genomes and runs:
