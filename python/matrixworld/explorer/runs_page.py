@@ -4,7 +4,7 @@ Numbers and verdicts come from `matrixworld.analysis`, from the same functions t
 and the figures use; the page computes none of its own.
 
 >>> from matrixworld.explorer import explore
->>> explore("runs/O-seed0/generalist-generalist")  # doctest: +SKIP
+>>> explore("runs/O-seed0/generalist-generalist/seed-0")  # doctest: +SKIP
 """
 
 from __future__ import annotations
