@@ -6,7 +6,7 @@ import pytest
 
 from command_line import matrixworld_command
 
-SMALL = ("--rows", 4, "--cols", 4, "--n-pursuers", 2, "--n-evaders", 1)
+SMALL = ("--rows", 4, "--cols", 4, "--pursuers", 2, "--evaders", 1)
 
 
 def test_the_numbers_of_two_pursuers_on_4_x_4():
@@ -33,7 +33,7 @@ def test_cops_and_robbers(pursuers, time):
     [
         (("--rows", 30, "--cols", 30), "cells would fit"),
         ((*SMALL, "--obstacles", 0.1), "expected none or a map"),
-        ((*SMALL, "--n-pursuers", 0), "--n-pursuers"),
+        ((*SMALL, "--pursuers", 0), "--pursuers"),
         ((*SMALL, "--variant", "X"), "expected"),
     ],
 )

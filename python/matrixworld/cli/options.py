@@ -98,7 +98,7 @@ steps_option = click.option(
     type=click.IntRange(1, INT_MAX),
     metavar="INTEGER",
     help="most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in a "
-    "class 100]",
+    "class 100, in solve 20]",
 )
 threads_option = click.option(
     "--threads",

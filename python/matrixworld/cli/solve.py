@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
+from matrixworld._util.checks import INT_MAX
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import print_wrapped, say
 from matrixworld.cli.options import (
+    AnyFunction,
     force_option,
     json_option,
     refuse_existing,
@@ -30,7 +32,7 @@ EXAMPLES = """\b
 Examples:
   matrixworld solve --rows 4 --cols 4 --steps 5
   matrixworld solve --variant TO --rows 8 --cols 8
-  matrixworld solve --variant O --rows 4 --cols 4 --n-pursuers 2 --n-evaders 1 --steps 5 --json -
+  matrixworld solve --variant O --rows 4 --cols 4 --pursuers 2 --evaders 1 --steps 5 --json -
 """
 LEGEND = (
     "Both teams play perfectly, see everything, and choose for all their members together. The "
@@ -38,8 +40,15 @@ LEGEND = (
 )
 
 
+def _team(name: str, text: str) -> Callable[[AnyFunction], AnyFunction]:
+    size = click.IntRange(1, INT_MAX)
+    return click.option(f"--{name}", f"n_{name}", type=size, metavar="INTEGER", help=text)
+
+
 @click.command("solve", epilog=EXAMPLES, short_help="Solve a small world exactly.")
-@world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")
+@world_options("variant", "rows", "cols")
+@_team("pursuers", "number of pursuers; default: 2")
+@_team("evaders", "number of evaders; default: 1")
 @steps_option
 @world_options("diagonal", "obstacles")
 @json_option
@@ -53,7 +62,7 @@ def solve_command(
     threads: int | None,
     **world: Any,
 ) -> None:
-    """Solve a small world exactly, by default of 2 pursuers and 1 evader.
+    """Solve a small world exactly.
 
     The value is the capture rate after the last step when both teams play perfectly, as a mean over
     all starts on distinct free cells. Where the teams take turns, the capture time is printed, too:
@@ -64,12 +73,11 @@ def solve_command(
     docs/ground_truth.md says how it is done.
     """
     refuse_existing(json_file, force=force)
-    few = {"n_pursuers": 2, "n_evaders": 1}
-    given = few | {name: value for name, value in world.items() if value is not None}
-    if steps is not None:
-        given["max_steps"] = steps
+    given = {name: value for name, value in world.items() if value is not None}
+    board = {} if "obstacles" in given else {"rows": 6, "cols": 6}
+    small = {"n_pursuers": 2, "n_evaders": 1, "max_steps": steps or 20}
     with failures(), usage_errors():
-        config = WorldConfig(variant or "O", **given)
+        config = WorldConfig(variant or "O", **board | small | given)
         began = time.perf_counter()
         solution = solve(States(config, threads=threads))
         found: dict[str, Any] = {

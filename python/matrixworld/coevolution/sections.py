@@ -45,8 +45,8 @@ REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
 
 WORLD_HELP = {
     "rules": "game variant, a name such as O, or its rules one by one",
-    "rows": "rows of the grid; default: those of the obstacle map, or 40",
-    "cols": "columns of the grid; default: those of the obstacle map, or 40",
+    "rows": "rows of the grid; default: those of the obstacle map, or 40, in solve 6",
+    "cols": "columns of the grid; default: those of the obstacle map, or 40, in solve 6",
     "n_pursuers": "number of pursuers; default: depends on rules and command",
     "n_evaders": "number of evaders; default: depends on rules and command",
     "fov": "side of an agent's square field of view, in cells; odd",

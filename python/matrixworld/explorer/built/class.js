@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ad3ca4daaf9d8964f2a2d8c5ccf66c56cc285aa3727f6250edc109dca0ef38ac */
+/* built from web/ by "npm run build"; sources 148b5d616ccd87a97efaf555180ae3c9582d0a3c85029da27a42905bda8ddcba */
 "use strict";(()=>{var F=[.5,1,2,4,8,16,32,64],Z=0,ee=12,hr=2,Q=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#c=[];glide=.28;constructor(e,r={}){super(),this.#e=
 e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#i(

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ad3ca4daaf9d8964f2a2d8c5ccf66c56cc285aa3727f6250edc109dca0ef38ac */
+/* built from web/ by "npm run build"; sources 148b5d616ccd87a97efaf555180ae3c9582d0a3c85029da27a42905bda8ddcba */
 "use strict";(()=>{var na=Object.create;var ar=Object.defineProperty;var ra=Object.getOwnPropertyDescriptor;var oa=Object.getOwnPropertyNames;var sa=Object.getPrototypeOf,aa=Object.prototype.hasOwnProperty;var ia=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var la=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of oa(e))!aa.call(t,o)&&o!==n&&ar(t,o,{get:()=>e[o],enumerable:!(r=ra(e,o))||r.enumerable});
 return t};var ca=(t,e,n)=>(n=t!=null?na(sa(t)):{},la(e||!t||!t.__esModule?ar(n,"default",{value:t,enumerable:!0}):n,t));var Ps=ia(er=>{var Ms=Object.defineProperty,dl=t=>Ms(t,"__esModule",{value:!0}),pl=(t,e)=>{for(var n in e)Ms(t,n,{get:e[n],enumerable:!0})};dl(er);pl(er,{GIFEncoder:()=>$s,
 applyPalette:()=>xl,default:()=>_l,nearestColor:()=>El,nearestColorIndex:()=>ks,nearestColorIndexWithDistance:()=>Rs,prequantize:()=>wl,quantize:()=>vl,snapColorsToPalette:()=>Al});

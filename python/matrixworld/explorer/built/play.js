@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ad3ca4daaf9d8964f2a2d8c5ccf66c56cc285aa3727f6250edc109dca0ef38ac */
+/* built from web/ by "npm run build"; sources 148b5d616ccd87a97efaf555180ae3c9582d0a3c85029da27a42905bda8ddcba */
 "use strict";(()=>{var Qt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},er={OCCUPATION:0,SURROUND:1},tr={FAULT:0,INVOLVED:1};var yt=["obstacle","teammate","adversary"],gt=["vertex","edge","chain"],rr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],vt=["p\
 ursuer_{number}","evader_{number}"],nr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ne={"both held":"both bounce","both doomed":"\
@@ -174,7 +174,7 @@ return a.append(h("tr",{},h("th",{scope:"row"},l),h("td",{class:"track","aria-hi
 f.textContent=String(o?p:m)}};i("You")(ue(t,r.seat));for(let{name:l,policy:c}of n){let f=i(l);setTimeout(()=>f(Yr(e,r,c())))}let u=r.from?`You took over at step\
  ${r.from}. `:"";return h("div",{},a,h("p",{class:"small muted"},`${u}One match: luck has its part in it.`))}var Vo=20,Gt=60;function Yo(e){let t=e.rules.capture==="SURROUND"?8:4,r=typeof e.obstacles!="number",n=o=>r?o:Math.min(o,Vo);return{...e,rows:n(e.rows),cols:n(e.
 cols),max_steps:Gt,n_evaders:1,n_pursuers:Math.min(e.n_pursuers,t)}}function ot(e,t,r){let[n,o,s]=[Yo(t),rt(r),[]],a=()=>`${s.reduce((u,l)=>u+l,0)} of ${Gt*o.length}`,
-i=()=>e.play({title:`Can you escape? Round ${s.length+1} of ${o.length}: ${o[s.length].name}`,played:{config:n,seed:nt(),episode:0,seat:n.n_pursuers,from:0,moves:[],
+i=()=>e.play({title:`Can you escape it? Round ${s.length+1} of ${o.length}: ${o[s.length].name}`,played:{config:n,seed:nt(),episode:0,seat:n.n_pursuers,from:0,moves:[],
 policies:{pursuer:o[s.length].policy(),evader:"still"}},ending:u=>{s.push(ue(u,n.n_pursuers).lasted);let l=o.map(({name:f},p)=>h("tr",{},h("th",{scope:"row"},f),
 h("td",{},s[p]??""))),c=s.length<o.length;return[h("table",{class:"numbers"},h("caption",{},`Steps of ${Gt} in each round`),...l),h("p",{class:"play-score"},c?"\
 Score so far: ":"Your score: ",h("strong",{},a())),c?h("button",{type:"button",class:"primary",onclick:i},"Next round"):""]},again:()=>ot(e,t,r),link:()=>null});

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources ad3ca4daaf9d8964f2a2d8c5ccf66c56cc285aa3727f6250edc109dca0ef38ac */
+/* built from web/ by "npm run build"; sources 148b5d616ccd87a97efaf555180ae3c9582d0a3c85029da27a42905bda8ddcba */
 "use strict";(()=>{var ht={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ne={DISAPPEAR:0,REACH:1,BOUNCE:2},ft={OCCUPATION:0,SURROUND:1},gt={FAULT:0,INVOLVED:1};var re=["obstacle","teammate","adversary"],Be=["vertex","edge","chain"],bt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],He=["p\
 ursuer_{number}","evader_{number}"],yt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},oe={"both held":"both bounce","both doomed":"\
