@@ -234,6 +234,7 @@ def test_score_gives_mean_and_interval_over_seeds(job):
     assert len(found["evaders"]["estimates"]) == 13
 
 
+@pytest.mark.slow
 def test_figures_of_the_groups_and_of_single_runs_with_each(job):
     for file in job.glob("*.png"):
         file.unlink()

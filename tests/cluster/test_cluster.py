@@ -97,6 +97,7 @@ def test_a_tournament_in_blocks_is_the_one_of_this_process(dask: DaskCluster) ->
         np.testing.assert_array_equal(found.arrays()[name], array)
 
 
+@pytest.mark.slow  # that work goes on when all workers were lost is tried by each run
 def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Path) -> None:
     first, _ = dask.workers(2)
     settings, place = races(4, **SLOW), tmp_path / "many"

@@ -23,6 +23,7 @@ def quick(name: str, place: Path, *options: str) -> str:
     return told
 
 
+@pytest.mark.slow
 def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
     told = quick("arms_race", tmp_path)
     for schedule in ("specialist-specialist", "generalist-generalist"):
