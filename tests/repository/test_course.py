@@ -29,7 +29,7 @@ def test_every_notebook_has_solutions() -> None:
     assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
 
 
-# The rules; every run of the tests checks the code of the others by their exercises.
+# The rules. The solutions of all exercises are always run.
 @quickly("path", NOTEBOOKS, lambda path: chapter(path) == 1, attrgetter("stem"))
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
 def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

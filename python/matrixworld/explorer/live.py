@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.files import DamagedFileError
-from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.storage import SavedRun, open_run
 from matrixworld.coevolution.types import TEAMS, Payoff
 from matrixworld.explorer.runs_page import explorer_page
@@ -129,7 +129,7 @@ class LivePage:
             run = open_run(self._root / name)
         except (FileNotFoundError, DamagedFileError):
             return  # it is being made, or mended: the end of the job tells what is damaged
-        if not all(_count(run.teams[team]) > 1 for team in run.settings.learning_teams):
+        if not all(team_size(run.teams[team]) > 1 for team in run.settings.learning_teams):
             return
         before = self._runs.get(name)
         played = extended(run, before.played if before else None, self._check)
@@ -153,9 +153,9 @@ def extended(run: SavedRun, known: Payoff | None, on_row: Callable[[int], None])
     if known is None:
         return play(pursuers, evaders)
     g, h = known.capture_rate.shape
-    if h < _count(evaders):
+    if h < team_size(evaders):
         known = _joined(known, play(_part(pursuers, 0, g), _part(evaders, h), first=(0, h)), 1)
-    if g < _count(pursuers):
+    if g < team_size(pursuers):
         known = _joined(known, play(_part(pursuers, g), evaders, first=(g, 0)), 0)
     return known
 
@@ -169,10 +169,6 @@ def _joined(known: Payoff, new: Payoff, axis: int) -> Payoff:
 
 def _part(team: TeamPolicy, first: int, last: int | None = None) -> TeamPolicy:
     return team if isinstance(team, str) else Population(team.genomes[first:last], team.network)
-
-
-def _count(team: TeamPolicy) -> int:
-    return 1 if isinstance(team, str) else len(team.genomes)
 
 
 class _Handler(BaseHTTPRequestHandler):
