@@ -23,6 +23,7 @@ import pytest
 import matrixworld as mw
 from matrixworld import analysis, classroom, coevolution, explorer, toys, tutorial
 from matrixworld.analysis.cycles import noise_reference
+from matrixworld.analysis.meta_strategies import META_SOLVERS
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
 from matrixworld.coevolution.jobs.evolve import job_of
@@ -229,6 +230,7 @@ def _of_learning() -> Iterator[Any]:
     yield from (coevolution.OwnOpponents(**own), coevolution.OwnLearnerSettings(**own))
     yield [archive(3) for archive in coevolution.schedules.ARCHIVES.values()]
     yield opponents.ArchiveSampler(opponents.MaxSolve(3))
+    yield [opponents.MetaStrategy(solver) for solver in META_SOLVERS.values()]
     yield opponents.Generalist(np.zeros(3, np.intp), sample_size=3)
 
 

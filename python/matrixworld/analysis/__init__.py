@@ -37,6 +37,11 @@ from matrixworld.analysis.intervals import (
 )
 from matrixworld.analysis.judge import CONDITIONS, Judgement, judge
 from matrixworld.analysis.measures import MEASURES, Measure, measure_all
+from matrixworld.analysis.meta_strategies import (
+    META_SOLVERS,
+    projected_replicator_dynamics,
+    rectified_nash,
+)
 from matrixworld.analysis.payoffs import check_payoff, last_half, read_payoffs
 from matrixworld.analysis.progress import (
     ciao,
@@ -70,6 +75,7 @@ __all__ = [
     "CONDITIONS",
     "ELO_POINTS",
     "MEASURES",
+    "META_SOLVERS",
     "Band",
     "Estimate",
     "Judgement",
@@ -109,8 +115,10 @@ __all__ = [
     "nash_averaging",
     "performance_profile",
     "probability_of_improvement",
+    "projected_replicator_dynamics",
     "race_bands",
     "read_payoffs",
+    "rectified_nash",
     "report",
     "response_gain",
     "team_phase_rates",

@@ -9,7 +9,7 @@ from typing import Any
 from matrixworld.analysis import Judgement
 from matrixworld.cli.setting_options import option_of
 from matrixworld.coevolution import Alternating, RaceSettings
-from matrixworld.coevolution.schedules import HALL_OF_FAME, RaceSchedule
+from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.types import TEAMS
 
@@ -80,7 +80,7 @@ def _meets_newest_only(settings: RaceSettings) -> bool:
 
 
 def _meets_past_ones(settings: RaceSettings) -> bool:
-    return settings.schedule.name == Alternating.kind and not _meets_newest_only(settings)
+    return _named(Alternating.kind, PSRO)(settings) and not _meets_newest_only(settings)
 
 
 def _samples_near_one_genome(settings: RaceSettings) -> bool:

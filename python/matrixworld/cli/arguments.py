@@ -16,12 +16,12 @@ from matrixworld.cli.console import command
 from matrixworld.coevolution.jobs.evolve import JOB
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.own_code import ExitError
-from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
 from matrixworld.coevolution.storage import OtherVersionError, run_directories
 from matrixworld.version import MissingExtraError
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
-ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]
+ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], PSRO, ALTERNATING]
 """The order in which the runs of one job are played and shown."""
 SEED = r"seed-(\d+)"
 """Names of the directories of a job's runs."""

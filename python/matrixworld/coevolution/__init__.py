@@ -52,6 +52,7 @@ from matrixworld.coevolution.schedules import (
     ArchivedOpponents,
     DrawnOpponents,
     HallOfFame,
+    MetaOpponents,
     OwnOpponents,
     available,
 )
@@ -93,6 +94,7 @@ __all__ = [
     "Learner",
     "LearnerSettings",
     "LockedError",
+    "MetaOpponents",
     "NoiseTable",
     "OtherVersionError",
     "OwnLearnerSettings",

@@ -14,7 +14,8 @@ generalist-specialist       ``e[i mod k]``             ``p[k]``
 generalist-generalist       ``e[i mod k]``             ``p[i mod (k + 1)]``
 ==========================  =========================  =========================
 
-The opponents of specialists are the `Latest`, those of generalists all by `RoundRobin`.
+The opponents of specialists are the `Latest`, those of generalists all by `RoundRobin`. A fourth
+one, `psro`, draws them by meta-strategies (`opponents.MetaStrategy`).
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_integer
+from matrixworld.analysis.meta_strategies import META_SOLVERS
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, Interface, find
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
@@ -61,9 +63,9 @@ ARCHIVES: dict[str, Callable[[int], opponents.Archive]] = {
     ),
 }
 """Name -> factory: size -> a new archive."""
-ARCHIVE_SIZE, ARCHIVE_EPISODES = 10, 3
+ARCHIVE_SIZE, ARCHIVE_EPISODES, META_EPISODES = 10, 3, 10
 
-SAMPLERS = (*DRAWN, *ARCHIVES)
+SAMPLERS = (*DRAWN, *ARCHIVES, *META_SOLVERS)
 """Names of the opponent samplers of the package."""
 
 
@@ -109,6 +111,24 @@ class ArchivedOpponents(Section):
     def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler."""
         return opponents.ArchiveSampler(ARCHIVES[self.archive](self.size or ARCHIVE_SIZE), count)
+
+
+@documented
+@dataclass(frozen=True)
+class MetaOpponents(Section):
+    """Opponents drawn from a meta-strategy of all generations of the other team: PSRO."""
+
+    kind: ClassVar[str] = "meta"
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
+        name: {"solver": name} for name in META_SOLVERS
+    }
+
+    solver: str = setting("nash", f"which one: {', '.join(META_SOLVERS)}", choices=META_SOLVERS)
+    episodes: int = setting(META_EPISODES, "matches of each pair in the payoff matrix", least=1)
+
+    def new(self, count: int) -> opponents.OpponentSampler:
+        """Return a new sampler of up to `count` opponents an epoch."""
+        return opponents.MetaStrategy(META_SOLVERS[self.solver], count)
 
 
 @documented
@@ -171,10 +191,10 @@ class RaceSchedule(Schedule):
     """Base of the schedules in which both teams learn."""
 
     generations: int = setting(30, "generations after the untrained generation 0", least=1)
-    pursuers_meet: DrawnOpponents | ArchivedOpponents | OwnOpponents = setting(
+    pursuers_meet: DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents = setting(
         DrawnOpponents(), f"which evaders pursuers meet: {', '.join(SAMPLERS)} or module:object"
     )
-    evaders_meet: DrawnOpponents | ArchivedOpponents | OwnOpponents = setting(
+    evaders_meet: DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents = setting(
         DrawnOpponents(), "which pursuers evaders meet; as for the pursuers"
     )
     retention_episodes: int = setting(
@@ -201,14 +221,18 @@ class RaceSchedule(Schedule):
         """Return the epochs of the whole run in which `team` learns."""
         return self.generations * self.epochs(team)
 
-    def opponents_of(self, team: Team) -> DrawnOpponents | ArchivedOpponents | OwnOpponents:
+    def opponents_of(
+        self, team: Team
+    ) -> DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents:
         """Return which opponents `team` meets."""
         return self.pursuers_meet if team == "pursuer" else self.evaders_meet
 
     def archive_episodes(self, team: Team) -> int:
         """Return the matches of each pair that a team's archive compares."""
         met = self.opponents_of(team)
-        return met.episodes if isinstance(met, ArchivedOpponents) else ARCHIVE_EPISODES
+        if isinstance(met, ArchivedOpponents | MetaOpponents):
+            return met.episodes
+        return ARCHIVE_EPISODES
 
     def new_sampler(self, team: Team) -> opponents.OpponentSampler:
         """Return a new opponent sampler of a team.
@@ -225,6 +249,8 @@ PAPER: dict[str, dict[str, str]] = {
     "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
     "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
 }
+PSRO = "psro"
+"""Name of a schedule in which both teams meet meta-strategies."""
 
 
 @documented
@@ -233,7 +259,10 @@ class Alternating(RaceSchedule):
     """The teams learn in turns, against archived opponents."""
 
     kind: ClassVar[str] = "alternating"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = PAPER
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
+        **PAPER,
+        PSRO: {"pursuers_meet": "nash", "evaders_meet": "nash"},
+    }
 
     opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
     pursuer_epochs: int = setting(
@@ -245,7 +274,9 @@ class Alternating(RaceSchedule):
 
     @property
     def name(self) -> str:
-        """The name in the paper of a schedule that has one, else "alternating"."""
+        """The name in the paper of a schedule that has one, "psro", or "alternating"."""
+        if all(isinstance(self.opponents_of(team), MetaOpponents) for team in TEAMS):
+            return PSRO
         rules = tuple(getattr(self.opponents_of(team), "rule", None) for team in TEAMS)
         names = [name for name, each in PAPER.items() if rules == tuple(each.values())]
         return names[0] if names and self.opponents == 1 else self.kind
@@ -350,7 +381,7 @@ SCHEDULES: dict[str, Alternating] = {
 }
 """The paper's schedules by name."""
 ALTERNATING, HALL_OF_FAME = Alternating.kind, HallOfFame.kind
-ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
+ALL_SCHEDULES = (*SCHEDULES, PSRO, ALTERNATING, HALL_OF_FAME)
 """Names of all schedules of races."""
 
 

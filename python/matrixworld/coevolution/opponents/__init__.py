@@ -10,7 +10,8 @@ the sampler chooses some of them for each epoch::
 `samplers` has the interface `OpponentSampler`, the samplers that use only the number of opponents,
 and those that use scores: `Prioritized` (Vinyals et al. 2019), `SharedSampling` (Rosin & Belew
 1997). `archives` has the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and `LAPCA`
-(2007), `Generalist` (Simione & Nolfi 2021), and the `ArchiveSampler` of what an archive has kept.
+(2007), `Generalist` (Simione & Nolfi 2021), the `ArchiveSampler` of what an archive has kept, and
+`MetaStrategy` (PSRO: Lanctot et al. 2017).
 
 A sampler or archive belongs to one team and does not know which: with payoffs ``1 - payoff``,
 transposed, the other team gets the mirror image. Archived members are read-only copies. All that
@@ -29,6 +30,7 @@ from matrixworld.coevolution.opponents.archives import (
     ArchiveSampler,
     Generalist,
     MaxSolve,
+    MetaStrategy,
 )
 from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
@@ -52,6 +54,7 @@ __all__ = [
     "HallOfFame",
     "Latest",
     "MaxSolve",
+    "MetaStrategy",
     "OpponentSampler",
     "Prioritized",
     "RoundRobin",

@@ -25,6 +25,8 @@ PayoffFunction = Callable[[Members, Members], ArrayLike]
 A pure function: one pair always has the same payoff.
 """
 
+WEIGHT_DECIMALS = 6
+"""Decimals of the weights of a meta-strategy."""
 SOLVED_ABOVE = 0.5
 """Payoff above which a candidate solves a test; at it neither team wins."""
 
@@ -468,3 +470,81 @@ class ArchiveSampler(Stateless):
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
         self.archive.restore(state)
+
+
+# The empirical game of PSRO:
+
+
+class EmpiricalGame(Archive):
+    """All generations of both teams: the payoff matrix, which grows by a row and a column."""
+
+    graded = True
+
+    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+        """Return all candidates and all tests."""
+        rows, columns = payoffs.shape
+        return np.arange(rows), np.arange(columns)
+
+
+class MetaStrategy(ArchiveSampler):
+    """Opponents drawn from a meta-strategy: policy-space response oracles (PSRO).
+
+    ::
+
+        update:  M = payoffs of all generations of the team against all of its opponents
+                 weights = solver(M)
+        sample:  opponent j with probability weights[j]
+
+    With several opponents an epoch they are drawn without replacement, so that all have a more
+    equal share than their weights say.
+
+    Parameters
+    ----------
+    solver : callable
+        Payoffs (n, m) of the team -> weights (m,) of its opponents, such as those of
+        `matrixworld.analysis.meta_strategies`.
+    count : int, optional
+        Opponents an epoch; fewer, if fewer have a weight.
+
+    Attributes
+    ----------
+    weights : ndarray of float64, shape (m,)
+        The meta-strategy; empty before the first update, when the newest opponent is met.
+
+    References
+    ----------
+    Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
+    NeurIPS 30.
+    """
+
+    def __init__(self, solver: Callable[[FloatArray], FloatArray], count: int = 1) -> None:
+        super().__init__(EmpiricalGame(), count)
+        self.solver = solver
+        self.weights = np.zeros(0)
+
+    def update(self, new: Members, opponents: Members, payoff: PayoffFunction) -> None:
+        """Add new generations to the game, and solve it. For the arguments see the base class."""
+        super().update(new, opponents, payoff)
+        # Rounded, since the last bits of a solution differ from processor to processor.
+        rounded = np.round(self.solver(self.archive.payoffs), WEIGHT_DECIMALS)
+        self.weights = rounded / rounded.sum()
+
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return opponents drawn by their weights."""
+        check_available(available)
+        if not len(self.weights):
+            return np.array([available - 1], dtype=np.intp)
+        if len(self.weights) != available:
+            raise ValueError(f"available: expected {len(self.weights)} opponents, got {available}")
+        support = np.flatnonzero(self.weights)
+        size, weights = min(self.count, len(support)), self.weights[support]
+        return rng.choice(support, size=size, replace=False, p=weights)
+
+    def state(self) -> State:
+        """Return the game and the meta-strategy."""
+        return {**super().state(), "weights": self.weights.copy()}
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        super().restore(state)
+        self.weights = state["weights"].copy()

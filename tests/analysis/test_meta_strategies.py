@@ -1,0 +1,112 @@
+"""Meta-solvers: by hand, against SciPy, and against OpenSpiel where it is installed."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import linprog, minimize
+
+from matrices import ROCK_PAPER_SCISSORS, payoffs
+from matrixworld import analysis
+from matrixworld.analysis.meta_strategies import (
+    META_SOLVERS,
+    _projected,
+    projected_replicator_dynamics,
+    rectified_nash,
+)
+
+
+def loss_limit(matrix: np.ndarray) -> float:
+    """Return the least that the column player can hold the rows to, by its own programme."""
+    n, m = matrix.shape
+    found = linprog(
+        np.append(np.zeros(m), 1.0),
+        np.hstack([matrix, -np.ones((n, 1))]),
+        np.zeros(n),
+        np.append(np.ones(m), 0.0)[None],
+        [1.0],
+        [(0, None)] * m + [(None, None)],
+    )
+    return float(found.fun)
+
+
+@given(payoffs(parts=10))
+def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -> None:
+    weights = META_SOLVERS["nash"](matrix)
+    assert (matrix @ weights).max() == pytest.approx(loss_limit(matrix), abs=1e-6)
+    # The other team finds its own weights in its own payoffs.
+    swapped = META_SOLVERS["nash"](1.0 - matrix.T)
+    np.testing.assert_allclose(swapped, analysis.nash_averaging(matrix).pursuers, atol=1e-6)
+
+
+@settings(max_examples=15)
+@given(payoffs(parts=10))
+def test_mean_mixtures_of_replicators_approach_an_equilibrium(matrix: np.ndarray) -> None:
+    p, q = projected_replicator_dynamics(matrix, steps=1000)
+    for mixture in (p, q):
+        assert mixture.min() >= 0.0
+        assert mixture.sum() == pytest.approx(1.0)
+    # The regret of replicators with such steps: log n / (rate steps) and rate / 2 for each team.
+    bound = np.log(matrix.size) / 20 + 0.02
+    assert analysis.exploitability(matrix, p, q).total < bound
+
+
+@given(st.integers(1, 6), st.integers(0, 100))
+def test_projection_is_the_nearest_mixture(size: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    mixture = rng.dirichlet(np.ones(size) / 2)
+    mixture = mixture + 0.2 * (rng.dirichlet(np.ones(size)) - 1.0 / size)
+    least = 0.9 / size * float(rng.random())
+    nearest = minimize(
+        lambda x: ((x - mixture) ** 2).sum(),
+        np.full(size, 1.0 / size),
+        method="SLSQP",
+        bounds=[(least, 1.0)] * size,
+        constraints={"type": "eq", "fun": lambda x: x.sum() - 1.0},
+        options={"ftol": 1e-14},
+    ).x
+    np.testing.assert_allclose(_projected(mixture, least), nearest, atol=1e-5)
+
+
+def test_replicators_by_hand() -> None:
+    # One step: row 0 gains .1 (.8 - .5) of its half; column 0 loses as much.
+    p, q = projected_replicator_dynamics([[1.0, 0.6], [0.4, 0.0]], steps=1, rate=0.1)
+    np.testing.assert_allclose(p, [(0.5 + 0.515) / 2, (0.5 + 0.485) / 2])
+    np.testing.assert_allclose(q, [(0.5 + 0.49) / 2, (0.5 + 0.51) / 2])
+    # The uniform mixture is a rest point of rock-paper-scissors.
+    np.testing.assert_allclose(projected_replicator_dynamics(ROCK_PAPER_SCISSORS)[0], [1 / 3] * 3)
+    # A dominated row falls to the smallest weight, from 1/2 along a logistic curve.
+    p, _ = projected_replicator_dynamics([[1.0], [0.0]], steps=500, least=0.1)
+    assert p[1] == pytest.approx(0.1, abs=0.06)
+    with pytest.raises(ValueError, match=r"a smallest weight from 0 to 0\.5, got 0\.6"):
+        projected_replicator_dynamics([[1.0], [0.0]], least=0.6)
+
+
+def test_rectified_nash_by_hand() -> None:
+    # Scissors, the newest, beat paper and tie scissors, which have equal weights.
+    np.testing.assert_allclose(rectified_nash(ROCK_PAPER_SCISSORS), [0.0, 0.5, 0.5], atol=1e-9)
+    # A newest generation that always loses has no weight, and meets the whole equilibrium.
+    weak = np.vstack([ROCK_PAPER_SCISSORS, np.zeros(3)])
+    np.testing.assert_allclose(rectified_nash(weak), [1 / 3] * 3, atol=1e-9)
+    # With a value of .6, a rate of .5 is no tie.
+    np.testing.assert_allclose(rectified_nash([[0.7, 0.5], [0.5, 0.7]]), [0.0, 1.0], atol=1e-9)
+
+
+def test_meta_strategies_are_those_of_openspiel() -> None:
+    pytest.importorskip("pyspiel", reason="open_spiel is not installed")
+    from open_spiel.python.algorithms import projected_replicator_dynamics as theirs
+    from open_spiel.python.algorithms.psro_v2.meta_strategies import META_STRATEGY_METHODS
+
+    rng = np.random.default_rng(0)
+    for shape in ((2, 2), (3, 5), (8, 7)):
+        matrix = rng.random(shape)
+        solver = type("Solver", (), {"get_meta_game": lambda self, m=matrix: [m, -m]})()
+        expected = META_STRATEGY_METHODS["nash"](solver)
+        # Random payoffs have one equilibrium.
+        np.testing.assert_allclose(META_SOLVERS["nash"](matrix), expected[1], atol=1e-6)
+        for least in (1e-6, 0.05):
+            same = {"prd_iterations": 500, "prd_dt": 0.02, "prd_gamma": least}
+            means = theirs.projected_replicator_dynamics([matrix, -matrix], **same)
+            found = projected_replicator_dynamics(matrix, steps=500, least=least)
+            np.testing.assert_allclose(found[0], means[0], atol=1e-9)
+            np.testing.assert_allclose(found[1], means[1], atol=1e-9)
