@@ -2,7 +2,7 @@
 
 import { createInterface } from "node:readline";
 
-import { conflicts, engine, output, policyOf } from "./engine.mjs";
+import { conflicts, engine, output, policyOf, whyNotSolved } from "./engine.mjs";
 
 const ARRAYS = [
   ...["positions", "last_positions", "alive", "captured", "ever_captured"],
@@ -80,6 +80,24 @@ const COMMANDS = {
       message = error.message;
     }
     return { message, same: JSON.stringify(before.cells) === JSON.stringify(world.snapshot().cells) };
+  },
+  // Perfect play at each moment of an episode, turn by turn, and what the teams lose by the actions.
+  solve({ config, start, actions }) {
+    const why = whyNotSolved(config);
+    if (why) return { why };
+    const solution = engine.solution(config);
+    while (solution.goBack()) continue;
+    const world = engine.world(config);
+    world.reset(startOf(start));
+    return actions.map((row) => {
+      const game = solution.game(world);
+      const told = game && {
+        value: game.value, play: game.teams.map((team) => team.play), lost: game.lost(row),
+        marginals: row.map((_, agent) => game.marginal(agent)),
+      };
+      world.playTurn(row);
+      return told;
+    });
   },
   texts({ table, n_pursuers }) {
     return conflicts.conflictsOf(Int32Array.from(table), n_pursuers);

@@ -7,6 +7,7 @@ const ROOT = new URL("../../", import.meta.url);
 const BUILT = new URL("python/matrixworld/explorer/built/engine.js", ROOT);
 
 export const wrapper = await import(new URL("web/src/engine/engine.ts", ROOT));
+export const { whyNotSolved } = await import(new URL("web/src/engine/solution.ts", ROOT));
 export const conflicts = await import(new URL("web/src/engine/conflicts.ts", ROOT));
 vm.runInThisContext(readFileSync(BUILT, "utf8"), { filename: BUILT.pathname });
 export const engine = await wrapper.loadEngine();

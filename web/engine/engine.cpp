@@ -1,10 +1,11 @@
 // Everything that crosses between a page and the engine. The functions at the end of this file are
 // all that JavaScript can call, and web/src/engine/ is the only caller. Values go in and come out as
-// named arrays (named_arrays.hpp); worlds stay here, and JavaScript holds pointers to them.
+// XX
 //
 // The engine itself (cpp/ without its bindings) is compiled together with these files, unchanged.
 #include <emscripten/emscripten.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <memory>
@@ -16,6 +17,8 @@
 #include "play/rollout.hpp"
 #include "played_world.hpp"
 #include "settings.hpp"
+#include "solve/matrix_game.hpp"
+#include "solve/states.hpp"
 
 namespace matrixworld {
 
@@ -280,6 +283,69 @@ EMSCRIPTEN_KEEPALIVE bool play_match(const NamedArrays* config, const NamedArray
         std::vector<std::uint8_t> actions;
         add_statistics({choose_actions(setup, left, right, key, actions)}, setup->config);
         record(setup, key, actions);
+    });
+}
+
+// The states of a small world (cpp/solve/states.hpp), or null. JavaScript asks for no large ones.
+EMSCRIPTEN_KEEPALIVE States* states_new(const NamedArrays* config) {
+    States* states = nullptr;
+    succeeds([&] { states = new States(to_setup(Inputs(config)), 1); });
+    return states;
+}
+
+EMSCRIPTEN_KEEPALIVE void states_free(States* states) { delete states; }
+
+// `payoffs` (states of the first turn): the capture rate of an episode that is over there.
+EMSCRIPTEN_KEEPALIVE bool states_payoffs(const States* states) {
+    return succeeds([&] {
+        const Config& config = states->setup().config;
+        std::vector<int> cells(config.n_agents());
+        std::vector<std::uint8_t> captured(config.n_evaders);
+        std::vector<double> payoffs(states->n_states(0));
+        for (std::size_t state = 0; state < payoffs.size(); ++state) {
+            states->describe(0, static_cast<std::int64_t>(state), cells.data(), captured.data());
+            const auto count = std::count(captured.begin(), captured.end(), 1);
+            payoffs[state] = static_cast<double>(count) / config.n_evaders;
+        }
+        outputs.add("payoffs", payoffs.data(), payoffs.size());
+    });
+}
+
+// `values` of a turn's states from those of the next turn's, `next`.
+EMSCRIPTEN_KEEPALIVE bool states_backup(const States* states, int turn, const NamedArrays* next) {
+    return succeeds([&] {
+        const auto after = Inputs(next).list<double>("next");
+        std::vector<double> values(states->n_states(turn));
+        states->backup(turn, after.data(), values.data(), {}, 1);
+        outputs.add("values", values.data(), values.size());
+    });
+}
+
+// The game of a world's next turn: `matrix`, the values `next` of what joint actions lead to, with
+// its `value`, the perfect play of both teams (`rows`, `cols`), and the `agents` in the order of
+// the state. No agents: the world's moment is none of the states, or an end.
+EMSCRIPTEN_KEEPALIVE bool states_game(const States* states, const PlayedWorld* played,
+                                      const NamedArrays* next) {
+    return succeeds([&] {
+        std::vector<int> agents;
+        const int turn = played->turn();
+        const std::int64_t state = states->find(played->world(), turn, agents);
+        if (state < states->n_ends()) agents.clear();
+        outputs.add("agents", agents.data(), agents.size());
+        if (agents.empty()) return;
+        const auto after = Inputs(next).list<double>("next");
+        std::vector<double> rows(states->n_joint(turn, Team::Pursuer));
+        std::vector<double> cols(states->n_joint(turn, Team::Evader));
+        std::vector<double> matrix(rows.size() * cols.size());
+        const std::int32_t* const successors = &states->successors(turn)[state * matrix.size()];
+        for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = after[successors[i]];
+        const GameValue solved =
+            MatrixGame().solve(matrix.data(), static_cast<int>(rows.size()),
+                               static_cast<int>(cols.size()), rows.data(), cols.data());
+        outputs.add("value", &solved.value, 1);
+        outputs.add("matrix", matrix.data(), matrix.size());
+        outputs.add("rows", rows.data(), rows.size());
+        outputs.add("cols", cols.data(), cols.size());
     });
 }
 

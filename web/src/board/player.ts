@@ -7,6 +7,14 @@ export const FITTING = 0;
 export const WHOLE = 12;
 const SLOWEST_FITTING = 2;
 
+/** A step that stands out by so much: a bar of this share of the height, with a text. */
+export interface Tick {
+  readonly step: number;
+  readonly kind: "pursuer" | "evader";
+  readonly size: number;
+  readonly text: string;
+}
+
 /**
  * A moment of a recording that moves with time.
  *
@@ -28,6 +36,7 @@ export class Player extends EventTarget {
   #frame: number | null = null;
   #last = 0;
   #marks: readonly number[] = [];
+  #ticks: readonly Tick[] = [];
 
   /** Seconds of a single step forward or back. */
   glide = 0.28;
@@ -77,6 +86,16 @@ export class Player extends EventTarget {
 
   set marks(steps: readonly number[]) {
     this.#marks = steps;
+    this.#emit("state");
+  }
+
+  /** Steps that stand out by a number, such as what a team lost. */
+  get ticks(): readonly Tick[] {
+    return this.#ticks;
+  }
+
+  set ticks(ticks: readonly Tick[]) {
+    this.#ticks = ticks;
     this.#emit("state");
   }
 

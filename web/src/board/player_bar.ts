@@ -35,6 +35,7 @@ export function playerBar(player: Player): HTMLElement {
   const play = button("play", "Play", "Space", () => player.toggle());
   const scrub = scrubber(player);
   const marks = html("div", { class: "captures", "aria-hidden": "true", title: "Captures" });
+  const ticks = html("div", { class: "losses", "aria-hidden": "true" });
   const speed = speeds(player);
   const count = html("output", { class: "player-count" });
   const bar = html("div", { class: "player", role: "group", "aria-label": "Player" },
@@ -43,13 +44,21 @@ export function playerBar(player: Player): HTMLElement {
     play,
     button("forward", "Step forward", "→", () => player.move(1)),
     button("last", "Last step", "End", () => player.move(player.length)),
-    html("div", { class: "scrub" }, marks, scrub), count, speed,
+    html("div", { class: "scrub" }, marks, ticks, scrub), count, speed,
   );
-  const mark = (): void => marks.replaceChildren(...player.marks.map((step) => {
-    const tick = html("i");
+  const at = (step: number, attributes = {}): HTMLElement => {
+    const tick = html("i", attributes);
     tick.style.left = `${(100 * step) / Math.max(1, player.length)}%`;
     return tick;
-  }));
+  };
+  const mark = (): void => {
+    marks.replaceChildren(...player.marks.map((step) => at(step)));
+    ticks.replaceChildren(...player.ticks.map(({ step, kind, size, text }) => {
+      const tick = at(step, { class: kind, title: `Step ${step}: ${text}` });
+      tick.style.height = `${100 * size}%`;
+      return tick;
+    }));
+  };
   const update = (): void => {
     play.replaceChildren(icon(player.playing ? "pause" : "play"));
     play.ariaLabel = player.playing ? "Pause" : "Play";

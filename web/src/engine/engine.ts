@@ -13,12 +13,14 @@
 
 import type { Compiled } from "./heap.ts";
 import { Match, playMatch, playRollout } from "./match.ts";
+import { Solution } from "./solution.ts";
 import type { EpisodeStatistics, TeamPolicy, WorldConfig } from "./types.ts";
 import { World } from "./world.ts";
 
 export { agentName } from "./conflicts.ts";
 export { EngineError } from "./errors.ts";
 export { Match } from "./match.ts";
+export { Solution } from "./solution.ts";
 export { World } from "./world.ts";
 
 /** What the script engine.js sets: a function that starts the compiled engine from its binary. */
@@ -43,6 +45,11 @@ export class Engine {
   /** Make a world, in its first episode of seed 0. Throws EngineError for settings out of range. */
   world(config: WorldConfig): World {
     return new World(this.compiled, config);
+  }
+
+  /** Begin to solve a world that `whyNotSolved` has nothing against. */
+  solution(config: WorldConfig): Solution {
+    return new Solution(this.compiled, config);
   }
 
   /**

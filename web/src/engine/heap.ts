@@ -23,6 +23,11 @@ export interface Compiled {
   _world_logits(world: number, policy: number, agent: number): number;
   _world_snapshot(world: number): number;
   _world_restore(world: number, snapshot: number): number;
+  _states_new(config: number): number;
+  _states_free(states: number): void;
+  _states_payoffs(states: number): number;
+  _states_backup(states: number, turn: number, next: number): number;
+  _states_game(states: number, world: number, next: number): number;
   _play_match(config: number, pursuers: number, evaders: number, episode: number): number;
   _play_rollout(config: number, pursuers: number, evaders: number, matches: number): number;
 }

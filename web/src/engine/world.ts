@@ -37,6 +37,11 @@ export class World {
     this.engine._world_free(this.at);
   }
 
+  /** Where it is in the engine's memory. */
+  get address(): number {
+    return this.at;
+  }
+
   // ---- Play -------------------------------------------------------------------------------------
 
   /** Start an episode. The world stays as it was if the start is refused. */

@@ -1,6 +1,7 @@
 // What an agent sees, and what its network answers.
 
-import type { Engine, Match, World } from "../engine/engine.ts";
+import type { Engine, Match, Solution, World } from "../engine/engine.ts";
+import { whyNotSolved } from "../engine/solution.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS, agentName } from "../page/names.ts";
 import { policyOf } from "./data.ts";
@@ -16,6 +17,7 @@ export class Inspector {
   readonly #note = html("p", { class: "small muted" });
   readonly #bars = html("div", { class: "answers" });
   #world: World | null = null;
+  #solution: Solution | null = null;
   #run: Run | null = null;
   #match: Match | null = null;
   #selection: Selection | null = null;
@@ -38,11 +40,18 @@ export class Inspector {
   /** Look at a match; the agent stays chosen. */
   show(engine: Engine, run: Run, match: Match, selection: Selection): void {
     if (this.#run !== run || !this.#world) {
+      this.#solution = null;
       this.#world?.free();
       this.#world = engine.world(run.world);
       if (this.#agent !== null && this.#run !== run) this.choose(null);
     }
     [this.#run, this.#match, this.#selection] = [run, match, selection];
+  }
+
+  /** The solution of the world of the match. */
+  set solution(solution: Solution) {
+    this.#solution = solution;
+    this.at(this.#step);
   }
 
   /** Choose an agent; null for none. */
@@ -71,32 +80,47 @@ export class Inspector {
     if (!match || !world || !run || !selection || agent === null) return;
     const team = agent < match.config.n_pursuers ? "pursuer" : "evader";
     this.#name.replaceChildren(html("span", { class: team }, agentName(agent, match.config.n_pursuers)));
-    const alive = Boolean(match.alive[step * match.n_agents + agent]);
     match.seek(world, step);
+    // As it decides, in its own turn.
+    const actions = match.actions.subarray(step * match.n_agents, (step + 1) * match.n_agents);
+    while (actions.length && !world.over && (agent < world.actors[0] || agent >= world.actors[1])) world.playTurn(actions);
+    const alive = Boolean(match.alive[step * match.n_agents + agent] && world.read("alive")[agent]);
     drawView(this.#canvas, match.config, alive ? world.view(agent) : null, agent);
     this.#canvas.ariaLabel = `Field of view of ${agentName(agent, match.config.n_pursuers)}: evaders, pursuers and obstacles around it`;
-    const taken = step < match.length ? match.actions[step * match.n_agents + agent]! : null;
+    const taken = actions[agent] ?? null;
     if (!alive) return this.#say([], "It is gone.");
     const policy = policyOf(run, team, selection[team]);
-    if (typeof policy === "string") return this.#say([], `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`);
-    const { probabilities } = world.answer(policy, agent);
-    const bars = Array.from(probabilities, (probability, action) => bar(ACTIONS[action]!, probability, action === taken));
-    const drawn = policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
-    this.#say(bars, taken === null ? "The episode is over." : drawn);
+    const own = typeof policy === "string" ? null : world.answer(policy, agent).probabilities;
+    const game = this.#solution?.game(world) ?? null;
+    const told = typeof policy === "string"
+      ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
+      : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
+    const columns = [["its network", own], ["perfect play", game?.marginal(agent) ?? null]] as const;
+    const why = whyNotSolved(match.config);
+    const perfect = game ? `Value ${game.value.toFixed(2)}: the capture rate under perfect play.` : why && `Perfect play is not known: ${why}.`;
+    this.#say(table(columns, taken), taken === null ? "The episode is over." : told, perfect);
   }
 
-  #say(bars: readonly HTMLElement[], note: string): void {
+  #say(bars: readonly HTMLElement[], ...notes: string[]): void {
     this.#bars.replaceChildren(...bars);
-    this.#note.textContent = note;
+    this.#note.textContent = notes.filter(Boolean).join(" ");
   }
 }
 
-function bar(action: string, probability: number, taken: boolean): HTMLElement {
+type Column = readonly [name: string, probabilities: ArrayLike<number> | null];
+
+/** Return a row for each action, with the bars of those who know its probability. */
+function table(all: readonly Column[], taken: number | null): HTMLElement[] {
+  const columns = all.filter(([, probabilities]) => probabilities) as [string, ArrayLike<number>][];
+  if (!columns.length) return [];
+  const head = html("div", { class: "action muted" }, html("span"), ...columns.map(([name]) => html("span", { class: "head" }, name)));
+  const rows = Array.from(columns[0]![1], (_, action) => html("div", { class: action === taken ? "action taken" : "action" },
+    html("span", {}, ACTIONS[action]), ...columns.flatMap(([, probabilities]) => bar(probabilities[action]!))));
+  return columns.length > 1 || columns[0]![0] !== all[0]![0] ? [head, ...rows] : rows;
+}
+
+function bar(probability: number): HTMLElement[] {
   const filled = html("span", { class: "filled" });
   filled.style.width = `${100 * probability}%`;
-  return html(
-    "div", { class: taken ? "action taken" : "action" },
-    html("span", {}, action), html("span", { class: "track" }, filled),
-    html("span", { class: "numbers" }, probability.toFixed(2)),
-  );
+  return [html("span", { class: "track" }, filled), html("span", { class: "numbers" }, probability.toFixed(2))];
 }

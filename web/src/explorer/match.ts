@@ -18,6 +18,8 @@ import { playedMatch } from "./play.ts";
 import type { Selection, Store } from "./store.ts";
 import { playgroundButton } from "./to_playground.ts";
 import type { Shown } from "./to_playground.ts";
+import { lossText, lossesOf, solved, ticksOf } from "../page/solved.ts";
+import type { Loss } from "../page/solved.ts";
 import { wordsOf } from "./words.ts";
 
 /** Milliseconds that a selection has to rest before its match is played. */
@@ -45,6 +47,7 @@ export class MatchPanel {
   #due = 0;
   #plays = false;
   #goal = 0;
+  #losses: readonly Loss[] = [];
 
   constructor(runs: readonly Run[], store: Store, playground: PageData) {
     [this.#runs, this.#store] = [runs, store];
@@ -140,11 +143,26 @@ export class MatchPanel {
     this.inspector.show(this.#engine, this.#run, this.match, selected);
     this.player.length = this.match.length;
     this.player.marks = captureSteps(this.recording);
+    this.#losses = this.player.ticks = [];
     this.player.jump(this.#goal);
     this.#goal = 0;
     this.#tell();
+    void this.#solve(this.#engine, this.match);
     this.element.dataset["played"] = `${selected.run} ${selected.pursuer} ${selected.evader} ${selected.episode} ${selected.seed ?? ""}`;
     this.#begin();
+  }
+
+  /** Show what the teams lose, and perfect play beside the network's, as soon as the world is solved. */
+  async #solve(engine: Engine, match: Match): Promise<void> {
+    const solution = await solved(engine, match.config);
+    if (this.match !== match || !solution) return;
+    const world = engine.world(match.config);
+    match.seek(world, 0);
+    this.#losses = lossesOf(solution, world, actionsOf(match));
+    world.free();
+    this.player.ticks = ticksOf(this.#losses);
+    this.inspector.solution = solution;
+    this.#tell();
   }
 
   /** Return the names of what plays for the teams of a match. */
@@ -172,8 +190,9 @@ export class MatchPanel {
     const step = this.player.step;
     const moment = this.recording.moments[step]!;
     this.#count(Array.from(moment.everCaptured).filter(Boolean).length, step);
-    this.#words.replaceChildren(...wordsOf(match, this.recording, step).map((word) =>
-      html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
+    this.#words.replaceChildren(
+      ...this.#losses.filter((loss) => loss.step === step).map((loss) => html("li", { class: `loss-${loss.team}` }, lossText(loss))),
+      ...wordsOf(match, this.recording, step).map((word) => html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
     this.inspector.at(step);
     this.#mark();
   }
@@ -197,3 +216,7 @@ export class MatchPanel {
     }
   }
 }
+
+/** Return the actions (A,) of each step. */
+const actionsOf = ({ actions, length, n_agents }: Match): Uint8Array[] =>
+  Array.from({ length }, (_, step) => actions.subarray(step * n_agents, (step + 1) * n_agents));

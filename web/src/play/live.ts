@@ -2,7 +2,8 @@
 
 import { momentOf, recording } from "../board/from_engine.ts";
 import type { Moment, Recording } from "../board/recording.ts";
-import type { Engine, World } from "../engine/engine.ts";
+import type { Engine, Solution, World } from "../engine/engine.ts";
+import type { TurnGame } from "../engine/solution.ts";
 import type { Conflict, Start, TeamPolicy, WorldConfig } from "../engine/types.ts";
 import type { Team } from "../explorer/data.ts";
 import type { Told } from "../explorer/words.ts";
@@ -43,6 +44,11 @@ export class Live implements Told {
 
   conflicts(step: number): readonly Conflict[] {
     return this.#conflicts[step]!;
+  }
+
+  /** Return perfect play at the present moment, where it is known. */
+  game(solution: Solution): TurnGame | null {
+    return solution.game(this.#world);
   }
 
   /** Play a step with the actions of all agents. */

@@ -4,11 +4,15 @@ import { Board, stillMotion } from "../board/board.ts";
 import { Player, playerKey } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
 import { cellOf } from "../board/recording.ts";
-import type { Engine } from "../engine/engine.ts";
+import type { Engine, Solution } from "../engine/engine.ts";
+import { whyNotSolved } from "../engine/solution.ts";
+import type { TurnGame } from "../engine/solution.ts";
 import type { WorldConfig } from "../engine/types.ts";
 import { wordsOf } from "../explorer/words.ts";
 import { hasAddress, html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
+import { lossText, lossesOf, perfectText, solved, ticksOf } from "../page/solved.ts";
+import type { Loss } from "../page/solved.ts";
 import { actionOf, bearing, listenToPointer, pad } from "./controls.ts";
 import { episodeFile } from "./file.ts";
 import type { Live } from "./live.ts";
@@ -40,12 +44,17 @@ export class PlayView {
   readonly #pad = pad((action) => this.act(action));
   readonly #pace = html("select", {}, ...PACES.map((each) => html("option", { value: each }, each ? `${each} / s` : "step by step")));
   readonly #fog = html("input", { type: "checkbox" });
+  readonly #best = html("input", { type: "checkbox" });
+  readonly #whyNot = html("span");
+  readonly #keys = html("p", { class: "small muted play-keys", id: "play-keys" });
   readonly #ending = html("section", { class: "play-ending", tabindex: -1, "aria-labelledby": "play-headline" });
   readonly #bar = playerBar(this.player);
   #game: Game | null = null;
   #live: Live | null = null;
   #moves: number[] = [];
   #seat: number | null = null;
+  #solution: Solution | null = null;
+  #losses: readonly Loss[] = [];
   #held = 0;
   #clock = 0;
 
@@ -55,6 +64,7 @@ export class PlayView {
     this.#canvas.setAttribute("role", "application");
     this.#pace.addEventListener("change", () => this.#rest());
     this.#fog.addEventListener("change", () => this.#look());
+    this.#best.addEventListener("change", () => this.#tell());
     listenToPointer(this.#board, () => {
       const cell = this.#seat !== null && this.#live && cellOf(this.#live.recording.moments.at(-1)!, this.#seat);
       return cell ? { cell, diagonal: this.#live!.config.diagonal } : null;
@@ -68,8 +78,9 @@ export class PlayView {
       html("div", { class: "play-side" },
         this.#ending, this.#pad.element,
         html("label", { class: "play-choice", title: "Steps a second" }, "Pace ", this.#pace),
-        html("label", { class: "play-choice" }, this.#fog, " Fog: see only what it sees"),
-        html("p", { class: "small muted play-keys", id: "play-keys" }, "Arrow keys move and Space stays; Q W E A S D Z X C and the numeric keypad know diagonals, too. On the board: swipe, or tap where to go.")),
+        html("label", { class: "play-choice" }, this.#fog, html("span", {}, "Fog", html("span", { class: "at-length" }, ": see only what it sees"))),
+        html("label", { class: "play-choice" }, this.#best, this.#whyNot),
+        this.#keys),
       this.#bar,
     );
   }
@@ -135,15 +146,56 @@ export class PlayView {
     this.#title.textContent = title;
     this.#canvas.ariaLabel = `Board, ${live.config.rows} by ${live.config.cols} cells`;
     this.#pad.show(live.config.diagonal);
+    this.#keys.replaceChildren(
+      html("span", { class: "at-length" }, `Arrow keys or W A X D move, Space or S stays${live.config.diagonal ? "; Q E Z C and the numeric keypad move diagonally" : ""}. `),
+      "On the board: swipe, or tap where to go.");
+    this.#solve(live);
     this.#ending.replaceChildren();
     this.player.length = live.length;
     this.player.jump(live.length);
-    this.#look();
     this.#tell();
   }
 
   #look(): void {
-    this.#board.look = { you: this.#seat, fog: this.#fog.checked, viewers: this.#seat === null ? [] : [this.#seat] };
+    this.#board.look = { you: this.#seat, fog: this.#fog.checked, viewers: this.#seat === null ? [] : [this.#seat], plan: this.#plan() };
+  }
+
+  /** Solve the world of a match, for the best moves and for what its teams lose. */
+  #solve(live: Live): void {
+    this.#solution = null;
+    this.#losses = this.player.ticks = [];
+    const why = whyNotSolved(live.config);
+    this.#best.disabled = Boolean(why);
+    this.#whyNot.textContent = why ? `No best move: ${why}` : "Best move";
+    void solved(this.#engine, live.config).then((solution) => {
+      if (this.#live !== live) return;
+      this.#solution = solution;
+      this.#judge();
+      this.#tell();
+    });
+  }
+
+  /** Mark the steps in which teams lost value, when the match is over. */
+  #judge(): void {
+    const [live, solution] = [this.#live!, this.#solution];
+    if (!solution || this.element.dataset["state"] === "playing") return;
+    const world = this.#engine.world(live.config);
+    world.reset(live.start);
+    this.#losses = lossesOf(solution, world, live.actions);
+    world.free();
+    this.player.ticks = ticksOf(this.#losses);
+  }
+
+  /** Perfect play of the next step, while a person plays and wants to know. */
+  get #perfect(): TurnGame | null {
+    const shown = this.#best.checked && this.#game && this.element.dataset["state"] === "playing";
+    return (shown && this.#solution && this.#live!.game(this.#solution)) || null;
+  }
+
+  /** The best move as an arrow: the most probable one, where perfect play mixes. */
+  #plan(): number[] | null {
+    const [seat, shares] = [this.#seat, this.#seat !== null && this.#perfect?.marginal(this.#seat)];
+    return seat !== null && shares ? Object.assign(Array<number>(seat).fill(0), { [seat]: shares.indexOf(Math.max(...shares)) }) : null;
   }
 
   #rest(): void {
@@ -175,6 +227,9 @@ export class PlayView {
         html("button", { type: "button", onclick: () => this.#save(live, played.seat) }, "Save"),
         link && html("button", { type: "button", onclick: ({ currentTarget }: MouseEvent) => copied(currentTarget as HTMLElement, link) }, "Link")));
     this.element.dataset["state"] = "ended";
+    this.#judge();
+    const own = this.#losses.filter(({ team }) => team === teamOf(live.config, played.seat));
+    if (own.length) this.#ending.children[0]!.after(html("p", { class: "small muted" }, lostInAll(own)));
     this.#ending.focus({ preventScroll: true });
     this.#ending.scrollIntoView({ block: "nearest" });
   }
@@ -199,6 +254,10 @@ export class PlayView {
     const sentences = [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
     if (this.#game && step === 0) sentences.push(goal(live.config, seat!));
     else if (seat !== null) sentences.push(nearest(live, step, seat));
+    sentences.push(...this.#losses.filter((loss) => loss.step === step).map(lossText));
+    const perfect = step === live.length && seat !== null ? this.#perfect : null;
+    if (perfect) sentences.push(`Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; value ${perfect.value.toFixed(2)}`);
+    this.#look();
     this.#told.textContent = sentences.filter(Boolean).map((text) => `${text}.`).join(" ");
   }
 }
@@ -234,6 +293,13 @@ export function headline(live: Live, seat: number): string {
   const [{ lasted, out, captured }, { config }] = [resultOf(live, seat), live];
   if (teamOf(config, seat) === "pursuer") return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
   return out ? `You lasted ${lasted} of ${config.max_steps} steps.` : `You escaped: ${lasted} steps.`;
+}
+
+/** Return what a team lost by all its moves, and where most. */
+function lostInAll(losses: readonly Loss[]): string {
+  const most = losses.reduce((a, b) => (b.lost > a.lost ? b : a));
+  const sum = losses.reduce((total, { lost }) => total + lost, 0);
+  return `Your team's moves lost ${sum.toFixed(2)} of the capture rate against a perfect opponent, most in step ${most.step}: ${most.lost.toFixed(2)}.`;
 }
 
 const evaders = ({ n_evaders }: WorldConfig): string => `${n_evaders} evader${n_evaders === 1 ? "" : "s"}`;

@@ -1,270 +1,283 @@
-/* built from web/ by "npm run build"; sources 148b5d616ccd87a97efaf555180ae3c9582d0a3c85029da27a42905bda8ddcba */
-"use strict";(()=>{var F=[.5,1,2,4,8,16,32,64],Z=0,ee=12,hr=2,Q=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#c=[];glide=.28;constructor(e,r={}){super(),this.#e=
-e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
+/* built from web/ by "npm run build"; sources 9c6201e36356e8f562a1ecbaea04e8ae5be149e43c6f55c1fa7583788339d01d */
+"use strict";(()=>{var G=[.5,1,2,4,8,16,32,64],re=0,ne=12,yr=2,te=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#c=[];#d=[];glide=.28;constructor(e,r={}){super(),
+this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#i(
-"state")}get pace(){return this.#r||Math.max(hr,this.#e/ee)}get speed(){return this.#r}set speed(e){this.#r=e,this.#i("state")}changeSpeed(e){let r=F.findIndex(
-n=>n>=this.pace);this.speed=F[Math.min(F.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#t===this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#u())}pause(){
-this.#s&&(this.#s=!1,this.#i("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.pause();let r=Math.min(this.#e,Math.max(0,this.#t+e));Math.abs(r-this.#o)>
-1?this.jump(r):this.#d(r),this.#u()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(e))),this.#d(this.#o),this.#i("frame")}#d(e){e!==this.#t&&(this.#t=e,
-this.#i("step"),this.#n&&this.#i("frame"))}#u(){this.#a===null&&(this.#l=performance.now(),this.#a=requestAnimationFrame(()=>this.#m()))}#m(){this.#a=null;let e=performance.
-now();this.#p(Math.min(.25,(e-this.#l)/1e3)),this.#l=e,(!this.#n||this.arrived)&&this.#i("frame"),(this.#s||this.#o!==this.#t)&&(this.#a=requestAnimationFrame(()=>this.#m()))}#p(e){
-let r=e;for(;r>0;){if(this.#o===this.#t){if(!this.#s)return;if(this.#t===this.#e)return this.pause();this.#d(this.#t+1)}let n=this.#s?this.pace:1/this.glide,o=this.#t-
-this.#o,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#o=s===Math.abs(o)?this.#t:this.#o+Math.sign(o)*s}this.#s&&this.#o===this.#e&&this.pause()}#i(e){this.dispatchEvent(
-new Event(e))}};function te(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.
-move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var De={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},H={DISAPPEAR:0,REACH:1,BOUNCE:2},Fe={OCCUPATION:0,SURROUND:1},He={FAULT:0,INVOLVED:1};var Be=["obstacle","teammate","adversary"],ge=["vertex","edge","chain"],Ge=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],we=["p\
-ursuer_{number}","evader_{number}"],ze={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
-{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},B={"both held":"both bounce","both doomed":"\
-both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},je="{event}: {outcome}",ve={random:"any action, all equally likely",
+"state")}get ticks(){return this.#d}set ticks(e){this.#d=e,this.#i("state")}get pace(){return this.#r||Math.max(yr,this.#e/ne)}get speed(){return this.#r}set speed(e){
+this.#r=e,this.#i("state")}changeSpeed(e){let r=G.findIndex(n=>n>=this.pace);this.speed=G[Math.min(G.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#t===
+this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#m())}pause(){this.#s&&(this.#s=!1,this.#i("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
+pause();let r=Math.min(this.#e,Math.max(0,this.#t+e));Math.abs(r-this.#o)>1?this.jump(r):this.#u(r),this.#m()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(
+e))),this.#u(this.#o),this.#i("frame")}#u(e){e!==this.#t&&(this.#t=e,this.#i("step"),this.#n&&this.#i("frame"))}#m(){this.#a===null&&(this.#l=performance.now(),
+this.#a=requestAnimationFrame(()=>this.#p()))}#p(){this.#a=null;let e=performance.now();this.#h(Math.min(.25,(e-this.#l)/1e3)),this.#l=e,(!this.#n||this.arrived)&&
+this.#i("frame"),(this.#s||this.#o!==this.#t)&&(this.#a=requestAnimationFrame(()=>this.#p()))}#h(e){let r=e;for(;r>0;){if(this.#o===this.#t){if(!this.#s)return;
+if(this.#t===this.#e)return this.pause();this.#u(this.#t+1)}let n=this.#s?this.pace:1/this.glide,o=this.#t-this.#o,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#o=s===
+Math.abs(o)?this.#t:this.#o+Math.sign(o)*s}this.#s&&this.#o===this.#e&&this.pause()}#i(e){this.dispatchEvent(new Event(e))}};function oe(t,e){if(e.ctrlKey||e.metaKey||
+e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
+"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var He={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},z={DISAPPEAR:0,REACH:1,BOUNCE:2},Be={OCCUPATION:0,SURROUND:1},Ge={FAULT:0,INVOLVED:1};var ze=["obstacle","teammate","adversary"],we=["vertex","edge","chain"],je=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],ve=["p\
+ursuer_{number}","evader_{number}"],Ve={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
+{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},j={"both held":"both bounce","both doomed":"\
+both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Ke="{event}: {outcome}",xe={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
-here all adversaries in view together are farthest"},Ve={free:".GS",blocked:"#@OTW"};var I=1+Ge.length;function G(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function O(t,e){return t<e?G(we[0],{number:t}):G(we[1],{number:t-e})}function fr(t,e){
-let[r,n,o,s,a,i,l,...c]=Array.from(t),u=a<0?[s]:[s,a],[m,h,p]=c.map(_=>u.filter((R,P)=>_>>P&1)),y=u.map(_=>O(_,e)),f=G(ze[a<0?"obstacle":ge[o]],{first:y[0],second:y[y.
-length-1],cell:`(${i}, ${l})`}),x=G(je,{event:f,outcome:yr(u.length,h,p,e)});return{kind:Be[n],form:ge[o],agents:u,cell:[i,l],at_fault:m,held:h,doomed:p,turn:r,
-text:x}}function yr(t,e,r,n){if(t===2&&e.length===2)return B["both held"];if(t===2&&r.length===2)return B["both doomed"];let o=s=>a=>G(B[s],{agent:O(a,n)});return[
-...e.map(o("held")),...r.map(o("doomed"))].join(", ")||B.none}function re(t,e){let r=[];for(let n=0;n<t.length;n+=I)r.push(fr(t.subarray(n+1,n+I),e));return r}var C=class extends Error{name="EngineError"};function b(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new C(`${t}\
-: expected ${e}, got ${n}`)}var N=class{bytes;constructor(e){this.bytes=e}},Ye=0,Me=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],Ke=4,qe=4,br=new TextEncoder,
-gr=new TextDecoder;function wr(t){for(let e=Me.length-1;e>Ye;--e)if(t instanceof Me[e])return e;throw new TypeError("array: expected a typed array of the engine\
-'s numbers, got another")}function xe(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function vr(t){return br.encode(`${t}\0`)}var Ae=class{engine;addresses=[];constructor(e){
-this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new C("memory: expected room for the arguments, got none");return this.addresses.
-push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(vr(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([s,a])=>{let i=a instanceof N,l=i?a.bytes:a;
-return[this.text(s),i?Ye:wr(l),l.length,this.copy(xe(l))]}),o=this.copy(xe(Int32Array.from(n)));return this.copy(xe(Int32Array.of(r.length,o)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function Xe(t,e){let r=t.HEAPU8;return gr.decode(r.subarray(e,r.indexOf(0,e)))}function ne(t){let e=new Int32Array(t.HEAPU8.buffer),
-r=t._last_outputs()/Ke,n=e[r+1]/Ke,o={};for(let s=n;s<n+e[r]*qe;s+=qe){let a=Me[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Xe(t,e[s])]=new a(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function z(t,e){let r=new Ae(t);try{let n=e(r);if(n===0)throw new C(Xe(t,t._last_error()));return n}finally{r.free()}}var xr=2**31-1,Mr=2n**64n-1n,Ar=34028234663852886e22;function S(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>xr)throw b(t,"an integer",e);return Int32Array.
-of(e)}function oe(t,e){if(typeof e!="boolean")throw b(t,"true or false",e);return new N(Uint8Array.of(Number(e)))}function E(t,e,r){let n=typeof e=="string"&&Object.
-hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw b(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Se(t,e){if(typeof e!="number"||!(Math.
-abs(e)<=Ar))throw b(t,"a finite number",e);return e}function L(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;if(n<0n||
-n>Mr)throw b(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Sr(t){return{"rules.interaction":E("interaction",t.interaction,De),"rules\
-.obstacle":E("obstacle",t.obstacle,H),"rules.teammate":E("teammate",t.teammate,H),"rules.evader":E("evader",t.evader,H),"rules.pursuer":E("pursuer",t.pursuer,H),
-"rules.capture":E("capture",t.capture,Fe),"rules.captured_disappear":oe("captured_disappear",t.captured_disappear)}}function Je(t,e){let r=typeof e=="number"?[e,
-e,e]:e;if(!Array.isArray(r)||r.length!==3)throw b(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Se(t,n))}function Tr(t){let e=(r,n)=>Float32Array.of(Se(r,
-t[r]),Se(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.step":e("pu\
-rsuer_step","evader_step"),"rewards.pursuer_collide":Je("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Je("evader_collide",t.evader_collide),"rew\
-ards.blame":E("blame",t.blame,He),"rewards.capture_repeats":oe("capture_repeats",t.capture_repeats)}}function Ze(t){if(t===void 0||typeof t=="number")return new Uint8Array(
-0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=Ve;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw b(`map, row ${n}`,`${t[0]?.length} \
+here all adversaries in view together are farthest"},qe={free:".GS",blocked:"#@OTW"};var I=1+je.length;function V(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function N(t,e){return t<e?V(ve[0],{number:t}):V(ve[1],{number:t-e})}function br(t,e){
+let[r,n,o,s,a,i,l,...c]=Array.from(t),u=a<0?[s]:[s,a],[m,p,h]=c.map(T=>u.filter((P,O)=>T>>O&1)),y=u.map(T=>N(T,e)),f=V(Ve[a<0?"obstacle":we[o]],{first:y[0],second:y[y.
+length-1],cell:`(${i}, ${l})`}),x=V(Ke,{event:f,outcome:gr(u.length,p,h,e)});return{kind:ze[n],form:we[o],agents:u,cell:[i,l],at_fault:m,held:p,doomed:h,turn:r,
+text:x}}function gr(t,e,r,n){if(t===2&&e.length===2)return j["both held"];if(t===2&&r.length===2)return j["both doomed"];let o=s=>a=>V(j[s],{agent:N(a,n)});return[
+...e.map(o("held")),...r.map(o("doomed"))].join(", ")||j.none}function se(t,e){let r=[];for(let n=0;n<t.length;n+=I)r.push(br(t.subarray(n+1,n+I),e));return r}var E=class extends Error{name="EngineError"};function b(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new E(`${t}\
+: expected ${e}, got ${n}`)}var L=class{bytes;constructor(e){this.bytes=e}},Je=0,Ae=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],Ye=4,Xe=4,wr=new TextEncoder,
+vr=new TextDecoder;function xr(t){for(let e=Ae.length-1;e>Je;--e)if(t instanceof Ae[e])return e;throw new TypeError("array: expected a typed array of the engine\
+'s numbers, got another")}function Me(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Mr(t){return wr.encode(`${t}\0`)}var Se=class{engine;addresses=[];constructor(e){
+this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new E("memory: expected room for the arguments, got none");return this.addresses.
+push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Mr(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([s,a])=>{let i=a instanceof L,l=i?a.bytes:a;
+return[this.text(s),i?Je:xr(l),l.length,this.copy(Me(l))]}),o=this.copy(Me(Int32Array.from(n)));return this.copy(Me(Int32Array.of(r.length,o)))}free(){for(let e of this.
+addresses)this.engine._free(e)}};function Qe(t,e){let r=t.HEAPU8;return vr.decode(r.subarray(e,r.indexOf(0,e)))}function $(t){let e=new Int32Array(t.HEAPU8.buffer),
+r=t._last_outputs()/Ye,n=e[r+1]/Ye,o={};for(let s=n;s<n+e[r]*Xe;s+=Xe){let a=Ae[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Qe(t,e[s])]=new a(t.HEAPU8.slice(
+l,l+i).buffer)}return o}function C(t,e){let r=new Se(t);try{let n=e(r);if(n===0)throw new E(Qe(t,t._last_error()));return n}finally{r.free()}}var Ar=2**31-1,Sr=2n**64n-1n,_r=34028234663852886e22;function S(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Ar)throw b(t,"an integer",e);return Int32Array.
+of(e)}function ae(t,e){if(typeof e!="boolean")throw b(t,"true or false",e);return new L(Uint8Array.of(Number(e)))}function k(t,e,r){let n=typeof e=="string"&&Object.
+hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw b(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function _e(t,e){if(typeof e!="number"||!(Math.
+abs(e)<=_r))throw b(t,"a finite number",e);return e}function U(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(e)?BigInt(e):-1n;if(n<0n||
+n>Sr)throw b(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Tr(t){return{"rules.interaction":k("interaction",t.interaction,He),"rules\
+.obstacle":k("obstacle",t.obstacle,z),"rules.teammate":k("teammate",t.teammate,z),"rules.evader":k("evader",t.evader,z),"rules.pursuer":k("pursuer",t.pursuer,z),
+"rules.capture":k("capture",t.capture,Be),"rules.captured_disappear":ae("captured_disappear",t.captured_disappear)}}function Ze(t,e){let r=typeof e=="number"?[e,
+e,e]:e;if(!Array.isArray(r)||r.length!==3)throw b(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>_e(t,n))}function Cr(t){let e=(r,n)=>Float32Array.of(_e(r,
+t[r]),_e(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.step":e("pu\
+rsuer_step","evader_step"),"rewards.pursuer_collide":Ze("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Ze("evader_collide",t.evader_collide),"rew\
+ards.blame":k("blame",t.blame,Ge),"rewards.capture_repeats":ae("capture_repeats",t.capture_repeats)}}function tt(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=qe;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw b(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!r.includes(a));if(s)throw b(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,s)}return Uint8Array.
-from([...t.join("")],n=>Number(r.includes(n)))}function et(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
-throw b("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function se(t){et(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
-...Sr(t.rules),...Tr(t.rewards),rows:S("rows",t.rows),cols:S("cols",t.cols),n_pursuers:S("n_pursuers",t.n_pursuers),n_evaders:S("n_evaders",t.n_evaders),fov:S("\
-fov",t.fov),diagonal:oe("diagonal",t.diagonal),max_steps:S("max_steps",t.max_steps),density:Float64Array.of(e),map:Ze(t.obstacles)}}function Qe(t,e){return Int32Array.
-from((e??[]).flat(),r=>S(t,r)[0])}function tt(t,e){return et(t.obstacles,e),{seed:L("seed",t.seed??0n),episode:L("episode",t.episode??0),pursuers:Qe("pursuers",
-t.pursuers),evaders:Qe("evaders",t.evaders),map:Ze(t.obstacles)}}function ae(t){return{actions:Int32Array.from(t,e=>S("actions",e)[0])}}function $(t){if(typeof t==
-"string"){if(!Object.hasOwn(ve,t))throw b("policy",`one of ${Object.keys(ve).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
+from([...t.join("")],n=>Number(r.includes(n)))}function rt(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
+throw b("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function W(t){rt(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
+...Tr(t.rules),...Cr(t.rewards),rows:S("rows",t.rows),cols:S("cols",t.cols),n_pursuers:S("n_pursuers",t.n_pursuers),n_evaders:S("n_evaders",t.n_evaders),fov:S("\
+fov",t.fov),diagonal:ae("diagonal",t.diagonal),max_steps:S("max_steps",t.max_steps),density:Float64Array.of(e),map:tt(t.obstacles)}}function et(t,e){return Int32Array.
+from((e??[]).flat(),r=>S(t,r)[0])}function nt(t,e){return rt(t.obstacles,e),{seed:U("seed",t.seed??0n),episode:U("episode",t.episode??0),pursuers:et("pursuers",
+t.pursuers),evaders:et("evaders",t.evaders),map:tt(t.obstacles)}}function ie(t){return{actions:Int32Array.from(t,e=>S("actions",e)[0])}}function F(t){if(typeof t==
+"string"){if(!Object.hasOwn(xe,t))throw b("policy",`one of ${Object.keys(xe).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
 t.activation!=="tanh")throw b("activation","'relu' or 'tanh'",t.activation);return{hidden:Int32Array.from(t.hidden,e=>S("hidden",e)[0]),activation:new TextEncoder().
-encode(t.activation),sampled:oe("sampled",t.sampled),genome:t.genome}}var _r=["first_turn","terminated","truncated"];function rt(t){let e={...t};for(let r of _r)
-e[r]=new N(t[r]);return e}var ie=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=e.n_pursuers+e.n_evaders,
-this.statistics=nt(o,0),Object.assign(this,o),this.first_conflict=Cr(this.conflict_table,this.length)}get length(){return this.actions.length/this.n_agents}conflicts(e){
-this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*I,n*I);return re(o,this.config.n_pursuers)}seek(e,r){this.
+encode(t.activation),sampled:ae("sampled",t.sampled),genome:t.genome}}var Er=["first_turn","terminated","truncated"];function ot(t){let e={...t};for(let r of Er)
+e[r]=new L(t[r]);return e}var le=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=e.n_pursuers+e.n_evaders,
+this.statistics=st(o,0),Object.assign(this,o),this.first_conflict=kr(this.conflict_table,this.length)}get length(){return this.actions.length/this.n_agents}conflicts(e){
+this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*I,n*I);return se(o,this.config.n_pursuers)}seek(e,r){this.
 check(r),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>r)&&e.reset({seed:this.seed,episode:this.episode});for(let o=e.steps;o<r;++o)
 e.step(this.actions.subarray(o*this.n_agents,(o+1)*this.n_agents))}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw b("step",`0 to ${this.length}`,
-e)}};function Cr(t,e){let r=new Int32Array(e+2);for(let n=0;n<t.length;n+=I)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function nt(t,e){let r=t["\
+e)}};function kr(t,e){let r=new Int32Array(e+2);for(let n=0;n<t.length;n+=I)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function st(t,e){let r=t["\
 statistics.length"].length,n=s=>{let a=t[`statistics.${s}`],i=a.length/r;return a.slice(e*i,(e+1)*i)},o=s=>Number(n(s)[0]);return{capture_rate:o("capture_rate"),
 ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o("length"),return:n("return"),survivors:n("survivors"),overlap:n("over\
-lap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}function ot(t,e,r,n){let o=[se(r.config),$(r.pursuers),$(r.evaders),n];return z(
-t,s=>{let[a,i,l,c]=o.map(u=>s.arrays(u));return t[e](a,i,l,c)}),ne(t)}function st(t,e,r,n){let o={seed:L("seed",r),episode:L("episode",n)};return new ie(e.config,
-r,n,ot(t,"_play_match",e,o))}function at(t,e,r,n){if(!Number.isInteger(n)||n<1)throw b("n_episodes","at least 1",n);let o={seed:L("seed",r),n_episodes:Int32Array.
-of(n)},s=ot(t,"_play_rollout",e,o);return Array.from({length:n},(a,i)=>nt(s,i))}var it=new FinalizationRegistry(([t,e])=>t._world_free(e)),j=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
-n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=z(e,n=>e._world_new(n.arrays(se(r)))),it.register(this,[e,this.at],this)}free(){this.freed||
-(this.freed=!0,it.unregister(this),this.engine._world_free(this.at))}reset(e={}){let r=tt(e,this.config);this.call(n=>this.engine._world_reset(this.at,n.arrays(
-r)))}step(e){let r=ae(e);this.call(n=>this.engine._world_step(this.at,n.arrays(r)))}playTurn(e){let r=ae(e);this.call(n=>this.engine._world_play_turn(this.at,n.
-arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof r=="string"?s[r]:r;if(n.length!==this.n_agents)throw b(
-"actions",String(this.n_agents),n.length);let l=[$(e),ae(n)],{actions:c}=this.call(u=>this.engine._world_decide(this.at,u.arrays(l[0]),a,i,u.arrays(l[1])));return Uint8Array.
-from(c)}get n_turns(){return this.turnNumbers()[1]}get turn(){return this.turnNumbers()[0]}get actors(){let[,,e,r]=this.turnNumbers();return[e,r]}turnNumbers(){
-return this.call(()=>this.engine._world_turn(this.at)).turn}get steps(){return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){return this.
-read("episode")[0]}get over(){return this.read("terminated")[0]===1||this.read("truncated")[0]===1}read(e){return this.call(r=>this.engine._world_read(this.at,r.
-text(e)))[e]}view(e){let r=3*this.config.fov**2;return this.read("views").slice(e*r,(e+1)*r)}map(){return this.read("state").slice(2*this.config.rows*this.config.
-cols)}conflicts(){return re(this.conflictTable(),this.config.n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.at)).conflict_table}answer(e,r){
-let n=$(e),{logits:o}=this.call(i=>this.engine._world_logits(this.at,i.arrays(n),r)),s=o,a=this.decide(e,[r,r+1],new Uint8Array(this.n_agents))[r];return{logits:s,
-probabilities:Er(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let r=rt(e);this.call(n=>this.engine._world_restore(
-this.at,n.arrays(r)))}call(e){if(this.freed)throw b("world","one that is in use","one that was freed");return z(this.engine,e),ne(this.engine)}};function Er(t){
-let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,s)=>o+s,0);return Float32Array.from(r,o=>o/n)}var Te=class{compiled;constructor(e){this.compiled=e}world(e){return new j(this.compiled,e)}match(e,r,n,o,s=0){return st(this.compiled,{config:e,pursuers:r,evaders:n},
-o,s)}rollout(e,r,n,o,s){return at(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},lt;function ct(t=globalThis.matrixworldEngine){return lt??=kr(t),lt}async function kr(t){
-if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new Te(
-await t({wasmBinary:e}))}var Rr="http://www.w3.org/2000/svg";function d(t,e={},...r){return dt(document.createElement(t),e,r)}function w(t,e={},...r){return dt(document.createElementNS(
-Rr,t),e,r)}function dt(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
-String(o)));return t.append(...r.filter(Pr).map(n=>typeof n=="number"?String(n):n)),t}function Pr(t){return t!=null&&t!==!1}var Ir=matchMedia("(prefers-color-scheme: dark)");function Or(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ir.matches}function _e(){document.
-documentElement.dataset.theme=Or()?"light":"dark"}function ut(){return d("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:_e},
-"◐")}function mt(t){let e=atob(Ce(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function Ce(t){return document.getElementById(
-t)?.textContent??""}function pt(){return JSON.parse(Ce("data"))}var Ee=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var k=(t,e)=>e<t.nPursuers,g=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Nr=(t,e)=>t[0]===e[0]&&t[1]===e[1],ke=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Re=(t,e,r=3)=>t!==
-void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Pe=(t,e)=>Re(t.fault,e),ht=(t,e)=>!Pe(t,e)&&Re(t.involved,e,2);function le(t,e,r){let n=!Nr(g(t,r),g(e,r)),o=e.involved===
-void 0||Re(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function ce(t,e,r){let[n,o]=g(t,r),[s,a]=Ee[e.actions?.[r]??0];return[n+s,o+a]}function V(t,e,r){
-return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&!e.everCaptured[o]).map(o=>t.nPursuers+o)}var ft=t=>t.moments.flatMap((e,r)=>r&&
-V(t,t.moments[r-1],e).length?[r]:[]);function de(t,e){return Array.from({length:e.alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var yt=[-.31,0,.31],bt=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:yt.flatMap(t=>yt.map(e=>[e,t]))}],Lr=.3,$r=.35,Ur=.55;function K(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
-alive[n])continue;let[o,s]=g(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function gt(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=g(e,o);return{
-x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of K(t,e).values()){let o=bt[Math.min(n.length,bt.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
-c=r[s];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return r}var wt=t=>t*t*(3-2*t),U=(t,e,r)=>t+(e-t)*r,vt=t=>Math.min(1,Math.max(0,t));function xt(t,e,r,n){let o={SIMULTANEOUS:1,
-SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return wt(n);let s=o===r?e:+!k(t,e),a=Math.max(1/o,$r);return wt(vt((n-s/(o-1)*(1-a))/a))}function ue(t,e){
-let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=gt(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=gt(t,a);return s.map((l,c)=>{let u=xt(
-t,c,s.length,e-n);return Wr(o,a,c,l,i[c],u)})}function Ie(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
-n)]],i=xt(t,e,s.alive.length,r-o),[[l,c],[u,m]]=[g(s,e),g(a,e)];return[U(c,m,i)+.5,U(l,u,i)+.5]}function Wr(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:U(n.x,o.x,s),
-y:U(n.y,o.y,s),size:a?n.size:U(n.size,o.size,s),alpha:a?vt((1-s)/(1-Ur)):U(n.alpha,o.alpha,s)};if(le(t,e,r)){let[l,c]=g(t,r),[u,m]=ce(t,e,r),h=Lr*Math.sin(Math.
-PI*s);i.x+=(m-c)*h,i.y+=(u-l)*h}return i}var Mt=2*Math.PI;function q(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Mt)}function At(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
-o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,u]=s[(l+1)%3];t.arcTo(a,i,c,u,n*.09)}),t.closePath()}function St(t,e,r,n){
-let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Tt(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
-2*(o%2?.6:.95),a=Mt*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function _t(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Ct=4,Dr=1.6,Fr=.95,Hr=5,Br=.16,Gr=9,zr=.09,jr=.2,Et=.75,M=(t,e)=>t.left+e*t.cell,A=(t,e)=>t.top+e*t.cell;function W(t,e,r){return k(e,r)?t.colors.pursuer:t.
-colors.evader}function kt({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,c]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),s<Hr)return;
-t.fillStyle=r.line;let u=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,u,c);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,u)}function Rt({ctx:t,
+lap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}function at(t,e,r,n){let o=[W(r.config),F(r.pursuers),F(r.evaders),n];return C(
+t,s=>{let[a,i,l,c]=o.map(u=>s.arrays(u));return t[e](a,i,l,c)}),$(t)}function it(t,e,r,n){let o={seed:U("seed",r),episode:U("episode",n)};return new le(e.config,
+r,n,at(t,"_play_match",e,o))}function lt(t,e,r,n){if(!Number.isInteger(n)||n<1)throw b("n_episodes","at least 1",n);let o={seed:U("seed",r),n_episodes:Int32Array.
+of(n)},s=at(t,"_play_rollout",e,o);return Array.from({length:n},(a,i)=>st(s,i))}var Rr=new FinalizationRegistry(([t,e])=>t._states_free(e));var Te=class{value;teams;matrix;n_actions;constructor(e,r){let{matrix:n,rows:o,cols:s,value:a,agents:i}=r,[l,c]=e.actors,u=Array.from(i).filter(p=>l<=p&&p<c),m=p=>p<
+e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=[a[0],n,e.n_actions],this.teams=[{agents:u.filter(m),play:o},{agents:u.filter(p=>!m(p)),play:s}]}marginal(e){
+let r=this.teams.find(({agents:s})=>s.includes(e));if(!r)return null;let n=this.n_actions**(r.agents.length-1-r.agents.indexOf(e)),o=Array(this.n_actions).fill(
+0);return r.play.forEach((s,a)=>o[Math.floor(a/n)%this.n_actions]+=s),o}lost(e){let[r,n]=this.teams.map(({agents:l})=>l.reduce((c,u)=>c*this.n_actions+e[u],0)),
+[o,s]=this.teams.map(({play:l})=>l),a=s.reduce((l,c,u)=>l+c*this.matrix[r*s.length+u],0),i=o.reduce((l,c,u)=>l+c*this.matrix[u*s.length+n],0);return[Math.max(0,
+this.value-a),Math.max(0,i-this.value)]}},K=class{config;engine;states;n_turns;values;constructor(e,r){[this.engine,this.config]=[e,r],this.states=C(e,o=>e._states_new(
+o.arrays(W(r)))),Rr.register(this,[e,this.states]);let n={SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r.n_pursuers+r.n_evaders};this.n_turns=n[r.rules.interaction],
+this.values=[[this.call(()=>e._states_payoffs(this.states)).payoffs]]}goBack(){let e=this.values.at(-1)[0],r=[];for(let n=this.n_turns-1;n>=0;n--){let o=r[n+1]??
+e;r[n]=this.call(s=>this.engine._states_backup(this.states,n,s.arrays({next:o}))).values}return this.values.push(r),this.values.length<=this.config.max_steps&&r[0].
+some((n,o)=>n!==e[o])}game(e){let[r,{turn:n}]=[this.config.max_steps-e.steps,e],o=n+1===this.n_turns,s=r>0?this.values[Math.min(r-Number(o),this.values.length-1)]?.[o?
+0:n+1]:void 0;if(!s)return null;let a=this.call(i=>this.engine._states_game(this.states,e.address,i.arrays({next:s})));return a.agents.length?new Te(e,a):null}call(e){
+return C(this.engine,e),$(this.engine)}};var ct=new FinalizationRegistry(([t,e])=>t._world_free(e)),q=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
+n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=C(e,n=>e._world_new(n.arrays(W(r)))),ct.register(this,[e,this.at],this)}free(){this.freed||
+(this.freed=!0,ct.unregister(this),this.engine._world_free(this.at))}get address(){return this.at}reset(e={}){let r=nt(e,this.config);this.call(n=>this.engine._world_reset(
+this.at,n.arrays(r)))}step(e){let r=ie(e);this.call(n=>this.engine._world_step(this.at,n.arrays(r)))}playTurn(e){let r=ie(e);this.call(n=>this.engine._world_play_turn(
+this.at,n.arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof r=="string"?s[r]:r;if(n.length!==this.
+n_agents)throw b("actions",String(this.n_agents),n.length);let l=[F(e),ie(n)],{actions:c}=this.call(u=>this.engine._world_decide(this.at,u.arrays(l[0]),a,i,u.arrays(
+l[1])));return Uint8Array.from(c)}get n_turns(){return this.turnNumbers()[1]}get turn(){return this.turnNumbers()[0]}get actors(){let[,,e,r]=this.turnNumbers();
+return[e,r]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.at)).turn}get steps(){return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){
+return this.read("episode")[0]}get over(){return this.read("terminated")[0]===1||this.read("truncated")[0]===1}read(e){return this.call(r=>this.engine._world_read(
+this.at,r.text(e)))[e]}view(e){let r=3*this.config.fov**2;return this.read("views").slice(e*r,(e+1)*r)}map(){return this.read("state").slice(2*this.config.rows*
+this.config.cols)}conflicts(){return se(this.conflictTable(),this.config.n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.at)).
+conflict_table}answer(e,r){let n=F(e),{logits:o}=this.call(i=>this.engine._world_logits(this.at,i.arrays(n),r)),s=o,a=this.decide(e,[r,r+1],new Uint8Array(this.
+n_agents))[r];return{logits:s,probabilities:Pr(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let r=ot(e);this.call(
+n=>this.engine._world_restore(this.at,n.arrays(r)))}call(e){if(this.freed)throw b("world","one that is in use","one that was freed");return C(this.engine,e),$(this.
+engine)}};function Pr(t){let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,s)=>o+s,0);return Float32Array.from(r,o=>o/n)}var Ce=class{compiled;constructor(e){this.compiled=e}world(e){return new q(this.compiled,e)}solution(e){return new K(this.compiled,e)}match(e,r,n,o,s=0){return it(
+this.compiled,{config:e,pursuers:r,evaders:n},o,s)}rollout(e,r,n,o,s){return lt(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},ut;function dt(t=globalThis.
+matrixworldEngine){return ut??=Or(t),ut}async function Or(t){if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
+let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new Ce(await t({wasmBinary:e}))}var Ir="http://www.w3.org/2000/svg";function d(t,e={},...r){return mt(document.createElement(t),e,r)}function w(t,e={},...r){return mt(document.createElementNS(
+Ir,t),e,r)}function mt(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
+String(o)));return t.append(...r.filter(Nr).map(n=>typeof n=="number"?String(n):n)),t}function Nr(t){return t!=null&&t!==!1}var Lr=matchMedia("(prefers-color-scheme: dark)");function $r(){let t=document.documentElement.dataset.theme;return t?t==="dark":Lr.matches}function Ee(){document.
+documentElement.dataset.theme=$r()?"light":"dark"}function pt(){return d("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Ee},
+"◐")}function ht(t){let e=atob(ke(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function ke(t){return document.getElementById(
+t)?.textContent??""}function ft(){return JSON.parse(ke("data"))}var Re=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var R=(t,e)=>e<t.nPursuers,g=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Ur=(t,e)=>t[0]===e[0]&&t[1]===e[1],Pe=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Oe=(t,e,r=3)=>t!==
+void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Ie=(t,e)=>Oe(t.fault,e),yt=(t,e)=>!Ie(t,e)&&Oe(t.involved,e,2);function ce(t,e,r){let n=!Ur(g(t,r),g(e,r)),o=e.involved===
+void 0||Oe(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function ue(t,e,r){let[n,o]=g(t,r),[s,a]=Re[e.actions?.[r]??0];return[n+s,o+a]}function Y(t,e,r){
+return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&!e.everCaptured[o]).map(o=>t.nPursuers+o)}var bt=t=>t.moments.flatMap((e,r)=>r&&
+Y(t,t.moments[r-1],e).length?[r]:[]);function de(t,e){return Array.from({length:e.alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var gt=[-.31,0,.31],wt=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
+-.23,-.23],[.23,-.23]]},{size:.36,at:gt.flatMap(t=>gt.map(e=>[e,t]))}],Wr=.3,Fr=.35,Dr=.55;function X(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+alive[n])continue;let[o,s]=g(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function vt(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=g(e,o);return{
+x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of X(t,e).values()){let o=wt[Math.min(n.length,wt.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
+c=r[s];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return r}var xt=t=>t*t*(3-2*t),D=(t,e,r)=>t+(e-t)*r,Mt=t=>Math.min(1,Math.max(0,t));function At(t,e,r,n){let o={SIMULTANEOUS:1,
+SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return xt(n);let s=o===r?e:+!R(t,e),a=Math.max(1/o,Fr);return xt(Mt((n-s/(o-1)*(1-a))/a))}function me(t,e){
+let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=vt(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=vt(t,a);return s.map((l,c)=>{let u=At(
+t,c,s.length,e-n);return Hr(o,a,c,l,i[c],u)})}function Ne(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
+n)]],i=At(t,e,s.alive.length,r-o),[[l,c],[u,m]]=[g(s,e),g(a,e)];return[D(c,m,i)+.5,D(l,u,i)+.5]}function Hr(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:D(n.x,o.x,s),
+y:D(n.y,o.y,s),size:a?n.size:D(n.size,o.size,s),alpha:a?Mt((1-s)/(1-Dr)):D(n.alpha,o.alpha,s)};if(ce(t,e,r)){let[l,c]=g(t,r),[u,m]=ue(t,e,r),p=Wr*Math.sin(Math.
+PI*s);i.x+=(m-c)*p,i.y+=(u-l)*p}return i}var St=2*Math.PI;function J(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,St)}function _t(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
+o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,u]=s[(l+1)%3];t.arcTo(a,i,c,u,n*.09)}),t.closePath()}function Tt(t,e,r,n){
+let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Ct(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
+2*(o%2?.6:.95),a=St*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function Et(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var kt=4,Br=1.6,Gr=.95,zr=5,jr=.16,Vr=9,Kr=.09,qr=.2,Rt=.75,M=(t,e)=>t.left+e*t.cell,A=(t,e)=>t.top+e*t.cell;function H(t,e,r){return R(e,r)?t.colors.pursuer:t.
+colors.evader}function Pt({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,c]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),s<zr)return;
+t.fillStyle=r.line;let u=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,u,c);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,u)}function Ot({ctx:t,
 grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let c=0;c<i*l;c++){if(!n.obstacles[c])continue;let[u,m]=[Math.floor(c/l),
-c%l];t.fillRect(o+m*a,s+u*a,a,a)}Pt({ctx:t,grid:e,colors:r})}function Pt({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
-Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=i,t.strokeRect(e-i/2,r-i/2,s*n+i,o*n+i)}function It({ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,
+c%l];t.fillRect(o+m*a,s+u*a,a,a)}It({ctx:t,grid:e,colors:r})}function It({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
+Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=i,t.strokeRect(e-i/2,r-i/2,s*n+i,o*n+i)}function Nt({ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,
 cols:l}=e,c=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.
 textAlign="center";let u=5*n+a/40;for(let m=0;m<l;m+=c)t.fillText(String(m),o+(m+.5)*a,s-u);t.textAlign="right",t.textBaseline="middle";for(let m=0;m<i;m+=c)t.fillText(
-String(m),o-u,s+(m+.5)*a)}function Ot({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(
-t.rows,n+o)];return[M(t,s),A(t,i),(a-s)*t.cell,(l-i)*t.cell]}function Nt(t,e,r,n){let{ctx:o,grid:s,colors:a}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
-o.canvas.height),o.rect(...Ot(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
-s.rows*s.cell),o.restore(),Pt(t)}function Lt({ctx:t,grid:e,colors:r},{x:n,y:o,alpha:s},a){let i=Math.max(e.cell,16*a)*1.06,[l,c]=[M(e,n),A(e,o)];t.globalAlpha=Math.
+String(m),o-u,s+(m+.5)*a)}function Lt({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(
+t.rows,n+o)];return[M(t,s),A(t,i),(a-s)*t.cell,(l-i)*t.cell]}function $t(t,e,r,n){let{ctx:o,grid:s,colors:a}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
+o.canvas.height),o.rect(...Lt(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
+s.rows*s.cell),o.restore(),It(t)}function Ut({ctx:t,grid:e,colors:r},{x:n,y:o,alpha:s},a){let i=Math.max(e.cell,16*a)*1.06,[l,c]=[M(e,n),A(e,o)];t.globalAlpha=Math.
 max(s,.6),t.beginPath(),t.roundRect(l-i/2,c-i/2,i,i,i*.2),t.strokeStyle=r.focus,t.lineWidth=Math.max(2,2.5*a),t.stroke();let u=Math.max(11*a,Math.min(18*a,e.cell*
-.5));t.font=`700 ${Math.round(u)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let m=c-i/2<u*1.2,h=c+(m?1:-1)*(i/2+u*.7);t.strokeStyle=
-r.paper,t.lineJoin="round",t.lineWidth=u*.35,t.strokeText("You",l,h),t.fillStyle=r.ink,t.fillText("You",l,h),t.globalAlpha=1}function $t(t,e,r,n,o){let{ctx:s,grid:a}=t,
-i=Ot(t,e,n,o),l=W(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
-s.globalAlpha=1}function Ut(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Gr,
-Math.max(1,a.cell*Br));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[u,m]=[e.moments[c-1],e.moments[c]],h=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=
-Et+(jr-Et)*h;for(let p=0;p<m.alive.length;p++){let y=c===i&&r<i;if(!u.alive[p]||!(l.alive[p]||y))continue;let f=(k(e,p)?-1:1)*zr,[x,_]=g(u,p),[R,P]=g(m,p);if(x===
-R&&_===P)continue;let J=y?o[p].x:P+.5,pr=y?o[p].y:R+.5;s.strokeStyle=W(t,e,p),s.beginPath(),s.moveTo(M(a,_+.5+f),A(a,x+.5+f)),s.lineTo(M(a,J+f),A(a,pr+f)),s.stroke()}}
-s.globalAlpha=1}function Wt(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Ct+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Ct,l=V(e,s,a);for(let c of de(s,a))l.includes(c)||Kr(t,g(a,c),i);for(let c of l)Vr(t,g(a,c),i)}t.ctx.globalAlpha=1}function Vr({
-ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Tt(t,M(e,o+.5),A(e,n+.5),Math.max(8,e.cell*Dr)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
-max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Kr({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,St(t,M(e,o+.5),A(e,n+.5),Math.max(7,e.cell*Fr)),t.strokeStyle=
-r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Dt({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=
+.5));t.font=`700 ${Math.round(u)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let m=c-i/2<u*1.2,p=c+(m?1:-1)*(i/2+u*.7);t.strokeStyle=
+r.paper,t.lineJoin="round",t.lineWidth=u*.35,t.strokeText("You",l,p),t.fillStyle=r.ink,t.fillText("You",l,p),t.globalAlpha=1}function Wt(t,e,r,n,o){let{ctx:s,grid:a}=t,
+i=Lt(t,e,n,o),l=H(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
+s.globalAlpha=1}function Ft(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Vr,
+Math.max(1,a.cell*jr));for(let c=Math.max(1,Math.floor(r-n)+1);c<=i;c++){let[u,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=
+Rt+(qr-Rt)*p;for(let h=0;h<m.alive.length;h++){let y=c===i&&r<i;if(!u.alive[h]||!(l.alive[h]||y))continue;let f=(R(e,h)?-1:1)*Kr,[x,T]=g(u,h),[P,O]=g(m,h);if(x===
+P&&T===O)continue;let ee=y?o[h].x:O+.5,fr=y?o[h].y:P+.5;s.strokeStyle=H(t,e,h),s.beginPath(),s.moveTo(M(a,T+.5+f),A(a,x+.5+f)),s.lineTo(M(a,ee+f),A(a,fr+f)),s.stroke()}}
+s.globalAlpha=1}function Dt(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-kt+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
+i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/kt,l=Y(e,s,a);for(let c of de(s,a))l.includes(c)||Xr(t,g(a,c),i);for(let c of l)Yr(t,g(a,c),i)}t.ctx.globalAlpha=1}function Yr({
+ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Ct(t,M(e,o+.5),A(e,n+.5),Math.max(8,e.cell*Br)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
+max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Xr({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Tt(t,M(e,o+.5),A(e,n+.5),Math.max(7,e.cell*Gr)),t.strokeStyle=
+r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Ht({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[
-M(e,i)+s,A(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Ft({ctx:t,
-grid:e,colors:r},n,o,s,a){t.globalAlpha=a,q(t,M(e,n),A(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
-s)),t.stroke(),t.globalAlpha=1}var qr=.8,Yr=.92,Xr=15,Jr=7,Oe=9;function Ht(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Qr(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of K(e,r).values())a.length>
-Oe&&Zr(t,n[a[Oe-1]],a.length-Oe+1)}function Qr(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:c}=t,u=k(e,n),[m,h]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
-o.size*(u?Yr:qr)),y=W(t,e,n),f=!u&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(u?At:q)(i,m,h,p),p>Jr*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
-p*.1),i.stroke()),i.fillStyle=f?c.paper:y,i.fill(),f&&(q(i,m,h,p*.82),i.strokeStyle=y,i.lineWidth=p*.18,i.stroke()),!s||p<Xr*a)return;let x=String(u?n:n-e.nPursuers);
-i.font=`700 ${Math.round(p*(u?.4:.5)*(x.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?y:c.paper,i.fillText(
-x,m,h+p*(u?.17:.03))}function Zr({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+M(e,i)+s,A(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Bt({ctx:t,
+grid:e,colors:r},n,o,s,a){t.globalAlpha=a,J(t,M(e,n),A(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
+s)),t.stroke(),t.globalAlpha=1}var Jr=.8,Qr=.92,Zr=15,en=7,Le=9;function Gt(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&tn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of X(e,r).values())a.length>
+Le&&rn(t,n[a[Le-1]],a.length-Le+1)}function tn(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:c}=t,u=R(e,n),[m,p]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
+o.size*(u?Qr:Jr)),y=H(t,e,n),f=!u&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(u?_t:J)(i,m,p,h),h>en*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
+h*.1),i.stroke()),i.fillStyle=f?c.paper:y,i.fill(),f&&(J(i,m,p,h*.82),i.strokeStyle=y,i.lineWidth=h*.18,i.stroke()),!s||h<Zr*a)return;let x=String(u?n:n-e.nPursuers);
+i.font=`700 ${Math.round(h*(u?.4:.5)*(x.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?y:c.paper,i.fillText(
+x,m,p+h*(u?.17:.03))}function rn({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
-s,a)}var en=.46,tn=.86,rn=.66,Bt=.48,nn=.78,on=.58;function Gt(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<s.alive.length;c++)le(o,s,c)&&sn(t,e,g(o,c),ce(o,s,c));a.globalAlpha=
-1}function sn({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>M(e,n[1]+.5+s*m),l=m=>A(e,n[0]+.5+a*m),c=ke(r,o)?nn:on;t.setLineDash([e.cell*.09,e.cell*
-.06]),t.beginPath(),t.moveTo(i(Bt),l(Bt)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let u=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*u,l(c)+
-s*u),t.lineTo(i(c)+a*u,l(c)-s*u),t.stroke()}function zt(t,e,r,n,o,s){let a=Ee[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,u=ke(e,[n[0]+a[0],n[1]+a[1]])?tn:
-rn,m=en*o.size,h=[M(l,o.x+a[1]*m),A(l,o.y+a[0]*m),M(l,o.x+a[1]*u),A(l,o.y+a[0]*u)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
-p*2.1],[W(t,e,r),p]])i.strokeStyle=y,i.lineWidth=f,_t(i,...h,l.cell*.2),i.stroke()}var Vt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Kt(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
-Math.ceil(r),e.moments.length-1),c=e.moments[l],u=r===l,m=ue(e,r),h=u?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),kt(t);for(let f of n.
-viewers)m[f]?.alpha&&$t(t,e,f,...Ie(e,f,r));Rt(t,e),n.axes&&It(t,o),Ut(t,e,r,n.trail,m),Dt(t,c.contested??[],h),Wt(t,e,r),Gt(t,e,l,h),m.forEach(({x:f,y:x,size:_},R)=>{
-let P=ht(c,R)?.4:0,J=Pe(c,R)?1:P;J&&Ft(t,f,x,_,J*h)});let p=u?c:e.moments[Math.max(0,l-1)];if(Ht(t,e,p,m,n.numbers,o),u&&n.plan)for(let[f,x]of m.entries())x.alpha&&
-zt(t,e,f,g(c,f),x,n.plan[f]??0);n.you!==null&&(n.fog&&Nt(t,e,...Ie(e,n.you,r)),Lt(t,m[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===
-null?void 0:m[n.selected];y?.alpha&&jt(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),jt(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
-[]))}function jt({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var qt=(t,e)=>(e+.24)/(t+.24);function Yt(t,e,r,n,o,s){let a=r?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
-cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Xt(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
-0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var an={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Jt(t){let e=getComputedStyle(t),r=Object.entries(an).map(([n,o])=>[n,e.getPropertyValue(
-o).trim()]);return Object.fromEntries(r)}var Ne=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,me=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#s;#a;constructor(e,r={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#n={...Vt,...r},this.#s=new ResizeObserver(()=>this.#c()),this.#s.observe(e),this.#a=new MutationObserver(
+s,a)}var nn=.46,on=.86,sn=.66,zt=.48,an=.78,ln=.58;function jt(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<s.alive.length;c++)ce(o,s,c)&&cn(t,e,g(o,c),ue(o,s,c));a.globalAlpha=
+1}function cn({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>M(e,n[1]+.5+s*m),l=m=>A(e,n[0]+.5+a*m),c=Pe(r,o)?an:ln;t.setLineDash([e.cell*.09,e.cell*
+.06]),t.beginPath(),t.moveTo(i(zt),l(zt)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let u=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*u,l(c)+
+s*u),t.lineTo(i(c)+a*u,l(c)-s*u),t.stroke()}function Vt(t,e,r,n,o,s){let a=Re[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,u=Pe(e,[n[0]+a[0],n[1]+a[1]])?on:
+sn,m=nn*o.size,p=[M(l,o.x+a[1]*m),A(l,o.y+a[0]*m),M(l,o.x+a[1]*u),A(l,o.y+a[0]*u)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
+h*2.1],[H(t,e,r),h]])i.strokeStyle=y,i.lineWidth=f,Et(i,...p,l.cell*.2),i.stroke()}var qt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Yt(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
+Math.ceil(r),e.moments.length-1),c=e.moments[l],u=r===l,m=me(e,r),p=u?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Pt(t);for(let f of n.
+viewers)m[f]?.alpha&&Wt(t,e,f,...Ne(e,f,r));Ot(t,e),n.axes&&Nt(t,o),Ft(t,e,r,n.trail,m),Ht(t,c.contested??[],p),Dt(t,e,r),jt(t,e,l,p),m.forEach(({x:f,y:x,size:T},P)=>{
+let O=yt(c,P)?.4:0,ee=Ie(c,P)?1:O;ee&&Bt(t,f,x,T,ee*p)});let h=u?c:e.moments[Math.max(0,l-1)];if(Gt(t,e,h,m,n.numbers,o),u&&n.plan)for(let[f,x]of m.entries())x.
+alpha&&Vt(t,e,f,g(c,f),x,n.plan[f]??0);n.you!==null&&(n.fog&&$t(t,e,...Ne(e,n.you,r)),Ut(t,m[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.
+selected===null?void 0:m[n.selected];y?.alpha&&Kt(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Kt(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),
+s.setLineDash([]))}function Kt({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var Xt=(t,e)=>(e+.24)/(t+.24);function Jt(t,e,r,n,o,s){let a=r?28*s:0,i=(c,u)=>(c-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
+cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Qt(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
+0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var un={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Zt(t){let e=getComputedStyle(t),r=Object.entries(un).map(([n,o])=>[n,e.getPropertyValue(
+o).trim()]);return Object.fromEntries(r)}var $e=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,pe=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#s;#a;constructor(e,r={}){
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#n={...qt,...r},this.#s=new ResizeObserver(()=>this.#c()),this.#s.observe(e),this.#a=new MutationObserver(
 ()=>this.redraw()),this.#a.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#s.disconnect(),this.#a.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#o)}get look(){
 return this.#n}set look(e){this.#n={...this.#n,...e},this.#l(),this.redraw()}show(e,r){this.#e=e,this.#r=Math.min(Math.max(0,r),e.moments.length-1),this.#l(),this.
 redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let e=this.canvas.getContext(
-"2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,o=devicePixelRatio||1;this.#t=Yt(r,n,this.#n.axes,this.canvas.width,this.canvas.height,o);let s={ctx:e,grid:this.#t,
-colors:Jt(this.canvas)};Kt(s,this.#e,this.#r,this.#n,o)}cellAt(e,r){let n=this.canvas.getBoundingClientRect(),o=this.canvas.width/n.width;return Xt(this.#t,(e-n.
-left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=K(this.#e,o).get(n[0]*this.#e.
-cols+n[1])??[],a=ue(this.#e,Math.round(this.#r)),i=l=>{let[c,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(c-e,u-r)};return s.length?s.reduce((l,c)=>i(c)<i(l)?
+"2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,o=devicePixelRatio||1;this.#t=Jt(r,n,this.#n.axes,this.canvas.width,this.canvas.height,o);let s={ctx:e,grid:this.#t,
+colors:Zt(this.canvas)};Yt(s,this.#e,this.#r,this.#n,o)}cellAt(e,r){let n=this.canvas.getBoundingClientRect(),o=this.canvas.width/n.width;return Qt(this.#t,(e-n.
+left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=X(this.#e,o).get(n[0]*this.#e.
+cols+n[1])??[],a=me(this.#e,Math.round(this.#r)),i=l=>{let[c,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(c-e,u-r)};return s.length?s.reduce((l,c)=>i(c)<i(l)?
 c:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:s,top:a,cell:i}=this.#t;return[n.left+(s+e*i)*o,n.top+(a+r*i)*
-o]}#l(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(qt(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.
-canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var ln=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Qt(){let t=[["pursu\
-er",w("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",w("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",w("polygon",{points:ln,class:"\
+o]}#l(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(Xt(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.
+canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var dn=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function er(){let t=[["pursu\
+er",w("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",w("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",w("polygon",{points:dn,class:"\
 filled-capture"})],["captured evader",w("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",w("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
 ct"})]];return d("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,r])=>d("li",{},w("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},r),
-e)))}var cn={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function Zt(t){return w("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},w("path",{d:cn[t]}))}function Y(t,e,r,n){return d("button",{
-type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},Zt(t))}function er(t){let e=Y("play","Play","Space",()=>t.toggle()),r=dn(t),n=d(
-"div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=un(t),s=d("output",{class:"player-count"}),a=d("div",{class:"player",role:"group","aria-label":"\
-Player"},Y("first","First step","Home",()=>t.move(-t.length)),Y("back","Step back","←",()=>t.move(-1)),e,Y("forward","Step forward","→",()=>t.move(1)),Y("la\
-st","Last step","End",()=>t.move(t.length)),d("div",{class:"scrub"},n,r),s,o),i=()=>n.replaceChildren(...t.marks.map(c=>{let u=d("i");return u.style.left=`${100*
-c/Math.max(1,t.length)}%`,u})),l=()=>{e.replaceChildren(Zt(t.playing?"pause":"play")),e.ariaLabel=t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=
-String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,s.textContent=`${t.step} / ${t.length}`,s.style.minWidth=`${2*String(t.length).
-length+3}ch`,o.value=String(t.speed)};return t.addEventListener("step",l),t.addEventListener("state",l),t.addEventListener("state",i),a.addEventListener("keydow\
-n",c=>{!(c.target instanceof HTMLSelectElement||c.key===" "&&c.target!==r)&&te(t,c)&&c.preventDefault()}),l(),a}function dn(t){let e=d("input",{type:"range",class:"\
-player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(Number(e.value))}),e}function un(t){let e=`Steps a seco\
-nd, or the whole in ${ee} s (+ and -)`,r=d("select",{class:"player-speed","aria-label":"Speed",title:e},d("option",{value:Z},`in ${ee} s`),...F.map(n=>d("option",
-{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var v=(t,e=2)=>t==null?"-":t.toFixed(e);function tr(t,e,r){if(r===0)return[{kind:"start",text:mn(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=u=>O(u,t.config.n_pursuers),a=V(e,n,o),i=t.conflicts(
+e)))}var mn={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function tr(t){return w("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},w("path",{d:mn[t]}))}function Q(t,e,r,n){return d("button",{
+type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},tr(t))}function rr(t){let e=Q("play","Play","Space",()=>t.toggle()),r=pn(t),n=d(
+"div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=d("div",{class:"losses","aria-hidden":"true"}),s=hn(t),a=d("output",{class:"player-count"}),i=d(
+"div",{class:"player",role:"group","aria-label":"Player"},Q("first","First step","Home",()=>t.move(-t.length)),Q("back","Step back","←",()=>t.move(-1)),e,Q("f\
+orward","Step forward","→",()=>t.move(1)),Q("last","Last step","End",()=>t.move(t.length)),d("div",{class:"scrub"},n,o,r),a,s),l=(m,p={})=>{let h=d("i",p);return h.
+style.left=`${100*m/Math.max(1,t.length)}%`,h},c=()=>{n.replaceChildren(...t.marks.map(m=>l(m))),o.replaceChildren(...t.ticks.map(({step:m,kind:p,size:h,text:y})=>{
+let f=l(m,{class:p,title:`Step ${m}: ${y}`});return f.style.height=`${100*h}%`,f}))},u=()=>{e.replaceChildren(tr(t.playing?"pause":"play")),e.ariaLabel=t.playing?
+"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=`${t.
+step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,s.value=String(t.speed)};return t.addEventListener("step",u),t.addEventListener("state",
+u),t.addEventListener("state",c),i.addEventListener("keydown",m=>{!(m.target instanceof HTMLSelectElement||m.key===" "&&m.target!==r)&&oe(t,m)&&m.preventDefault()}),
+u(),i}function pn(t){let e=d("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function hn(t){let e=`Steps a second, or the whole in ${ne} s (+ and -)`,r=d("select",{class:"player-speed","aria-label":"Speed",title:e},d(
+"option",{value:re},`in ${ne} s`),...G.map(n=>d("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var v=(t,e=2)=>t==null?"-":t.toFixed(e);function nr(t,e,r){if(r===0)return[{kind:"start",text:fn(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=u=>N(u,t.config.n_pursuers),a=Y(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(u=>u.doomed)),c=a.map(u=>({kind:"capture",text:`${s(u)} is captured`,agents:[u]}));for(let u of de(n,o))!a.includes(u)&&!l.has(u)&&c.push(
-{kind:"end",text:`${s(u)} disappears`,agents:[u]});return c.push(...i.map(({kind:u,text:m,agents:h})=>({kind:u,text:m,agents:h}))),r===t.length&&c.unshift({kind:"\
-end",text:pn(t),agents:[]}),c}function mn({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function pn(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}function rr(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Le(t,e){return{
+{kind:"end",text:`${s(u)} disappears`,agents:[u]});return c.push(...i.map(({kind:u,text:m,agents:p})=>({kind:u,text:m,agents:p}))),r===t.length&&c.unshift({kind:"\
+end",text:yn(t),agents:[]}),c}function fn({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function yn(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}function or(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Ue(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
-fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var $e=class{config;start;recording;actions=[];#e;#r;#n=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#r=[Le(this.#e)],
-this.recording=rr(r,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
-"capture_rate")[0]}}conflicts(e){return this.#n[e]}play(e){this.#e.step(e),this.#t(e)}step(e,r,n){let[o,s]=[this.#e,this.config.n_pursuers],a=new Uint8Array(o.n_agents);
-for(let i=o.n_turns;i>0&&!o.over;--i){let[l,c]=o.actors;l<s&&(a=o.decide(e.pursuer,[l,Math.min(c,s)],a)),c>s&&(a=o.decide(e.evader,[Math.max(l,s),c],a)),typeof n==
-"number"?a[r]=n:l<=r&&r<c&&(a=o.decide(n,[r,r+1],a)),o.playTurn(a)}this.#t(a)}#t(e){this.actions.push(e),this.#r.push(Le(this.#e,e)),this.#n.push(this.#e.conflicts())}};
-function nr(t,e,r,n){let o=new $e(t,e,r);for(let s of n)o.play(s);return o}var pe=class{#e;#r;#n;#t=new Map;#o=null;constructor(e){this.#e=e,this.#r=e.world.n_pursuers+e.world.n_evaders,this.#n=Math.floor(Math.log(256)/Math.log(e.n_actions));
+fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var We=class{config;start;recording;actions=[];#e;#r;#n=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#r=[Ue(this.#e)],
+this.recording=or(r,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
+"capture_rate")[0]}}conflicts(e){return this.#n[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#t(e)}step(e,r,n){let[o,s]=[this.#e,this.config.n_pursuers],
+a=new Uint8Array(o.n_agents);for(let i=o.n_turns;i>0&&!o.over;--i){let[l,c]=o.actors;l<s&&(a=o.decide(e.pursuer,[l,Math.min(c,s)],a)),c>s&&(a=o.decide(e.evader,
+[Math.max(l,s),c],a)),typeof n=="number"?a[r]=n:l<=r&&r<c&&(a=o.decide(n,[r,r+1],a)),o.playTurn(a)}this.#t(a)}#t(e){this.actions.push(e),this.#r.push(Ue(this.#e,
+e)),this.#n.push(this.#e.conflicts())}};function sr(t,e,r,n){let o=new We(t,e,r);for(let s of n)o.play(s);return o}var he=class{#e;#r;#n;#t=new Map;#o=null;constructor(e){this.#e=e,this.#r=e.world.n_pursuers+e.world.n_evaders,this.#n=Math.floor(Math.log(256)/Math.log(e.n_actions));
 let r=0;e.steps.forEach((n,o)=>n.forEach((s,a)=>{s<0||(this.#t.set(o*n.length+a,r),r+=Math.ceil(s*this.#r/this.#n))}))}has({pursuer:e,evader:r}){return this.#e.
-steps[e][r]>=0}actions({pursuer:e,evader:r}){this.#o??=mt("recordings");let n=this.#t.get(e*this.#e.names.evader.length+r),o=s=>{let a=this.#o[n+Math.floor(s/this.#n)];
+steps[e][r]>=0}actions({pursuer:e,evader:r}){this.#o??=ht("recordings");let n=this.#t.get(e*this.#e.names.evader.length+r),o=s=>{let a=this.#o[n+Math.floor(s/this.#n)];
 return Math.floor(a/this.#e.n_actions**(s%this.#n))%this.#e.n_actions};return Array.from({length:this.#e.steps[e][r]},(s,a)=>Uint8Array.from({length:this.#r},(i,l)=>o(
-a*this.#r+l)))}play(e,r){return nr(e,this.#e.world,{seed:BigInt(this.#e.match_seed)},this.actions(r))}};var he=class{element;player=new Q(0,{speed:Z,still:Ne()});replay=null;#e;#r;#n;#t;#o=d("h2",{class:"match-title"});#s=d("p",{class:"tally numbers"});#a=d("ol",{
-class:"words","aria-live":"off","aria-label":"What happened in this step"});#l=d("p",{class:"check small","aria-live":"polite"});#c=null;constructor(e,r){[this.#e,
-this.#r,this.#n]=[e,r,new pe(e)];let n=d("canvas",{"aria-label":"The match"});this.#t=new me(n,{numbers:!1}),this.element=d("section",{class:"card match-card","\
-aria-label":"Match",id:"match"},d("header",{class:"match-head"},this.#o,this.#s),d("div",{class:"stage"},n),er(this.player),this.#l,Qt(),this.#a),this.player.addEventListener(
-"frame",()=>this.replay&&this.#t.show(this.replay.recording,this.player.time)),this.player.addEventListener("step",()=>this.#i()),r.on("pair",()=>this.#u()),r.on(
-"play",()=>this.#d()),this.#p()}start(e){this.#c=e,this.#u()}#d(){this.replay&&(this.player.jump(0),Ne()||this.player.play(),this.element.scrollIntoView({block:"\
+a*this.#r+l)))}play(e,r){return sr(e,this.#e.world,{seed:BigInt(this.#e.match_seed)},this.actions(r))}};var fe=class{element;player=new te(0,{speed:re,still:$e()});replay=null;#e;#r;#n;#t;#o=d("h2",{class:"match-title"});#s=d("p",{class:"tally numbers"});#a=d("ol",
+{class:"words","aria-live":"off","aria-label":"What happened in this step"});#l=d("p",{class:"check small","aria-live":"polite"});#c=null;constructor(e,r){[this.#e,
+this.#r,this.#n]=[e,r,new he(e)];let n=d("canvas",{"aria-label":"The match"});this.#t=new pe(n,{numbers:!1}),this.element=d("section",{class:"card match-card","\
+aria-label":"Match",id:"match"},d("header",{class:"match-head"},this.#o,this.#s),d("div",{class:"stage"},n),rr(this.player),this.#l,er(),this.#a),this.player.addEventListener(
+"frame",()=>this.replay&&this.#t.show(this.replay.recording,this.player.time)),this.player.addEventListener("step",()=>this.#h()),r.on("pair",()=>this.#u()),r.on(
+"play",()=>this.#d()),this.#p()}start(e){this.#c=e,this.#u()}#d(){this.replay&&(this.player.jump(0),$e()||this.player.play(),this.element.scrollIntoView({block:"\
 nearest"}))}#u(){this.player.pause(),this.#p();let{pair:e}=this.#r;this.#c&&(this.replay=this.#n.has(e)?this.#n.play(this.#c,e):null,this.element.dataset.played=
 this.replay?`${e.pursuer} ${e.evader}`:"",this.element.classList.toggle("without-recording",!this.replay),this.player.length=this.replay?.length??0,this.player.
-marks=this.replay?ft(this.replay.recording):[],this.player.jump(0),this.#m(),this.#i())}#m(){let{pursuer:e,evader:r}=this.#r.pair;if(!this.replay){this.#l.textContent=
+marks=this.replay?bt(this.replay.recording):[],this.player.jump(0),this.#m(),this.#h())}#m(){let{pursuer:e,evader:r}=this.#r.pair;if(!this.replay){this.#l.textContent=
 "The page holds no recording of this match: it would be too large.";return}let[n,o]=[this.replay.statistics.capture_rate,this.#e.first[e][r]],s=Math.abs(n-o)<.001;
 this.#l.dataset.equal=String(s),this.#l.textContent=s?`Episode 1 of ${this.#e.episodes}: capture rate ${v(n)}, as in the tournament.`:`Episode 1 of ${this.#e.episodes}\
 : capture rate ${v(n)}; the tournament had ${v(o)}.`}#p(){let{pursuer:e,evader:r}=this.#r.pair;this.#o.replaceChildren(d("span",{class:"pursuer"},this.#e.names.
-pursuer[e])," against ",d("span",{class:"evader"},this.#e.names.evader[r]))}#i(){if(!this.replay){this.#a.replaceChildren(),this.#s.replaceChildren();return}let{
+pursuer[e])," against ",d("span",{class:"evader"},this.#e.names.evader[r]))}#h(){if(!this.replay){this.#a.replaceChildren(),this.#s.replaceChildren();return}let{
 recording:e}=this.replay,r=this.player.step,n=Array.from(e.moments[r].everCaptured).filter(Boolean).length;this.#s.replaceChildren(d("strong",{},n),` of ${this.#e.
-world.n_evaders} captured`,d("span",{class:"muted"},` · step ${r}`)),this.#a.replaceChildren(...tr(this.replay,e,r).map(o=>d("li",{class:o.kind},o.text)))}};var X=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
-209,81],[165,219,54],[210,226,27],[253,231,37]];function Ue(t){let e=Math.min(1,Math.max(0,t))*(X.length-1),r=Math.min(X.length-2,Math.floor(e)),[n,o]=[X[r],X[r+
-1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function or(t){let[e,r,n]=Ue(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+.0722*
-n>.179?"#000":"#fff"}var sr=t=>`rgb(${Ue(t).join(" ")})`,ar=()=>`linear-gradient(to right, ${X.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function ir(t,e){let r=d("span",{class:"gradient"});return r.style.backgroundImage=ar(),d("p",{class:"scale-of-rates small muted"},t,r,e)}var hn=1e3,fn=14,lr=16,cr=t=>t.length>lr?`${t.slice(0,lr-1)}…`:t,fe=class{element;#e;#r;#n;#t;#o=d("p",{class:"readout numbers","aria-live":"polite"});#s=w("g",
+world.n_evaders} captured`,d("span",{class:"muted"},` · step ${r}`)),this.#a.replaceChildren(...nr(this.replay,e,r).map(o=>d("li",{class:o.kind},o.text)))}};var Z=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
+209,81],[165,219,54],[210,226,27],[253,231,37]];function Fe(t){let e=Math.min(1,Math.max(0,t))*(Z.length-1),r=Math.min(Z.length-2,Math.floor(e)),[n,o]=[Z[r],Z[r+
+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function ar(t){let[e,r,n]=Fe(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+.0722*
+n>.179?"#000":"#fff"}var ir=t=>`rgb(${Fe(t).join(" ")})`,lr=()=>`linear-gradient(to right, ${Z.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function cr(t,e){let r=d("span",{class:"gradient"});return r.style.backgroundImage=lr(),d("p",{class:"scale-of-rates small muted"},t,r,e)}var bn=1e3,gn=14,ur=16,dr=t=>t.length>ur?`${t.slice(0,ur-1)}…`:t,ye=class{element;#e;#r;#n;#t;#o=d("p",{class:"readout numbers","aria-live":"polite"});#s=w("g",
 {class:"marks"});#a;constructor(e,r){[this.#e,this.#r]=[e,r],this.#n=e.standings.pursuer.map(({number:n})=>n),this.#t=e.standings.evader.map(({number:n})=>n),this.#a=
 this.#l(),this.element=d("section",{class:"card matrix-card","aria-label":"All matches"},d("header",{},d("h2",{},"All matches"),d("p",{class:"small muted"},"Cap\
-ture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),this.#a,ir("0","1"),this.#o),r.on("pair",()=>this.#h()),
-r.on("hover",()=>this.#h()),this.#h()}#l(){let[e,r]=[this.#n.length,this.#t.length],n=hn/Math.max(e,r),o=Math.min(26,Math.max(11,.78*n)),s=yn([...this.#e.names.
-pursuer,...this.#e.names.evader].map(cr),o)+12,a=w("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"Matrix of capture rates; arrow keys choose a matc\
+ture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),this.#a,cr("0","1"),this.#o),r.on("pair",()=>this.#i()),
+r.on("hover",()=>this.#i()),this.#i()}#l(){let[e,r]=[this.#n.length,this.#t.length],n=bn/Math.max(e,r),o=Math.min(26,Math.max(11,.78*n)),s=wn([...this.#e.names.
+pursuer,...this.#e.names.evader].map(dr),o)+12,a=w("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"Matrix of capture rates; arrow keys choose a matc\
 h, Enter plays it",preserveAspectRatio:"xMidYMin meet",viewBox:`${-s} ${-s} ${r*n+s} ${e*n+s}`,onpointermove:l=>this.#r.point(this.#m(l,n)),onpointerleave:()=>this.#r.
-point(null),onclick:l=>{let c=this.#m(l,n);c&&this.#r.play(c)},onkeydown:l=>this.#p(l)}),i=this.#n.flatMap((l,c)=>this.#t.map((u,m)=>{let h=this.#e.capture_rate[l][u];
-return w("rect",{x:m*n,y:c*n,width:n,height:n,fill:sr(h),"data-pair":`${l} ${u}`})}));return a.append(...i,...this.#c(n),...this.#d("pursuer",n,o),...this.#d("e\
-vader",n,o),this.#s),this.#s.dataset.size=String(n),a}#c(e){return Math.max(this.#n.length,this.#t.length)>fn?[]:this.#n.flatMap((r,n)=>this.#t.map((o,s)=>{let a=this.#e.
-capture_rate[r][o];return w("text",{x:(s+.5)*e,y:(n+.5)*e,fill:or(a),"font-size":Math.min(30,.32*e),class:"in-cell"},v(a))}))}#d(e,r,n){return(e==="pursuer"?this.#n:
+point(null),onclick:l=>{let c=this.#m(l,n);c&&this.#r.play(c)},onkeydown:l=>this.#p(l)}),i=this.#n.flatMap((l,c)=>this.#t.map((u,m)=>{let p=this.#e.capture_rate[l][u];
+return w("rect",{x:m*n,y:c*n,width:n,height:n,fill:ir(p),"data-pair":`${l} ${u}`})}));return a.append(...i,...this.#c(n),...this.#d("pursuer",n,o),...this.#d("e\
+vader",n,o),this.#s),this.#s.dataset.size=String(n),a}#c(e){return Math.max(this.#n.length,this.#t.length)>gn?[]:this.#n.flatMap((r,n)=>this.#t.map((o,s)=>{let a=this.#e.
+capture_rate[r][o];return w("text",{x:(s+.5)*e,y:(n+.5)*e,fill:ar(a),"font-size":Math.min(30,.32*e),class:"in-cell"},v(a))}))}#d(e,r,n){return(e==="pursuer"?this.#n:
 this.#t).map((s,a)=>{let i=(a+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:{transform:`translate(${i} -6) rotate(-90)`,"text-anchor":"start"};return w("\
-text",{...l,class:`name ${this.#u(e,s).kind}`,"font-size":n,"data-name":`${e} ${s}`},cr(this.#e.names[e][s]))})}#u(e,r){return this.#e.standings[e].find(n=>n.number===
+text",{...l,class:`name ${this.#u(e,s).kind}`,"font-size":n,"data-name":`${e} ${s}`},dr(this.#e.names[e][s]))})}#u(e,r){return this.#e.standings[e].find(n=>n.number===
 r)}#m(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#a.getScreenCTM().inverse()),[o,s]=[this.#n[Math.floor(n.y/r)],this.#t[Math.floor(n.x/r)]];
 return o===void 0||s===void 0||n.x<0||n.y<0?null:{pursuer:o,evader:s}}#p(e){let n={ArrowUp:[-1,0],ArrowDown:[1,0],ArrowLeft:[0,-1],ArrowRight:[0,1]}[e.key];if(e.
-key==="Enter")this.#r.play(this.#r.pair);else if(n)this.#i(n);else return;e.preventDefault(),e.stopPropagation()}#i([e,r]){let{pursuer:n,evader:o}=this.#r.pair,
-s=this.#n[this.#n.indexOf(n)+e],a=this.#t[this.#t.indexOf(o)+r];s!==void 0&&a!==void 0&&this.#r.select({pursuer:s,evader:a})}#h(){let{pair:e,hover:r}=this.#r,n=Number(
+key==="Enter")this.#r.play(this.#r.pair);else if(n)this.#h(n);else return;e.preventDefault(),e.stopPropagation()}#h([e,r]){let{pursuer:n,evader:o}=this.#r.pair,
+s=this.#n[this.#n.indexOf(n)+e],a=this.#t[this.#t.indexOf(o)+r];s!==void 0&&a!==void 0&&this.#r.select({pursuer:s,evader:a})}#i(){let{pair:e,hover:r}=this.#r,n=Number(
 this.#s.dataset.size),o=({pursuer:a,evader:i},l)=>w("rect",{class:l,x:this.#t.indexOf(i)*n,y:this.#n.indexOf(a)*n,width:n,height:n});this.#s.replaceChildren(o(e,
 "selected-halo"),o(e,"selected"),...r?[o(r,"hovered")]:[]);let s=r??e;for(let a of this.#a.querySelectorAll("[data-name]")){let i=[`pursuer ${s.pursuer}`,`evade\
 r ${s.evader}`].includes(a.dataset.name);a.classList.toggle("about",i)}this.#o.replaceChildren(...this.#f(s))}#f({pursuer:e,evader:r}){let{names:n,capture_rate:o,
 lowest:s,highest:a,length:i,episodes:l}=this.#e,c=v(o[e][r]),[u,m]=[v(s[e][r]),v(a[e][r])];return[d("span",{},d("span",{class:"pursuer"},n.pursuer[e])," against\
  ",d("span",{class:"evader"},n.evader[r])),d("span",{},d("strong",{},c),d("span",{class:"small muted"},` captured; ${u} to ${m} in ${l} episodes, ${i[e][r].toFixed(
-0)} steps on average`))]}};function yn(t,e){let r=document.createElement("canvas").getContext("2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).
-fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var dr=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,ye=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
-return this.#r}select(e){dr(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
-dr(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var ur={pursuer:"evader",evader:"pursuer"};function We(t,e,r){let n=t.standings[e].map(a=>bn(t,e,a,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",s=[
+0)} steps on average`))]}};function wn(t,e){let r=document.createElement("canvas").getContext("2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).
+fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var mr=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,be=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
+return this.#r}select(e){mr(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
+mr(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var pr={pursuer:"evader",evader:"pursuer"};function De(t,e,r){let n=t.standings[e].map(a=>vn(t,e,a,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",s=[
 "Rank","Name","Score","Best, worst"];return d("section",{class:"card standings","aria-label":`Standings of ${e}s`},d("header",{},d("h2",{},d("span",{class:e},`${e[0].
-toUpperCase()}${e.slice(1)}s`)),d("p",{class:"small muted"},`${o} against ${t.names[ur[e]].length} opponents, with 95 % interval`)),d("div",{class:"scroll",tabindex:"\
-0"},d("table",{},d("thead",{},d("tr",{},...s.map(a=>d("th",{scope:"col"},a)))),d("tbody",{},...n))))}function bn(t,e,r,n){let{kind:o,name:s,file:a,rank:i,number:l}=r,
+toUpperCase()}${e.slice(1)}s`)),d("p",{class:"small muted"},`${o} against ${t.names[pr[e]].length} opponents, with 95 % interval`)),d("div",{class:"scroll",tabindex:"\
+0"},d("table",{},d("thead",{},d("tr",{},...s.map(a=>d("th",{scope:"col"},a)))),d("tbody",{},...n))))}function vn(t,e,r,n){let{kind:o,name:s,file:a,rank:i,number:l}=r,
 c=d("tr",{class:o,"data-number":l},d("td",{class:"rank numbers"},i||"–"),d("th",{scope:"row",title:a},d("span",{class:"who",title:s},s),d("span",{class:"kind \
-small muted"},o)),d("td",{class:"numbers score"},wn(r,e),gn(r)),d("td",{class:"matches"},...["best","worst"].map(m=>vn(t,e,r,m,n)))),u=()=>{c.classList.toggle("\
-about",l===(n.hover??n.pair)[e])};return n.on("pair",u),n.on("hover",u),u(),c}function gn({score:t,low:e,high:r}){let n=e===null||r===null?"":`${v(e)} – ${v(r)}`;
-return d("span",{class:"score-text"},d("strong",{},v(t)),d("span",{class:"small muted"},n))}function wn({score:t,low:e,high:r},n){let[o,s]=[d("span",{class:`fil\
+small muted"},o)),d("td",{class:"numbers score"},Mn(r,e),xn(r)),d("td",{class:"matches"},...["best","worst"].map(m=>An(t,e,r,m,n)))),u=()=>{c.classList.toggle("\
+about",l===(n.hover??n.pair)[e])};return n.on("pair",u),n.on("hover",u),u(),c}function xn({score:t,low:e,high:r}){let n=e===null||r===null?"":`${v(e)} – ${v(r)}`;
+return d("span",{class:"score-text"},d("strong",{},v(t)),d("span",{class:"small muted"},n))}function Mn({score:t,low:e,high:r},n){let[o,s]=[d("span",{class:`fil\
 led of-${n}`}),d("span",{class:"whisker"})];return o.style.width=`${100*t}%`,e!==null&&r!==null&&(s.style.left=`${100*e}%`,s.style.width=`${100*(r-e)}%`),d("spa\
-n",{class:"bar","aria-hidden":"true"},o,s)}function vn(t,e,r,n,o){let s=r[n],a=e==="pursuer"?{pursuer:r.number,evader:s}:{pursuer:s,evader:r.number},i=t.names[ur[e]][s],
+n",{class:"bar","aria-hidden":"true"},o,s)}function An(t,e,r,n,o){let s=r[n],a=e==="pursuer"?{pursuer:r.number,evader:s}:{pursuer:s,evader:r.number},i=t.names[pr[e]][s],
 l=t.capture_rate[a.pursuer][a.evader],c=v(e==="pursuer"?l:1-l);return d("button",{type:"button",class:"to-match",title:`Watch the ${n} match: against ${i}, ${c}`,
-"aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${c}`,onclick:()=>o.play(a)},n==="best"?"▲ ":"▼ ",i)}function mr(t){if(!t.length)return[];let e=t.
+"aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${c}`,onclick:()=>o.play(a)},n==="best"?"▲ ":"▼ ",i)}function hr(t){if(!t.length)return[];let e=t.
 map(({file:r,reason:n})=>d("div",{class:"refusal"},d("dt",{},r),d("dd",{},n)));return[d("section",{class:"card refused","aria-label":"Refused"},d("header",{},d(
 "h2",{},`Refused (${t.length})`),d("p",{class:"small muted"},"These did not play, or broke a rule while they played; their matches count for no one.")),d("dl",{},
-...e))]}var T=pt(),[xn]=T.standings.pursuer,be=new ye({pursuer:xn.number,evader:T.standings.evader[0].number}),D=new he(T,be);function Mn({world:t,episodes:e,seed:r,matrixworld:n}){
+...e))]}var _=ft(),[Sn]=_.standings.pursuer,ge=new be({pursuer:Sn.number,evader:_.standings.evader[0].number}),B=new fe(_,ge);function _n({world:t,episodes:e,seed:r,matrixworld:n}){
 return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps} steps · ${e} episodes a pair · seed ${r} · m\
-atrixworld ${n}`}var An=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
+atrixworld ${n}`}var Tn=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
 e's own policies, for comparison; they have no rank.","A rank such as 2 to 5 means that these episodes cannot tell which of these ranks is the true one: the dif\
 ference to some others is within chance. Each range misses the true rank with a probability of at most 5 %.","Keys: Space plays, ← and → step, D changes light a\
 nd dark; in the matrix arrow keys choose a match and Enter plays it."];document.getElementById("page").replaceWith(d("header",{class:"top"},d("div",{},d("h1",{},
-T.title),d("p",{class:"muted small about"},Mn(T))),d("div",{class:"tools"},ut())),d("main",{class:"stages"},d("div",{class:"tables"},We(T,"pursuer",be),We(T,"ev\
-ader",be)),new fe(T,be).element,D.element),...mr(T.refusals),d("section",{class:"card reading","aria-label":"How to read this page"},d("h2",{},"How to read this\
- page"),...An.map(t=>d("p",{},t))));document.addEventListener("keydown",t=>{let e=t.target instanceof HTMLSelectElement||t.target instanceof HTMLInputElement,r=t.
+_.title),d("p",{class:"muted small about"},_n(_))),d("div",{class:"tools"},pt())),d("main",{class:"stages"},d("div",{class:"tables"},De(_,"pursuer",ge),De(_,"ev\
+ader",ge)),new ye(_,ge).element,B.element),...hr(_.refusals),d("section",{class:"card reading","aria-label":"How to read this page"},d("h2",{},"How to read this\
+ page"),...Tn.map(t=>d("p",{},t))));document.addEventListener("keydown",t=>{let e=t.target instanceof HTMLSelectElement||t.target instanceof HTMLInputElement,r=t.
 target instanceof HTMLButtonElement&&(t.key===" "||t.key==="Enter");if(!(e||r||t.defaultPrevented||t.ctrlKey||t.metaKey||t.altKey)){if(t.key.toLowerCase()==="d")
-_e();else if(!te(D.player,t))return;t.preventDefault()}});Object.assign(window,{matrixworldClass:{get replay(){return D.replay},get step(){return D.player.step}}});
-requestAnimationFrame(()=>setTimeout(()=>{ct().then(t=>{D.start(t),document.body.dataset.ready="true"},t=>{D.element.prepend(d("p",{class:"problem",role:"alert"},
+Ee();else if(!oe(B.player,t))return;t.preventDefault()}});Object.assign(window,{matrixworldClass:{get replay(){return B.replay},get step(){return B.player.step}}});
+requestAnimationFrame(()=>setTimeout(()=>{dt().then(t=>{B.start(t),document.body.dataset.ready="true"},t=>{B.element.prepend(d("p",{class:"problem",role:"alert"},
 `The engine does not start here: ${String(t)}`)),document.body.dataset.ready="true"})}));})();
