@@ -225,7 +225,7 @@ def _of_learning() -> Iterator[Any]:
     yield candidates
     yield coevolution.SCHEDULES
     race = coevolution.RaceSettings()
-    yield from (race.schedule, race.schedule.evaders_meet)
+    yield from (race.schedule, race.schedule.evaders_meet, coevolution.Yoked(race="other"))
     own = {"code": "mine:Mine"}
     yield from (coevolution.OwnOpponents(**own), coevolution.OwnLearnerSettings(**own))
     yield [archive(3) for archive in coevolution.schedules.ARCHIVES.values()]

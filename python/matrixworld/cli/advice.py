@@ -9,7 +9,7 @@ from typing import Any
 from matrixworld.analysis import Judgement
 from matrixworld.cli.setting_options import option_of
 from matrixworld.coevolution import Alternating, RaceSettings
-from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule
+from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule, Yoked
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.types import TEAMS
 
@@ -155,6 +155,8 @@ def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
     Nothing is advised that the race does already. Its settings are None if they are not known.
     """
     present = judgement.present()
+    if settings is not None and isinstance(settings.schedule, Yoked):
+        return []  # its settings are those of the race that it replays
     if settings is None:
         return list(dict.fromkeys(GENERAL[name] for name in present))
     return [row.line(settings) for row in ADVICE if row.helps(settings, present)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 import time
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
@@ -51,7 +51,7 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import PluginError, RunDirectory
+from matrixworld.coevolution import PluginError, RaceSettings, RunDirectory
 from matrixworld.coevolution.jobs.evolve import (
     BAD_FILES,
     Job,
@@ -62,7 +62,7 @@ from matrixworld.coevolution.jobs.evolve import (
     open_job,
     play_job,
 )
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
@@ -82,6 +82,7 @@ Examples:
   matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
   matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
   matrixworld evolve --out my-races --seeds 0-999 --cluster tcp://head-node:8786
+  matrixworld evolve --out my-control --yoked my-races/generalist-generalist
   matrixworld evolve --resume my-race
 """
 
@@ -173,6 +174,13 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
     metavar="INTEGER",
     help="generations of a race  [default: 30]",
 )
+@click.option(
+    "--yoked",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    metavar="RUN",
+    help="replay opponents from finished races in turns of this job or run, each from the next "
+    "seed's race, with its settings",
+)
 @seed_option
 @seeds_option
 @threads_option
@@ -222,6 +230,9 @@ def evolve_command(
     against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
     script, or the last generation of a run. With --seeds there is a run of each seed.
 
+    With --yoked both teams meet the opponents of a race that another seed has finished. They change
+    as in that race, but never in answer: a control for what the answers bring.
+
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
     exists is never replaced.
 
@@ -250,7 +261,7 @@ def evolve_command(
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
             with on_cluster(where, threads, root, job.values()) as executor:
                 results, failed = play_runs(job, root, threads, executor, new=resumed is None)
-            again = "" if resumed else _more_seeds()
+            again = "" if resumed or "yoked" in given else _more_seeds()
             report(job, results, root, failed, threads, began=began, again=again)
             if page is not None and results:
                 page.finish(root / PAGE)
@@ -370,7 +381,8 @@ def _default_directory(job: Job) -> Path:
     settings = next(iter(job.values()))
     seeds = [each.seed for each in job.values()]
     named = f"seeds{seeds[0]}-{seeds[-1]}" if len({*seeds}) > 1 else f"seed{seeds[0]}"
-    what = "" if settings.is_race else f"-{settings.schedule.name}"
+    is_named = isinstance(settings.schedule, Against | Yoked)
+    what = f"-{settings.schedule.name}" if is_named else ""
     return RUNS / f"{settings.variant}{what}-{named}"
 
 
@@ -379,12 +391,42 @@ def _new_job(given: dict[str, Any]) -> Job:
     seeds = given.get("seeds")
     if seeds is not None and "seed" in given:
         raise click.UsageError("--seeds: expected it without --seed, got both")
+    if "yoked" in given:
+        with usage_errors():
+            return job_of(_yoked(**given))
     # The order in which find_runs finds them, so that --resume prints and draws the same.
     settings = sorted(settings_of(given), key=lambda each: place_in_job(each.schedule.name))
     if seeds is not None:
         settings = [replace(each, seed=seed) for each in settings for seed in seeds]
     with usage_errors():
         return job_of(settings)
+
+
+def _yoked(
+    yoked: Path, seed: int | None = None, seeds: Sequence[int] = (), **settings: Any
+) -> list[RaceSettings]:
+    """Return races of some seeds, or of those in a directory, each yoked to that of the next."""
+    if settings:
+        raise click.UsageError(
+            f"--yoked: expected no settings beside it but seeds, because those of the race are "
+            f"kept, got {', '.join(map(option_name, settings))}"
+        )
+    races: dict[RaceSettings, dict[int, Path]] = {}
+    for path in find_runs(yoked):
+        found = RunDirectory(path).settings
+        if found.schedule.kind != Alternating.kind:
+            raise ValueError(f"schedule.race: expected races in turns, got {path}")
+        races.setdefault(found.method, {})[found.seed] = path
+    if not races:
+        raise ValueError(f"schedule.race: expected a directory that holds races, got {yoked}")
+    wanted = seeds if seed is None else [seed]
+    return [
+        replace(method, seed=own, schedule=Yoked(**vars(method.schedule), race=race))
+        for method, paths in races.items()
+        for own in wanted or sorted(paths)
+        # After the last seed comes the first one.
+        for race in [str(paths[min(paths, key=lambda other: (other <= own, other))])]
+    ]
 
 
 def _found_job(root: Path) -> Job:

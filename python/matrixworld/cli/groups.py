@@ -223,7 +223,7 @@ def grouped(runs: Iterable[Result], episodes: int | None = None) -> list[Group]:
     for run in runs:
         # A penalty that is given by its default value makes no difference.
         settings, usual = run.settings, replace(run.settings.fitness, overlap_penalty=None)
-        key = replace(settings, seed=0, fitness=usual), settings.overlap_penalty
+        key = replace(settings.method, fitness=usual), settings.overlap_penalty
         found.setdefault(key, []).append(run)
     return [_group(members, episodes) for members in found.values()]
 

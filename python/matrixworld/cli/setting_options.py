@@ -39,6 +39,7 @@ PATHS = {
     "n_evaders": "world.n_evaders",
     "learner": "learner",
     "generations": "schedule.generations",
+    "yoked": "schedule.race",
     "seed": "seed",
 }
 """Options of their own, and the settings that they set."""

@@ -54,6 +54,7 @@ from matrixworld.coevolution.schedules import (
     HallOfFame,
     MetaOpponents,
     OwnOpponents,
+    Yoked,
     available,
 )
 from matrixworld.coevolution.settings import (
@@ -113,6 +114,7 @@ __all__ = [
     "StoppedError",
     "Team",
     "WorkerDiedError",
+    "Yoked",
     "available",
     "best_responses",
     "check_learner",

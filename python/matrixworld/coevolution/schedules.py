@@ -23,7 +23,7 @@ from __future__ import annotations
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -289,6 +289,44 @@ class Alternating(RaceSchedule):
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation in which `team` learns."""
         return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
+
+
+@documented
+@dataclass(frozen=True)
+class Yoked(Alternating):
+    """As an alternating race, but the opponents are those of a race that another seed has finished.
+
+    They change from generation to generation as in that race, and never in answer to the team that
+    learns: a yoked control (Held and Hein 1963).
+    """
+
+    kind: ClassVar[str] = "yoked"
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
+
+    race: str = setting("", "run directory of a finished race with another seed, to be replayed")
+
+    def check(self) -> None:
+        """Raise ValueError without a race, or if a team's results would choose its opponents."""
+        if not self.race:
+            raise ValueError("race: expected a run directory, got none")
+        for team in TEAMS:
+            met = self.opponents_of(team)
+            drawn = isinstance(met, DrawnOpponents)
+            if not (drawn and isinstance(met.new(1), opponents.Stateless)):
+                raise ValueError(
+                    f"{team}s_meet: expected a sampler without scores in a yoked race, such as "
+                    f"uniform, got {next(iter(vars(met).values()))}"
+                )
+
+    @property
+    def name(self) -> str:
+        """The name of the replayed schedule after "yoked"."""
+        return f"{self.kind}-{self.replayed.name}"
+
+    @property
+    def replayed(self) -> Alternating:
+        """The schedule of the race that is replayed."""
+        return Alternating(**{each.name: getattr(self, each.name) for each in fields(Alternating)})
 
 
 @documented

@@ -26,7 +26,13 @@ from matrixworld.coevolution.learners.masked_network import (
     masked_network,
 )
 from matrixworld.coevolution.own_code import LEARNER, CheckedLearner, Interface, find
-from matrixworld.coevolution.schedules import SCHEDULES, Against, Alternating, HallOfFame
+from matrixworld.coevolution.schedules import (
+    SCHEDULES,
+    Against,
+    Alternating,
+    HallOfFame,
+    Yoked,
+)
 from matrixworld.coevolution.sections import (
     OwnCode,
     Section,
@@ -179,7 +185,7 @@ class RaceSettings(Section):
         "how teams learn: es (evolution strategy), ga (genetic algorithm), cma, actor-critic or "
         "module:object",
     )
-    schedule: Alternating | HallOfFame | Against = setting(
+    schedule: Alternating | HallOfFame | Against | Yoked = setting(
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
@@ -277,6 +283,14 @@ class RaceSettings(Section):
     def is_race(self) -> bool:
         """Whether both teams learn."""
         return not isinstance(self.schedule, Against)
+
+    @property
+    def method(self) -> RaceSettings:
+        """The settings without what tells one seed from another: the seed, and whom it replays."""
+        schedule = self.schedule
+        if isinstance(schedule, Yoked):
+            schedule = replace(schedule, race="another seed")
+        return replace(self, seed=0, schedule=schedule)
 
     @property
     def variant(self) -> str:
@@ -386,13 +400,14 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     """Return the bytes of a run's largest arrays, by what they hold."""
     schedule, population = settings.schedule, settings.learner.population
     genome, teams = 4 * settings.network.genome_size, len(settings.learning_teams)
+    archives = 2 if isinstance(schedule, Yoked) else 1
     # Both teams of a hall-of-fame race meet each other and their own samples of the archive.
     extra = schedule.hall_sample if isinstance(schedule, HallOfFame) else 0
     episodes = population * (schedule.opponents_met + extra) * settings.match_episodes
     pairs = schedule.entries**2 if settings.is_race else 1
     needed = {
         "candidates": COPIES * population * genome,
-        "archive": teams * schedule.entries * genome,
+        "archive": archives * teams * schedule.entries * genome,
         "episodes": EPISODE_BYTES * max(episodes, pairs * settings.evaluation_episodes),
     }
     if settings.learner.by_gradients:

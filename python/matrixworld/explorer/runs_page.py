@@ -26,7 +26,7 @@ from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.report import headline_numbers
-from matrixworld.coevolution.schedules import Against, HallOfFame
+from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -293,7 +293,8 @@ def _usual(settings: RaceSettings) -> RaceSettings:
     if isinstance(schedule, Against):
         alone = Against(team=schedule.team, opponent=schedule.opponent)
         return RaceSettings(schedule=alone, seed=settings.seed)
-    named: Any = schedule.name  # a text stands for a section
+    played = schedule.replayed if isinstance(schedule, Yoked) else schedule
+    named: Any = played.name  # a text stands for a section
     return RaceSettings(schedule=named, seed=settings.seed)
 
 

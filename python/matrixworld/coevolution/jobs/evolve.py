@@ -39,10 +39,10 @@ from matrixworld.coevolution.jobs.worker import (
     waiting,
 )
 from matrixworld.coevolution.progress import SECONDS, Progress, Report, silent
-from matrixworld.coevolution.runs.race import DisengagementWarning
+from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
-from matrixworld.coevolution.schedules import Against
+from matrixworld.coevolution.schedules import Against, Yoked
 from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage import (
     CONFIG,
@@ -131,6 +131,9 @@ def _check_names(runs: Mapping[str, RaceSettings]) -> None:
 def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     """Return settings whose paths mean the same in another current directory, as workers have."""
     schedule = settings.schedule
+    if isinstance(schedule, Yoked):
+        race = str(Path(schedule.race).absolute())
+        return replace(settings, schedule=replace(schedule, race=race))
     if not isinstance(schedule, Against):
         return settings
     paths = {"opponent": schedule.opponent, "start": schedule.start}
@@ -290,11 +293,14 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
     largest = sorted(needs, reverse=True)[:workers]
     check_memory(f"{workers} runs at one time" if workers > 1 else "run", runs=sum(largest))
     # Seeds make no difference here, and a job may have a thousand.
-    for each in dict.fromkeys(replace(each, seed=0) for each in left.values()):
+    for each in dict.fromkeys(each.method for each in left.values()):
         check_own_code(each)
+    for each in left.values():
+        if isinstance(each.schedule, Yoked):
+            race_to_replay(each)
     # A run that has begun has its opponents in its own archive.
     new = [each for name, each in left.items() if not (root / name / CONFIG).exists()]
-    for each in dict.fromkeys(replace(each, seed=0) for each in new):
+    for each in dict.fromkeys(each.method for each in new):
         if not each.is_race:
             check_sources(each)
 

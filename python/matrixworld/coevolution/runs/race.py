@@ -1,19 +1,23 @@
 """Races: both teams learn, in turns (`Race`) or at the same time (`HallOfFameRace`).
 
 In turns, a team meets archived opponents of the other team: those of one of the paper's three
-schedules, or what opponent samplers choose. At the same time, each individual meets living
-opponents and members of a hall of fame (Rosin & Belew 1997). A sampler with an archive compares
-candidates in matches of their own (`Race.admit`).
+schedules, or what opponent samplers choose; in a `YokedRace` they are those of another race. At the
+same time, each individual meets living opponents and members of a hall of fame (Rosin & Belew
+1997). A sampler with an archive compares candidates in matches of their own (`Race.admit`).
 """
 
 from __future__ import annotations
 
+import hashlib
 import warnings
-from functools import partial
-from typing import Any, ClassVar, NamedTuple
+from dataclasses import replace
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
 
+from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.engagement import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
@@ -25,11 +29,14 @@ from matrixworld.coevolution.schedules import (
     HallOfFame,
     RaceSchedule,
     Schedule,
+    Yoked,
     archive_of,
     available,
 )
+from matrixworld.coevolution.sections import different_settings, leaves
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
-from matrixworld.coevolution.storage import SEVERAL
+from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.storage import SEVERAL, Archive, RunDirectory
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -102,12 +109,16 @@ class Race(Run):
         n_before = available(team, generation - 1) if generation > 1 else 0
         self.admit(team, generation, range(n_before, available(team, generation)))
         before = self.learners[team].state()
-        opponents = self.training.population(self.genomes(other(team)))
+        opponents = self.opponents(team)
         sampler, activity = self.samplers[team], f"generation {generation}: {team}s"
         phase = TeamPhase(self, team, generation, opponents, sampler, activity)
         phase.learn(range(self.schedule.epochs(team)))
         self.retain(team, generation, before)
         self.archive_genome(team)
+
+    def opponents(self, team: Team) -> Population:
+        """Return all generations of the other team that a team can meet now."""
+        return self.training.population(self.genomes(other(team)))
 
     def retain(self, team: Team, generation: int, before: State) -> None:
         """Undo what a team has learned in a generation if it got worse against all opponents.
@@ -119,7 +130,7 @@ class Race(Run):
         episodes, learner = self.schedule.retention_episodes, self.learners[team]
         if not episodes:
             return
-        opponents = self.training.population(self.genomes(other(team)))
+        opponents = self.opponents(team)
         previous = self.archive[team][-1]
         if not self.training.keeps(team, generation, learner.genome, previous, opponents, episodes):
             learner.restore(before)
@@ -235,6 +246,67 @@ class Race(Run):
 
     def _members(self, team: Team, generations: Members) -> Population:
         return self.training.population(np.stack([self.archive[team][int(g)] for g in generations]))
+
+
+class YokedRace(Race):
+    """A race in turns whose opponents are replayed from the finished race of another seed.
+
+    ::
+
+        P, E the archives of the other race; all else as in `Race`
+        p[k] = p[k-1], improved for some epochs against evaders that its sampler chooses in E
+        e[k] = e[k-1], improved for some epochs against pursuers that its sampler chooses in P
+
+    config.json holds a digest of P and E, so that no run goes on against others.
+    """
+
+    schedule: Yoked
+    schedule_class: ClassVar[type[Schedule]] = Yoked
+
+    @cached_property
+    def replayed(self) -> Archive:
+        """Genomes of both teams in the other race."""
+        return race_to_replay(self.settings).archive()
+
+    def extra_config(self) -> dict[str, Any]:
+        """Return a digest of these genomes."""
+        content = b"".join(self.replayed[team].tobytes() for team in TEAMS)
+        return {"replayed": hashlib.sha256(content).hexdigest()}
+
+    def learn(self, stage: int) -> None:
+        """Let one team learn; DamagedFileError if the race to replay has changed."""
+        if self.files.config["replayed"] != self.extra_config()["replayed"]:
+            problem = f"expected the race that {self.files.path} has replayed so far, got another"
+            raise DamagedFileError(Path(self.schedule.race), problem)
+        super().learn(stage)
+
+    def opponents(self, team: Team) -> Population:
+        """Return as many generations of the other race as this one has itself."""
+        replayed, own = self.replayed[other(team)], self.archive[other(team)]
+        return self.training.population(replayed[: len(own)])
+
+
+def race_to_replay(settings: RaceSettings) -> RunDirectory:
+    """Return the race to which a race is yoked; ValueError unless it is finished and fits."""
+    schedule = cast(Yoked, settings.schedule)
+    files = RunDirectory(Path(schedule.race))
+    if not files.finished:
+        raise ValueError(f"schedule.race: expected a finished race to replay, got {schedule.race}")
+    found = files.settings
+    if found.seed == settings.seed:
+        raise ValueError(
+            f"schedule.race: expected a race of another seed than {found.seed}, got {schedule.race}"
+        )
+    fitting = replace(settings, seed=found.seed, schedule=schedule.replayed)
+    for path in different_settings(fitting, found):
+        mine, its = (
+            {leaf.path: leaf.value for leaf in leaves(each)}.get(path) for each in (fitting, found)
+        )
+        raise ValueError(
+            f"schedule.race: expected a race with {path} {mine}, as the yoked one, got {its} in "
+            f"{schedule.race}"
+        )
+    return files
 
 
 class HallOfFameRace(Race):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.runs.race import HallOfFameRace, Race
+from matrixworld.coevolution.runs.race import HallOfFameRace, Race, YokedRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.schedules import RaceSchedule
 from matrixworld.coevolution.sections import different_settings
@@ -14,10 +14,10 @@ from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import CONFIG, RunDirectory, SavedRun, open_run
 from matrixworld.play.rollout import Rollout, rollout
 
-AnyRun = Race | HallOfFameRace | SingleTeam
+AnyRun = Race | HallOfFameRace | YokedRace | SingleTeam
 
-RUN_CLASSES: dict[str, type[Race] | type[HallOfFameRace] | type[SingleTeam]] = {
-    run.schedule_class.kind: run for run in (Race, HallOfFameRace, SingleTeam)
+RUN_CLASSES: dict[str, type[Race] | type[HallOfFameRace] | type[YokedRace] | type[SingleTeam]] = {
+    run.schedule_class.kind: run for run in (Race, HallOfFameRace, YokedRace, SingleTeam)
 }
 
 
