@@ -1,5 +1,6 @@
 """Results of a class: ranks that are ranges where the episodes cannot tell more, and the page."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -120,6 +121,8 @@ def played(
     directory = tmp_path_factory.mktemp("class")
     write_genomes(directory, 3)
     (directory / f"{HOSTILE}.txt").write_text("no submission")
+    vote = json.dumps({"prediction": "4.a", "choice": HOSTILE})
+    (directory / "dee.jsonl").write_text(vote + '\n{"prediction": "4.b", "choice": "d"}\n')
     (directory / "genome 00.npz").rename(directory / f"{HOSTILE}.npz")
     config = WorldConfig(request.param, rows=9, cols=9, n_pursuers=3, n_evaders=2, max_steps=12)
     result = play_class(directory, config, episodes=3, seed=1)
@@ -165,7 +168,12 @@ def test_tables_and_refusals_show_what_was_found(
     for team in TEAMS:
         for standing in played[1][team]:
             assert f"{standing.score.value:.2f}" in text
-    assert "expected a file that ends in .py or .npz" in text
+    assert "expected a file that ends in .py or .npz or .jsonl" in text
+    assert browser.js("document.querySelector('.votes').innerText.split(/\\s*\\n\\s*/)") == [
+        "How the class voted",
+        "Predictions of the course: the first choice of each student, before the experiment.",
+        *("4.a", HOSTILE, "1 of 1", "4.b", "d", "1 of 1"),
+    ]
     # Names are text, whatever they hold.
     assert HOSTILE in browser.js("document.querySelector('.standings').textContent")
     assert browser.js("document.title") == f"class {HOSTILE} - matrixworld"

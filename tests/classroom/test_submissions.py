@@ -1,6 +1,7 @@
 """Genomes as files: written and read, and whatever else a stranger may hand in is refused."""
 
 import io
+import json
 import os
 import signal
 import struct
@@ -21,8 +22,10 @@ from matrixworld.classroom.submissions import (
     read_submissions,
     save_genome,
 )
+from matrixworld.classroom.votes import count_votes
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy
+from matrixworld.tutorial import predict
 from matrixworld.world.policy import Network, Population
 
 LITTLE_MEMORY = 100 * 2**20
@@ -192,3 +195,33 @@ def test_a_genome_with_altered_bytes_is_read_or_refused(seed: int, tmp_path: Pat
     (tmp_path / "a.npz").write_bytes(bytes(content))
     with suppress(DamagedFileError):  # any other error fails
         load(tmp_path / "a.npz")
+
+
+# ---- Predictions ---------------------------------------------------------------------------------
+
+
+def test_votes_are_the_first_choices_of_students(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As `predict` writes them, in files that learning platforms pack; damaged ones are refused."""
+    for student, choices in {"ada": "ab", "bo": "b", "cy": "c"}.items():
+        (tmp_path / student).mkdir()
+        monkeypatch.chdir(tmp_path / student)
+        for choice in choices:
+            predict("4.a", choice)
+        predict("9.a", "a")
+        predict("1.a", "c")
+    bad = {
+        "text": b"x", "list": b"[]", "deep": b"[" * 9000, "name": b'{"prediction": "4.a<b>"}',
+        "choice": b'{"prediction": "4.a", "choice": 1}', "bytes": b"\xff\x00",
+        "long": json.dumps({"prediction": "4.a", "choice": "a" * 61}).encode(),
+        "lines": b'{"prediction": "4.a", "choice": "a\\nb"}', "large": b"{}\n" * 2**15,
+    }  # fmt: skip
+    for name, content in bad.items():
+        (tmp_path / f"{name}.jsonl").write_bytes(content)
+    submissions, refused = read_submissions(tmp_path)
+    assert [each.name for each in refused] == ["large"]
+    votes, spoilt = count_votes(submissions)
+    assert votes == {"1.a": {"c": 3}, "4.a": {"a": 1, "b": 1, "c": 1}, "9.a": {"a": 3}}
+    assert {each.name for each in spoilt} == {*bad} - {"large"}
+    assert {each.reason for each in spoilt} == {"line 1: expected a prediction and its choice"}

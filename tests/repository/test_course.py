@@ -1,14 +1,16 @@
 """The course: notebooks run from top to bottom, and their exercises can be solved and failed."""
 
+import json
 import os
 import re
 import runpy
+from datetime import datetime
 from operator import attrgetter
 from pathlib import Path
 
 import pytest
 
-from matrixworld.tutorial import check
+from matrixworld.tutorial import UnansweredError, check, outcome, predict
 from matrixworld.tutorial.course import Exercise, Prediction, exercises
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from slow import quickly
@@ -29,42 +31,75 @@ def test_every_notebook_has_solutions() -> None:
     assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
 
 
+RUN = runpy.run_path(str(TUTORIALS / "run.py"))
+
+
 # The rules. The solutions of all exercises are always run.
 @quickly("path", NOTEBOOKS, lambda path: chapter(path) == 1, attrgetter("stem"))
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
 def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import nbformat
-    from nbclient import NotebookClient
 
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setenv("MATRIXWORLD_QUICK", "1")
-    notebook = nbformat.read(path, as_version=4)
-    place = {"metadata": {"path": str(tmp_path)}}
-    NotebookClient(
-        notebook, timeout=SECONDS_A_CELL, kernel_name="python3", resources=place
-    ).execute()
+    notebook = RUN["execute"](nbformat.read(path, as_version=4), timeout=SECONDS_A_CELL)
     ran = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert ran
     assert all(cell.execution_count for cell in ran)
 
 
+def printed(cell: dict) -> str:
+    """Return what a cell shows, without its pictures."""
+    shown = [output.get("data", {}) | {"": output.get("text", "")} for output in cell["outputs"]]
+    return " ".join(
+        "".join(text) for each in shown for kind, text in each.items() if "/png" not in kind
+    )
+
+
 @each_notebook
-def test_notebooks_begin_alike_and_are_kept_with_their_outputs(path: Path) -> None:
-    """The first code cell installs the package where it is missing."""
-    assert path.stat().st_size < LARGEST
+def test_what_a_student_s_notebook_shows_gives_no_answer(path: Path) -> None:
+    """From the first prediction on there are no outputs; above it, none of the replies to one."""
     code = cells(path, "code")
-    assert source(code[0]) == source(cells(NOTEBOOKS[0], "code")[0])
+    first = next(n for n, cell in enumerate(code) if source(cell).startswith("predict("))
+    assert all(not cell["outputs"] and cell["execution_count"] is None for cell in code[first:])
+    kept = [cell for cell in code[:first] if cell["outputs"]]
+    assert any("image/png" in o.get("data", {}) for cell in kept for o in cell["outputs"])
+    text = " ".join(" ".join(map(printed, kept)).split())
+    assert "image/gif" not in text
+    for each in exercises(chapter(path)).values():
+        assert each.explanation not in text
+        assert not isinstance(each, Exercise) or each.hints[-1] not in text
+    assert not any(re.search(r"hidden = \{|do not look", source(cell)) for cell in code)
+
+
+@each_notebook
+def test_a_teacher_s_copy_is_the_notebook_with_all_outputs(path: Path) -> None:
+    copy = TUTORIALS / "teacher" / path.name
+    assert max(path.stat().st_size, copy.stat().st_size) < LARGEST
+    code = cells(copy, "code")
     assert [cell["execution_count"] for cell in code] == [*range(1, len(code) + 1)]
-    kinds = {output["output_type"] for cell in code for output in cell["outputs"]}
-    assert "error" not in kinds
-    assert {"display_data", "execute_result"} & kinds
+    outputs = [output for cell in code for output in cell["outputs"]]
+    assert "error" not in {output["output_type"] for output in outputs}
+    outcomes = [each for each in exercises(chapter(path)).values() if isinstance(each, Prediction)]
+    shown = " ".join(" ".join(map(printed, code)).split())
+    assert all(each.explanation in shown for each in outcomes)
+    assert shown.count("✓ As you predicted") == len(outcomes)
+    assert "verdicts =" not in shown
+    predicted = [re.sub(r'(predict\("[^"]+", )"[^"]+"', r"\1...", source(cell)) for cell in code]
+    same = [text.replace("../..", "..").replace('["?"] * 8', "...") for text in predicted]
+    assert same == [source(cell) for cell in cells(path, "code")]
+
+
+def test_notebooks_begin_alike() -> None:
+    """The first code cell installs the package where it is missing."""
+    assert len({source(cells(path, "code")[0]) for path in NOTEBOOKS}) == 1
 
 
 @each_notebook
 def test_every_exercise_of_a_notebook_is_asked(path: Path) -> None:
     code = [source(cell) for cell in cells(path, "code")]
     text = "\n".join(code)
-    checked = re.findall(r'check\("([\d.a-z]+)"', text)
+    checked = re.findall(r'(?:check|outcome)\("([\d.a-z]+)"', text)
     table = exercises(chapter(path))
     assert checked == list(table)
     assert 3 <= sum(isinstance(each, Exercise) for each in table.values()) <= 5
@@ -73,16 +108,14 @@ def test_every_exercise_of_a_notebook_is_asked(path: Path) -> None:
 
 @each_notebook
 def test_predictions_are_made_before_their_experiments(path: Path) -> None:
-    """Between the cell for a prediction and its check there is an experiment."""
+    """The first line of an experiment is its prediction; the cells after it tell the outcome."""
     code = [source(cell) for cell in cells(path, "code")]
-    asked = [number for number, text in enumerate(code) if text.startswith("prediction = ...")]
-    checked = [number for number, text in enumerate(code) if ", prediction)" in text]
+    asked = [text for text in code if "predict(" in text]
+    assert all(re.match(r'predict\("[\d.a-z]+", \.\.\.\).*\n+.', text) for text in asked)
+    order = re.findall(r'(predict|outcome)\("([\d.a-z]+)"', "\n".join(code))
     table = exercises(chapter(path))
-    assert len(checked) == sum(isinstance(each, Prediction) for each in table.values())
-    assert len(asked) == len(checked)
-    for first, last, before in zip(asked, checked, [-1, *checked], strict=False):
-        assert before < first
-        assert last - first >= 2
+    names = [name for name, each in table.items() if isinstance(each, Prediction)]
+    assert order == [(what, name) for name in names for what in ("predict", "outcome")]
 
 
 def test_the_page_of_the_course_has_a_row_for_each_notebook() -> None:
@@ -103,11 +136,55 @@ def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("number", range(1, 10))
-def test_replies_to_predictions(number: int) -> None:
+def test_replies_to_predictions(
+    number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A choice is written down first; the reply is to the last one, and the file keeps all."""
+    monkeypatch.chdir(tmp_path)
     for name, each in exercises(number).items():
-        if isinstance(each, Prediction):
-            assert len(each.options) >= 2, name
-            for option in each.options:
-                assert check(name, option).right is (option == each.outcome)
-            assert check(name, "an answer that is not offered").right is None
-        assert check(name, ...).right is None
+        if not isinstance(each, Prediction):
+            with pytest.raises(ValueError, match="expected a prediction such as"):
+                predict(name, "a")
+            continue
+        for given in (..., "an option that is not offered", 7):
+            with pytest.raises(UnansweredError):
+                predict(name, given)
+        with pytest.raises(UnansweredError, match="No prediction yet"):
+            outcome(name)
+        assert len(each.options) >= 2, name
+        for option in (*each.options, each.options[-1]):
+            predict(name, option)
+            assert outcome(name).right is (option == each.outcome)
+        with pytest.raises(ValueError, match="is a prediction"):
+            check(name, each.outcome)
+    lines = [json.loads(line) for line in Path("predictions.jsonl").read_text().splitlines()]
+    assert [(each["prediction"], each["choice"]) for each in lines] == [
+        (name, option)
+        for name, each in exercises(number).items()
+        if isinstance(each, Prediction)
+        for option in each.options
+    ]
+    assert all(datetime.fromisoformat(each["time"]).tzinfo for each in lines)
+
+
+def test_a_damaged_file_of_predictions_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for text in ("x", "[1]", '{"prediction": "1.a"}'):
+        Path("predictions.jsonl").write_text(text)
+        with pytest.raises(ValueError, match=r"predictions\.jsonl: expected lines that predict"):
+            predict("1.a", "a")
+        assert Path("predictions.jsonl").read_text() == text
+
+
+def test_a_notebook_stops_at_an_open_question() -> None:
+    """Its cell shows the text and no traceback, and Jupyter runs none of those below."""
+    shell = pytest.importorskip("IPython.core.interactiveshell").InteractiveShell()
+    cell = 'from matrixworld.tutorial import predict\npredict("1.a", ...)\nseen = True'
+    result = shell.run_cell(cell, silent=True)
+    assert isinstance(result.error_in_exec, UnansweredError)
+    assert "seen" not in shell.user_ns
+    shown = result.error_in_exec._render_traceback_()
+    assert shown[0].startswith("No prediction yet")
+    assert "Traceback" not in shown[0]

@@ -198,7 +198,7 @@ def _of_analysis() -> Iterator[Any]:
 
 def _of_teaching() -> Iterator[Any]:
     yield from (SITUATIONS, resolve(SITUATIONS[0], mw.Outcome.BOUNCE))
-    yield from (tutorial.check("1.a", "c"), tutorial.hint("1.1"))
+    yield from (tutorial.check("1.1", 7), tutorial.hint("1.1"))
     yield tutorial.course.exercises(1)["1.a"]
     history = toys.numbers_game("focusing", seed=0, generations=3)
     yield from (history, toys.GAMES, toys.synthetic_race("pure race", 8, seed=0))

@@ -1,6 +1,6 @@
 """Functions that students of the course write, right ones and with their mistakes."""
 
-from itertools import permutations
+from itertools import combinations, permutations
 from typing import Any
 
 import numpy as np
@@ -130,6 +130,21 @@ def each_square_four_times(matrix: np.ndarray) -> int:
         for a, b in permutations(range(len(matrix)), 2)
         for x, y in permutations(range(matrix.shape[1]), 2)
     )
+
+
+def strict_losses(matrix: np.ndarray) -> int:
+    return sum(
+        np.array_equal(
+            np.sign(matrix[np.ix_(rows, columns)] - 0.5), sign * np.array([[1, -1], [-1, 1]])
+        )
+        for rows in combinations(range(len(matrix)), 2)
+        for columns in combinations(range(matrix.shape[1]), 2)
+        for sign in (1, -1)
+    )
+
+
+def of_other_shapes(beats, individuals, opponents):
+    return (individuals > opponents).mean()
 
 
 def neighbours_only(matrix: np.ndarray) -> int:

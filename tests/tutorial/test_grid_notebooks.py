@@ -23,7 +23,7 @@ from matrixworld.tutorial.boards import (
 )
 from matrixworld.tutorial.chapter_1 import MAZE, SHORTEST
 from matrixworld.tutorial.chapter_2 import JAM, JAM_ACTIONS, true_cells
-from notebooks import NOTEBOOKS, cells
+from notebooks import TEACHER, cells
 from student_functions import by_index
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
@@ -238,6 +238,6 @@ def printed(part: str) -> str:
     """Return what the cell of the kept notebook printed that printed this text."""
     outputs = [
         "".join("".join(output.get("text", "")) for output in cell["outputs"])
-        for cell in cells(NOTEBOOKS[1], "code")
+        for cell in cells(TEACHER[1], "code")
     ]
     return next(text for text in outputs if part in text)

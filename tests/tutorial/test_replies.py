@@ -105,7 +105,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "without the first step": 200,
         "too few": 100,
         "too many": 500,
-        "a float": 202.0,
+        "half a step": 201.5,
         "text": "202",
         "True": True,
     },
@@ -125,6 +125,9 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "3.2": {
         "no square": lambda spread, error: spread / error,
+        "not rounded": lambda spread, error: (spread / error) ** 2,
+        "one more": lambda spread, error: int((spread / error) ** 2) + 2,
+        "the error": lambda spread, error: 1000,
         "rounded down": lambda spread, error: int((spread / error) ** 2),
     },
     "3.3": {
@@ -189,6 +192,9 @@ WRONG: dict[str, dict[str, Any]] = {
         "the other sign": [-GAINS.high, -GAINS.low],
         "specialists": student.interval_of_gains("specialist_specialist"),
         "too narrow": np.add(GAINS.value, [-0.001, 0.001]),
+        "normal": np.add(GAINS.value, np.subtract([GAINS.low, GAINS.high], GAINS.value) * 0.87),
+        "exchanged": (GAINS.high, GAINS.low),
+        "rounded": (round(GAINS.low, 2), round(GAINS.high, 2)),
         "another one": (0.0, 0.05),
         "a word": "wide",
     },
@@ -202,7 +208,8 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "6.1": {
         "each four times": student.each_square_four_times,
-        "none": lambda matrix: 0,
+        "none": lambda matrix: -1,
+        "strict losses": student.strict_losses,
         "neighbours only": student.neighbours_only,
         "all squares": lambda matrix: analysis.checkerboards(matrix).possible,
     },
@@ -285,7 +292,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "careful": [3, 10, -10, -10, -6, 0],
     },
     "9.2": {"the paper's": 12, "low": 5.0, "two": [1.0, 2.0], "text": "ten"},
-    "9.3": {"few": 100, "one less": 298, "many": 1000, "a float": 298.07, "none": 0},
+    "9.3": {"few": 100, "one less": 298, "one more": 300, "a float": 298.07, "none": 0},
     "9.4": {
         "True": True,
         "of one view": lambda views: np.ones(5, bool),
@@ -301,7 +308,7 @@ RIGHT: dict[str, list[Any]] = {
     "1.1": [np.array([2, 2, 3, 3, 2, 2, 3])],
     "1.2": [[EAST, SOUTH, NORTH, WEST], [SOUTH, WEST, EAST, NORTH]],
     "1.4": [student.careless],
-    "2.3": [np.int64(202)],
+    "2.3": [np.int64(202), 202.0],
     "2.4": [student.at_once],
     "3.3": [lambda cells, n: (len(cells) - len({*cells})) / n],
     "3.4": [student.Climber],
@@ -316,6 +323,7 @@ RIGHT: dict[str, list[Any]] = {
         lambda wins: reduced_virulence(wins, 0.6),
     ],
     "9.2": [-break_even(), np.float32(break_even())],
+    "9.3": [np.ceil(298.07)],
     "9.4": [
         student.with_priority([(0, 1), (1, 0), (0, -1), (-1, 0)]),
         student.with_priority(student.STEPS[1:], for_all=True),
@@ -341,9 +349,19 @@ def test_other_right_answers(name: str) -> None:
         assert check(name, answer).right is True
 
 
-def test_the_errors_of_a_student_s_function_are_shown() -> None:
-    with pytest.raises(ZeroDivisionError):
-        check("1.4", lambda cells, targets: 1 / 0)
+def test_the_errors_of_a_student_s_function_are_told_with_line_and_arguments() -> None:
+    told = check("4.4", student.of_other_shapes).text
+    assert "Your function raises ValueError: operands could not be broadcast" in told
+    assert "in its line `return (individuals > opponents).mean()`" in told
+    assert "individuals = an array of shape (7, 1), opponents = an array of shape (5, 1)" in told
+    assert "ZeroDivisionError: division by zero" in check("1.4", lambda cells, targets: 1 / 0).text
+    broken = student.climber(ask=lambda self, rng: self.missing)
+    assert "AttributeError: " in check("3.4", broken).text
+
+
+def test_names_are_text() -> None:
+    with pytest.raises(TypeError, match=r'name: expected text in quotes such as "3.2", got 1.1'):
+        check(1.1, 3)
 
 
 def test_replies_do_not_give_numbers_away() -> None:
@@ -355,9 +373,12 @@ def test_replies_do_not_give_numbers_away() -> None:
 @pytest.mark.parametrize("chapter", [1, 2])
 def test_options_are_written_out(chapter: int) -> None:
     texts = [source(cell) for cell in cells(NOTEBOOKS[chapter - 1])]
-    places = [at for at, text in enumerate(texts) if text.startswith("prediction = ...")]
+    places = [at for at, text in enumerate(texts) if text.startswith("predict(")]
     offered = [
-        (re.findall(r'^- `"(\w)"`:', texts[at - 1], re.MULTILINE), re.findall(r'"(\w)"', texts[at]))
+        (
+            re.findall(r'^- `"(\w)"`:', texts[at - 1], re.MULTILINE),
+            re.findall(r'"(\w)"', texts[at].splitlines()[0]),
+        )
         for at in places
     ]
     known = [each for each in exercises(chapter).values() if isinstance(each, Prediction)]

@@ -44,6 +44,7 @@ def _summary(result: ClassResult, tables: Tables) -> dict[str, Any]:
         "names": {team: [entry.name for entry in result.entries[team]] for team in TEAMS},
         "standings": {team: [_row(each) for each in tables[team]] for team in TEAMS},
         "refusals": plain_values(result.refusals),
+        "votes": result.votes,
     }
 
 

@@ -1,9 +1,9 @@
-"""What students hand in: programs and genomes in the directory of a class, and what is neither.
+"""What students hand in: programs, genomes and predictions in the directory of a class.
 
-A submission is ``NAME.py``, ``NAME.npz``, or a file of these kinds in a directory ``NAME/``, as
-learning platforms pack them. A file from a stranger may be no regular file, of any size, and hold
-anything: limits are checked before it is read or expanded. Nothing is run or unpickled here, links
-are not followed, and nothing is allocated that a file merely claims to hold.
+A submission is ``NAME.py``, ``NAME.npz``, ``NAME.jsonl``, or a file of these kinds in a directory
+``NAME/``, as learning platforms pack them. A file from a stranger may be no regular file, of any
+size, and hold anything: limits are checked before it is read or expanded. Nothing is run or
+unpickled here, links are not followed, and nothing is allocated that a file merely claims to hold.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network, Population, TeamPolicy
 
-FileKind: TypeAlias = Literal["program", "genome"]
-FILE_KINDS: dict[str, FileKind] = {".py": "program", ".npz": "genome"}
+FileKind: TypeAlias = Literal["program", "genome", "predictions"]
+FILE_KINDS: dict[str, FileKind] = {".py": "program", ".npz": "genome", ".jsonl": "predictions"}
 """Kinds of submissions by the suffix of the file."""
 
 IGNORED = ("__pycache__", "__MACOSX", "Thumbs.db", "desktop.ini")
@@ -58,8 +58,9 @@ PLATFORMS = (
 )
 """Names that learning platforms give to files and directories: the student, and the number by which
 the platform knows students (Blackboard: by their user names)."""
-MOST_BYTES = {"genome": 8 * 2**20, "program": 2**18}
-"""Most bytes of a file: a default genome has 48 kB, one with the published layers 1 MB."""
+MOST_BYTES = {"genome": 8 * 2**20, "program": 2**18, "predictions": 2**16}
+"""Most bytes of a file: a default genome has 48 kB, one with the published layers 1 MB, and the
+predictions of the whole course 4 kB."""
 
 
 class Submission(NamedTuple):

@@ -45,6 +45,7 @@ from matrixworld.classroom.submissions import (
     without_path,
     without_rivals,
 )
+from matrixworld.classroom.votes import Votes, count_votes
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.matches import Chooser, play_episodes
@@ -73,6 +74,7 @@ class ClassResult:
     lengths: NDArray[np.int64]  # (P, E, episodes), in steps
     recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
     """All actions of the first episode of each pair, (steps, A)."""
+    votes: Votes = field(default_factory=dict)  # on the predictions of the course
 
     @property
     def match_seed(self) -> int:
@@ -105,7 +107,8 @@ def play_class(
     Parameters
     ----------
     directory : Path
-        Holds ``NAME.py`` and ``NAME.npz``, or directories ``NAME`` with such files.
+        Holds ``NAME.py``, ``NAME.npz`` and ``NAME.jsonl``, the predictions of a student in the
+        course, or directories ``NAME`` with such files.
     config : WorldConfig
         The settings of the world.
     seed : int, optional
@@ -133,7 +136,9 @@ def play_class(
     """
     check_integer("episodes", episodes, 2)
     seed = secrets.randbits(63) if seed is None else check_integer("seed", seed, 0, SEED_MAX)
-    submissions, unreadable = read_submissions(directory)
+    handed_in, unreadable = read_submissions(directory)
+    submissions = [each for each in handed_in if each.kind != "predictions"]
+    votes, spoilt = count_votes(each for each in handed_in if each.kind == "predictions")
     pool = MatchPool(
         config,
         seed=seed,
@@ -145,7 +150,7 @@ def play_class(
     with _one_interruption(), closing(pool):
         with progress("submissions") as report:
             students, refused = admit(submissions, pool, report)
-        refusals = [*unreadable, *refused]
+        refusals = [*unreadable, *spoilt, *refused]
         _require(students, refusals, directory)
         with progress("episodes") as report:
             teams = _with_scripts(students)
@@ -166,6 +171,7 @@ def play_class(
         np.stack([each.capture_rates for each in results]).reshape(*shape, -1),
         np.stack([each.lengths for each in results]).reshape(*shape, -1),
         {cell: each.actions for cell, each in zip(cells, results, strict=True)},
+        votes,
     )
 
 

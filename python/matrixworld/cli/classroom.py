@@ -124,8 +124,9 @@ def play_command(
     """Play a class tournament: every pursuer that was handed in against every evader.
 
     DIR holds NAME.py, a program with a function pursue(view, rng) or evade(view, rng) or both, or
-    NAME.npz, a genome that matrixworld class export writes. Files may also lie in a directory for
-    each student, DIR/NAME/. Programs run in processes of their own, without files, network or other
+    NAME.npz, a genome that matrixworld class export writes. NAME.jsonl, a student's predictions in
+    the course, is a vote that the page counts. Files may also lie in a directory for each student,
+    DIR/NAME/. Programs run in processes of their own, without files, network or other
     processes, with limits of time and memory. What breaks a rule is left out, and the page says
     why; docs/class.md tells the rules.
 

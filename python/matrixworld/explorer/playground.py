@@ -157,7 +157,8 @@ def page_data(scene: str = "") -> dict[str, Any]:
         "rewards": {name: _plain(rewards) for name, rewards in REWARDS.items()},
         "scripts": [{"name": name, "text": text} for name, text in SCRIPT_TEXTS.items()],
         "gallery": [
-            {"title": each.title, "text": each.text, "scene": each.scene} for each in GALLERY
+            {"title": each.title, "ask": each.ask, "text": each.text, "scene": each.scene}
+            for each in GALLERY
         ],
         "scene": scene,
     }

@@ -154,7 +154,8 @@ class Example:
     """A scene of the gallery, which teaches one thing."""
 
     title: str
-    text: str  # what it shows, and what to try
+    ask: str  # what to predict
+    text: str  # what happens, and what to try
     rules: str
     drawing: str
     moves: str  # what agents do next, such as "A> b^", or a script: "A=chaser"; the others stay
@@ -208,7 +209,7 @@ def drawn_world(rules: Rules | str, drawing: str) -> World:
 
 
 GALLERY = tuple(
-    Example(**{**row, "text": " ".join(row["text"].split())})
+    Example(**{**row, **{name: " ".join(row[name].split()) for name in ("ask", "text")}})
     for row in load_toml(Path(__file__).with_name("gallery.toml"))["example"]
 )
 """The examples, in the order of the page."""

@@ -31,9 +31,12 @@ genome_size = function(
 def _why_matches(found: float, right: int, spread: float, error: float) -> str:
     if math.isclose(found, spread / error) or found == math.ceil(spread / error):
         return "It is too few. Half the error takes more than twice the matches."
-    if abs(found - right) <= 1:
-        return "It must be a whole number, and the smallest one that is enough."
-    return "Expected another number."
+    if right - 1 < found < right:
+        return f"Exactly it is {found}, and a number of matches is whole: round up."
+    if found in (right - 1, right + 1):
+        return "One match more is needed." if found < right else "One match less is enough."
+    error_then = f"{spread / math.sqrt(found):.3g}" if found > 0 else "not defined"
+    return f"With so many matches the standard error is {error_then}, and {error:g} is asked for."
 
 
 matches_needed = function(
@@ -66,7 +69,9 @@ overlap = function(
             lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team)
         ),
     },
-    otherwise="Expected another number. How many different cells are there?",
+    otherwise=lambda found, right, cells, team: (
+        f"Expected {right:g}. How many different cells are there?"
+    ),
 )
 
 GENES, EPOCHS, NOISE = 60, 200, 0.01

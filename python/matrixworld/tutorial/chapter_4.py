@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.toys import GAMES
 from matrixworld.tutorial.checks import NUMBER, Check, array, function, numbers, value
+
+UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
+"""How prediction 4.b names the games."""
+T = TypeVar("T")
+
+
+def unnamed(of_games: Mapping[str, T]) -> dict[str, T]:
+    """Return what belongs to each numbers game by a name that does not tell which game it is."""
+    return {shown: of_games[name] for shown, name in UNNAMED.items()}
 
 
 def _two_races(answer: Any) -> str | None:

@@ -80,11 +80,16 @@ def _wrong_ends(ends: list[float]) -> str | None:
         return None
     if np.allclose(ends, -right[::-1], atol=CLOSE):
         return "The sign is turned round: take lag +5 minus lag +1."
+    if np.allclose(ends[::-1], right, atol=CLOSE):
+        return "The two ends are exchanged: the lower one comes first."
+    if np.allclose(ends, right.round(2)):
+        return "Right, but rounded too much: give at least three digits after the point."
     if np.allclose(ends, _ends("specialist_specialist"), atol=CLOSE):
         return "This is the interval of the specialists."
     if abs(np.mean(ends) - right.mean()) < CLOSE:
         return (
-            "The middle is right, the width is not. The ten seeds are the sample: one number each."
+            "The middle is right, the width is not. The ten seeds are the sample, one number each, "
+            "and ten numbers are few: `analysis.interval_over_runs` takes that into account."
         )
     return (
         "Take one number for each seed: the mean capture rate at lag +5 minus that at lag +1. Then "

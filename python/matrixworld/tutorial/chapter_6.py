@@ -41,11 +41,19 @@ def _why_count(found: float, right: int, matrix: FloatArray) -> str:
     return "That is too many. In a checkerboard two cells are wins and two are not."
 
 
+def _count_of_strict_losses(matrix: FloatArray) -> int:
+    """Return how many checkerboards there are if a rate of 0.5 is neither a win nor a loss."""
+    wins, losses = (matrix > 0.5).astype(int), (matrix < 0.5).astype(int)
+    # A square has two wins, and is found from each of them.
+    return int(np.einsum("ax,by,ay,bx->", wins, wins, losses, losses)) // 2
+
+
 count = function(
     NUMBER,
     lambda matrix: analysis.checkerboards(matrix).count,
     _unseen_matrices,
     case=OF_A_MATRIX,
+    clues={"A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses},
     otherwise=_why_count,
 )
 

@@ -12,6 +12,7 @@ from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulen
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.toys import hosts_and_parasites, play_episodes, synthetic_race
 from matrixworld.tutorial.checks import NUMBER, Check, array, function, number, tried, value
+from matrixworld.tutorial.course import UnansweredError
 
 # ---- Races to judge ------------------------------------------------------------------------------
 
@@ -37,12 +38,15 @@ def unknown_races(episodes: int) -> list[FloatArray]:
 def reveal(answers: Any, races: Sequence[FloatArray]) -> str:
     """Return the truth about `unknown_races`, beside a student's verdicts and those of `judge`.
 
-    An answer is "yes", "no" or "?": whether a race is disengaged in its last half.
+    An answer is "yes", "no" or "?": whether a race is disengaged in its last half. UnansweredError
+    if there is not one for each race.
     """
     if answers is ...:
-        return "No verdicts yet. Replace the dots with a list, and run both cells again."
+        text = "No verdicts yet. Replace the dots with a list, and run both cells again."
+        raise UnansweredError(text)
     if isinstance(answers, str) or len(answers) != len(races) or set(answers) - set(ANSWERS):
-        return f"Expected a list of {len(races)} answers, each 'yes', 'no' or '?'."
+        text = f"Expected a list of {len(races)} answers, each 'yes', 'no' or '?'."
+        raise UnansweredError(text)
     truths = [is_disengaged(*each) for each in UNKNOWN]
     lines = [f"race  {'truth':13}{'you':13}judge"]
     for place, (truth, answer) in enumerate(zip(truths, answers, strict=True)):
@@ -99,12 +103,21 @@ restraint = function(
             lambda wins, virulence: _virulence_of(wins / 5.0, virulence)
         ),
     },
-    otherwise=lambda found, right, wins, virulence: (
-        f"With v = {virulence} and wins {wins[:3]}... the fitness is another one."
-        if wins.any()
-        else "If no parasite wins, the largest number of wins is 0. Then all fitness is 0."
-    ),
+    otherwise=lambda *about: _why_not_restrained(*about),
 )
+
+
+def _why_not_restrained(
+    found: FloatArray, right: FloatArray, wins: FloatArray, virulence: float
+) -> str:
+    if not wins.any():
+        return "If no parasite wins, the largest number of wins is 0. Then all fitness is 0."
+    each = int(np.abs(np.nan_to_num(found, nan=np.inf) - right).argmax())
+    return (
+        f"With v = {virulence}, {wins[each]:.0f} wins and at most {wins.max():.0f} wins of any "
+        f"parasite, your fitness is {found[each]:.3g}; expected {right[each]:.3g}."
+    )
+
 
 threshold = number(
     0.9,

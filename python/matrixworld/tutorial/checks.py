@@ -1,17 +1,22 @@
 """Checks of answers: what is right, and what to say to typical mistakes.
 
 A check takes an answer and returns what is wrong with it in one or two sentences, or None if it is
-right. It does not give the answer away. What a student's own function raises is not caught: the
-traceback tells more.
+right. It does not give the answer away. What a student's own function raises is told with its line
+and its arguments: a traceback would show more of the package than of the function.
 """
 
 from __future__ import annotations
 
+import linecache
+import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
-from inspect import signature
-from numbers import Integral, Real
+from inspect import getargvalues, signature
+from numbers import Real
 from operator import index
+from pathlib import Path
+from sysconfig import get_path
+from types import FrameType
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -51,7 +56,7 @@ def _number(value: Any) -> Any:
 
 
 def _whole(value: Any) -> int:
-    if not isinstance(_number(value), Integral):
+    if _number(value) != value // 1:  # 202.0 and numpy.ceil are whole, too
         raise FormError(f"got {_described(value)}")
     return int(value)
 
@@ -246,3 +251,40 @@ def _same(found: Any, expected: Any, within: float) -> bool:
     if isinstance(expected, float | np.floating | np.ndarray):
         return bool(np.allclose(found, expected, rtol=0.0, atol=within))
     return bool(found == expected)
+
+
+# ---- Errors of a student's function --------------------------------------------------------------
+
+LIBRARIES = (str(Path(__file__).parents[1]), *map(get_path, ("purelib", "platlib", "stdlib")))
+"""Where code lies that no student wrote."""
+
+
+def mistake_of(check: Check, answer: Any) -> str | None:
+    """Return what a check says, or what the student's own function raised, and where."""
+    try:
+        return check(answer)
+    except Exception as error:
+        # The outermost frame of the student's code: what it calls may be a library.
+        walked = traceback.walk_tb(error.__traceback__)
+        found = next((each for each in walked if _is_students(each[0])), None)
+        if found is None:
+            raise
+        frame, line = found
+        code = linecache.getline(frame.f_code.co_filename, line).strip()
+        place = f" in its line `{code}`" if code else ""
+        return f"Your function raises {_message(error)}{place}{_arguments(frame)}."
+
+
+def _is_students(frame: FrameType) -> bool:
+    return not frame.f_code.co_filename.startswith(LIBRARIES)
+
+
+def _message(error: Exception) -> str:
+    return " ".join(traceback.format_exception_only(error)[-1].split())
+
+
+def _arguments(frame: FrameType) -> str:
+    """Return the arguments of a function, which it may have changed since."""
+    names, _, _, values = getargvalues(frame)
+    told = [f"{name} = {_described(values[name])}" for name in names if name in values]
+    return f", for {', '.join(told)}" if told else ""

@@ -1,22 +1,24 @@
-"""What the notebooks ask for: exercises and hints, results that are kept, the size of experiments.
+"""What the notebooks ask for: predictions, exercises and hints, kept results, sizes of experiments.
 
 ``exercises.toml`` has the texts of all exercises, ``chapter_<number>`` the checks of a notebook.
 """
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime, timezone
 from functools import cache
 from importlib import import_module
 from pathlib import Path
 from textwrap import fill
 from typing import Any, TypeVar
 
-from matrixworld._util.checks import check_instance, shown
-from matrixworld._util.files import Arrays, load_arrays, load_toml
-from matrixworld.tutorial.checks import Check
+from matrixworld._util.checks import shown
+from matrixworld._util.files import Arrays, DamagedFileError, load_arrays, load_toml
+from matrixworld.tutorial.checks import Check, mistake_of
 
 CHAPTERS = range(1, 10)
 """Numbers of the notebooks."""
@@ -24,9 +26,11 @@ WIDEST = 88
 """Characters in a line of a reply: exported notebooks break longer lines inside words."""
 NO_ANSWER = "No answer yet. Replace the dots with your answer, run the cell, and check again."
 NO_PREDICTION = (
-    "No prediction yet. Replace the dots in the cell above and run both cells again. Those who "
-    "predict first see more."
+    "No prediction yet: the experiment waits for yours. Write your choice in place of the dots, "
+    "and run the cell again."
 )
+PREDICTIONS = Path("predictions.jsonl")
+"""Choices of predictions with their times, a line each; it lies beside the notebook."""
 
 TEXTS = Path(__file__).with_name("exercises.toml")
 DATA = Path(__file__).parent / "data"
@@ -66,44 +70,110 @@ class Feedback:
         return fill(self.text, WIDEST)
 
 
+class UnansweredError(Exception):
+    """A question is still open; no cell below it is run, and a notebook shows the text alone."""
+
+    def _render_traceback_(self) -> list[str]:
+        return [fill(str(self), WIDEST)]
+
+
 def check(name: str, answer: object) -> Feedback:
-    """Reply to an answer.
+    """Reply to the answer of an exercise.
 
     Parameters
     ----------
     name : str
-        Name of the exercise or prediction, for example ``"3.2"`` or ``"3.b"``.
+        Name of the exercise, for example ``"3.2"``.
     answer : object
-        The student's answer; ``...`` stands for no answer yet.
+        The student's answer; ``...`` stands for no answer yet. An error that the student's own
+        function raises is told with the line and the arguments.
 
     Raises
     ------
+    TypeError
+        If the name is no text.
     ValueError
         If there is no exercise of this name.
     """
     exercise = _find(name)
     if isinstance(exercise, Prediction):
-        return _compare(exercise, answer)
+        raise ValueError(f"name: {name!r} is a prediction; predict({name!r}, ...) takes it")
     if answer is ...:
         return Feedback(None, NO_ANSWER)
-    mistake = exercise.mistake(answer)
+    mistake = mistake_of(exercise.mistake, answer)
     if mistake is not None:
         return Feedback(False, f"✗ Not yet. {mistake}  (hint({name!r}) gives a hint.)")
     return Feedback(True, f"✓ Right. {exercise.explanation}")
 
 
-def _compare(prediction: Prediction, answer: object) -> Feedback:
-    if answer is ...:
-        return Feedback(None, NO_PREDICTION)
-    if answer not in prediction.options:
+def predict(name: str, choice: object) -> None:
+    """Write a prediction down, with its time, before the experiment is run.
+
+    It is the first line of the cell with the experiment, which is not run without a choice.
+    `PREDICTIONS` in the working directory gets a line, unless the last choice was the same.
+
+    Parameters
+    ----------
+    name : str
+        Name of the prediction, for example ``"3.b"``.
+    choice : object
+        One of its options; ``...`` stands for no choice yet.
+
+    Raises
+    ------
+    UnansweredError
+        If the choice is none of the options.
+    TypeError
+        If the name is no text.
+    ValueError
+        If there is no prediction of this name, or the file is damaged.
+    """
+    prediction = _prediction(name)
+    if choice is ...:
+        raise UnansweredError(NO_PREDICTION)
+    if not isinstance(choice, str) or choice not in prediction.options:
         expected = ", ".join(repr(option) for option in prediction.options)
-        return Feedback(None, f"Expected one of {expected}, got {answer!r}.")
-    if answer == prediction.outcome:
-        return Feedback(True, f"✓ As you predicted: {answer}. {prediction.explanation}")
+        raise UnansweredError(f"Expected one of {expected}, got {shown(choice)}.")
+    if _predicted(name) != choice:
+        time = datetime.now(timezone.utc).isoformat(timespec="seconds")
+        with PREDICTIONS.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({"prediction": name, "choice": choice, "time": time}) + "\n")
+
+
+def outcome(name: str) -> Feedback:
+    """Compare the last choice of a prediction with what the experiment showed, and say why.
+
+    Parameters
+    ----------
+    name : str
+        Name of the prediction, as in `predict`, which raises the same errors.
+    """
+    prediction, choice = _prediction(name), _predicted(name)
+    if choice is None:
+        raise UnansweredError(NO_PREDICTION)
+    if choice == prediction.outcome:
+        return Feedback(True, f"✓ As you predicted: {choice}. {prediction.explanation}")
     return Feedback(
         False,
-        f"You predicted: {answer}. The outcome: {prediction.outcome}. {prediction.explanation}",
+        f"You predicted: {choice}. The outcome: {prediction.outcome}. {prediction.explanation}",
     )
+
+
+def _prediction(name: str) -> Prediction:
+    found = _find(name)
+    if isinstance(found, Prediction):
+        return found
+    raise ValueError(f"name: expected a prediction such as '3.b', got the exercise {name!r}")
+
+
+def _predicted(name: str) -> str | None:
+    """Return the last choice that was written down; ValueError if the file is damaged."""
+    lines = PREDICTIONS.read_text("utf-8").splitlines() if PREDICTIONS.exists() else []
+    try:
+        choices = {each["prediction"]: each["choice"] for each in map(json.loads, lines)}
+    except (ValueError, TypeError, KeyError) as error:
+        raise DamagedFileError(PREDICTIONS, "expected lines that predict has written") from error
+    return choices.get(name)
 
 
 _given: dict[str, int] = {}
@@ -116,7 +186,7 @@ def hint(name: str) -> Feedback:
     Parameters
     ----------
     name : str
-        Name of the exercise, as in `check`; ValueError if there is none of this name.
+        Name of the exercise; errors are raised as in `check`.
     """
     exercise = _find(name)
     if isinstance(exercise, Prediction):
@@ -152,7 +222,8 @@ def _joined(text: str | list[str]) -> str | tuple[str, ...]:
 
 
 def _find(name: str) -> Exercise | Prediction:
-    check_instance("name", name, str)
+    if not isinstance(name, str):
+        raise TypeError(f'name: expected text in quotes such as "3.2", got {shown(name)}')
     chapter = name.partition(".")[0]
     if chapter not in map(str, CHAPTERS):
         raise ValueError(f"name: expected a name such as '3.2', got {name!r}")

@@ -38,6 +38,8 @@ export interface Data {
   readonly names: Readonly<Record<Team, readonly string[]>>;
   readonly standings: Readonly<Record<Team, readonly Standing[]>>;
   readonly refusals: readonly Refusal[];
+  /** How many students made each choice, by prediction of the course and choice. */
+  readonly votes: Readonly<Record<string, Readonly<Record<string, number>>>>;
   /** Of each pair: mean, lowest and highest capture rate of an episode, mean steps. */
   readonly capture_rate: Matrix;
   readonly lowest: Matrix;

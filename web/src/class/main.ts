@@ -10,7 +10,7 @@ import { readData } from "./data.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { Store } from "./store.ts";
-import { refusedList, standingsTable } from "./tables.ts";
+import { refusedList, standingsTable, votesTable } from "./tables.ts";
 
 const data = readData();
 const [best] = data.standings.pursuer;
@@ -36,6 +36,7 @@ document.getElementById("page")!.replaceWith(
     html("div", { class: "tables" }, standingsTable(data, "pursuer", store), standingsTable(data, "evader", store)),
     new MatrixPanel(data, store).element,
     match.element),
+  ...votesTable(data),
   ...refusedList(data.refusals),
   html("section", { class: "card reading", "aria-label": "How to read this page" },
     html("h2", {}, "How to read this page"), ...READING.map((text) => html("p", {}, text))),

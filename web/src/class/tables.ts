@@ -72,6 +72,27 @@ function matchButton(data: Data, team: Team, standing: Standing, which: "best" |
   }, which === "best" ? "▲ " : "▼ ", opponent);
 }
 
+/** Return how the class voted on predictions of the course; nothing if no predictions were handed in. */
+export function votesTable({ votes }: Data): HTMLElement[] {
+  const names = Object.keys(votes);
+  if (!names.length) return [];
+  const rows = names.map((name) => {
+    const counts = Object.entries(votes[name]!);
+    const all = counts.reduce((sum, [, count]) => sum + count, 0);
+    const choices = counts.map(([choice, count]) => {
+      const filled = html("span", { class: "filled" });
+      filled.style.width = `${(100 * count) / all}%`;
+      return html("div", { class: "vote" }, html("span", {}, choice), html("span", { class: "bar", "aria-hidden": "true" }, filled),
+        html("span", { class: "numbers" }, `${count} of ${all}`));
+    });
+    return html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, ...choices));
+  });
+  return [html("section", { class: "card votes", "aria-label": "Predictions" },
+    html("header", {}, html("h2", {}, "How the class voted"),
+      html("p", { class: "small muted" }, "Predictions of the course: the first choice of each student, before the experiment.")),
+    html("table", {}, html("tbody", {}, ...rows)))];
+}
+
 /** Return the list of what was refused; nothing if all could play. */
 export function refusedList(refusals: readonly Refusal[]): HTMLElement[] {
   if (!refusals.length) return [];

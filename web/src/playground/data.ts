@@ -13,6 +13,9 @@ export interface Field {
 
 export interface Example {
   readonly title: string;
+  /** What to predict. */
+  readonly ask: string;
+  /** What happens, and what to try. */
   readonly text: string;
   /** A scene as it stands in a link. */
   readonly scene: string;

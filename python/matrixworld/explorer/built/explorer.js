@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 9c6201e36356e8f562a1ecbaea04e8ae5be149e43c6f55c1fa7583788339d01d */
+/* built from web/ by "npm run build"; sources b98805433d90344a9b70f07d64171cc96b26ce03df2d4bb99239a512d1d9a4d0 */
 "use strict";(()=>{var ma=Object.create;var fr=Object.defineProperty;var ha=Object.getOwnPropertyDescriptor;var fa=Object.getOwnPropertyNames;var ga=Object.getPrototypeOf,ya=Object.prototype.hasOwnProperty;var ba=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var va=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of fa(e))!ya.call(t,o)&&o!==n&&fr(t,o,{get:()=>e[o],enumerable:!(r=ha(e,o))||r.enumerable});
 return t};var wa=(t,e,n)=>(n=t!=null?ma(ga(t)):{},va(e||!t||!t.__esModule?fr(n,"default",{value:t,enumerable:!0}):n,t));var Hs=ba(cr=>{var Ps=Object.defineProperty,Rl=t=>Ps(t,"__esModule",{value:!0}),_l=(t,e)=>{for(var n in e)Ps(t,n,{get:e[n],enumerable:!0})};Rl(cr);_l(cr,{GIFEncoder:()=>Ds,
 applyPalette:()=>Fl,default:()=>Yl,nearestColor:()=>Hl,nearestColorIndex:()=>Fs,nearestColorIndexWithDistance:()=>zs,prequantize:()=>Ul,quantize:()=>Nl,snapColorsToPalette:()=>Wl});

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 9c6201e36356e8f562a1ecbaea04e8ae5be149e43c6f55c1fa7583788339d01d */
+/* built from web/ by "npm run build"; sources b98805433d90344a9b70f07d64171cc96b26ce03df2d4bb99239a512d1d9a4d0 */
 "use strict";(()=>{var sr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},ar={OCCUPATION:0,SURROUND:1},ir={FAULT:0,INVOLVED:1};var vt=["obstacle","teammate","adversary"],bt=["vertex","edge","chain"],lr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],wt=["p\
 ursuer_{number}","evader_{number}"],ur={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Pe={"both held":"both bounce","both doomed":"\

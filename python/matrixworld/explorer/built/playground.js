@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 9c6201e36356e8f562a1ecbaea04e8ae5be149e43c6f55c1fa7583788339d01d */
+/* built from web/ by "npm run build"; sources b98805433d90344a9b70f07d64171cc96b26ce03df2d4bb99239a512d1d9a4d0 */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},se={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var ae=["obstacle","teammate","adversary"],Be=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],He=["p\
 ursuer_{number}","evader_{number}"],wt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ie={"both held":"both bounce","both doomed":"\
@@ -10,7 +10,7 @@ here all adversaries in view together are farthest"},xt={free:".GS",blocked:"#@O
 let[n,r,o,s,a,i,l,...u]=Array.from(e),d=a<0?[s]:[s,a],[m,h,p]=u.map(S=>d.filter((T,G)=>S>>G&1)),g=d.map(S=>K(S,t)),f=le(wt[a<0?"obstacle":Be[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),b=le(St,{event:f,outcome:Sr(d.length,h,p,t)});return{kind:ae[r],form:Be[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:n,
 text:b}}function Sr(e,t,n,r){if(e===2&&t.length===2)return ie["both held"];if(e===2&&n.length===2)return ie["both doomed"];let o=s=>a=>le(ie[s],{agent:K(a,r)});
-return[...t.map(o("held")),...n.map(o("doomed"))].join(", ")||ie.none}function ve(e,t){let n=[];for(let r=0;r<e.length;r+=z)n.push(wr(e.subarray(r+1,r+z),t));return n}var M=class extends Error{name="EngineError"};function v(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new M(`${e}\
+return[...t.map(o("held")),...n.map(o("doomed"))].join(", ")||ie.none}function we(e,t){let n=[];for(let r=0;r<e.length;r+=z)n.push(wr(e.subarray(r+1,r+z),t));return n}var M=class extends Error{name="EngineError"};function v(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new M(`${e}\
 : expected ${t}, got ${r}`)}var V=class{bytes;constructor(t){this.bytes=t}},Mt=0,Ge=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],At=4,Ct=4,xr=new TextEncoder,
 Ar=new TextDecoder;function Cr(e){for(let t=Ge.length-1;t>Mt;--t)if(e instanceof Ge[t])return t;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function je(e){return new Uint8Array(e.buffer,e.byteOffset,e.byteLength)}function Mr(e){return xr.encode(`${e}\0`)}var ze=class{engine;addresses=[];constructor(t){
@@ -20,37 +20,37 @@ return[this.text(s),i?Mt:Cr(l),l.length,this.copy(je(l))]}),o=this.copy(je(Int32
 addresses)this.engine._free(t)}};function Et(e,t){let n=e.HEAPU8;return Ar.decode(n.subarray(t,n.indexOf(0,t)))}function Y(e){let t=new Int32Array(e.HEAPU8.buffer),
 n=e._last_outputs()/At,r=t[n+1]/At,o={};for(let s=r;s<r+t[n]*Ct;s+=Ct){let a=Ge[t[s+1]],i=t[s+2]*a.BYTES_PER_ELEMENT,l=t[s+3];o[Et(e,t[s])]=new a(e.HEAPU8.slice(
 l,l+i).buffer)}return o}function O(e,t){let n=new ze(e);try{let r=t(n);if(r===0)throw new M(Et(e,e._last_error()));return r}finally{n.free()}}var Er=2**31-1,Tr=2n**64n-1n,_r=34028234663852886e22;function _(e,t){if(typeof t!="number"||!Number.isInteger(t)||Math.abs(t)>Er)throw v(e,"an integer",t);return Int32Array.
-of(t)}function we(e,t){if(typeof t!="boolean")throw v(e,"true or false",t);return new V(Uint8Array.of(Number(t)))}function $(e,t,n){let r=typeof t=="string"&&Object.
+of(t)}function Se(e,t){if(typeof t!="boolean")throw v(e,"true or false",t);return new V(Uint8Array.of(Number(t)))}function $(e,t,n){let r=typeof t=="string"&&Object.
 hasOwn(n,t)?n[t]:void 0;if(r===void 0)throw v(e,`one of ${Object.keys(n).join(", ")}`,t);return Int32Array.of(r)}function Ke(e,t){if(typeof t!="number"||!(Math.
 abs(t)<=_r))throw v(e,"a finite number",t);return t}function J(e,t){let r=typeof t=="bigint"||typeof t=="number"&&Number.isSafeInteger(t)?BigInt(t):-1n;if(r<0n||
 r>Tr)throw v(e,"an integer from 0 to 2^64 - 1",t);return BigUint64Array.of(r)}function kr(e){return{"rules.interaction":$("interaction",e.interaction,gt),"rules\
 .obstacle":$("obstacle",e.obstacle,se),"rules.teammate":$("teammate",e.teammate,se),"rules.evader":$("evader",e.evader,se),"rules.pursuer":$("pursuer",e.pursuer,
-se),"rules.capture":$("capture",e.capture,bt),"rules.captured_disappear":we("captured_disappear",e.captured_disappear)}}function Tt(e,t){let n=typeof t=="number"?
+se),"rules.capture":$("capture",e.capture,bt),"rules.captured_disappear":Se("captured_disappear",e.captured_disappear)}}function Tt(e,t){let n=typeof t=="number"?
 [t,t,t]:t;if(!Array.isArray(n)||n.length!==3)throw v(e,"1 or 3 numbers",t);return Float32Array.from(n,r=>Ke(e,r))}function Rr(e){let t=(n,r)=>Float32Array.of(Ke(
 n,e[n]),Ke(r,e[r]));return{"rewards.capture":t("pursuer_capture","evader_capture"),"rewards.neighbor":t("pursuer_neighbor","evader_neighbor"),"rewards.step":t("\
 pursuer_step","evader_step"),"rewards.pursuer_collide":Tt("pursuer_collide",e.pursuer_collide),"rewards.evader_collide":Tt("evader_collide",e.evader_collide),"r\
-ewards.blame":$("blame",e.blame,yt),"rewards.capture_repeats":we("capture_repeats",e.capture_repeats)}}function kt(e){if(e===void 0||typeof e=="number")return new Uint8Array(
+ewards.blame":$("blame",e.blame,yt),"rewards.capture_repeats":Se("capture_repeats",e.capture_repeats)}}function kt(e){if(e===void 0||typeof e=="number")return new Uint8Array(
 0);if(e instanceof Uint8Array)return e;let{free:t,blocked:n}=xt;for(let[r,o]of e.entries()){if(o.length!==e[0]?.length)throw v(`map, row ${r}`,`${e[0]?.length} \
 cells as in row 0`,o.length);let s=[...o].find(a=>!t.includes(a)&&!n.includes(a));if(s)throw v(`map, row ${r}`,`'${t}' (free) or '${n}' (obstacle)`,s)}return Uint8Array.
 from([...e.join("")],r=>Number(n.includes(r)))}function Rt(e,t){if(!Array.isArray(e))return;let n=[e.length,e[0]?.length??0];if(!(n[0]===t.rows&&n[1]===t.cols))
 throw v("obstacle map",`shape (${t.rows}, ${t.cols}), the rows and cols`,n)}function X(e){Rt(e.obstacles,e);let t=typeof e.obstacles=="number"?e.obstacles:0;return{
 ...kr(e.rules),...Rr(e.rewards),rows:_("rows",e.rows),cols:_("cols",e.cols),n_pursuers:_("n_pursuers",e.n_pursuers),n_evaders:_("n_evaders",e.n_evaders),fov:_("\
-fov",e.fov),diagonal:we("diagonal",e.diagonal),max_steps:_("max_steps",e.max_steps),density:Float64Array.of(t),map:kt(e.obstacles)}}function _t(e,t){return Int32Array.
+fov",e.fov),diagonal:Se("diagonal",e.diagonal),max_steps:_("max_steps",e.max_steps),density:Float64Array.of(t),map:kt(e.obstacles)}}function _t(e,t){return Int32Array.
 from((t??[]).flat(),n=>_(e,n)[0])}function Ot(e,t){return Rt(e.obstacles,t),{seed:J("seed",e.seed??0n),episode:J("episode",e.episode??0),pursuers:_t("pursuers",
-e.pursuers),evaders:_t("evaders",e.evaders),map:kt(e.obstacles)}}function Se(e){return{actions:Int32Array.from(e,t=>_("actions",t)[0])}}function q(e){if(typeof e==
+e.pursuers),evaders:_t("evaders",e.evaders),map:kt(e.obstacles)}}function xe(e){return{actions:Int32Array.from(e,t=>_("actions",t)[0])}}function q(e){if(typeof e==
 "string"){if(!Object.hasOwn(Fe,e))throw v("policy",`one of ${Object.keys(Fe).join(", ")}`,e);return{script:new TextEncoder().encode(e)}}if(e.activation!=="relu"&&
 e.activation!=="tanh")throw v("activation","'relu' or 'tanh'",e.activation);return{hidden:Int32Array.from(e.hidden,t=>_("hidden",t)[0]),activation:new TextEncoder().
-encode(e.activation),sampled:we("sampled",e.sampled),genome:e.genome}}var Or=["first_turn","terminated","truncated"];function Nt(e){let t={...e};for(let n of Or)
-t[n]=new V(e[n]);return t}var xe=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(t,n,r,o){this.config=t,this.seed=n,this.episode=r,this.n_agents=t.n_pursuers+t.n_evaders,
+encode(e.activation),sampled:Se("sampled",e.sampled),genome:e.genome}}var Or=["first_turn","terminated","truncated"];function Nt(e){let t={...e};for(let n of Or)
+t[n]=new V(e[n]);return t}var Ae=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(t,n,r,o){this.config=t,this.seed=n,this.episode=r,this.n_agents=t.n_pursuers+t.n_evaders,
 this.statistics=Lt(o,0),Object.assign(this,o),this.first_conflict=Nr(this.conflict_table,this.length)}get length(){return this.actions.length/this.n_agents}conflicts(t){
-this.check(t);let[n,r]=[this.first_conflict[t],this.first_conflict[t+1]],o=this.conflict_table.subarray(n*z,r*z);return ve(o,this.config.n_pursuers)}seek(t,n){this.
+this.check(t);let[n,r]=[this.first_conflict[t],this.first_conflict[t+1]],o=this.conflict_table.subarray(n*z,r*z);return we(o,this.config.n_pursuers)}seek(t,n){this.
 check(n),(!(t.seed===this.seed&&t.episode===BigInt(this.episode))||t.turn!==0||t.steps>n)&&t.reset({seed:this.seed,episode:this.episode});for(let o=t.steps;o<n;++o)
 t.step(this.actions.subarray(o*this.n_agents,(o+1)*this.n_agents))}check(t){if(!(Number.isInteger(t)&&t>=0&&t<=this.length))throw v("step",`0 to ${this.length}`,
 t)}};function Nr(e,t){let n=new Int32Array(t+2);for(let r=0;r<e.length;r+=z)++n[e[r]+1];for(let r=1;r<n.length;++r)n[r]+=n[r-1];return n}function Lt(e,t){let n=e["\
 statistics.length"].length,r=s=>{let a=e[`statistics.${s}`],i=a.length/n;return a.slice(t*i,(t+1)*i)},o=s=>Number(r(s)[0]);return{capture_rate:o("capture_rate"),
 ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o("length"),return:r("return"),survivors:r("survivors"),overlap:r("over\
 lap"),collisions:r("collisions"),faults:r("faults"),agent_steps:r("agent_steps")}}function It(e,t,n,r){let o=[X(n.config),q(n.pursuers),q(n.evaders),r];return O(
-e,s=>{let[a,i,l,u]=o.map(d=>s.arrays(d));return e[t](a,i,l,u)}),Y(e)}function Pt(e,t,n,r){let o={seed:J("seed",n),episode:J("episode",r)};return new xe(t.config,
+e,s=>{let[a,i,l,u]=o.map(d=>s.arrays(d));return e[t](a,i,l,u)}),Y(e)}function Pt(e,t,n,r){let o={seed:J("seed",n),episode:J("episode",r)};return new Ae(t.config,
 n,r,It(e,"_play_match",t,o))}function $t(e,t,n,r){if(!Number.isInteger(r)||r<1)throw v("n_episodes","at least 1",r);let o={seed:J("seed",n),n_episodes:Int32Array.
 of(r)},s=It(e,"_play_rollout",t,o);return Array.from({length:r},(a,i)=>Lt(s,i))}var Lr=new FinalizationRegistry(([e,t])=>e._states_free(t));var Ve=class{value;teams;matrix;n_actions;constructor(t,n){let{matrix:r,rows:o,cols:s,value:a,agents:i}=n,[l,u]=t.actors,d=Array.from(i).filter(h=>l<=h&&h<u),m=h=>h<
 t.config.n_pursuers;[this.value,this.matrix,this.n_actions]=[a[0],r,t.n_actions],this.teams=[{agents:d.filter(m),play:o},{agents:d.filter(h=>!m(h)),play:s}]}marginal(t){
@@ -66,14 +66,14 @@ some((r,o)=>r!==t[o])}game(t){let[n,{turn:r}]=[this.config.max_steps-t.steps,t],
 return O(this.engine,t),Y(this.engine)}};var Ut=new FinalizationRegistry(([e,t])=>e._world_free(t)),ue=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(t,n){this.engine=t,this.config=n,this.
 n_agents=n.n_pursuers+n.n_evaders,this.n_actions=n.diagonal?9:5,this.at=O(t,r=>t._world_new(r.arrays(X(n)))),Ut.register(this,[t,this.at],this)}free(){this.freed||
 (this.freed=!0,Ut.unregister(this),this.engine._world_free(this.at))}get address(){return this.at}reset(t={}){let n=Ot(t,this.config);this.call(r=>this.engine._world_reset(
-this.at,r.arrays(n)))}step(t){let n=Se(t);this.call(r=>this.engine._world_step(this.at,r.arrays(n)))}playTurn(t){let n=Se(t);this.call(r=>this.engine._world_play_turn(
+this.at,r.arrays(n)))}step(t){let n=xe(t);this.call(r=>this.engine._world_step(this.at,r.arrays(n)))}playTurn(t){let n=xe(t);this.call(r=>this.engine._world_play_turn(
 this.at,r.arrays(n)))}decide(t,n,r){let{n_pursuers:o}=this.config,s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof n=="string"?s[n]:n;if(r.length!==this.
-n_agents)throw v("actions",String(this.n_agents),r.length);let l=[q(t),Se(r)],{actions:u}=this.call(d=>this.engine._world_decide(this.at,d.arrays(l[0]),a,i,d.arrays(
+n_agents)throw v("actions",String(this.n_agents),r.length);let l=[q(t),xe(r)],{actions:u}=this.call(d=>this.engine._world_decide(this.at,d.arrays(l[0]),a,i,d.arrays(
 l[1])));return Uint8Array.from(u)}get n_turns(){return this.turnNumbers()[1]}get turn(){return this.turnNumbers()[0]}get actors(){let[,,t,n]=this.turnNumbers();
 return[t,n]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.at)).turn}get steps(){return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){
 return this.read("episode")[0]}get over(){return this.read("terminated")[0]===1||this.read("truncated")[0]===1}read(t){return this.call(n=>this.engine._world_read(
 this.at,n.text(t)))[t]}view(t){let n=3*this.config.fov**2;return this.read("views").slice(t*n,(t+1)*n)}map(){return this.read("state").slice(2*this.config.rows*
-this.config.cols)}conflicts(){return ve(this.conflictTable(),this.config.n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.at)).
+this.config.cols)}conflicts(){return we(this.conflictTable(),this.config.n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.at)).
 conflict_table}answer(t,n){let r=q(t),{logits:o}=this.call(i=>this.engine._world_logits(this.at,i.arrays(r),n)),s=o,a=this.decide(t,[n,n+1],new Uint8Array(this.
 n_agents))[n];return{logits:s,probabilities:Ir(s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(t){let n=Nt(t);this.call(
 r=>this.engine._world_restore(this.at,r.arrays(n)))}call(t){if(this.freed)throw v("world","one that is in use","one that was freed");return O(this.engine,t),Y(this.
@@ -82,16 +82,16 @@ this.compiled,{config:t,pursuers:n,evaders:r},o,s)}rollout(t,n,r,o,s){return $t(
 matrixworldEngine){return Dt??=Pr(e),Dt}async function Pr(e){if(!e)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
 let t=Uint8Array.from(atob(e.binary),n=>n.charCodeAt(0));return new Ye(await e({wasmBinary:t}))}var $r="http://www.w3.org/2000/svg";function c(e,t={},...n){return Bt(document.createElement(e),t,n)}function U(e,t={},...n){return Bt(document.createElementNS(
 $r,e),t,n)}function Bt(e,t,n){for(let[r,o]of Object.entries(t))o==null||o===!1||(typeof o=="function"?e.addEventListener(r.slice(2),o):e.setAttribute(r,o===!0?"":
-String(o)));return e.append(...n.filter(Ur).map(r=>typeof r=="number"?String(r):r)),e}function Ur(e){return e!=null&&e!==!1}var Ae=()=>["file:","http:","https:"].
+String(o)));return e.append(...n.filter(Ur).map(r=>typeof r=="number"?String(r):r)),e}function Ur(e){return e!=null&&e!==!1}var Ce=()=>["file:","http:","https:"].
 includes(location.protocol);async function Je(e,t){e.select();try{await navigator.clipboard.writeText(e.value),t.textContent="Copied."}catch{t.textContent="Sele\
 cted: copy it with Ctrl+C."}}var k=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var N="champion",D=0,W=64,Z=100,Q=300,Xe=e=>({cell:e,gone:!1,captured:!1,everCaptured:!1}),E=e=>[...e.pursuers,...e.evaders],x=e=>e.pursuers.length+e.evaders.length,
 qe=(e,t)=>t<e.pursuers.length?"pursuers":"evaders",R=(e,t)=>K(t,e.pursuers.length),Ze=(e,t)=>Object.keys(e).every(n=>e[n]===t[n]);function ee(e,t){return Object.
 keys(t).find(n=>Ze(t[n],e))??null}function Ht(e,t){let n=new Set(e.walls),r=Array.from({length:e.rows},(o,s)=>Array.from({length:e.cols},(a,i)=>n.has(s*e.cols+i)?
 "#":".").join(""));return{rules:t,rows:e.rows,cols:e.cols,n_pursuers:e.pursuers.length,n_evaders:e.evaders.length,fov:e.fov,diagonal:e.diagonal,max_steps:e.maxSteps,
-obstacles:r,rewards:e.rewards}}var Ce=(e,t,n)=>({...e,next:e.next.map((r,o)=>o===t?n:r)}),Ft=e=>({...e,played:[...e.played,e.next],next:e.next.map(t=>typeof t==
+obstacles:r,rewards:e.rewards}}var Me=(e,t,n)=>({...e,next:e.next.map((r,o)=>o===t?n:r)}),Ft=e=>({...e,played:[...e.played,e.next],next:e.next.map(t=>typeof t==
 "number"?D:t)}),jt=e=>({...e,played:e.played.slice(0,-1),next:e.played.at(-1)??e.next});function Qe(e,t,n){let r=(o,s)=>o.map((a,i)=>i===s?{...a,cell:n}:a);return{
 ...e,pursuers:r(e.pursuers,t),evaders:r(e.evaders,t-e.pursuers.length)}}function Gt(e,t,n){let r=t==="pursuers"?e.pursuers.length:x(e);return{...e,[t]:[...e[t],
-Xe(n)],next:[...e.next.slice(0,r),D,...e.next.slice(r)],ended:!1}}function Me(e,t){let n=qe(e,t),r=n==="pursuers"?t:t-e.pursuers.length;return{...e,[n]:e[n].filter(
+Xe(n)],next:[...e.next.slice(0,r),D,...e.next.slice(r)],ended:!1}}function Ee(e,t){let n=qe(e,t),r=n==="pursuers"?t:t-e.pursuers.length;return{...e,[n]:e[n].filter(
 (o,s)=>s!==r),next:e.next.filter((o,s)=>s!==t)}}function et(e,t,n){let r=t[0]*e.cols+t[1],o=e.walls.filter(s=>s!==r);return{...e,walls:n?[...o,r].sort((s,a)=>s-
 a):o}}function zt(e,t,n){let r=([s,a])=>s<t&&a<n,o=E(e).map(({cell:s})=>r(s));return{...e,rows:t,cols:n,walls:e.walls.map(s=>[Math.floor(s/e.cols),s%e.cols]).filter(
 r).map(([s,a])=>s*n+a),pursuers:e.pursuers.filter((s,a)=>o[a]),evaders:e.evaders.filter((s,a)=>o[e.pursuers.length+a]),next:e.next.filter((s,a)=>o[a])}}function L(e,[
@@ -109,12 +109,12 @@ o=>JSON.stringify(t.rewards[o])===n)??Object.values(e).map(o=>String(o)).join(B)
 scripts.findIndex(({name:r})=>r===e);return String.fromCharCode(97+n)}function pe(e,t){e.length>Yt&&y("link",`at most ${Yt} characters`,`${e.length} characters`);
 let n=Br(e),r=(h,p="")=>n.get(h)??p,o=Qt("rules",r("rules"),t),[s,a]=Hr(r("size")),i=h=>nt(r(h)).map(p=>Fr(h,p,s,a)),[l,u,d]=Kr(r("seed","0.0.0")),m={rules:o,others:n.
 has("others")?Qt("others",r("others"),t):null,rewards:Gr(r("rewards",H.rewards),t),rows:s,cols:a,seed:l,episode:u,steps:d,diagonal:Zt("diagonal",r("diagonal","0")),
-fov:Ee("fov",r("fov",String(H.fov)),1,255),maxSteps:Ee("limit",r("limit",String(H.maxSteps)),1,2**31-1),ended:Zt("ended",r("ended","0")),walls:jr(r("walls"),s,a),
+fov:Te("fov",r("fov",String(H.fov)),1,255),maxSteps:Te("limit",r("limit",String(H.maxSteps)),1,2**31-1),ended:Zt("ended",r("ended","0")),walls:jr(r("walls"),s,a),
 pursuers:i("pursuers"),evaders:i("evaders"),played:[],next:[]};return Vr(m),Yr(m,nt(r("played")),r("next"),t)}function Br(e){let t=new Map;for(let n of e.replace(
 /^#/,"").split("&").filter(Boolean)){let[r,o]=n.includes("=")?[n.slice(0,n.indexOf("=")),n.slice(n.indexOf("=")+1)]:[n,""];tt.includes(r)||y("link",`parts ${tt.
-join(", ")}`,r),t.has(r)&&y(r,"it once","it twice"),t.set(r,o)}return t}var nt=e=>e?e.split(B):[];function Ee(e,t,n,r){let o=/^\d{1,10}$/.test(t)?Number(t):NaN;
+join(", ")}`,r),t.has(r)&&y(r,"it once","it twice"),t.set(r,o)}return t}var nt=e=>e?e.split(B):[];function Te(e,t,n,r){let o=/^\d{1,10}$/.test(t)?Number(t):NaN;
 return o>=n&&o<=r||y(e,`a number from ${n} to ${r}`,t),o}function Zt(e,t){return t!=="0"&&t!=="1"&&y(e,"0 or 1",t),t==="1"}function Hr(e){let[t,n,...r]=e.split(
-"x");return(t===void 0||n===void 0||r.length)&&y("size","rows and columns, such as 4x6",e),[Ee("size",t,1,W),Ee("size",n,1,W)]}function tn(e,t,n,r){let o=/^(\d{1,4})\.(\d{1,4})$/.
+"x");return(t===void 0||n===void 0||r.length)&&y("size","rows and columns, such as 4x6",e),[Te("size",t,1,W),Te("size",n,1,W)]}function tn(e,t,n,r){let o=/^(\d{1,4})\.(\d{1,4})$/.
 exec(t),s=[Number(o?.[1]),Number(o?.[2])];return(!o||s[0]>=n||s[1]>=r)&&y(e,`cells of a ${n} x ${r} grid, such as 0.2`,t),s}function Fr(e,t,n,r){let o=/^(.*?)([ce]?)(x?)$/.
 exec(t),s=tn(e,o[1],n,r);return e==="pursuers"&&o[2]&&y(e,"no captured pursuer",t),{cell:s,gone:o[3]==="x",captured:o[2]==="c",everCaptured:o[2]!==""}}function jr(e,t,n){
 let r=nt(e).map(o=>{let[s,a]=tn("walls",o,t,n);return s*n+a});return[...new Set(r)].sort((o,s)=>o-s)}function Qt(e,t,n){let r=Object.hasOwn(n.variants,t)?n.variants[t]:
@@ -130,11 +130,11 @@ n,r,Number(t[3])]}function Vr(e){for(let t of["pursuers","evaders"]){let n=e[t].
 umber",String(e.fov)),e.steps>e.maxSteps&&y("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function Yr(e,t,n,r){let o=E(e).length;t.length>Q&&y("played",
 `at most ${Q} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&y(a,`${o} characters, one for each agent`,i),[...i].map(l=>Jr(a,l,e.diagonal?9:5,r)));return{
 ...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(D)}}function Jr(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;if(t===en&&r.champions)
-return N;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??y(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var Te=[.5,1,2,4,8,16,32,64];var nn=12,Xr=2,_e=class extends EventTarget{#e;#r;#n;#t=0;#s=0;#o=!1;#a=null;#c=0;#l=[];#d=[];glide=.28;constructor(t,n={}){super(),this.#e=t,this.#r=n.speed??4,
+return N;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??y(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var _e=[.5,1,2,4,8,16,32,64];var nn=12,Xr=2,ke=class extends EventTarget{#e;#r;#n;#t=0;#s=0;#o=!1;#a=null;#c=0;#l=[];#d=[];glide=.28;constructor(t,n={}){super(),this.#e=t,this.#r=n.speed??4,
 this.#n=n.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#s}get arrived(){return this.#s===this.#t}get playing(){return this.#o}get length(){
 return this.#e}set length(t){this.#e=t,this.#t>t&&this.jump(t),this.#i("state")}get marks(){return this.#l}set marks(t){this.#l=t,this.#i("state")}get ticks(){return this.#d}set ticks(t){
 this.#d=t,this.#i("state")}get pace(){return this.#r||Math.max(Xr,this.#e/nn)}get speed(){return this.#r}set speed(t){this.#r=t,this.#i("state")}changeSpeed(t){
-let n=Te.findIndex(r=>r>=this.pace);this.speed=Te[Math.min(Te.length-1,Math.max(0,n+t))]}play(){this.#o||!this.#e||(this.#t===this.#e&&this.jump(0),this.#o=!0,this.#i(
+let n=_e.findIndex(r=>r>=this.pace);this.speed=_e[Math.min(_e.length-1,Math.max(0,n+t))]}play(){this.#o||!this.#e||(this.#t===this.#e&&this.jump(0),this.#o=!0,this.#i(
 "state"),this.#p())}pause(){this.#o&&(this.#o=!1,this.#i("state"))}toggle(){this.#o?this.pause():this.play()}move(t){this.pause();let n=Math.min(this.#e,Math.max(
 0,this.#t+t));Math.abs(n-this.#s)>1?this.jump(n):this.#u(n),this.#p()}jump(t){this.#s=Math.min(this.#e,Math.max(0,Math.round(t))),this.#u(this.#s),this.#i("fram\
 e")}#u(t){t!==this.#t&&(this.#t=t,this.#i("step"),this.#n&&this.#i("frame"))}#p(){this.#a===null&&(this.#c=performance.now(),this.#a=requestAnimationFrame(()=>this.#m()))}#m(){
@@ -144,18 +144,18 @@ requestAnimationFrame(()=>this.#m()))}#h(t){let n=t;for(;n>0;){if(this.#s===this
 this.#e&&this.pause()}#i(t){this.dispatchEvent(new Event(t))}};var F=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function rt(e,t,n){let[r,o]=[t[0]-e[0],t[1]-e[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||(r=
 0),F.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var j=(e,t)=>t<e.nPursuers,w=(e,t)=>[e.positions[2*t],e.positions[2*t+1]],qr=(e,t)=>e[0]===t[0]&&e[1]===
 t[1],he=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,ot=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),st=(e,t)=>ot(e.fault,t),rn=(e,t)=>!st(e,t)&&
-ot(e.involved,t,2);function ke(e,t,n){let r=!qr(w(e,n),w(t,n)),o=t.involved===void 0||ot(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Re(e,t,n){
+ot(e.involved,t,2);function Re(e,t,n){let r=!qr(w(e,n),w(t,n)),o=t.involved===void 0||ot(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Oe(e,t,n){
 let[r,o]=w(e,n),[s,a]=F[t.actions?.[n]??0];return[r+s,o+a]}function on(e,t,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
 !t.everCaptured[o]).map(o=>e.nPursuers+o)}function sn(e,t){return Array.from({length:t.alive.length},(r,o)=>o).filter(r=>e.alive[r]&&!t.alive[r])}var an=[-.31,0,.31],ln=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:an.flatMap(e=>an.map(t=>[t,e]))}],Zr=.3,Qr=.35,eo=.55;function fe(e,t){let n=new Map;for(let r=0;r<t.alive.length;r++){if(!t.
 alive[r])continue;let[o,s]=w(t,r),a=o*e.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function cn(e,t){let n=Array.from(t.alive,(r,o)=>{let[s,a]=w(t,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let r of fe(e,t).values()){let o=ln[Math.min(r.length,ln.length)-1];r.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 u=n[s];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return n}var un=e=>e*e*(3-2*e),te=(e,t,n)=>e+(t-e)*n,dn=e=>Math.min(1,Math.max(0,e));function mn(e,t,n,r){let o={
-SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:n}[e.interaction];if(o===1)return un(r);let s=o===n?t:+!j(e,t),a=Math.max(1/o,Qr);return un(dn((r-s/(o-1)*(1-a))/a))}function Oe(e,t){
+SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:n}[e.interaction];if(o===1)return un(r);let s=o===n?t:+!j(e,t),a=Math.max(1/o,Qr);return un(dn((r-s/(o-1)*(1-a))/a))}function Ne(e,t){
 let n=e.moments.length-1,r=Math.min(Math.floor(t),n),o=e.moments[r],s=cn(e,o);if(r===n||t===r)return s;let a=e.moments[r+1],i=cn(e,a);return s.map((l,u)=>{let d=mn(
 e,u,s.length,t-r);return to(o,a,u,l,i[u],d)})}function at(e,t,n){let r=e.moments.length-1,o=Math.min(Math.floor(n),r),[s,a]=[e.moments[o],e.moments[Math.min(o+1,
 r)]],i=mn(e,t,s.alive.length,n-o),[[l,u],[d,m]]=[w(s,t),w(a,t)];return[te(u,m,i)+.5,te(l,d,i)+.5]}function to(e,t,n,r,o,s){let a=r.alpha>o.alpha,i={x:te(r.x,o.x,
-s),y:te(r.y,o.y,s),size:a?r.size:te(r.size,o.size,s),alpha:a?dn((1-s)/(1-eo)):te(r.alpha,o.alpha,s)};if(ke(e,t,n)){let[l,u]=w(e,n),[d,m]=Re(e,t,n),h=Zr*Math.sin(
+s),y:te(r.y,o.y,s),size:a?r.size:te(r.size,o.size,s),alpha:a?dn((1-s)/(1-eo)):te(r.alpha,o.alpha,s)};if(Re(e,t,n)){let[l,u]=w(e,n),[d,m]=Oe(e,t,n),h=Zr*Math.sin(
 Math.PI*s);i.x+=(m-u)*h,i.y+=(d-l)*h}return i}var pn=2*Math.PI;function ge(e,t,n,r){e.beginPath(),e.arc(t,n,r/2,0,pn)}function hn(e,t,n,r){let o=r/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[t+a*o,n+i*
 o]);e.beginPath(),e.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[u,d]=s[(l+1)%3];e.arcTo(a,i,u,d,r*.09)}),e.closePath()}function fn(e,t,n,r){
 let o=r*.32;e.beginPath(),e.moveTo(t-o,n-o),e.lineTo(t+o,n+o),e.moveTo(t+o,n-o),e.lineTo(t-o,n+o)}function gn(e,t,n,r){e.beginPath();for(let o=0;o<16;o++){let s=r/
@@ -179,7 +179,7 @@ i=Cn(e,t,r,o),l=ne(e,t,n);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.glo
 s.globalAlpha=1}function _n(e,t,n,r,o){let{ctx:s,grid:a}=e,i=Math.min(Math.ceil(n),t.moments.length-1),l=t.moments[i];s.lineCap="round",s.lineWidth=Math.min(ao,
 Math.max(1,a.cell*so));for(let u=Math.max(1,Math.floor(n-r)+1);u<=i;u++){let[d,m]=[t.moments[u-1],t.moments[u]],h=Math.max(0,Math.min(1,(n-u)/r));s.globalAlpha=
 vn+(lo-vn)*h;for(let p=0;p<m.alive.length;p++){let g=u===i&&n<i;if(!d.alive[p]||!(l.alive[p]||g))continue;let f=(j(t,p)?-1:1)*io,[b,S]=w(d,p),[T,G]=w(m,p);if(b===
-T&&S===G)continue;let ye=g?o[p].x:G+.5,vr=g?o[p].y:T+.5;s.strokeStyle=ne(e,t,p),s.beginPath(),s.moveTo(A(a,S+.5+f),C(a,b+.5+f)),s.lineTo(A(a,ye+f),C(a,vr+f)),s.
+T&&S===G)continue;let ve=g?o[p].x:G+.5,vr=g?o[p].y:T+.5;s.strokeStyle=ne(e,t,p),s.beginPath(),s.moveTo(A(a,S+.5+f),C(a,b+.5+f)),s.lineTo(A(a,ve+f),C(a,vr+f)),s.
 stroke()}}s.globalAlpha=1}function kn(e,t,n){let r=Math.min(Math.ceil(n),t.moments.length-1);for(let o=Math.max(1,r-yn+1);o<=r;o++){let[s,a]=[t.moments[o-1],t.moments[o]],
 i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/yn,l=on(t,s,a);for(let u of sn(s,a))l.includes(u)||uo(e,w(a,u),i);for(let u of l)co(e,w(a,u),i)}e.ctx.globalAlpha=1}function co({
 ctx:e,grid:t,colors:n},[r,o],s){e.globalAlpha=s,gn(e,A(t,o+.5),C(t,r+.5),Math.max(8,t.cell*no)),e.fillStyle=n.capture,e.fill(),e.strokeStyle=n.ink,e.lineWidth=Math.
@@ -196,22 +196,22 @@ i.font=`700 ${Math.round(p*(d?.4:.5)*(b.length>1?.8:1))}px system-ui, sans-serif
 b,m,h+p*(d?.17:.03))}function bo({ctx:e,grid:t,colors:n},r,o){let[s,a]=[t.left+r.x*t.cell,t.top+r.y*t.cell];e.font=`700 ${Math.round(t.cell*.3)}px system-ui, sa\
 ns-serif`,e.textAlign="center",e.textBaseline="middle",e.strokeStyle=n.paper,e.lineWidth=t.cell*.1,e.strokeText(`+${o}`,s,a),e.fillStyle=n.ink,e.fillText(`+${o}`,
 s,a)}var yo=.46,vo=.86,wo=.66,Ln=.48,So=.78,xo=.58;function In(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let u=0;u<s.alive.length;u++)ke(o,s,u)&&Ao(e,t,w(o,u),Re(o,s,u));a.globalAlpha=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let u=0;u<s.alive.length;u++)Re(o,s,u)&&Ao(e,t,w(o,u),Oe(o,s,u));a.globalAlpha=
 1}function Ao({ctx:e,grid:t},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=m=>A(t,r[1]+.5+s*m),l=m=>C(t,r[0]+.5+a*m),u=he(n,o)?So:xo;e.setLineDash([t.cell*.09,t.cell*
 .06]),e.beginPath(),e.moveTo(i(Ln),l(Ln)),e.lineTo(i(u),l(u)),e.stroke(),e.setLineDash([]);let d=.17*t.cell/Math.hypot(s,a);e.beginPath(),e.moveTo(i(u)-a*d,l(u)+
 s*d),e.lineTo(i(u)+a*d,l(u)-s*d),e.stroke()}function Pn(e,t,n,r,o,s){let a=F[s];if(!s||!a)return;let{ctx:i,grid:l,colors:u}=e,d=he(t,[r[0]+a[0],r[1]+a[1]])?vo:wo,
 m=yo*o.size,h=[A(l,o.x+a[1]*m),C(l,o.y+a[0]*m),A(l,o.x+a[1]*d),C(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[u.paper,
 p*2.1],[ne(e,t,n),p]])i.strokeStyle=g,i.lineWidth=f,bn(i,...h,l.cell*.2),i.stroke()}var Un={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Dn(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(
-Math.ceil(n),t.moments.length-1),u=t.moments[l],d=n===l,m=Oe(t,n),h=d?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),wn(e);for(let f of r.
+Math.ceil(n),t.moments.length-1),u=t.moments[l],d=n===l,m=Ne(t,n),h=d?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),wn(e);for(let f of r.
 viewers)m[f]?.alpha&&Tn(e,t,f,...at(t,f,n));Sn(e,t),r.axes&&An(e,o),_n(e,t,n,r.trail,m),Rn(e,u.contested??[],h),kn(e,t,n),In(e,t,l,h),m.forEach(({x:f,y:b,size:S},T)=>{
-let G=rn(u,T)?.4:0,ye=st(u,T)?1:G;ye&&On(e,f,b,S,ye*h)});let p=d?u:t.moments[Math.max(0,l-1)];if(Nn(e,t,p,m,r.numbers,o),d&&r.plan)for(let[f,b]of m.entries())b.
+let G=rn(u,T)?.4:0,ve=st(u,T)?1:G;ve&&On(e,f,b,S,ve*h)});let p=d?u:t.moments[Math.max(0,l-1)];if(Nn(e,t,p,m,r.numbers,o),d&&r.plan)for(let[f,b]of m.entries())b.
 alpha&&Pn(e,t,f,w(u,f),b,r.plan[f]??0);r.you!==null&&(r.fog&&Mn(e,t,...at(t,r.you,n)),En(e,m[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.
 selected===null?void 0:m[r.selected];g?.alpha&&$n(e,g.x,g.y,g.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),$n(e,r.cursor[1]+.5,r.cursor[0]+.5,.8),
 s.setLineDash([]))}function $n({ctx:e,grid:t},n,r,o){let s=o*t.cell;e.beginPath(),e.roundRect(t.left+n*t.cell-s/2,t.top+r*t.cell-s/2,s,s,s*.1),e.stroke()}var Wn=(e,t)=>(t+.24)/(e+.24);function Bn(e,t,n,r,o,s){let a=n?28*s:0,i=(u,d)=>(u-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,t),i(o,e))));return{rows:e,cols:t,
 cell:l,left:Math.round((r-t*l+a)/2),top:Math.round((o-e*l+a)/2)}}function Hn(e,t,n){let r=Math.floor((n-e.top)/e.cell),o=Math.floor((t-e.left)/e.cell);return r>=
 0&&r<e.rows&&o>=0&&o<e.cols?[r,o]:null}var Co={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Fn(e){let t=getComputedStyle(e),n=Object.entries(Co).map(([r,o])=>[r,t.getPropertyValue(
-o).trim()]);return Object.fromEntries(n)}var jn=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Ne=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#s=0;#o;#a;constructor(t,n={}){
+o).trim()]);return Object.fromEntries(n)}var jn=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Le=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#s=0;#o;#a;constructor(t,n={}){
 this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#n={...Un,...n},this.#o=new ResizeObserver(()=>this.#l()),this.#o.observe(t),this.#a=new MutationObserver(
 ()=>this.redraw()),this.#a.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#o.disconnect(),this.#a.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#s)}get look(){
@@ -220,12 +220,12 @@ redraw()}redraw=()=>{this.#s||(this.#s=requestAnimationFrame(()=>this.drawNow())
 "2d");if(!t||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||1;this.#t=Bn(n,r,this.#n.axes,this.canvas.width,this.canvas.height,o);let s={ctx:t,grid:this.#t,
 colors:Fn(this.canvas)};Dn(s,this.#e,this.#r,this.#n,o)}cellAt(t,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.width;return Hn(this.#t,(t-r.
 left)*o,(n-r.top)*o)}agentAt(t,n){let r=this.cellAt(t,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=fe(this.#e,o).get(r[0]*this.#e.
-cols+r[1])??[],a=Oe(this.#e,Math.round(this.#r)),i=l=>{let[u,d]=this.pointOf(a[l].x,a[l].y);return Math.hypot(u-t,d-n)};return s.length?s.reduce((l,u)=>i(u)<i(l)?
+cols+r[1])??[],a=Ne(this.#e,Math.round(this.#r)),i=l=>{let[u,d]=this.pointOf(a[l].x,a[l].y);return Math.hypot(u-t,d-n)};return s.length?s.reduce((l,u)=>i(u)<i(l)?
 u:l):null}pointOf(t,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#t;return[r.left+(s+t*i)*o,r.top+(a+n*i)*
 o]}#c(){if(!this.#e)return;let{rows:t,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(Wn(t,n)))}#l(){let t=devicePixelRatio||1,{width:n,height:r}=this.
 canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};function Gn(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:e.rules.interaction,obstacles:t,moments:n}}function zn(e,t){return{
 positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_captured"),actions:t,involved:e.read("involved"),
-fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var Le=class{recording;rules;outcomes=[];#e;#r;#n;#t=[];#s=[];constructor(t,n,r,o){this.#e=n,this.#r=o,this.rules=r;let s=Ht(n,r);this.#n=t.world(s),this.#n.restore(
+fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var Ie=class{recording;rules;outcomes=[];#e;#r;#n;#t=[];#s=[];constructor(t,n,r,o){this.#e=n,this.#r=o,this.rules=r;let s=Ht(n,r);this.#n=t.world(s),this.#n.restore(
 Mo(this.#n,n)),this.recording=Gn(s,this.#n.map(),this.#t),this.#a(void 0);for(let a of n.played)this.#o(a)}follow(t){if(!lt(this.#e,t))return!1;let n=this.#e.played,
 r=t.played.findIndex((a,i)=>a!==n[i]),o=r<0?t.played.length:r,s=Math.min(o+1,this.#t.length);this.#t.length=this.outcomes.length=this.#s.length=s,this.#n.restore(
 this.#s.at(-1));for(let a of t.played.slice(s-1))this.#o(a);return this.#e=t,!0}get length(){return this.#t.length-1}get over(){let{terminated:t,truncated:n}=this.
@@ -240,8 +240,8 @@ from(t.evaders,a=>Number(a[s]));return{...e.snapshot(),seed:BigUint64Array.of(t.
 -1:s),last_cells:Int32Array.from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(
 t.evaders.length),rewards:new Float32Array(x(t)),report:new Int32Array(x(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(
 Number(t.ended)),truncated:Uint8Array.of(+(t.steps>=t.maxSteps))}}function lt(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||
-e[r]===t[r])}var Eo={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},To=200,Ie=class extends EventTarget{data;player;#e;#r;#n;#t=[];#s=[];#o=[];#a=!1;#c="act";#l=0;#d=null;#u;constructor(t,n,r,o=null){
-super(),[this.#d,this.#u]=[o,r],this.#e=t,this.data=n,this.#r=r,this.#n=this.#m(r),this.player=new _e(this.game.length,{still:jn()}),this.player.jump(this.game.
+e[r]===t[r])}var Eo={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},To=200,Pe=class extends EventTarget{data;player;#e;#r;#n;#t=[];#s=[];#o=[];#a=!1;#c="act";#l=0;#d=null;#u;constructor(t,n,r,o=null){
+super(),[this.#d,this.#u]=[o,r],this.#e=t,this.data=n,this.#r=r,this.#n=this.#m(r),this.player=new ke(this.game.length,{still:jn()}),this.player.jump(this.game.
 length),this.player.addEventListener("frame",()=>this.#g()),this.#i()}get scene(){return this.#r}get game(){return this.#n[0]}get games(){return this.#n}get mode(){
 return this.#c}set mode(t){this.stop(),this.#c=t,this.#f()}get selected(){return this.#l}set selected(t){this.#l=t,this.#f()}get running(){return this.#a}get example(){
 return lt(this.#u,this.#r)?this.#d:null}get canStep(){return!this.game.over&&this.#r.played.length<Q}change(t,n={}){let r;try{r=this.#m(t)}catch(o){if(!(o instanceof
@@ -253,11 +253,11 @@ n.next);this.change(n),this.#o=r}restart(){this.stop();let{played:t}=this.#r;if(
 this.change({...this.#r,played:[],next:t[0]}),this.#o=n}run(){if(this.#a)return this.stop();this.#a=this.canStep,this.step()}stop(){this.#a&&(this.#a=!1,this.#f())}undo(){
 this.#p(this.#t,this.#s)}redo(){this.#p(this.#s,this.#t)}get canUndo(){return this.#t.length>0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{
 text:t,problem:n}}))}#p(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#r),this.#o=[],this.#h(r,this.#m(r)))}#m(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#n??
-[];return n.map(o=>{let s=r.find(i=>i.rules===o),a=s?.follow(t)?s:new Le(this.#e,t,o,this.data.champions);return a.actions(t.next),a})}#h(t,n){let[r,o]=[this.#r,
+[];return n.map(o=>{let s=r.find(i=>i.rules===o),a=s?.follow(t)?s:new Ie(this.#e,t,o,this.data.champions);return a.actions(t.next),a})}#h(t,n){let[r,o]=[this.#r,
 this.#n.length];for(let l of this.#n)n.includes(l)||l.free();this.#r=t,this.#n=n,this.#l!==null&&this.#l>=E(t).length&&(this.#l=null);let s=this.game.length,[a,
 i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#i(),i&&s&&this.player.jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(
 s-this.player.step):this.player.jump(s),this.#f()}#i(){this.player.glide=Eo[this.#r.rules.interaction]}#g(){this.#a&&this.player.arrived&&this.step()}#f(){this.
-dispatchEvent(new Event("change"))}};function Kn(e,t,n){let r=s=>new Ie(e,t,pe(s,t),Yn(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Vn(s)}}}function Vn(e){
+dispatchEvent(new Event("change"))}};function Kn(e,t,n){let r=s=>new Pe(e,t,pe(s,t),Yn(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:Vn(s)}}}function Vn(e){
 if(e instanceof de||e instanceof M)return`This link holds no scene. ${e.message}`;throw e}function Yn(e,t){return e.gallery.find(n=>n.scene===t)??null}function be(){
 try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var _o=100;function Jn(e){let[t,n,r]=[me(e.scene,e.data),be(),0],o=()=>{
 r=0,be()===n&&(n=t,history.replaceState(null,"",`#${t}`))};e.addEventListener("change",()=>{t=me(e.scene,e.data),t!==n&&!r&&(r=setTimeout(o,_o))}),window.addEventListener(
@@ -266,7 +266,7 @@ t,ko)}:e}var ko=(e,t)=>e==="genome"?Float32Array.from(t):t;var Ro=matchMedia("(p
 documentElement.dataset.theme=Oo()?"light":"dark"}function qn(){return c("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:ct},
 "◐")}var er={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},No={e:5,c:6,y:7,z:7,q:8};function tr(e){let t=c("div",{class:"arena"}),n=[Zn(e,0),Zn(e,1)];t.append(...n.
 map(o=>o.element));let r=()=>n.forEach(o=>o.update());return e.addEventListener("change",r),e.player.addEventListener("frame",r),r(),t}function Zn(e,t){let n=c(
-"canvas",{tabindex:0,"aria-describedby":"board-keys"}),r=c("h2",{class:"arm-name"}),o=c("figure",{class:"arm"},r,n),s=new Ne(n,{axes:!0,trail:1}),a={cell:[0,0]};
+"canvas",{tabindex:0,"aria-describedby":"board-keys"}),r=c("h2",{class:"arm-name"}),o=c("figure",{class:"arm"},r,n),s=new Le(n,{axes:!0,trail:1}),a={cell:[0,0]};
 Lo(e,s);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:u,scene:d}=e;n.setAttribute("role","application"),n.ariaLabel=`Board, ${d.rows} by ${d.cols}\
  cells`,n.dataset.mode=u,r.textContent=P(e,t),r.hidden=e.games.length<2;let m=e.player.arrived&&e.player.step===e.game.length;s.look={plan:u==="act"&&m&&!l.over?
 l.actions(d.next):null,selected:u==="act"?e.selected:null,cursor:u==="build"&&document.activeElement===n?a.cell:null},s.show(l.recording,e.player.time)};return n.
@@ -278,31 +278,31 @@ terup","pointercancel"])t.canvas.addEventListener(r,()=>{n=null})}function Io(e,
 Math.abs(s[0]-t[0]),Math.abs(s[1]-t[1]))===1&&re(e,rt(s,t,e.scene.diagonal)),null}let r=e.selected===n;e.selected=n;let o=ut(e,n);return o?(r&&re(e,0),s=>re(e,rt(
 o,s,e.scene.diagonal))):null}function Po(e,t,n){let r=!1,o=i=>{e.change(i,{part:r}),r=!0};if(n!==null)return e.selected=n,i=>{let l=e.game.scene();L(l,i)===null&&
 !I(l,i)&&o(Qe(l,n,i))};let s=!I(e.game.scene(),t),a=i=>{let l=e.game.scene();L(l,i)===null&&I(l,i)!==s&&o(et(l,i,s))};return a(t),a}function re(e,t){let{selected:n,
-scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(Ce(r,n,t)),e.say(`${R(r,n)}: ${k[t]}.`))}function $o(e,t,n,r){t.addEventListener("keydown",
+scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(Me(r,n,t)),e.say(`${R(r,n)}: ${k[t]}.`))}function $o(e,t,n,r){t.addEventListener("keydown",
 o=>{if(o.ctrlKey||o.metaKey||o.altKey)return;let s=e.mode==="act"?dt(e,o):Uo(e,o,n);r(),s&&o.preventDefault()})}function dt(e,t){let n=t.key.length===1?t.key.toLowerCase():
 t.key,r=er[n]??(e.scene.diagonal?No[n]:void 0)??{s:0,Delete:0}[n];return r!==void 0?(e.selected===null&&Qn(e,1),re(e,r),!0):n!=="n"&&n!=="p"?!1:(Qn(e,n==="n"?1:
 -1),!0)}function Qn(e,t){let n=x(e.scene),r=e.game.recording.moments.at(-1).alive,o=e.selected??(t>0?-1:n);for(let s=0;s<n;s++){if(o=(o+t+n)%n,!r[o])continue;e.
 selected=o;let[a,i]=ut(e,o);return e.say(`${R(e.scene,o)} at (${a}, ${i}).`)}}function Uo(e,t,n){let r=e.game.scene(),o=er[t.key];if(o!==void 0){let a=t.shiftKey?
 L(r,n.cell):null,i=[n.cell[0]+F[o][0],n.cell[1]+F[o][1]];he(r,i)&&(n.cell=i);let l=L(r,n.cell)===null&&!I(r,n.cell);a!==null&&l&&e.change(Qe(r,a,n.cell));let[u,
 d]=n.cell;return e.say(`(${u}, ${d}): ${Do(e,n.cell)}.`),!0}let s=L(r,n.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(et(r,n.cell,!I(r,n.cell))):
-e.selected=s,!0):t.key==="Delete"&&s!==null?(e.change(Me(r,s)),!0):!1}function Do(e,t){let n=e.game.scene(),r=L(n,t);return r!==null?R(n,r):I(n,t)?"obstacle":"f\
+e.selected=s,!0):t.key==="Delete"&&s!==null?(e.change(Ee(r,s)),!0):!1}function Do(e,t){let n=e.game.scene(),r=L(n,t);return r!==null?R(n,r):I(n,t)?"obstacle":"f\
 ree"}var mt=["·","↑","→","↓","←","↗","↘","↙","↖"],nr=e=>typeof e=="number"?`${mt[e]} ${k[e]}`:e,Wo={obstacle:["obstacle"],teammate:["teammate"],adversary:[
-"evader","pursuer"]},Bo=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(", ")} and ${e.at(-1)}`;function Pe(e,t,n){let[r,o,s]=[t.recording.moments[n-1],t.recording.
+"evader","pursuer"]},Bo=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(", ")} and ${e.at(-1)}`;function $e(e,t,n){let[r,o,s]=[t.recording.moments[n-1],t.recording.
 moments[n],t.outcomes[n]];if(!r||!o||!s)return[];let a=[...s.conflicts.map(l=>Ho(e,t.rules,l)),...Fo(e,r,o,s.captors)],i={kind:"calm",text:"No conflict, no capt\
 ure.",turn:0,blame:"",cost:"",used:[]};return[...a.length?a:[i],...jo(e,t,n)]}function Ho(e,t,n){let r=n.at_fault.map(u=>R(e,u)),o=t.interaction==="SIMULTANEOUS"?
 0:n.turn+1,s=r.length?`At fault: ${Bo(r)}.`:"Nobody is at fault.",a=n.held.length+n.doomed.length>0,i=new Set(n.at_fault.map(u=>rr(e,u,ae.indexOf(n.kind))));i.delete(
-0);let l=a||!i.size?"":`Allowed, but it costs: ${[...i].map($e).join(" and ")}.`;return{kind:n.kind,text:`${n.text}.`,turn:o,blame:s,cost:l,used:Wo[n.kind]}}function rr({
-pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;return typeof o=="number"?o:o[r]}function $e(e){let t=String(Number(Math.abs(e).toPrecision(
+0);let l=a||!i.size?"":`Allowed, but it costs: ${[...i].map(Ue).join(" and ")}.`;return{kind:n.kind,text:`${n.text}.`,turn:o,blame:s,cost:l,used:Wo[n.kind]}}function rr({
+pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;return typeof o=="number"?o:o[r]}function Ue(e){let t=String(Number(Math.abs(e).toPrecision(
 5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function or(e,t,n,r){let[o,s,a]=[t.recording.moments[n-1],t.recording.moments[n],t.outcomes[n]];if(!o?.alive[r]||!s||!a)
 return"";let{rewards:i}=e,l=r<e.pursuers.length?"pursuer":"evader",u=i.blame==="FAULT"?s.fault:s.involved,d=ae.reduce((p,g,f)=>p+(u?.[3*r+f]?rr(e,r,f):0),0),m=a.
 rewards[r]-d-i[`${l}_step`],h=Array.from({length:e.evaders.length+1},(p,g)=>g*i[`${l}_capture`]);for(let p of[0,i[`${l}_neighbor`]]){let g=h.find(S=>Math.abs(S+
-p-m)<1e-4);if(g===void 0)continue;let f={collision:d,capture:g,neighbour:p,step:i[`${l}_step`]},b=Object.entries(f).filter(([,S])=>S).map(([S,T])=>`${$e(T)} ${S}`);
+p-m)<1e-4);if(g===void 0)continue;let f={collision:d,capture:g,neighbour:p,step:i[`${l}_step`]},b=Object.entries(f).filter(([,S])=>S).map(([S,T])=>`${Ue(T)} ${S}`);
 return b.length>1?b.join(", "):""}return""}function Fo(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=R(e,a),l=t.alive[a]&&!n.
 alive[a],u=r[s]?` by ${r[s]} ${r[s]===1?"pursuer":"pursuers"}`:"",d=["capture",...l?["captured_disappear"]:[]];n.captured[s]&&!t.captured[s]?o.push({kind:"captu\
 re",text:`${i} is captured${u}${l?" and disappears":""}.`,turn:0,blame:"",cost:"",used:d}):t.captured[s]&&!n.captured[s]&&n.alive[a]&&o.push({kind:"capture",text:`${i}\
  is free again.`,turn:0,blame:"",cost:"",used:["capture"]})}return o}function jo(e,t,n){let{terminated:r,truncated:o}=t.outcomes[n];if(!r&&!o)return[];let s=t.recording.
 moments[n].alive,a=(u,d)=>Array.from(s).slice(u,d).some(Boolean),i=e.pursuers.length,l=`after ${e.maxSteps} steps`;return r&&(l=a(0,i)?"every evader is captured\
- or gone":"no pursuer is left"),r&&!a(i,x(e))&&(l="no evader is left"),[{kind:"end",text:`The episode has ended: ${l}.`,turn:0,blame:"",cost:"",used:[]}]}function Ue(e){
+ or gone":"no pursuer is left"),r&&!a(i,x(e))&&(l="no evader is left"),[{kind:"end",text:`The episode has ended: ${l}.`,turn:0,blame:"",cost:"",used:[]}]}function ye(e){
 return e.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).map((t,n)=>n%2?c("span",{class:"whole"},t):t)}function pt(e){let t=e==="pursuers"?U("path",{d:"M12 3 22 20H2z"}):U("circle",{cx:12,cy:12,r:9.5});return U("svg",{viewBox:"0 0 24 24",class:`glyph ${e}`,"aria-\
 hidden":!0},t)}function sr(e){let t=[0,1].map(()=>c("th",{class:"reward",scope:"col"})),n=c("tbody"),r=c("table",{class:"agents"},c("thead",{},c("tr",{},c("th",
 {scope:"col"},"agent"),c("th",{scope:"col"},"next"),...t)),n),o=c("section",{class:"card agents-card"},c("h2",{},"Agents"),e.data.champions?c("button",{type:"bu\
@@ -311,7 +311,7 @@ s=[],a="",i=()=>{let{scene:l}=e,u=`${l.pursuers.length} ${l.evaders.length} ${l.
 ...s.map(d=>d.element))),t.forEach((d,m)=>{d.hidden=m>=e.games.length,d.textContent=e.games.length>1&&e.games[m]?P(e,m):"reward",d.title="Reward of the step"}),
 s.forEach((d,m)=>Vo(e,d,m))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function Go(e){e.stop(),e.change({...e.scene,next:e.
 scene.next.map((t,n)=>n===e.selected?t:N)})}function zo(e,t){let{scene:n}=e,r=R(n,t),o=c("select",{"aria-label":`${r} does next`},...Ko(e,n,t));o.addEventListener(
-"change",()=>{let d=o.value;e.stop(),e.change(Ce(e.scene,t,/^\d$/.test(d)?Number(d):d))});let s=c("span",{class:"state muted"}),a=c("span",{class:"heard"}),i=c(
+"change",()=>{let d=o.value;e.stop(),e.change(Me(e.scene,t,/^\d$/.test(d)?Number(d):d))});let s=c("span",{class:"state muted"}),a=c("span",{class:"heard"}),i=c(
 "button",{type:"button",class:"agent-name",onclick:()=>e.selected=t},pt(qe(n,t)),r,a),l=[0,1].map(()=>c("td",{class:"reward numbers"}));return{element:c("tr",{},
 c("th",{scope:"row"},i),c("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function Ko(e,t,n){let r=k.slice(0,t.diagonal?9:5).map((i,l)=>c("option",{value:l},
 nr(l))),o=e.data.scripts.map(({name:i,text:l})=>c("option",{value:i,title:l},i)),s=[c("optgroup",{label:"move"},...r),c("optgroup",{label:"script"},...o)],a=e.data.
@@ -319,11 +319,11 @@ champions?.[n<t.pursuers.length?"pursuer":"evader"];return a?[c("option",{value:
 let{scene:i,game:l,player:u}=e,d=l.recording.moments[Math.min(u.step,l.length)],m=a-i.pursuers.length,h=m>=0&&!!d.captured[m];t.classList.toggle("chosen",e.selected===
 a),t.classList.toggle("gone",!d.alive[a]),n.value=String(i.next[a]),n.disabled=!d.alive[a]||l.over,n.hidden=!d.alive[a],r.hidden=!!d.alive[a],r.textContent=h?"c\
 aptured":"gone",t.classList.toggle("captured",h),o.textContent=h?" captured":"",s.forEach((p,g)=>{let f=e.games[g];p.hidden=!f;let b=f?.outcomes[u.step]?.rewards[a],
-S=f?or(i,f,u.step,a):"";p.replaceChildren(u.step&&b!==void 0?$e(b):"",e.games.length>1?"":c("span",{class:"sum small muted"},S)),p.title=S;let T=l.outcomes[u.step]?.
+S=f?or(i,f,u.step,a):"";p.replaceChildren(u.step&&b!==void 0?Ue(b):"",e.games.length>1?"":c("span",{class:"sum small muted"},S)),p.title=S;let T=l.outcomes[u.step]?.
 rewards[a];p.classList.toggle("differs",g>0&&b!==void 0&&T!==b)})}function ar(e,...t){let n=c("button",{type:"button",class:"close","aria-label":"Close"},"✕"),r=c("dialog",{"aria-label":e},c("div",{class:"dialog-head"},c("h2",
 {},e),n),...t);return n.addEventListener("click",()=>r.close()),r.addEventListener("click",o=>o.target===r&&r.close()),r}function ir(e){let t=c("input",{type:"t\
 ext",readonly:!0,"aria-label":"Link"}),n=c("input",{type:"text",readonly:!0,"aria-label":"Scene"}),r=c("p",{class:"muted small",role:"status"}),o=ar("Share this\
- scene",c("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),c("label",{class:"copy",hidden:!Ae()},c("span",{},
+ scene",c("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),c("label",{class:"copy",hidden:!Ce()},c("span",{},
 "Link to this page"),t,c("button",{type:"button",onclick:()=>Je(t,r)},"Copy")),c("label",{class:"copy"},c("span",{},"Scene, for any copy of the playground"),n,c(
 "button",{type:"button",onclick:()=>Je(n,r)},"Copy")),r);return{element:o,open:()=>{n.value=`#${me(e.scene,e.data)}`,t.value=location.href.split("#")[0]+n.value,
 r.textContent="",o.showModal()}}}var Yo=[[["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or \
@@ -334,10 +334,11 @@ rl Y"],"undo, redo"],[["L"],"link to this scene"],[["D"],"light or dark"],[["?"]
 elete"],"remove the agent under the cursor"]];function lr(){let e=n=>c("dl",{class:"keys"},...n.flatMap(([r,o])=>[c("dt",{},...r.map(s=>c("kbd",{},s))),c("dd",{},
 o)])),t=c("div",{class:"keys-columns"},c("div",{},c("h3",{},"Anywhere"),e(Yo)),c("div",{},c("h3",{},"On the board, in Build"),e(Jo),c("h3",{},"With mouse or fin\
 ger"),c("p",{},"Move: press an agent and drag it towards a cell beside it, or choose it and press that cell."),c("p",{},"Build: drag agents; draw on free cells \
-to make obstacles, on obstacles to erase them.")));return ar("Keys",t)}function cr(e){let t=e.data.gallery.map(s=>c("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(pe(s.scene,e.data),{example:s}),e.
-selected=0}},s.title)),n=c("p",{class:"example-text"}),r=c("nav",{class:"gallery","aria-label":"Examples"},c("div",{class:"chips"},...t),n),o=()=>{e.data.gallery.
-forEach((s,a)=>t[a].setAttribute("aria-pressed",String(s===e.example))),n.replaceChildren(...Ue(e.example?.text??"A scene of your own. Choose an example, or cha\
-nge this one."))};return e.addEventListener("change",o),o(),r}var Xo={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+to make obstacles, on obstacles to erase them.")));return ar("Keys",t)}function cr(e){let t=e.data.gallery.map(l=>c("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(pe(l.scene,e.data),{example:l}),e.
+selected=0}},l.title)),n=c("p",{class:"example-text"}),r=c("p"),o=c("details",{class:"reveal"},c("summary",{},"Reveal"),r),s=c("nav",{class:"gallery","aria-labe\
+l":"Examples"},c("div",{class:"chips"},...t),n,o),a,i=()=>{e.data.gallery.forEach((l,u)=>t[u].setAttribute("aria-pressed",String(l===e.example))),n.replaceChildren(
+...ye(e.example?.ask??"A scene of your own. Choose an example, or change this one.")),r.replaceChildren(...ye(e.example?.text??"")),o.hidden=!e.example,a!==e.example&&
+(o.open=!1),a=e.example};return e.addEventListener("change",i),i(),s}var Xo={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
 l10 7-10 7z"};function ht(e){return U("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},U("path",{d:Xo[e]}))}function ur(e){let t=qo(e),n=Zo(e),r=es(e),o=Qo(e),s=c("p",{class:"message",role:"status"});e.addEventListener("message",l=>{let{text:u,problem:d}=l.detail;s.textContent=
 u,s.classList.toggle("problem",d)});let a=[t,n,r,o],i=()=>a.forEach(l=>l.update());return e.addEventListener("change",i),e.addEventListener("change",()=>{s.textContent=
 "",s.classList.remove("problem")}),e.player.addEventListener("step",i),i(),c("div",{class:"toolbar"},...a.map(l=>l.element),s)}function De(e,t,n,r){return c("bu\
@@ -357,7 +358,7 @@ forEach((s,a)=>{let i=n[a];i.hidden=s>4&&!e.scene.diagonal,i.setAttribute("aria-
 String(o===s))})}}}function dr(e){let t=c("button",{type:"button",title:"Undo the last change (Ctrl+Z)",onclick:()=>e.undo()},"Undo"),n=()=>t.setAttribute("aria\
 -disabled",String(!e.canUndo));return e.addEventListener("change",n),n(),t}function We(e,t){let n=e.game.scene(),r=Kt(n);if(!r)return e.say("Every cell is taken\
 .",!0);if(n[t].length>=Z)return e.say(`${t}: expected at most ${Z}`,!0);let o=t==="pursuers"?n.pursuers.length:x(n);e.change(Gt(n,t,r))&&(e.selected=o)}function ft(e){
-let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let n=Me(e.game.scene(),t);n.pursuers.length&&n.evaders.length?e.change(n):e.say("A \
+let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let n=Ee(e.game.scene(),t);n.pursuers.length&&n.evaders.length?e.change(n):e.say("A \
 team needs at least one agent.",!0)}function mr(e,t){let n=Object.keys(e.data.variants),r={Enter:()=>e.step(),Backspace:()=>e.back(),Home:()=>e.restart()," ":()=>e.run(),m:()=>e.mode=e.mode==="act"?
 "build":"act",l:t.share,d:ct,"?":t.keys},o={"+":()=>We(e,"pursuers"),"-":()=>We(e,"evaders"),Delete:()=>ft(e)};document.addEventListener("keydown",s=>{if(s.defaultPrevented||
 document.querySelector("dialog[open]"))return;let a=s.key.length===1?s.key.toLowerCase():s.key;if((s.ctrlKey||s.metaKey)&&!s.altKey){let u={z:()=>s.shiftKey?e.redo():
@@ -373,7 +374,7 @@ function rs(e,t){let n=t.values.map(({name:a})=>{let i=c("input",{type:"radio",n
 e.scene.rules,t,a)})),i}),r=t.values.map(({label:a},i)=>c("label",{},n[i],c("span",{},a))),o=c("span",{class:"used-mark",title:"This rule decided what happened \
 in the step that is shown"},c("span",{},"decided")),s=c("fieldset",{class:"field",title:t.text},c("legend",{},t.label,o),c("div",{class:"segments"},...r));return{
 element:s,update:()=>{let{rules:a}=e.scene;n.forEach(l=>l.checked=l.value===String(a[t.name])),s.disabled=t.name==="captured_disappear"&&a.capture==="OCCUPATION";
-let i=Math.min(e.player.step,e.game.length);o.hidden=!Pe(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function os(e,t,n){return{...e,[t.name]:n===
+let i=Math.min(e.player.step,e.game.length);o.hidden=!$e(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function os(e,t,n){return{...e,[t.name]:n===
 "true"?!0:n==="false"?!1:n}}function ss(e){let t=Object.keys(e.data.variants),n=c("select",{id:"compare"},c("option",{value:""},"nothing"),c("option",{value:"pr\
 esent"},"the present rules"),c("option",{value:"own",hidden:!0},"own rules"),...t.map(r=>c("option",{value:r},`-${r}: ${e.data.titles[r]}`)));return n.addEventListener(
 "change",()=>{let r={"":null,present:e.scene.rules}[n.value];oe(e,{...e.scene,others:r===void 0?e.data.variants[n.value]:r})}),{element:c("div",{class:"pair"},c(
@@ -389,15 +390,15 @@ String(a.rows)),document.activeElement!==r&&(r.value=String(a.cols)),o.checked=a
 l=>JSON.stringify(e.data.rewards[l])===i)??"own"}}}function is(e,t,n){let r=zt(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?oe(e,r):e.say(`No ${r.pursuers.
 length?"evader":"pursuer"} would be left on a ${t} × ${n} board.`,!0)}var fr={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function gr(e){let t=c("h2"),n=c("div",{class:"sto\
 ry-body",tabindex:0,role:"region","aria-label":"What happened"}),r=c("div",{class:"heard",role:"status"}),o=c("section",{class:"card story"},t,n,r),s="",a=()=>{
-let i=Math.min(e.player.step,e.game.length),l=e.games.map((d,m)=>{let h=Pe(e.scene,d,i);return{name:e.games.length>1?P(e,m):"",lines:h,ended:i>d.length}}),u=JSON.
+let i=Math.min(e.player.step,e.game.length),l=e.games.map((d,m)=>{let h=$e(e.scene,d,i);return{name:e.games.length>1?P(e,m):"",lines:h,ended:i>d.length}}),u=JSON.
 stringify([i,l]);u!==s&&(s=u,t.textContent=i?`Step ${i}`:"Start",n.replaceChildren(...l.map(d=>ls(d,i))),r.textContent=i?`Step ${i}. ${l.map(us).join(" ")}`:"")};
 return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function ls({name:e,lines:t,ended:n},r){let s=n||!r?c("p",{class:"muted"},n?"The\
  episode had ended.":"Give agents their moves, then play a step."):c("ul",{class:"lines"},...t.map(cs));return c("div",{class:"story-part"},e&&c("h3",{},e),s)}function cs({
 kind:e,text:t,turn:n,blame:r,cost:o}){let s=n?`${fr[e]}, turn ${n}`:fr[e];return c("li",{class:`line line-${e}`},s&&c("span",{class:"tag"},s),c("span",{class:"l\
-ine-text"},...Ue(t)),r&&c("span",{class:"line-blame muted"},r),o&&c("strong",{},o))}var us=({name:e,lines:t,ended:n})=>[e,...n?["The episode had ended."]:t.map(
+ine-text"},...ye(t)),r&&c("span",{class:"line-blame muted"},r),o&&c("strong",{},o))}var us=({name:e,lines:t,ended:n})=>[e,...n?["The episode had ended."]:t.map(
 ({text:r,blame:o,cost:s})=>[r,o,s].filter(Boolean).join(" "))].filter(Boolean).join(" ");function br(e,t){let n=ir(t),r=lr(),o=()=>r.showModal(),s=c("header",{class:"top"},c("h1",{},c("span",{class:"muted"},"matrixworld "),"playground"),c("div",{class:"\
 buttons"},dr(t),c("button",{type:"button",title:"Link to this scene (L)",onclick:n.open},"Share"),c("button",{type:"button",title:"Keys (?)",onclick:o},"Keys"),
 qn())),a=c("main",{class:"layout"},hr(t),c("section",{class:"card stage","aria-label":"Board"},tr(t),ur(t)),c("div",{class:"side"},gr(t),sr(t)));e.classList.add(
-"playground"),e.replaceChildren(s,cr(t),a,n.element,r),mr(t,{share:n.open,keys:o})}async function ds(e){let t=Xn(),{store:n,problem:r}=Kn(await Wt(),t,be()||t.scene);br(e,n),Ae()&&Jn(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var yr=document.
+"playground"),e.replaceChildren(s,cr(t),a,n.element,r),mr(t,{share:n.open,keys:o})}async function ds(e){let t=Xn(),{store:n,problem:r}=Kn(await Wt(),t,be()||t.scene);br(e,n),Ce()&&Jn(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var yr=document.
 getElementById("page");ds(yr).catch(e=>{throw yr.append(c("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
 document.body.dataset.ready="true"});})();
