@@ -3,8 +3,8 @@
 ==================  ===============================================================================
 games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
 worlds              `World` (one), `Batch` (many)
-environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once),
-                    `AgentVectorEnv` (many agents at once)
+environments        `parallel_env`, `aec_env` (PettingZoo), `AgentEnv` (one agent, Gymnasium),
+                    `VectorEnv` (many worlds at once), `AgentVectorEnv` (many agents at once)
 policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`,
                     `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
 from matrixworld._util import colors
-from matrixworld.envs import aec_env, parallel_env
+from matrixworld.envs import AgentEnv, aec_env, parallel_env
 from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
 from matrixworld.episodes import render, replay
 from matrixworld.episodes.episode import Episode
@@ -44,6 +44,7 @@ __all__ = [
     "SCRIPTS",
     "VARIANTS",
     "Action",
+    "AgentEnv",
     "AgentVectorEnv",
     "Autoreset",
     "Batch",

@@ -88,7 +88,7 @@ def test_each_module_can_be_imported_in_every_way(variant: str) -> None:
     name = module.__name__.rpartition(".")[2]
     assert getattr(envs, name) is module
     assert importlib.util.find_spec(module.__name__) is not None
-    assert sorted(module.__all__) == ["env", "parallel_env", "raw_env", "vector_env"]
+    assert sorted(module.__all__) == ["agent_env", "env", "parallel_env", "raw_env", "vector_env"]
     for maker in (module.env, module.raw_env, module.parallel_env):
         assert pickle.loads(pickle.dumps(maker)) is maker  # noqa: S301
     assert module.raw_env(rows=20).config.rules == mw.VARIANTS[variant]

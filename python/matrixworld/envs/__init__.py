@@ -3,7 +3,8 @@
 ``from matrixworld.envs import pursuit_evasion_o_v0; env = pursuit_evasion_o_v0.parallel_env()``
 
 The docstring of each module says what its game models. This page describes what all of them share.
-``vector_env(num_envs=16)`` makes a `matrixworld.VectorEnv`; ``gymnasium.make_vec`` knows it by the same id.
+``agent_env()`` makes a `matrixworld.AgentEnv`, the world of one agent; ``vector_env(num_envs=16)`` makes a
+`matrixworld.VectorEnv`. ``gymnasium.make`` and ``gymnasium.make_vec`` know them by the same id.
 For rules of your own use `matrixworld.parallel_env` and `matrixworld.aec_env`.
 
 ## Observation
@@ -70,6 +71,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from matrixworld.envs.agent import AgentEnv
 from matrixworld.envs.single import (
     INFO_KEYS,
     OPTIONS,
@@ -84,6 +86,7 @@ __all__ = [
     "INFO_KEYS",
     "OPTIONS",
     "RENDER_MODES",
+    "AgentEnv",
     "MatrixWorldAEC",
     "MatrixWorldParallel",
     "aec_env",

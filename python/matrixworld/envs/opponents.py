@@ -71,7 +71,8 @@ class BuiltInTeam:
 
     def draw(self, world: int, seed: int, episode: int) -> None:
         """Draw the opponent of an episode that begins in a world, all equally likely."""
-        word = _core.philox([0, 0, _PURPOSE, 0], [seed, episode])[0]
+        # Where both teams are played, their draws differ by the word that `learners` begin with.
+        word = _core.philox([0, 0, _PURPOSE, self.learners.start], [seed, episode])[0]
         # The upper half of the product, as the engine draws integers below n.
         self.chosen[world] = word * len(self.opponents) >> 64
         self.playing[world] = self.opponents[self.chosen[world]]

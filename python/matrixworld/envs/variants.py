@@ -1,7 +1,7 @@
 """One PettingZoo module per variant, made from the rules and a text instead of written by hand.
 
 A row in `matrixworld.world.rules.VARIANTS` and a text in ``variants.toml`` are enough: the module,
-its docstring, its page in ``docs/variants`` and its registration for ``pettingzoo.make`` follow.
+its docstring, its page in ``docs/variants`` and its registrations follow.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWr
 from typing_extensions import Unpack
 
 from matrixworld._util.files import load_toml
+from matrixworld.envs.agent import AgentEnv
 from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldParallel
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.world.config import WorldConfig
@@ -99,14 +100,15 @@ class VariantModule(ModuleType):
     """A module with the environments of one variant, as PettingZoo's own modules have them.
 
     `env`, `raw_env` and `parallel_env` are `aec_env`, `MatrixWorldAEC` and `parallel_env` with the
-    rules of the variant; they take the other arguments. So does `vector_env`, a
-    `matrixworld.VectorEnv` of ``num_envs`` worlds.
+    rules of the variant; they take the other arguments. So do `agent_env`, which makes a
+    `matrixworld.AgentEnv`, and `vector_env`, a `matrixworld.VectorEnv` of ``num_envs`` worlds.
     """
 
     __all__: list[str]
     env: Callable[..., AECWrapper]
     raw_env: Callable[..., MatrixWorldAEC]
     parallel_env: Callable[..., MatrixWorldParallel]
+    agent_env: Callable[..., AgentEnv]
     vector_env: Callable[..., VectorEnv]
 
     def __init__(self, variant: str) -> None:
@@ -119,6 +121,7 @@ class VariantModule(ModuleType):
         self._add("env", aec_env, variant)
         self._add("raw_env", MatrixWorldAEC, variant)
         self._add("parallel_env", parallel_env, variant)
+        self._add("agent_env", AgentEnv, variant)
         self._add("vector_env", _vector_env, variant)
 
     def _add(self, name: str, make: Callable[..., Any], variant: str) -> None:
@@ -140,7 +143,7 @@ def _vector_env(variant: str, num_envs: int = 1, **settings: Any) -> VectorEnv:
 def add_module(variant: str, package: str) -> VariantModule:
     """Make the module of a variant importable from `package`, and register its environments.
 
-    ``pettingzoo.make`` and ``gymnasium.make_vec`` know them by the same id.
+    ``pettingzoo.make``, ``gymnasium.make`` and ``gymnasium.make_vec`` know them by the same id.
     """
     module = VariantModule(variant)
     name = module.__name__.rpartition(".")[2]
@@ -148,8 +151,12 @@ def add_module(variant: str, package: str) -> VariantModule:
     setattr(sys.modules[package], name, module)
     register("aec", f"matrixworld/{name}", module.env)
     register("parallel", f"matrixworld/{name}", module.parallel_env)
-    # A text, not the function: Gymnasium writes its specifications as JSON.
-    gymnasium.register(f"matrixworld/{name}", vector_entry_point=f"{module.__name__}:vector_env")
+    # Texts, not the functions: Gymnasium writes its specifications as JSON.
+    gymnasium.register(
+        f"matrixworld/{name}",
+        entry_point=f"{module.__name__}:agent_env",
+        vector_entry_point=f"{module.__name__}:vector_env",
+    )
     return module
 
 

@@ -1,0 +1,49 @@
+"""What connects worlds and runs to other libraries: a module for each, named like the library.
+
+========================  =========================================================================
+`stable_baselines3`       `vec_env`, `policy`
+`tianshou`                `vector_env`
+`torchrl`                 `env`
+`benchmarl`               `task`
+`tensorboard`, `wandb`    `EpochWriter`, a callback for `matrixworld.coevolution.finish`
+========================  =========================================================================
+
+A library is imported when one of its functions is called. If it is missing, the error names the
+extra of this package that installs it.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
+from matrixworld.version import MissingExtraError, install_hint
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import Rules
+
+EASY = "clumsy-fleer"
+"""What plays the evaders if no team is named: an opponent against which first attempts learn."""
+
+
+def imported(module: str, extra: str) -> Any:
+    """Return a module of another library; MissingExtraError if it is not installed."""
+    try:
+        return import_module(module)
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(
+            f"expected the module {error.name}, which is not installed: {install_hint(extra)}"
+        ) from error
+
+
+def opponents(settings: dict[str, Any]) -> dict[str, Any]:
+    """Return settings of an environment, which plays easy evaders if no team is named."""
+    return settings if settings.keys() & {"pursuers", "evaders"} else {**settings, "evaders": EASY}
+
+
+def agents(
+    config: WorldConfig | Rules | str, n_worlds: int, mode: str, settings: dict[str, Any]
+) -> AgentVectorEnv:
+    """Return the agents of one team as sub-environments, which see flat rows of float32."""
+    flat = {"dtype": "float32", "flatten": True, **opponents(settings)}
+    return AgentVectorEnv(VectorEnv(config, n_worlds, autoreset_mode=mode, **flat))

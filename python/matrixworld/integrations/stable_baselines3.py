@@ -1,0 +1,131 @@
+"""Stable-Baselines3: a vector environment of agents, and trained models as policies."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.envs.vector import AgentVectorEnv
+from matrixworld.integrations import agents, imported
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import Rules
+
+__all__ = ["policy", "vec_env"]
+
+
+def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settings: Any) -> Any:
+    """Make a vector environment of Stable-Baselines3: the agents of one team in many worlds.
+
+    The agents share the policy that learns. The other team is played by the environment.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        The world, its rules, or the name of a variant. The default is ``"O"``.
+    n_worlds : int, optional
+        Worlds that are stepped together. The default is 8.
+    **settings
+        Other arguments of `matrixworld.VectorEnv`: ``pursuers`` or ``evaders`` (what plays that
+        team, by default ``evaders="clumsy-fleer"``), and fields of `WorldConfig` to change.
+
+    Returns
+    -------
+    stable_baselines3.common.vec_env.VecMonitor
+        With ``num_envs`` of n_worlds times the agents of the team. Observations are float32, flat
+        unless ``flatten=False``. An agent's episode ends with its world, see `AgentVectorEnv`.
+
+    Raises
+    ------
+    MissingExtraError
+        If Stable-Baselines3 is not installed.
+    ValueError, TypeError
+        As `VectorEnv` does.
+
+    Examples
+    --------
+    ::
+
+        from stable_baselines3 import PPO
+
+        envs = vec_env("O", rows=10, cols=10, n_pursuers=2, n_evaders=1)
+        model = PPO("MlpPolicy", envs).learn(100_000)
+    """
+    library = imported("stable_baselines3.common.vec_env", "stable-baselines3")
+
+    class AgentVecEnv(_Adapter, library.VecEnv):  # type: ignore[misc, name-defined]
+        """Learners of the library accept subclasses of its class only."""
+
+    return library.VecMonitor(AgentVecEnv(agents(config, n_worlds, "SameStep", settings)))
+
+
+def policy(model: Any, deterministic: bool = False) -> Callable[[NDArray[Any]], NDArray[Any]]:
+    """Return a trained model as a function of observations (n, 3, fov, fov), which gives (n,).
+
+    `matrixworld.score_policy` scores it, and environments take it as an opponent.
+
+    Parameters
+    ----------
+    model : stable_baselines3.common.base_class.BaseAlgorithm
+        A model that has learned from `vec_env`.
+    deterministic : bool, optional
+        Whether to take the most probable action instead of a drawn one. The default is False.
+    """
+    shape = model.observation_space.shape
+
+    def act(observations: NDArray[Any]) -> NDArray[Any]:
+        seen = observations.reshape(len(observations), *shape).astype(np.float32)
+        actions: NDArray[Any] = model.predict(seen, deterministic=deterministic)[0]
+        return actions
+
+    return act
+
+
+class _Adapter:
+    """The methods of the library's `VecEnv`, for the agents of an `AgentVectorEnv`."""
+
+    _seeds: list[int | None]
+    _reset_seeds: Callable[[], None]
+    _get_indices: Callable[[Any], list[int]]
+
+    def __init__(self, agents: AgentVectorEnv) -> None:
+        self.agents = agents
+        spaces: Any = agents.single_observation_space, agents.single_action_space
+        super().__init__(agents.num_envs, *spaces)  # type: ignore[call-arg]  # of the library
+
+    def reset(self) -> NDArray[Any]:
+        observations, _ = self.agents.reset(seed=self._seeds[0])
+        self._reset_seeds()
+        return observations
+
+    def step_async(self, actions: NDArray[Any]) -> None:
+        self._actions = actions
+
+    def step_wait(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], list[dict[str, Any]]]:
+        observations, rewards, terminations, truncations, infos = self.agents.step(self._actions)
+        ended = terminations | truncations
+        by_agent: list[dict[str, Any]] = [{} for _ in ended]
+        for agent in ended.nonzero()[0]:
+            by_agent[agent] = {
+                "terminal_observation": infos["final_obs"][agent],
+                "TimeLimit.truncated": bool(truncations[agent]),
+            }
+        return observations, rewards, ended, by_agent
+
+    def close(self) -> None:
+        self.agents.close()
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        return [getattr(self.agents, attr_name) for _ in self._get_indices(indices)]
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        setattr(self.agents, attr_name, value)
+
+    def env_method(self, method_name: str, *args: Any, indices: Any = None, **kwargs: Any) -> Any:
+        # The agents are one object, so that a method is called once.
+        return [getattr(self.agents, method_name)(*args, **kwargs)]
+
+    def env_is_wrapped(self, wrapper_class: type, indices: Any = None) -> list[bool]:
+        return [False for _ in self._get_indices(indices)]

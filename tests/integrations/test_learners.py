@@ -1,0 +1,71 @@
+"""Adapters for learners of other libraries; docs/clients trains with them."""
+
+import sys
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.version import MissingExtraError
+
+WORLD: dict[str, Any] = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 1, "max_steps": 12}
+FUNCTIONS = {
+    "stable_baselines3": "vec_env",
+    "tianshou": "vector_env",
+    "torchrl": "env",
+    "benchmarl": "task",
+}
+
+
+@pytest.mark.parametrize(("library", "function"), FUNCTIONS.items())
+def test_a_missing_library_is_named_with_its_extra(
+    library: str, function: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, library, None)  # as if it were not installed
+    extra = library.replace("_", "-")
+    expected = rf"^expected the module {library}.*matrixworld-pursuit\[{extra}\]"
+    with pytest.raises(MissingExtraError, match=expected):
+        getattr(import_module(f"matrixworld.integrations.{library}"), function)("O", **WORLD)
+    project = (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")
+    assert f"\n{extra} = [" in project
+
+
+def test_stable_baselines3_gets_the_agents_of_a_vector_environment() -> None:
+    pytest.importorskip("stable_baselines3")
+    from matrixworld.integrations.stable_baselines3 import vec_env
+
+    envs = vec_env("O", n_worlds=3, **WORLD)
+    settings = {"autoreset_mode": "SameStep", "dtype": "float32", "flatten": True, **WORLD}
+    twin = mw.AgentVectorEnv(mw.VectorEnv("O", 3, evaders="clumsy-fleer", **settings))
+    envs.seed(5)
+    np.testing.assert_array_equal(envs.reset(), twin.reset(seed=5)[0])
+    rng, ends = np.random.default_rng(0), 0
+    for _ in range(30):
+        actions = rng.integers(5, size=6)
+        seen, rewards, ended, infos = envs.step(actions)
+        expected = twin.step(actions)
+        for found, other in zip((seen, rewards), expected, strict=False):
+            np.testing.assert_array_equal(found, other)
+        np.testing.assert_array_equal(ended, expected[2] | expected[3])
+        for agent in np.flatnonzero(ended):
+            ends += 1
+            last = expected[4]["final_obs"][agent]
+            np.testing.assert_array_equal(infos[agent]["terminal_observation"], last)
+            assert infos[agent]["TimeLimit.truncated"] == expected[3][agent]
+    assert ends > 6
+
+
+def test_a_model_of_stable_baselines3_is_a_policy_and_an_opponent() -> None:
+    pytest.importorskip("stable_baselines3")
+    from stable_baselines3 import PPO
+
+    from matrixworld.integrations.stable_baselines3 import policy, vec_env
+
+    model = PPO("MlpPolicy", vec_env("O", **WORLD), n_steps=8, batch_size=32).learn(100)
+    config = mw.WorldConfig("O", **WORLD)
+    assert 0 <= mw.score_policy(policy(model), "pursuer", config, episodes=2).mean().value <= 1
+    model = PPO("MlpPolicy", vec_env(config, pursuers=policy(model)), n_steps=8, batch_size=8)
+    assert model.env.num_envs == 8  # one evader in each world
