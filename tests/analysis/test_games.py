@@ -4,13 +4,17 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
 from matrices import ROCK_PAPER_SCISSORS, circular, logistic, payoffs, staircase
 from matrixworld import analysis
-from matrixworld.analysis.games import fixation_probability, game_value
+from matrixworld.analysis.games import (
+    effective_diversity_over_episodes,
+    fixation_probability,
+    game_value,
+)
 
 PENNIES = np.eye(2)
 
@@ -212,3 +216,37 @@ def test_fixation_probability_has_no_jump_at_zero_and_no_overflow() -> None:
     assert extreme.tolist() == [0.0, 1.0]
     limit = fixation_probability([[-0.1, 0.0, 0.1]], alpha=math.inf, population=4)
     assert limit.tolist() == [[0.0, 0.25, 1.0]]
+
+
+# ---- Effective diversity -------------------------------------------------------------------------
+
+
+def test_diversity_worked_out_by_hand() -> None:
+    assert analysis.effective_diversity(ROCK_PAPER_SCISSORS) == pytest.approx(3 * 0.5 / 9)
+    assert analysis.effective_diversity(PENNIES) == pytest.approx(2 * 0.5 / 4)
+    # Weak generations and copies add nothing; the best one of a transitive race is not diverse.
+    weak = np.pad(ROCK_PAPER_SCISSORS[[0, 0, 1, 2]], ((0, 1), (0, 0)))
+    assert analysis.effective_diversity(weak) == pytest.approx(1 / 6)
+    assert analysis.effective_diversity(logistic(9)) == pytest.approx(0.0, abs=1e-9)
+
+
+@settings(max_examples=25)
+@given(payoffs(parts=8))
+def test_both_teams_have_one_diversity(matrix: np.ndarray) -> None:
+    swapped = analysis.effective_diversity(1 - matrix.T)
+    assert swapped == pytest.approx(analysis.effective_diversity(matrix), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("rates", "diverse"),
+    [(np.full((9, 9), 0.5), False), (logistic(9, 0.5), False), (0.1 + 0.8 * staircase(9), False),
+     (0.1 + 0.8 * np.kron(np.ones((3, 3)), ROCK_PAPER_SCISSORS), True)],
+)  # fmt: skip
+def test_noise_is_not_taken_for_diversity(rates: np.ndarray, diverse: bool) -> None:
+    truth, rng = analysis.effective_diversity(rates), np.random.default_rng(0)
+    scores = [(rng.random((9, 9, 20)) < rates[..., None]).astype(float) for _ in range(12)]
+    found = [effective_diversity_over_episodes(each) for each in scores]
+    # The number of the measured matrix is too large.
+    assert np.mean([analysis.effective_diversity(s.mean(axis=2)) for s in scores]) > truth + 0.001
+    assert sum(one.ends[0] > 0 for one in found) == (len(found) if diverse else 0)
+    assert sum(one.ends[0] <= truth + 1e-9 <= one.ends[1] + 2e-9 for one in found) >= 11

@@ -8,7 +8,7 @@ from scipy import stats
 
 from matrices import additive, circular, logistic, payoffs, staircase
 from matrixworld import analysis
-from matrixworld.analysis.cycles import noise_reference, squared_intransitivity, transitive_fit
+from matrixworld.analysis.cycles import squared_intransitivity, transitive_fit
 from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.strength import (
     gain_of_runs,
@@ -162,22 +162,32 @@ def test_noise_is_not_intransitive(chance: np.ndarray, episodes: int) -> None:
     assert most >= -0.3 * chance.var() - 0.25 * 0.25 / episodes
 
 
+def test_a_spinning_top_is_widest_in_the_middle() -> None:
+    t, lag = np.arange(20) / 19, np.subtract.outer(np.arange(20), np.arange(20))
+    middle = np.exp(-(((t - 0.5) / 0.15) ** 2))
+    logits = 4 * (t[:, None] - t) + 4 * np.outer(middle, middle) * np.sin(np.pi * lag / 2)
+    scores = played(1 / (1 + np.exp(-logits)), 300)
+    matrix, noise = scores.mean(axis=2), scores.var(axis=2, ddof=1) / 300
+    thirds = [squared_intransitivity(matrix, noise, third=k) for k in range(3)]
+    assert thirds[1].ends[0] > max(thirds[0].ends[1], thirds[2].ends[1])
+    top = analysis.spinning_top(scores)
+    for team, swapped in zip(
+        top, [*analysis.spinning_top(1 - scores.swapaxes(0, 1))][::-1], strict=True
+    ):
+        np.testing.assert_allclose(team.strength, swapped.strength)
+        assert 6 <= team.intransitivity.argmax() <= 13
+        assert (team.low <= team.intransitivity).all()
+        assert (team.intransitivity <= team.high).all()
+    # One row or column each: together they are the intransitivity of the judgement.
+    whole = squared_intransitivity(matrix, noise).value
+    assert np.mean(top.evaders.intransitivity**2) == pytest.approx(whole, rel=0.02)
+
+
 @pytest.mark.parametrize("chance", [np.full((12, 12), 0.5), logistic(12, 0.3)])
-def test_transitive_races_have_the_checkerboards_of_their_noise(chance: np.ndarray) -> None:
-    outside = 0
-    for seed in range(8):
-        scores = played(chance, 8, seed)
-        noise = noise_reference(scores, margin=0.15)
-        boards = analysis.checkerboards(scores.mean(axis=2), margin=0.15, level=None)
-        outside += boards.share > noise.checkerboards
-        # Noise is what it takes: with many episodes there is none left.
-        assert noise_reference(played(chance, 400, seed), margin=0.15).checkerboards == 0
-    assert outside <= 3
-    cyclic = played(circular(12), 8)
-    boards = analysis.checkerboards(cyclic.mean(axis=2), margin=0.15, level=None)
-    noise = noise_reference(cyclic, margin=0.15)
-    assert boards.share > noise.checkerboards
-    assert analysis.transitive_share(cyclic.mean(axis=2)) < noise.transitive_share
+def test_a_transitive_race_is_no_spinning_top(chance: np.ndarray) -> None:
+    tops = [analysis.spinning_top(played(chance, 8, seed)) for seed in range(10)]
+    lows = np.concatenate([team.low for top in tops for team in top])
+    assert np.mean(lows > 0.05) < 0.01
 
 
 def test_long_races_are_thinned_out() -> None:

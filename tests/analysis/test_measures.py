@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from scipy.stats import t
 
 from matrices import (
     ROCK_PAPER_SCISSORS,
@@ -350,3 +351,35 @@ def test_log_loss_by_hand() -> None:
         0.25 * np.log(0.5) + 0.75 * np.log(1.5)
     )
     assert analysis.log_loss([[0.5]], [[0.0]]) == np.inf  # what was held impossible happened
+
+
+def test_intervals_of_ratings_are_those_of_a_jackknife() -> None:
+    rng = np.random.default_rng(1)
+    scores = (rng.random((7, 5, 200)) < staircase(7)[:, :5, None] * 0.6 + 0.2).astype(float)
+    found = analysis.elo_over_episodes(scores)
+    left_out = [analysis.elo(np.delete(scores, e, axis=2).mean(axis=2)) for e in range(200)]
+    for team in ("pursuers", "evaders"):
+        each = analysis.ELO_POINTS * np.array([getattr(one, team) for one in left_out])
+        ratings, error = getattr(found, team), np.sqrt(199**2 / 200 * each.var(axis=0, ddof=1))
+        whole = getattr(analysis.elo(scores.mean(axis=2)), team)
+        np.testing.assert_allclose(ratings.mean[0], analysis.ELO_POINTS * whole, atol=1e-6)
+        half = (ratings.high - ratings.low)[0] / 2
+        np.testing.assert_allclose(half, t.ppf(0.975, 199) * error, rtol=0.03)
+
+
+@pytest.mark.parametrize("spread", [0.0, 0.5])
+def test_ratings_of_several_runs_borrow_what_noise_leaves_open(spread: float) -> None:
+    rng, covered, errors = np.random.default_rng(2), [], []
+    for _ in range(15):
+        strengths = np.arange(12) / 4 + rng.normal(0, spread, (2, 5, 12))
+        rates = sigmoid(strengths[0][:, :, None] - strengths[1][:, None])
+        scores = (rng.random((*rates.shape, 10)) < rates[..., None]).astype(float)
+        found = analysis.elo_over_episodes(scores).pursuers
+        truth = analysis.ELO_POINTS * np.array([analysis.elo(each).pursuers for each in rates])
+        covered.append((found.low <= truth) & (truth <= found.high))
+        alone = [analysis.elo_over_episodes(each).pursuers.mean[0] for each in scores]
+        errors.append([np.mean((guess - truth) ** 2) for guess in (found.mean, alone)])
+    assert 0.93 < np.mean(covered) < 0.999
+    together, alone = np.mean(errors, axis=0)
+    assert together < (0.5 if spread == 0.0 else 1.0) * alone
+    assert (found.between > 60) == (spread > 0)  # 87 points

@@ -22,7 +22,6 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import analysis, classroom, coevolution, explorer, toys, tutorial
-from matrixworld.analysis.cycles import noise_reference
 from matrixworld.analysis.meta_strategies import META_SOLVERS
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
@@ -187,7 +186,8 @@ def _of_analysis() -> Iterator[Any]:
     yield (payoffs := analysis.read_payoffs(scores, per_episode=True))
     yield payoffs.late
     yield analysis.dominance_tournament(scores)
-    yield noise_reference(scores, margin=0.1, simulations=5)
+    yield from (analysis.spinning_top(scores), analysis.elo_over_episodes(scores))
+    yield analysis.replicator_dynamics(payoff)
     yield analysis.disengagements(np.ones((9, 2)))
     yield strength_gain(payoff[0], payoff[0])
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))

@@ -18,12 +18,20 @@ from __future__ import annotations
 
 from matrixworld.analysis.cycles import (
     checkerboards,
+    spinning_top,
     transitive_share,
     transitive_share_over_episodes,
     two_way_parts,
 )
+from matrixworld.analysis.dynamics import replicator_dynamics
 from matrixworld.analysis.engagement import disengagements
-from matrixworld.analysis.games import alpha_rank, exploitability, nash_averaging, response_gain
+from matrixworld.analysis.games import (
+    alpha_rank,
+    effective_diversity,
+    exploitability,
+    nash_averaging,
+    response_gain,
+)
 from matrixworld.analysis.intervals import (
     Band,
     Estimate,
@@ -53,7 +61,7 @@ from matrixworld.analysis.progress import (
     local_progress,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import ELO_POINTS, elo, log_loss
+from matrixworld.analysis.ratings import ELO_POINTS, elo, elo_over_episodes, log_loss
 from matrixworld.analysis.report import (
     all_results,
     describe,
@@ -91,7 +99,9 @@ __all__ = [
     "difference_over_episodes",
     "disengagements",
     "dominance_tournament",
+    "effective_diversity",
     "elo",
+    "elo_over_episodes",
     "explain",
     "exploitability",
     "fewest_runs",
@@ -119,8 +129,10 @@ __all__ = [
     "race_bands",
     "read_payoffs",
     "rectified_nash",
+    "replicator_dynamics",
     "report",
     "response_gain",
+    "spinning_top",
     "team_phase_rates",
     "transitive_share",
     "transitive_share_over_episodes",

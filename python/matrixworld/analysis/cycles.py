@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.intervals import (
     BIASED,
     LEVEL,
@@ -23,7 +24,14 @@ from matrixworld.analysis.intervals import (
     normal_quantile,
     t_quantile,
 )
-from matrixworld.analysis.payoffs import SHRINKAGE, Rates, check_payoff, require
+from matrixworld.analysis.payoffs import (
+    SHRINKAGE,
+    ByTeam,
+    Rates,
+    check_payoff,
+    require,
+    swap_teams,
+)
 from matrixworld.analysis.payoffs import logits as logits_of
 
 EPISODES_TO_SUBTRACT_NOISE = 4
@@ -212,8 +220,7 @@ def strongest_checkerboards(
     """Return checkerboards with large margins, in descending order, that differ from each other.
 
     No two have more than two generations in common: a strong one has many neighbours that show the
-    same. The largest of many margins is larger than the true one; `noise_reference` says how many
-    checkerboards noise alone makes.
+    same. The largest of many margins is larger than the true one.
 
     Of two rows, no margin exceeds what one gains over the other in some column, and loses in
     another. In the order of these bounds, found in time O(n^2 m), some dozens of pairs have to be
@@ -262,12 +269,16 @@ def transitive_fit(matrix: Rates) -> Rates:
     return fit
 
 
-def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
+def squared_intransitivity(
+    matrix: Rates, noise: Rates, *, third: int | None = None, level: float = LEVEL
+) -> Estimate:
     """Return the mean square of what no order of strength explains, without episode noise.
 
     That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
     estimate of the variance of each cell. It may be negative. `biased_high` and `high` allow for
-    what the fit hides. More than `MOST_GENERATIONS` generations are thinned out.
+    what the fit hides. More than `MOST_GENERATIONS` generations are thinned out. A `third` of the
+    generations of both teams by strength, from the weakest (0) to the strongest (2), has the mean
+    over the cells of its pursuers and over those of its evaders.
 
     A test of lack of fit against pure error, with an order as the null hypothesis (Robertson,
     Wright and Dykstra 1988, "Order restricted statistical inference"). The residuals of a
@@ -278,55 +289,100 @@ def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL)
     The standard error is that of a sum of independent cells. Where generations hardly differ in
     strength their order is chance, and with it the small part of a cycle that lies along the order.
     """
-    matrix, variances = thinned(matrix), thinned(noise)
+    matrix, noise = thinned(matrix), thinned(noise)
+    weights = np.full(matrix.shape, 1.0 / matrix.size)
+    if third is not None:
+        rows, columns = (
+            np.array_split(np.argsort(each.mean(axis=1), kind="stable"), 3)[third]
+            for each in (matrix, swap_teams(matrix))
+        )
+        weights = np.zeros(matrix.shape)
+        weights[rows] += 0.5 / (len(rows) * matrix.shape[1])
+        weights[:, columns] += 0.5 / (len(columns) * matrix.shape[0])
+    return _weighted(_excess(matrix, noise), noise, weights, level)
+
+
+def _excess(matrix: Rates, noise: Rates) -> Rates:
+    """Return the squared residual of each cell minus what its noise leaves of it."""
     fit = transitive_fit(matrix)
-    excess = (matrix - fit) ** 2 - variances * (1.0 - _leverages(fit))
-    value = float(excess.mean())
-    error = float(np.sqrt((excess**2).sum())) / excess.size
-    reach = normal_quantile(level) * error
-    most = value + SORTING * sum(matrix.shape) / matrix.size * float(variances.mean())
+    excess: Rates = (matrix - fit) ** 2 - noise * (1.0 - _leverages(fit))
+    return excess
+
+
+def _weighted(excess: Rates, noise: Rates, weights: Rates, level: float) -> Estimate:
+    value = float((weights * excess).sum())
+    reach = normal_quantile(level) * float(np.sqrt((weights**2 * excess**2).sum()))
+    most = value + SORTING * sum(excess.shape) / excess.size * float((weights * noise).sum())
     return Estimate(value, value - reach, most + reach, "episodes", biased_high=most)
 
 
-class NoiseReference(NamedTuple):
-    """What a transitive race with the same noise has, at most and at least.
+@dataclass(frozen=True, eq=False)
+class SpinningTop:
+    """Strength and intransitivity of the generations of one team, each array of shape (k,).
 
-    Such a race rarely has a larger share of `checkerboards` (NaN below 2 x 2 generations), or a
-    smaller `transitive_share` (NaN if it is constant).
+    `generations`: their numbers. `strength`: mean payoff. `intransitivity`, with its interval `low`
+    to `high` for each generation by itself: the root mean square, in capture rates and without
+    noise, of what no order of strength explains in its matches.
     """
 
-    checkerboards: float
-    transitive_share: float
+    generations: NDArray[np.intp]
+    strength: Rates
+    intransitivity: Rates
+    low: Rates
+    high: Rates
+
+    __repr__ = short_repr
 
 
-def noise_reference(
-    scores: ArrayLike, *, margin: float, level: float = LEVEL, simulations: int = 100, rng: int = 0
-) -> NoiseReference:
-    """Simulate how many checkerboards a transitive race has by episode noise alone.
+def spinning_top(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[SpinningTop]:
+    """Return strength and size of cycles of each generation: the spinning top of a race.
 
-    Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
-    cell's mean. The quantiles at the level help to read the two numbers; `squared_intransitivity`
-    decides whether a race is intransitive.
+    Parameters
+    ----------
+    scores, level
+        As for `linear_over_episodes`. More than 40 generations are thinned out evenly.
+
+    Notes
+    -----
+    In many games strategies of middle strength beat each other in circles, and very weak and very
+    strong ones do not: drawn with strength upright and cycles across, they look like spinning tops.
+    Czarnecki et al. count cycles of three strategies in a symmetric game, or the strategies of
+    successive equilibria. Generations of one team do not play each other, and noise makes both
+    numbers larger. Here the size of cycles is the intransitivity of the judgement, of one row or
+    one column of the matrix.
+
+    References
+    ----------
+    Czarnecki et al. (2020), "Real world games look like spinning tops".
     """
     array = check_cells(scores, level)
-    fit = transitive_fit(array.mean(axis=2))
-    error = array.std(axis=2, ddof=1) / np.sqrt(array.shape[2])
-    generator = np.random.default_rng(rng)
-    races = [
-        np.clip(fit + error * generator.standard_normal(fit.shape), 0.0, 1.0)
-        for _ in range(simulations)
-    ]
-    boards = [checkerboards(race, margin=margin, level=None).share for race in races]
-    shares = [transitive_share(race) for race in races]
-    return NoiseReference(
-        float(np.quantile(boards, level)), float(np.quantile(shares, 1.0 - level))
+    matrix, noise = array.mean(axis=2), array.var(axis=2, ddof=1) / array.shape[2]
+    matrix, noise, kept = thinned(matrix), thinned(noise), [*map(_kept, matrix.shape)]
+    excess = _excess(matrix, noise)
+    return ByTeam(
+        _top(kept[0], matrix, excess, noise, level),
+        _top(kept[1], swap_teams(matrix), excess.T, noise.T, level),
     )
+
+
+def _top(
+    generations: NDArray[np.intp], matrix: Rates, excess: Rates, noise: Rates, level: float
+) -> SpinningTop:
+    even = np.full((1, matrix.shape[1]), 1.0 / matrix.shape[1])
+    found = [_weighted(excess, noise, even * row[:, None], level) for row in np.eye(len(matrix))]
+    # Noise is subtracted from a square, so it may be negative.
+    roots = np.sqrt([np.maximum(0.0, (each.value, *each.ends)) for each in found]).T
+    return SpinningTop(generations, matrix.mean(axis=1), *roots)
 
 
 def thinned(matrix: Rates) -> Rates:
     """Return all generations of each team, or `MOST_GENERATIONS` of them at even distances."""
-    kept = (np.linspace(0, size - 1, min(size, MOST_GENERATIONS)) for size in matrix.shape)
-    return matrix[np.ix_(*(each.round().astype(np.intp) for each in kept))]
+    return matrix[np.ix_(*map(_kept, matrix.shape))]
+
+
+def _kept(size: int) -> NDArray[np.intp]:
+    even = np.linspace(0, size - 1, min(size, MOST_GENERATIONS))
+    return np.asarray(even.round(), np.intp)
 
 
 def _leverages(fit: Rates) -> Rates:

@@ -11,7 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.short_repr import short_repr
-from matrixworld.analysis.intervals import Estimate, difference_over_episodes
+from matrixworld.analysis.cycles import transitive_fit
+from matrixworld.analysis.intervals import (
+    LEVEL,
+    Estimate,
+    difference_over_episodes,
+    t_ends,
+)
 from matrixworld.analysis.payoffs import Mask, Rates, check_payoff, check_rates, require, swap_teams
 
 # Capture rates closer than this count as equal: the tolerance of the linear programmes.
@@ -281,8 +287,8 @@ def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -
     where the sum is called NashConv.
     """
     matrix = check_payoff(payoff)
-    p = _check_mixture(pursuers, matrix.shape[0], "pursuers")
-    q = _check_mixture(evaders, matrix.shape[1], "evaders")
+    p = check_mixture(pursuers, matrix.shape[0], "pursuers")
+    q = check_mixture(evaders, matrix.shape[1], "evaders")
     # A mixture has a best response among the pure generations, so one minimum or maximum is enough.
     rate = float(p @ matrix @ q)
     lowest, highest = float((p @ matrix).min()), float((matrix @ q).max())
@@ -312,12 +318,82 @@ def response_gain(before: ArrayLike, after: ArrayLike, *, budget: int) -> Respon
     return ResponseGain(difference_over_episodes(new, old), budget)
 
 
-def _check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
+def check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
+    """Return weights of at least 0 with sum 1, or raise a ValueError that names the team."""
     mixture = check_rates(weights, ndim=1, what=f"weights of the {team}")
     require(len(mixture) == length, f"{length} weights of the {team}", len(mixture))
     total = float(mixture.sum())
     require(math.isclose(total, 1.0, abs_tol=_ROUNDING), f"weights of the {team} with sum 1", total)
     return mixture
+
+
+# ---- Effective diversity -------------------------------------------------------------------------
+
+
+def effective_diversity(payoff: ArrayLike) -> float:
+    """Return how much the generations of the equilibrium win more than the value, where they do.
+
+    ``p max(0, M - v) q`` in capture rates, with the mixtures p and q and the value v of
+    `nash_averaging`. 0 if one generation of each team is best; 1/6 in rock-paper-scissors.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Noise makes the number larger; ``MEASURES["effective_diversity"]`` allows for it.
+
+    Notes
+    -----
+    Weak generations count nothing, and copies share their weight. What evaders win more than
+    ``1 - v`` is the same, so both teams have one diversity. Another measure, the expected
+    cardinality of a determinantal point process (Perez-Nieves et al. 2021), depends on the scale of
+    the payoffs, counts weak generations, and takes noise for diversity.
+
+    References
+    ----------
+    Balduzzi et al. (2019), "Open-ended learning in symmetric zero-sum games": ``p max(0, A) p`` of
+    a symmetric game, whose value is 0. Here the value is subtracted, because roles differ.
+    """
+    matrix = check_payoff(payoff)
+    nash = nash_averaging(matrix)
+    return float(nash.pursuers @ np.maximum(0.0, matrix - nash.value) @ nash.evaders)
+
+
+def effective_diversity_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
+    """Return the effective diversity of the measured equilibrium, with an interval over episodes.
+
+    The scores have the shape (n, m, episodes), of at least 4 episodes. One half of them chooses the
+    mixtures, and the cells in which pursuers do better than both mixtures explain; the other half
+    measures the excess of these cells, and both change roles. So noise that was chosen is not
+    measured. The excess is what remains of a cell without the mixtures' means of its row and its
+    column: these are the value in an equilibrium, but not in one that noise has spread over strong
+    and weak generations. The lower end is without what the nearest transitive matrix has of the
+    excess, and the upper end contains `effective_diversity` of all episodes, which is too large.
+    """
+    matrix, halves = scores.mean(axis=2), (scores[:, :, 0::2], scores[:, :, 1::2])
+    fit, found = transitive_fit(matrix), []
+    for chooses, measures in (halves, halves[::-1]):
+        weights = _excess_weights(chooses.mean(axis=2))
+        each = np.tensordot(weights, measures, 2)
+        ordered = max(0.0, float((weights * fit).sum()))
+        found.append((each.mean(), each.mean() - ordered, *t_ends(each, level)))
+    value, least, low, high = np.mean(found, axis=0).tolist()
+    most = max(value, effective_diversity(matrix))
+    ends = low + least - value, high + most - value
+    return Estimate(value, *ends, "episodes", biased_low=least, biased_high=most)
+
+
+def _excess_weights(matrix: Rates) -> Rates:
+    """Return the weights of cells whose sum is the excess of a matrix over its mixtures' means."""
+    nash = nash_averaging(matrix)
+    p, q = nash.pursuers, nash.evaders
+    excess = matrix - (matrix @ q)[:, None] - p @ matrix + p @ matrix @ q
+    chosen = np.outer(p, q) * (excess > 0.0)
+    # The same sum of chosen cells, of the matrix itself instead of its excess.
+    rows, columns = chosen.sum(axis=1), chosen.sum(axis=0)
+    weights: Rates = (
+        chosen - np.outer(rows, q) - np.outer(p, columns) + np.outer(p, q) * chosen.sum()
+    )
+    return weights
 
 
 # ---- alpha-Rank of two populations ---------------------------------------------------------------

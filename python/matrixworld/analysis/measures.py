@@ -24,10 +24,11 @@ from matrixworld.analysis.cycles import (
     transitive_share_over_episodes,
 )
 from matrixworld.analysis.engagement import one_sidedness
-from matrixworld.analysis.games import game_value
+from matrixworld.analysis.games import effective_diversity_over_episodes, game_value
 from matrixworld.analysis.intervals import (
     BIASED,
     LEVEL,
+    UNBOUNDED,
     UNIT,
     Bounds,
     Estimate,
@@ -49,7 +50,7 @@ from matrixworld.analysis.payoffs import (
     swap_teams,
 )
 from matrixworld.analysis.progress import TeamProgress
-from matrixworld.analysis.ratings import elo, log_loss
+from matrixworld.analysis.ratings import ELO_POINTS, elo, elo_over_episodes, log_loss
 from matrixworld.analysis.strength import (
     gain_of_runs,
     is_sustained,
@@ -62,6 +63,10 @@ TOO_SHORT = f"it takes at least {GENERATIONS_TO_JUDGE} generations of each team"
 NO_EPISODES = (
     f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
     "noise"
+)
+TOO_FEW_FOR_DIVERSITY = (
+    f"it takes the single episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell diversity "
+    "from noise"
 )
 
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
@@ -324,16 +329,25 @@ def _effective_episodes(payoffs: Payoffs, window: Window) -> float:
     return episodes * max(1.0, wins_and_losses / noise if noise else 1.0)
 
 
-def _cyclic(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    if not payoffs.shows_noise:
-        return Estimate(math.nan, note=NO_EPISODES)
-    matrix, noise = payoffs.matrices[0][window.cells], payoffs.noise[0][window.cells]
-    found = squared_intransitivity(matrix, noise, level=level)
-    if payoffs.scores is not None:
-        return found
-    # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
-    most = squared_intransitivity(matrix, np.zeros_like(noise), level=level)
-    return replace(found, high=most.high, biased_high=most.biased_high)
+def _cyclic(third: int | None = None) -> Estimator:
+    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        if not payoffs.shows_noise:
+            return Estimate(math.nan, note=NO_EPISODES)
+        matrix, noise = payoffs.matrices[0][window.cells], payoffs.noise[0][window.cells]
+        found = squared_intransitivity(matrix, noise, third=third, level=level)
+        if payoffs.scores is not None:
+            return found
+        # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
+        most = squared_intransitivity(matrix, np.zeros_like(noise), third=third, level=level)
+        return replace(found, high=most.high, biased_high=most.biased_high)
+
+    return _deciding(of_run)
+
+
+def _diversity(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    if payoffs.scores is None or not payoffs.shows_noise:
+        return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
+    return effective_diversity_over_episodes(payoffs.scores[0][window.cells], level=level)
 
 
 def _recurrence(team: str) -> Estimator:
@@ -393,6 +407,22 @@ def _mean_gain(kind: Callable[[Rates], ByTeam[TeamProgress]]) -> Callable[[str],
     return lambda team: _linear(lambda m: getattr(kind(m), team).mean_gain, GAIN)
 
 
+def _rating(team: str) -> Estimator:
+    """Return how the Elo points of the last generation of a team are estimated."""
+
+    def number(matrix: Rates) -> float:
+        return ELO_POINTS * float(getattr(elo(matrix), team)[-1])
+
+    def over_episodes(scores: Rates, level: float) -> Estimate:
+        found = getattr(elo_over_episodes(scores, level=level), team)
+        ends = float(found.low[0, -1]), float(found.high[0, -1])
+        if math.isnan(ends[0]):
+            return Estimate(number(scores.mean(axis=2)), note="no interval: all episodes are equal")
+        return Estimate(float(found.mean[0, -1]), *ends, "episodes", scores.shape[2])
+
+    return _of_matrix(number, UNBOUNDED, over_episodes)
+
+
 def _log_loss(cycles: int) -> Estimator:
     bounds = (0.0, math.inf)
     return _biased(lambda m: log_loss(m, elo(m, cycles=cycles).predict()), bounds)
@@ -404,7 +434,7 @@ ROWS = (
     *_of_teams("gain", "gain of the {team}s", _gain, late=True, form="+.3f"),
     *_of_teams("change", "change of the {team}s", _change, late=True, form="+.3f"),
     Measure(
-        "squared_intransitivity", "intransitivity", _deciding(_cyclic), late=True, squared=True
+        "squared_intransitivity", "intransitivity", _cyclic(), late=True, squared=True
     ),
     *_of_teams("recurrence", "recurrence of the {team}s", _recurrence, late=True, form="+.3f"),
     Measure(
@@ -455,6 +485,15 @@ ROWS = (
     ),
     *_of_teams("rungs", "dominant {team} generations", _dominant, form=".1f"),
     Measure("game_value", "capture rate in the Nash equilibrium", _biased(game_value)),
+    Measure("effective_diversity", "effective diversity of the equilibrium", _deciding(_diversity)),
+    *(
+        Measure(
+            f"{which}_intransitivity", f"intransitivity of the {which} third", _cyclic(third),
+            squared=True,
+        )
+        for third, which in enumerate(("weakest", "middle", "strongest"))
+    ),
+    *_of_teams("rating", "Elo points of the last {team}s above their mean", _rating, form="+.0f"),
     Measure("elo_log_loss", "log loss of Elo, nats", _log_loss(cycles=0)),
     Measure("multi_elo_log_loss", "log loss of Elo with one cycle, nats", _log_loss(cycles=1)),
 )  # fmt: skip

@@ -9,7 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.short_repr import short_repr
-from matrixworld.analysis.payoffs import SHRINKAGE, Rates, check_payoff, logits, require, shrink
+from matrixworld.analysis.intervals import LEVEL, check_level, t_quantile
+from matrixworld.analysis.payoffs import (
+    SHRINKAGE,
+    ByTeam,
+    Rates,
+    check_payoff,
+    check_rates,
+    logits,
+    require,
+    shrink,
+)
 
 ELO_POINTS = 400.0 / math.log(10.0)
 """Points of the chess scale for one unit of these ratings, a natural logit."""
@@ -104,6 +114,93 @@ def elo(
     largest = np.take_along_axis(left, np.abs(left).argmax(axis=0)[None], axis=0)
     scale = np.where(largest < 0.0, -1.0, 1.0) * np.sqrt(sizes)
     return replace(ratings, u=(left * scale)[:, kept], v=(right.T * scale)[:, kept])
+
+
+@dataclass(frozen=True, eq=False)
+class Ratings:
+    """Elo ratings of one team in points, with intervals: arrays of shape (runs, k).
+
+    `mean`: rating of each generation of each run; `low` and `high`: its interval, NaN where all
+    episodes are equal. `between`: standard deviation between runs, without noise; NaN for a single
+    run. `within`: standard error of a rating of one run.
+    """
+
+    mean: Rates
+    low: Rates
+    high: Rates
+    between: float
+    within: float
+
+    __repr__ = short_repr
+
+
+def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Ratings]:
+    """Return the Elo ratings of one run or several with intervals over episodes.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes) or (runs, n, m, episodes)
+        Scores in [0, 1] of independent episodes, at least two of each cell.
+    level : float, optional
+        Confidence level of each interval, in (0, 1).
+
+    Notes
+    -----
+    The model is that of `elo`, which is Bradley-Terry's. Episode e of all cells is one measurement
+    of the matrix; ratings follow it by their gradient (delta method), and have Student's t interval
+    over these measurements. Several runs are a hierarchy: the ratings of a generation are normal
+    over runs, with a mean of its own and a variance that all generations share, estimated by
+    moments. So each is moved towards the mean over runs, the more the larger noise is beside that
+    variance. The interval is about this run; `race_bands` has that of the mean over runs.
+
+    References
+    ----------
+    Bradley and Terry (1952), "Rank analysis of incomplete block designs". DerSimonian and Laird
+    (1986), "Meta-analysis in clinical trials". Morris (1983), "Parametric empirical Bayes
+    inference: theory and applications".
+    """
+    ndim = 3 if np.ndim(scores) == 3 else 4
+    array = check_rates(scores, ndim=ndim, what="scores ([runs,] n, m, episodes)")
+    array = array.reshape(-1, *array.shape[-3:])
+    check_level(level)
+    require(array.shape[3] >= 2, "at least 2 episodes a cell", array.shape[3])
+    means, errors = np.array([_with_variances(each) for each in array]).swapaxes(0, 1)
+    t = float(t_quantile(level, array.shape[3] - 1))
+    rows = array.shape[1]
+    return ByTeam(
+        _pooled(means[:, :rows], errors[:, :rows], t), _pooled(means[:, rows:], errors[:, rows:], t)
+    )
+
+
+def _with_variances(scores: Rates) -> tuple[Rates, Rates]:
+    """Return the ratings of pursuers, then evaders, in points, and their variances (n + m,)."""
+    rows, columns, episodes = scores.shape
+    matrix = scores.mean(axis=2)
+    found, rates = elo(matrix), shrink(matrix, SHRINKAGE)
+    _, _, curvature = _loss(_fit(rates, RIDGE), rates, RIDGE)
+    changes = (1.0 - 2.0 * SHRINKAGE) * (scores - matrix[:, :, None])
+    by_row, by_column = changes.sum(axis=1), changes.sum(axis=0)
+    gradients = np.concatenate([by_row, -by_column, by_row.sum(axis=0)[None]])
+    moved = np.linalg.lstsq(curvature, gradients, rcond=None)[0][:-1]
+    moved -= np.repeat([moved[:rows].mean(axis=0), moved[rows:].mean(axis=0)], (rows, columns), 0)
+    variances = moved.var(axis=1, ddof=1) / episodes
+    return ELO_POINTS * np.append(found.pursuers, found.evaders), ELO_POINTS**2 * variances
+
+
+def _pooled(means: Rates, variances: Rates, t: float) -> Ratings:
+    """Move the ratings of runs (runs, k) towards their mean over runs, as far as noise allows."""
+    runs, within = len(means), float(variances.mean())
+    if runs == 1:
+        between, pooled = math.nan, variances
+    else:
+        middle = means.mean(axis=0)
+        between = max(0.0, float(means.var(axis=0, ddof=1).mean()) - within)
+        own = between / np.maximum(between + variances, np.finfo(float).tiny)
+        pooled = own * variances + (1.0 - own) ** 2 * (between + variances.mean(axis=0)) / runs
+        pooled += 2.0 / (runs - 1) * ((1.0 - own) * (means - middle)) ** 2
+        means = middle + own * (means - middle)
+    reach = t * np.sqrt(np.where(variances > 0.0, pooled, np.nan))
+    return Ratings(means, means - reach, means + reach, between**0.5, within**0.5)
 
 
 def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:

@@ -10,7 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis import progress
-from matrixworld.analysis.cycles import MARGIN, clear_checkerboards, transitive_share
+from matrixworld.analysis.cycles import (
+    MARGIN,
+    clear_checkerboards,
+    spinning_top,
+    transitive_share,
+)
+from matrixworld.analysis.dynamics import replicator_dynamics
 from matrixworld.analysis.engagement import disengagements
 from matrixworld.analysis.games import alpha_rank, nash_averaging
 from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, SINGLE_RUN, Estimate, few_runs
@@ -26,7 +32,7 @@ from matrixworld.analysis.judge import (
 from matrixworld.analysis.measures import MEASURES, measure_all
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, read_payoffs, require
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.analysis.ratings import elo
+from matrixworld.analysis.ratings import elo, elo_over_episodes
 from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import forgetting, late_forgetting
 
@@ -289,7 +295,8 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
         ``measures``: those of `measure_all`. ``bands``: the mean curves of `race_bands`. ``runs``:
         for each run its payoff matrix and the results of `generalization`, `forgetting`,
         `local_progress`, `historical_progress`, `lag_profile`, `ciao`, `elo` with one cycle
-        (``ratings``), `nash_averaging` and `alpha_rank`; of episodes also `dominance_tournament`.
+        (``ratings``), `nash_averaging`, `alpha_rank` and `replicator_dynamics`; of episodes also
+        `dominance_tournament` and `spinning_top`. ``ratings``: of episodes, `elo_over_episodes`.
         With cross tests ``global_progress``. Arrays are lists, NaN is None.
     """
     payoffs = read_payoffs(source)
@@ -299,6 +306,8 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
         "bands": race_bands(payoffs.matrices, level=level),
         "runs": [_curves(run) for run in payoffs.runs],
     }
+    if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
+        found["ratings"] = elo_over_episodes(payoffs.scores, level=level)
     if payoffs.cross is not None:
         found["global_progress"] = progress.global_progress(payoffs.cross)
     plain: dict[str, Any] = plain_values(found)
@@ -309,6 +318,7 @@ def _curves(run: Payoffs) -> dict[str, Any]:
     curves = {name: of(run.matrices[0]) for name, of in CURVES.items()}
     if run.scores is not None and run.scores.shape[3] >= 2:
         curves["dominance"] = progress.dominance_tournament(run.scores[0])
+        curves["spinning_top"] = spinning_top(run.scores[0])
     return {"payoff": run.matrices[0], **curves}
 
 
@@ -333,6 +343,7 @@ CURVES: Mapping[str, Callable[[Rates], Any]] = {
     "ratings": lambda matrix: elo(matrix, cycles=1),
     "nash": nash_averaging,
     "alpha_rank": _ranked,
+    "replicator_dynamics": lambda matrix: replicator_dynamics(matrix, points=51),
 }
 
 
