@@ -17,6 +17,7 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
 from __future__ import annotations
 
+from matrixworld.solve.mixtures import mixture_bounds
 from matrixworld.solve.solution import (
     Champion,
     Solution,
@@ -35,6 +36,7 @@ __all__ = [
     "best_response",
     "expected_payoff",
     "exploitability",
+    "mixture_bounds",
     "nash_conv",
     "solve",
 ]
