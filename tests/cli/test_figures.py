@@ -72,6 +72,7 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
     figures_command(runs / "job" / "seed-5", "--format", "pdf")
     assert list(drawn) == [
         "training.pdf", "payoff.pdf", "generalization.pdf", "lag_profile.pdf", "collisions.pdf",
+        "dynamics.pdf", "spinning_top.pdf",
     ]  # fmt: skip
     figures_command(runs / "pursuers", "--figure", "training")
     assert list(drawn)[-1] == "training.png"

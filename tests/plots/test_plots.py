@@ -16,7 +16,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 from PIL import Image
 
-from matrices import circular, logistic
+from matrices import ROCK_PAPER_SCISSORS, circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS
@@ -24,6 +24,7 @@ from matrixworld.plots.style import DPI
 from slow import quickly
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
+SINGLE = np.random.default_rng(1).binomial(1, CYCLE[..., None], (31, 31, 6)).astype(float)
 
 
 def saved(figure: Figure) -> Image.Image:
@@ -517,6 +518,26 @@ def test_triangles_are_those_of_ciao() -> None:
     saved(figure)
 
 
+def test_trajectories_and_tops_are_those_of_the_analysis(tmp_path: Path) -> None:
+    starts = [([0.5, 0.3, 0.2], [0.1, 0.2, 0.7]), ([0.2, 0.2, 0.6], [0.3, 0.3, 0.4])]
+    figure = plots.replicator_trajectories(ROCK_PAPER_SCISSORS, starts, time=30)
+    path = analysis.replicator_dynamics(
+        ROCK_PAPER_SCISSORS, pursuers=starts[1][0], evaders=starts[1][1], time=30, points=1001
+    )
+    triangle, _, distance = figure.axes
+    # The frame, then path and start of each; the right corner is strategy 1, the upper one 2.
+    x, y = triangle.lines[3].get_data()
+    np.testing.assert_allclose(x, path.pursuers[:, 1] + path.pursuers[:, 2] / 2)
+    np.testing.assert_allclose(y, path.pursuers[:, 2] * 0.75**0.5)
+    away = path.divergence([1 / 3] * 3, [1 / 3] * 3)
+    np.testing.assert_allclose(distance.lines[1].get_ydata(), away)
+    saved(figure)
+    tops, axes = analysis.spinning_top(SINGLE), plots.spinning_top(SINGLE).axes[0]
+    for line, top, side in zip(axes.lines, tops, (-1, 1), strict=False):
+        np.testing.assert_allclose(line.get_xdata(), side * top.intransitivity)
+        np.testing.assert_allclose(line.get_ydata(), top.strength)
+
+
 # ---- On paper ------------------------------------------------------------------------------------
 
 
@@ -525,6 +546,9 @@ PANELS = {
     "heat map": lambda: plots.payoff_heatmap(RACE),
     "lags": lambda: plots.lag_profile_curve(RACE),
     "ciao": lambda: plots.ciao_triangles(RACE),
+    "dynamics": lambda: plots.replicator_trajectories(RACE),
+    "triangles": lambda: plots.replicator_trajectories(ROCK_PAPER_SCISSORS),
+    "top": lambda: plots.spinning_top(SINGLE),
     "comparison": lambda: plots.comparison(
         {f"specialists {n}": RACE for n in range(3)}, {"specialists 0": judged(RACE)}
     ),

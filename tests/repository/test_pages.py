@@ -303,8 +303,8 @@ def test_the_table_of_figures_names_them_and_their_functions() -> None:
     page = read("docs/figures.md")
     rows = re.findall(r"^\| [^|]+ \| `(matrixworld explore[^|]+)` \| (.+) \|$", page, re.M)
     named = {name for command, _ in rows for name in re.findall(r"--figure (\w+)", command)}
-    # The lag profile is not in the paper.
-    assert named == {*OF_GAME, *OF_RUN} - {"lag_profile"}
+    # These are not in the paper.
+    assert named == {*OF_GAME, *OF_RUN} - {"lag_profile", "dynamics", "spinning_top"}
     functions = [name for _, cell in rows for name in re.findall(r"`(\w+)`", cell)]
     assert set(functions) <= set(plots.__all__)
     pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", page)

@@ -38,7 +38,9 @@ LONGEST = 100
 FORMATS = ("png", "pdf", "svg")
 """As in `matrixworld.plots.style`."""
 
-OF_RUN = ("training", "payoff", "generalization", "lag_profile", "collisions")
+OF_RUN = (
+    "training", "payoff", "generalization", "lag_profile", "collisions", "dynamics", "spinning_top",
+)  # fmt: skip
 """Figures of a race. A run of one team has the first one only."""
 OF_GROUPS = ("comparison", "seeds", "verdicts", "held_out", "generalization")
 """Figures of several runs: side by side, or over the seeds."""
@@ -143,6 +145,12 @@ def run_figure(name: str, group: Group, baselines: Baselines) -> Figure:
         return plots.payoff_heatmap(group.payoffs.matrices[0], title=shown)
     if name == "lag_profile":
         return plots.lag_profile_curve(group.payoffs.matrices[0], title=title("Lag profile"))
+    if name == "dynamics":
+        shown = title("Replicator dynamics of all generations")
+        return plots.replicator_trajectories(group.payoffs.matrices[0], title=shown)
+    if name == "spinning_top":
+        shown = title("Strength and cycles of the generations")
+        return plots.spinning_top(run.payoff.capture_rates, title=shown)
     if name == "collisions":
         shown = title("Collisions per 1000 agent-steps")
         return plots.collision_rates(collisions_per_1000(run.payoff), title=shown)

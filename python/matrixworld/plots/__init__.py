@@ -10,6 +10,7 @@ without an entry, raise a ValueError.
 from __future__ import annotations
 
 from matrixworld.plots.concepts import learning_concepts
+from matrixworld.plots.dynamics import replicator_trajectories, spinning_top
 from matrixworld.plots.game import conflict_outcomes, interaction_models, rules_table
 from matrixworld.plots.generalization import generalization_curves, generalization_over_seeds
 from matrixworld.plots.payoffs import ciao_triangles, comparison, lag_profile_curve, payoff_heatmap
@@ -29,12 +30,14 @@ __all__ = [
     "lag_profile_curve",
     "learning_concepts",
     "payoff_heatmap",
+    "replicator_trajectories",
     "rules_table",
     "run_curves",
     "run_dots",
     "save_figure",
     "seed_bands",
     "seed_scores",
+    "spinning_top",
     "training_curve",
     "verdict_strip",
 ]
