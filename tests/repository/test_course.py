@@ -80,6 +80,8 @@ def test_a_teacher_s_copy_is_the_notebook_with_all_outputs(path: Path) -> None:
     assert [cell["execution_count"] for cell in code] == [*range(1, len(code) + 1)]
     outputs = [output for cell in code for output in cell["outputs"]]
     assert "error" not in {output["output_type"] for output in outputs}
+    pictures = [output["metadata"] for output in outputs if "image/png" in output.get("data", {})]
+    assert all(len(metadata["image/png"]["alt"]) > 20 for metadata in pictures)
     outcomes = [each for each in exercises(chapter(path)).values() if isinstance(each, Prediction)]
     shown = " ".join(" ".join(map(printed, code)).split())
     assert all(each.explanation in shown for each in outcomes)

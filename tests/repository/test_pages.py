@@ -56,6 +56,7 @@ RUN = {
     "docs/figures.md": None,
     "docs/ground_truth.md": None,
     "docs/integrations.md": None,
+    "docs/primer.md": None,
     "docs/opponents.md": (RATE, RATE, r"\[(.|\n)*"),
     "docs/safety.md": None,
 }  # fmt: skip

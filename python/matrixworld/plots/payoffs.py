@@ -113,6 +113,7 @@ def comparison(
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
     per_episode: bool = False,
+    measures: bool = True,
     title: str | None = None,
 ) -> Figure:
     """Draw several races side by side, on the same scales, at most `COLUMNS` in a row.
@@ -128,6 +129,8 @@ def comparison(
         Results of :func:`matrixworld.analysis.judge`; a race without one has numbers only.
     per_episode : bool, optional
         Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
+    measures : bool, optional
+        Whether two measures stand below the names.
     title : str, optional
     """
     style.check_some(payoffs, "race")
@@ -137,8 +140,9 @@ def comparison(
     for column, payoff in zip(panels, payoffs.values(), strict=True):
         _draw_race(column, payoff, per_episode)
     means = {name: mean_of(payoff, per_episode) for name, payoff in payoffs.items()}
+    numbers = {name: _numbers(mean) if measures else "" for name, mean in means.items()}
     width = style.room(figure, columns + 0.3)
-    _write_heads([column[0] for column in panels], means, judgements or {}, width)
+    _write_heads([column[0] for column in panels], numbers, judgements or {}, width)
     _share_legends(figure, panels, columns)
     if title:
         figure.suptitle(style.fitting(figure, title))
@@ -174,7 +178,7 @@ def _draw_race(column: Sequence[Axes], payoff: ArrayLike, per_episode: bool) -> 
 
 def _write_heads(
     heatmaps: Sequence[Axes],
-    payoffs: Mapping[str, Rates],
+    numbers: Mapping[str, str],
     judgements: Mapping[str, analysis.Judgement],
     width: int,
 ) -> None:
@@ -183,8 +187,8 @@ def _write_heads(
         name: textwrap.wrap(
             analysis.headline(judgements[name]) if name in judgements else "", width
         )
-        + textwrap.wrap(_numbers(payoff), width)
-        for name, payoff in payoffs.items()
+        + textwrap.wrap(text, width)
+        for name, text in numbers.items()
     }
     # The names of all races are at the same height.
     pad = 5 + _LINE * mpl.rcParams["font.size"] * max(map(len, heads.values()))

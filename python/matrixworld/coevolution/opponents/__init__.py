@@ -9,8 +9,8 @@ the sampler chooses some of them for each epoch::
 
 `samplers` has the interface `OpponentSampler`, the samplers that use only the number of opponents,
 and those that use scores: `Prioritized` (Vinyals et al. 2019), `SharedSampling` (Rosin & Belew
-1997). `archives` has the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and `LAPCA`
-(2007), `Generalist` (Simione & Nolfi 2021), the `ArchiveSampler` of what an archive has kept, and
+1997). `archives` has the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` and `LAPCA` (both 2004),
+`Generalist` (Simione & Nolfi 2021), the `ArchiveSampler` of what an archive has kept, and
 `MetaStrategy` (PSRO: Lanctot et al. 2017).
 
 A sampler or archive belongs to one team and does not know which: with payoffs ``1 - payoff``,

@@ -237,7 +237,7 @@ class LAPCA(Archive):
 
     References
     ----------
-    de Jong 2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1).
+    de Jong 2004, "Towards a bounded Pareto-coevolution archive", CEC.
     """
 
     def __init__(self, layers: int) -> None:
