@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +18,7 @@ import judgement_tables
 import matrixworld as mw
 import paper_claims
 import safe_learning
+import yoked_races
 from evolution_scripts import DOCS, RESULTS, read, run_quickly, run_script
 from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
 from matrixworld.analysis.judge import RULES
@@ -113,6 +115,39 @@ def test_both_kinds_of_published_races_have_the_same_seeds() -> None:
 )
 def test_verdict_on_halls_of_fame(p: float, difference: float, expected: int, verdict: str) -> None:
     assert hall_of_fame.verdict(p, difference, expected) == verdict
+
+
+# Yoked races
+
+
+@pytest.mark.slow
+def test_yoked_races_are_compared_with_races_of_the_same_seeds(tmp_path: Path) -> None:
+    printed = run_quickly("yoked_races", tmp_path)
+    assert printed.startswith(read(tmp_path / "yoked_races/comparison.md"))
+    runs = tmp_path / "runs/yoked_races"
+    for seed in range(2):
+        yoked = open_run(runs / f"tiny-yoked-generalist-generalist/seed-{seed}")
+        race = open_run(runs / f"tiny-generalist-generalist/seed-{seed}")
+        assert Path(yoked.settings.schedule.race) == race.files.path.with_name(f"seed-{1 - seed}")
+        assert (yoked.teams["pursuer"].genomes[0] == race.teams["pursuer"].genomes[0]).all()
+    # Read from the files: nothing is played again.
+    assert run_quickly("yoked_races", tmp_path) == printed
+
+
+@pytest.mark.parametrize(
+    ("p", "ends", "verdict"),
+    [
+        (0.01, (0.01, 0.03), "race higher"),
+        (0.01, (-0.09, -0.01), "yoked higher"),
+        (0.06, (-0.04, 0.049), "alike"),
+        (0.06, (-0.04, 0.051), "cannot tell"),
+        (1.0, (None, None), "cannot tell"),
+    ],
+)
+def test_verdict_on_yoked_races(p: float, ends: tuple[float | None, ...], verdict: str) -> None:
+    value = sum(ends) / 2 if None not in ends else 0.0
+    difference = replace(interval_over_runs([0.0, 1.0]), value=value, low=ends[0], high=ends[1])
+    assert yoked_races.verdict(p, difference) == verdict
 
 
 # Several tests

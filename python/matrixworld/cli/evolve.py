@@ -231,7 +231,7 @@ def evolve_command(
     script, or the last generation of a run. With --seeds there is a run of each seed.
 
     With --yoked both teams meet the opponents of a race that another seed has finished. They change
-    as in that race, but never in answer: a control for what the answers bring.
+    as in that race, but do not answer. Whether teams still become stronger shows what answers do.
 
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
     exists is never replaced.
