@@ -57,6 +57,7 @@ RUN = {
     "docs/ground_truth.md": None,
     "docs/integrations.md": None,
     "docs/primer.md": None,
+    "docs/live.md": None,
     "docs/opponents.md": (RATE, RATE, r"\[(.|\n)*"),
     "docs/safety.md": None,
 }  # fmt: skip
@@ -90,7 +91,11 @@ def missing_modules(code: str) -> list[str]:
     """Return modules that code imports and that are not installed."""
     statements = list(ast.walk(ast.parse(code)))
     names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
-    names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
+    parts = [each for each in statements if isinstance(each, ast.ImportFrom)]
+    names += [each.module or "" for each in parts]
+    # Its modules have the names of the libraries that they need.
+    ours = [each for each in parts if each.module == "matrixworld.integrations"]
+    names += [a.name for each in ours for a in each.names]
     return [name for name in names if find_spec(name.partition(".")[0]) is None]
 
 

@@ -40,7 +40,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
 from matrixworld.coevolution.learners.learner import Learner, LearnerSettings, NoiseTable
 from matrixworld.coevolution.learners.toolbox import Candidates, generate_update_toolbox
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
-from matrixworld.coevolution.progress import Progress, ProgressBar
+from matrixworld.coevolution.progress import OnEpoch, Progress, ProgressBar, StopRun
 from matrixworld.coevolution.runs.race import DisengagementWarning, Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
@@ -97,6 +97,7 @@ __all__ = [
     "LockedError",
     "MetaOpponents",
     "NoiseTable",
+    "OnEpoch",
     "OtherVersionError",
     "OwnLearnerSettings",
     "OwnOpponents",
@@ -111,6 +112,7 @@ __all__ = [
     "RunDirectory",
     "SavedRun",
     "SingleTeam",
+    "StopRun",
     "StoppedError",
     "Team",
     "WorkerDiedError",

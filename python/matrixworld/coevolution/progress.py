@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TextIO
+from typing import Any, TextIO
 
 from tqdm import tqdm
 
@@ -61,6 +61,15 @@ class Progress:
 
 Report = Callable[[Progress], None]
 """Called often while something is played: by a job twice a second, by a run after each epoch."""
+
+
+OnEpoch = Callable[[Mapping[str, Any]], None]
+"""Called with a row for each epoch that a run plays: the columns of log.csv, with ``run`` (the name
+of the run's directory, or its name in a job) and ``seed``."""
+
+
+class StopRun(Exception):  # noqa: N818, it is no error of the run
+    """Raised by the caller's `on_epoch` to stop a run, which the same call continues later."""
 
 
 def silent(progress: Progress) -> None:

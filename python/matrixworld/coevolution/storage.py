@@ -220,11 +220,15 @@ class RunDirectory:
 
     def log(self) -> dict[str, NDArray[Any]]:
         """Return the columns of the log (see `COLUMNS`) as arrays; errors as `archive`."""
-        rows = list(csv.DictReader(io.StringIO(_log_of(self._stages()), newline="")))
+        rows = _rows_of(self._stages())
         return {
-            name: np.array([kind(row[name]) for row in rows], dtype=kind)
+            name: np.array([row[name] for row in rows], dtype=kind)
             for name, kind in COLUMNS.items()
         }
+
+    def rows(self, after: int) -> list[Row]:
+        """Return the rows of the log of all finished stages after one; errors as `archive`."""
+        return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
 
     def payoff(self) -> Arrays:
         """Return the arrays of payoff.npz; FileNotFoundError while the run is not finished."""
@@ -243,7 +247,7 @@ class RunDirectory:
         """Return what all finished stages have added; DamagedFileError if one is missing."""
         # The summary first: beside a writer, all stages that it counts are there afterwards.
         least = self.summary()["stages"] if (self.path / SUMMARY).exists() else 0
-        return [self._stage(number) for number in range(max(least, self._newest()) + 1)]
+        return [self._stage(number) for number in range(max(least, self.newest()) + 1)]
 
     def _stage(self, number: int) -> Arrays:
         try:
@@ -252,7 +256,8 @@ class RunDirectory:
             problem = "missing, expected the files of all stages"
             raise DamagedFileError(self.path / _name("stage", number), problem) from error
 
-    def _newest(self) -> int:
+    def newest(self) -> int:
+        """Return the number of the newest stage, 0 before the first."""
         return max(self._numbers("stage"), default=0)
 
     def _numbers(self, kind: str) -> list[int]:
@@ -351,7 +356,7 @@ class RunDirectory:
         """Return the stages before the first that is damaged; add what is wrong to `problems`."""
         stages: list[Arrays] = []
         try:
-            for number in range(self._newest() + 1):
+            for number in range(self.newest() + 1):
                 stages.append(self._stage(number))  # noqa: PERF401, those before an error are kept
         except DamagedFileError as error:
             problems.append(error)
@@ -397,6 +402,11 @@ def _archive_of(stages: Sequence[Arrays]) -> Archive:
 def _log_of(stages: Sequence[Arrays]) -> str:
     """Return the log of stages as CSV, with a header."""
     return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
+
+
+def _rows_of(stages: Sequence[Arrays]) -> list[Row]:
+    rows = csv.DictReader(io.StringIO(_log_of(stages), newline=""))
+    return [{name: kind(row[name]) for name, kind in COLUMNS.items()} for row in rows]
 
 
 def _as_csv(rows: Sequence[Row]) -> str:

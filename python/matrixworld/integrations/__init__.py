@@ -5,7 +5,7 @@
 `tianshou`                `vector_env`
 `torchrl`                 `env`
 `benchmarl`               `task`
-`tensorboard`, `wandb`    `EpochWriter`, a callback for `matrixworld.coevolution.finish`
+`tensorboard`, `wandb`    `epoch_writer`, a callback for `matrixworld.coevolution.finish`
 ========================  =========================================================================
 
 A library is imported when one of its functions is called. If it is missing, the error names the
@@ -14,6 +14,7 @@ extra of this package that installs it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
@@ -47,3 +48,9 @@ def agents(
     """Return the agents of one team as sub-environments, which see flat rows of float32."""
     flat = {"dtype": "float32", "flatten": True, **opponents(settings)}
     return AgentVectorEnv(VectorEnv(config, n_worlds, autoreset_mode=mode, **flat))
+
+
+def scalars(row: Mapping[str, Any]) -> dict[str, float]:
+    """Return what a row of an epoch measures, by names such as ``pursuer/capture_rate``."""
+    places = {"run", "seed", "stage", "team", "epoch", "opponent", "matches"}
+    return {f"{row['team']}/{key}": value for key, value in row.items() if key not in places}

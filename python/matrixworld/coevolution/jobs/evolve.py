@@ -38,7 +38,14 @@ from matrixworld.coevolution.jobs.worker import (
     started,
     waiting,
 )
-from matrixworld.coevolution.progress import SECONDS, Progress, Report, silent
+from matrixworld.coevolution.progress import (
+    SECONDS,
+    OnEpoch,
+    Progress,
+    Report,
+    StopRun,
+    silent,
+)
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
@@ -217,6 +224,7 @@ def evolve(
     executor: Executor | None = None,
     threads: int | None = None,
     report: Report = silent,
+    on_epoch: OnEpoch | None = None,
 ) -> list[SavedRun]:
     """Return the finished runs of these settings: start them, continue them, or only open them.
 
@@ -237,6 +245,9 @@ def evolve(
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
         Called twice a second with a `Progress`, such as a `ProgressBar`.
+    on_epoch : callable, optional
+        Called in this process as by `finish`, with the name of each run in the job as ``run``. With
+        several runs the rows of a stage come when it has been saved, and none comes twice.
 
     Raises
     ------
@@ -249,6 +260,8 @@ def evolve(
         If another process plays the job.
     FailedRunsError
         If runs failed, after all others have ended.
+    StopRun
+        If `on_epoch` raises it. All runs have stopped then, and the same call continues them.
 
     Notes
     -----
@@ -265,7 +278,9 @@ def evolve(
     root, job = Path(directory), job_of(settings)
     check_directory(root, job)
     check_job(job, root, executor, threads)
-    names, errors = play_job(job, root, executor=executor, threads=threads, report=report)
+    names, errors = play_job(
+        job, root, executor=executor, threads=threads, report=report, on_epoch=on_epoch
+    )
     failures = {root / name: error for name, error in errors.items()}
     finished = []
     for path in (root / name for name in names):
@@ -336,6 +351,7 @@ def play_job(
     executor: Executor | None = None,
     threads: int | None = None,
     report: Report = silent,
+    on_epoch: OnEpoch | None = None,
 ) -> tuple[list[str], dict[str, BaseException]]:
     """Play what is unfinished of a job that `check_job` has checked.
 
@@ -354,7 +370,7 @@ def play_job(
             # Before any run begins: what was asked for is known from now on.
             if open_job(root) is None:
                 save_job(root, job)
-        play = JobPlay(job, root, report)
+        play = JobPlay(job, root, report, on_epoch)
         names = play.unfinished()
         try:
             if executor is not None and names:
@@ -371,8 +387,12 @@ def play_job(
 class JobPlay:
     """A job while it is played: what has finished and failed, and the progress of the rest."""
 
-    def __init__(self, job: Job, root: Path, report: Report) -> None:
+    def __init__(
+        self, job: Job, root: Path, report: Report, on_epoch: OnEpoch | None = None
+    ) -> None:
         self._job, self._root, self._report = job, root, report
+        self._on_epoch = on_epoch
+        self._told = {name: RunDirectory(root / name).newest() for name in job if on_epoch}
         self.finished: dict[str, Played] = {}
         self.failures: dict[str, BaseException] = {}
         self._losses: Counter[str] = Counter()
@@ -413,15 +433,21 @@ class JobPlay:
         [name] = self.unfinished()
         path, alone = self._root / name, name == ITSELF
         report = at_times(lambda progress: self._tell({name: progress}))
+        on_epoch = self._on_epoch
+        told = on_epoch and (lambda row: on_epoch({**row, "run": name}))
         # Tasks that an earlier start left behind end now.
         with nullcontext() if alone else started(self._root):
             try:
                 run = waiting(
-                    lambda: finish(self._job[name], path, threads=threads, report=report),
+                    lambda: finish(
+                        self._job[name], path, threads=threads, report=report, on_epoch=told
+                    ),
                     path,
                     lock_wait=0.0 if alone else None,
                 )
                 self._finish(name, played(run.files))
+            except StopRun:
+                raise
             except Exception as error:  # noqa: BLE001, of the run
                 self.failures[name] = error
         self._tell({})
@@ -462,10 +488,13 @@ class JobPlay:
                     futures[executor.submit(run_task, text, root, name, token, threads)] = name
                 pending = set(futures)
                 while pending:
-                    self._tell(read_progress(self._root))
+                    told = read_progress(self._root)
+                    self._tell(told)
                     done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
                     for future in done:
                         self._take(futures[future], future)
+                    for name in [*self._in_work(told), *(futures[each] for each in done)]:
+                        self._tell_epochs(name)
         finally:
             # After Ctrl-C or an error tasks may be left, which end now.
             wait([future for future in futures if not future.cancel()], STOP_WAIT)
@@ -486,6 +515,14 @@ class JobPlay:
 
     def _finish(self, name: str, played: Played) -> None:
         self.finished[name], self._totals[name] = played, int(played["matches"])
+
+    def _tell_epochs(self, name: str) -> None:
+        """Tell the rows of the stages that a run has saved since the last call."""
+        if self._on_epoch is None or name in self.failures:
+            return
+        for row in RunDirectory(self._root / name).rows(self._told[name]):
+            self._on_epoch({"run": name, "seed": self._job[name].seed, **row})
+            self._told[name] = row["stage"]
 
     def _in_work(self, told: Mapping[str, Progress]) -> dict[str, Progress]:
         """Return the progress of runs of this job that have not ended."""

@@ -27,7 +27,7 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
-from matrixworld.coevolution.progress import Progress, Report, silent
+from matrixworld.coevolution.progress import OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.schedules import Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator, learning_phase, training_seeds
@@ -184,14 +184,19 @@ class Run(ABC):
             expected, got = self.schedule_class.kind, self.settings.schedule.kind
             raise ValueError(f"schedule: expected {expected}, got {got}")
 
-    def run(self, report: Report = silent) -> Payoff:
+    def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> Payoff:
         """Continue from the last stage to the end; save and return the payoff.
 
-        `report` is called often with the progress (see `ProgressBar`). After KeyboardInterrupt or
-        any other error the files hold the last finished stage, from which `run` or `resume`
+        `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
+        for each epoch (see `finish`). After KeyboardInterrupt or any other error, such as one that
+        `on_epoch` raises, the files hold the last finished stage, from which `run` or `resume`
         continues.
         """
         self._report = report
+        head = {"run": self.files.path.absolute().name, "seed": self.settings.seed}
+        self.training.on_row = on_epoch and (
+            lambda row: on_epoch({**head, "stage": self.stage + 1, **row})
+        )
         with self.files.lock():
             # Also if this object has just been made: an interrupted stage has changed learners, and
             # another process may have continued the run.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.progress import OnEpoch, Report, silent
 from matrixworld.coevolution.runs.race import HallOfFameRace, Race, YokedRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.schedules import RaceSchedule
@@ -63,6 +63,7 @@ def finish(
     threads: int | None = None,
     play: Rollout = rollout,
     report: Report = silent,
+    on_epoch: OnEpoch | None = None,
 ) -> SavedRun:
     """Return the finished run of these settings: start it, continue it, or only open it.
 
@@ -74,12 +75,19 @@ def finish(
         As in `Run`.
     report : callable, optional
         Called with the progress, as in `Run.run`.
+    on_epoch : callable, optional
+        Called after each epoch with a dict: the columns of ``log.csv`` (numbers, and the name of
+        the ``team``), ``run`` (name of the directory) and ``seed``. The files of the run are the
+        same with and without it. What it raises ends this call, which may be repeated to continue
+        from the last finished stage; an epoch that is played again is told again.
 
     Raises
     ------
     ValueError
         If the directory holds a run of other settings. Other errors are those of `start` and
         `resume`.
+    StopRun
+        If `on_epoch` raises it, to end a run that is not worth its time.
     """
     # Without config.json the directory is empty, or holds a run that was never completely made.
     if (Path(directory) / CONFIG).exists():
@@ -87,7 +95,7 @@ def finish(
         check_same(Path(directory), run.settings, settings)
     else:
         run = start(settings, directory, threads=threads, play=play)
-    run.run(report)
+    run.run(report, on_epoch)
     return open_run(directory)
 
 

@@ -71,6 +71,7 @@ class TrainingMatches:
         self.steps: int = 0
         self.agent_steps: int = 0
         self.rows: list[Row] = []
+        self.on_row: Callable[[Row], None] | None = None
         self.rollout: Rollout = play
 
     def counters(self) -> dict[str, float]:
@@ -200,6 +201,8 @@ class TrainingMatches:
             "steps": self.steps,
         }
         self.rows.append(row)
+        if self.on_row is not None:
+            self.on_row(row)
         return fitness
 
     def _recount_last_epoch(self) -> None:
