@@ -4,6 +4,7 @@
     python evolution/evolve_held_out.py --processes 2     the same file, faster
     python evolution/evolve_held_out.py --quick           a tiny file, some seconds
     python evolution/evolve_held_out.py --table FILE.npz  rates of the opponents in a file
+    python evolution/evolve_held_out.py --difficulty      scores against the package's opponents
 
 There are two genomes of each team and variant. The first one evolves against a script. The second
 one starts from the first and evolves against a more skilled script or, for pursuers that surround,
@@ -178,6 +179,18 @@ def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, ep
     return f"{rates[0]:.2f}, {np.mean(rates):.2f}"
 
 
+def difficulty(episodes: int) -> Iterator[str]:
+    """Yield lines of Markdown: what chasers capture of evaders, and fleers escape from pursuers."""
+    config = mw.WorldConfig("O", rows=10, cols=10, n_pursuers=4, n_evaders=4, max_steps=50)
+    yield "| team | opponent | score against it |\n|---|---|---|"
+    for team, script in (("pursuer", "fleer"), ("evader", "chaser")):
+        for name, player in coevolution.held_out(team, config.rules).items():
+            sides = (player, script) if team == "pursuer" else (script, player)
+            matches = mw.Matches.of(0, 0, np.uint64(0))
+            captured = mw.rollout(config, *sides, matches, episodes=episodes).capture_rate.mean()
+            yield f"| {team} | {name} | {1 - captured if team == 'pursuer' else captured:.2f} |"
+
+
 def main() -> None:
     """Evolve and write the file, or print the table of a file."""
     parser = script_parser(__doc__, quick="a few epochs of two variants", cluster=True)
@@ -185,7 +198,11 @@ def main() -> None:
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path("held_out.npz"))
     parser.add_argument("--table", type=Path, metavar="FILE", help="print this file's table only")
+    parser.add_argument("--difficulty", action="store_true", help="print only how hard they are")
     args = parser.parse_args()
+    if args.difficulty:
+        print(*difficulty(20 if args.quick else 4000), sep="\n")
+        return
     variants = ["O", "SB"] if args.quick else list(mw.VARIANTS)
     if args.table is None:
         epochs = QUICK_EPOCHS if args.quick else None

@@ -9,10 +9,11 @@ import pytest
 
 import catching_fleers
 import deap_example
+import evolve_held_out
 import generalization
 import matrixworld as mw
 import safe_coevolution
-from evolution_scripts import rows, run_quickly, run_script
+from evolution_scripts import DOCS, read, rows, run_quickly, run_script
 from matrixworld import coevolution
 
 
@@ -198,3 +199,15 @@ def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(tmp_path
     ]
     assert float(table["chaser"][-1]) == pytest.approx(np.mean(episodes), abs=0.005)
     assert run_quickly("catching_fleers", tmp_path) == told
+
+
+def test_the_difficulty_of_opponents_is_what_the_page_says() -> None:
+    measured: dict[str, list[float]] = {}
+    for line in list(evolve_held_out.difficulty(300))[1:]:
+        _, name, score = line.strip("| ").split(" | ")
+        measured.setdefault(name, []).append(float(score))
+    page = read(DOCS / "held_out.md")
+    stated = dict(re.findall(r"^\| `([\w-]+)` \| [\w ]+ \| ([\d., ]+) \|", page, re.M))
+    assert stated.keys() == measured.keys()
+    for name, scores in measured.items():
+        assert [*map(float, stated[name].split(", "))] == pytest.approx(scores, abs=0.06)
