@@ -16,12 +16,13 @@ namespace {
 
 // Python names activations; the engine's None is not among them, it is for the last layer.
 Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
-                     const std::string& activation, bool sampled) {
+                     const std::string& activation, bool sampled, const std::string& memory) {
     if (activation != "relu" && activation != "tanh") {
         throw py::value_error("activation: expected 'relu' or 'tanh', got '" + activation + "'");
     }
     return Network(fov, hidden, n_actions,
-                   activation == "relu" ? Activation::Relu : Activation::Tanh, sampled);
+                   activation == "relu" ? Activation::Relu : Activation::Tanh, sampled,
+                   to_memory(memory));
 }
 
 // One statistic of all episodes, (M, W, ...).
@@ -183,7 +184,7 @@ py::dict record(const std::shared_ptr<const Setup>& setup, const py::object& pur
 void bind_rollouts(py::module_& m) {
     py::class_<Network>(m, "Network")
         .def(py::init(&make_network), py::kw_only(), py::arg("fov"), py::arg("hidden"),
-             py::arg("n_actions"), py::arg("activation"), py::arg("sampled"));
+             py::arg("n_actions"), py::arg("activation"), py::arg("sampled"), py::arg("memory"));
     m.def("rollout", &rollout, py::arg("setup"), py::arg("pursuers"), py::arg("evaders"),
           py::arg("pursuer").noconvert(), py::arg("evader").noconvert(),
           py::arg("seed").noconvert(), py::arg("n_worlds"), py::arg("n_threads"),

@@ -109,7 +109,7 @@ class SingleWorld {
     }
 
     // Writes the actions that a policy chooses now for living agents of one team.
-    void decide(const py::object& policy, int first, int last, const py::array& actions) const {
+    void decide(const py::object& policy, int first, int last, const py::array& actions) {
         const Config& config = setup_->config;
         const HeldCandidates held = to_policy("policy", policy, config);
         require_agents(first, last, config);

@@ -221,6 +221,7 @@ void World::begin_episode(EpisodeKey key) {
     steps_ = 0;
     terminated_ = false;
     truncated_ = false;
+    memories_.clear();
     may_overlap_ = false;  // agents are placed on distinct cells
 }
 

@@ -65,6 +65,9 @@ Snapshot World::snapshot(const Scratch& scratch) const {
     s.last_cells = last_cell_.unaryExpr(index);
     s.report = report_.cast<int>();
     s.participants = scratch.participants;
+    s.memory_steps = IntArray::Constant(config().n_agents(), -1);
+    s.memory_sizes = IntArray::Zero(config().n_agents());
+    memories_.write(s.memory_steps, s.memory_sizes, s.memories);
     return s;
 }
 
@@ -72,6 +75,9 @@ void World::check(const Snapshot& s) const {
     for_each_field(s, config(), [](const SnapshotField& field, const auto& value) {
         check_field(field, value);
     });
+    const long n = 2 * s.memory_sizes.cast<long>().sum();
+    if (n == static_cast<long>(s.memories.size())) return;
+    refuse({"memories", n}, std::to_string(n) + " entries", static_cast<long>(s.memories.size()));
 }
 
 void World::restore(const Snapshot& s, Scratch& scratch) {
@@ -91,6 +97,7 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     may_overlap_ = true;
     count_captures();
     scratch.participants = s.participants;
+    memories_.read(s.memory_steps, s.memory_sizes, s.memories);
 }
 
 void World::put(const IntArray& cells, const ByteArray& captured, Scratch& scratch) {

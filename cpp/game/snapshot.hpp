@@ -32,6 +32,9 @@ struct Snapshot {
     bool first_turn = false;  // no turn of the present round has been played
     bool terminated = false;
     bool truncated = false;
+    IntArray memory_steps;  // by agent: see Memories::write
+    IntArray memory_sizes;  // by agent
+    std::vector<float> memories;
 };
 
 // The values that the entries of a field may have, both ends included.
@@ -48,6 +51,7 @@ struct SnapshotField {
 };
 
 constexpr long kAnySize = -1;
+constexpr int kMostMemory = 1 << 20;  // numbers of an agent; the largest layer of a network
 
 // Calls visit(field, value) for every field of a (const) snapshot of a world of this configuration.
 template <typename AnySnapshot, typename Visit>
@@ -75,6 +79,9 @@ void for_each_field(AnySnapshot& s, const Config& config, Visit visit) {
     visit(Field{"first_turn", 1, flag}, s.first_turn);
     visit(Field{"terminated", 1, flag}, s.terminated);
     visit(Field{"truncated", 1, flag}, s.truncated);
+    visit(Field{"memory_steps", n_agents, Limits{-1, config.max_steps}}, s.memory_steps);
+    visit(Field{"memory_sizes", n_agents, Limits{0, kMostMemory}}, s.memory_sizes);
+    visit(Field{"memories", kAnySize}, s.memories);
 }
 
 }  // namespace matrixworld

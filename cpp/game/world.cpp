@@ -149,6 +149,7 @@ void World::settle(const Turn& turn, Scratch& scratch) {
 void World::remove(int agent, int cell) {
     cell_[agent] = kGone;
     last_cell_[agent] = cell;
+    memories_.drop(agent);
     --n_living_[static_cast<int>(team(agent))];
     if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_uncaptured_;
 }

@@ -15,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+#include "game/memories.hpp"
 #include "game/occupancy.hpp"
 #include "game/resolve.hpp"
 #include "game/snapshot.hpp"
@@ -143,6 +144,9 @@ class World {
     bool truncated() const { return truncated_; }
     bool over() const { return terminated_ || truncated_; }
     EpisodeKey key() const { return key_; }
+    // What policies keep for the agents; a copy of the world has a copy of it.
+    Memories& memories() { return memories_; }
+    const Memories& memories() const { return memories_; }
 
     // Throws std::invalid_argument where a reset with this placement would.
     void check(const Placement& placement) const;
@@ -216,6 +220,7 @@ class World {
     int steps_ = 0;
     bool terminated_ = false;
     bool truncated_ = false;
+    Memories memories_;
 };
 
 }  // namespace matrixworld

@@ -8,6 +8,7 @@
 #include "kernels/kernels.hpp"
 
 #include "kernels/actions.hpp"
+#include "kernels/memory.hpp"
 #include "kernels/views.hpp"
 
 namespace matrixworld {
@@ -23,6 +24,7 @@ const Kernels& MATRIXWORLD_LEVEL() {
                                    sum_rows,
                                    sum_bits,
                                    dense,
+                                   remember,
                                    choose,
                                    finish};
     return level;

@@ -15,6 +15,13 @@ namespace matrixworld {
 
 enum class Activation : std::uint8_t { None, Relu, Tanh };
 
+// The recurrent layer of a network: none, that of Elman (1990) or gated recurrent units (Cho et al.
+// 2014).
+enum class Memory : std::uint8_t { None, Elman, Gru };
+
+// Sums of products for each unit of a recurrent layer.
+inline int n_gates(Memory memory) { return memory == Memory::Gru ? 3 : 1; }
+
 // Layers are padded in memory to a multiple of this many floats: the widest vector. Rows (agents)
 // are padded to a multiple of kRowPad. So kernels need no code for the rest of a layer.
 constexpr int kPad = 16;
@@ -56,6 +63,16 @@ struct Kernels {
     // multiple of kRowPad rows. Only the first n_out of each row of `out` are valid.
     void (*dense)(const float* in, int in_stride, int n, int n_in, const float* weights,
                   const float* bias, int width, int n_out, Activation activation, float* out);
+
+    // A recurrent layer of n_units: out[i, :] = what agent i remembers next, from its input in[i, :]
+    // and what it remembers, states[i, :], for i < n. `weights` has 2 n_units rows, first those of the
+    // inputs, each of n_gates(memory) columns for each unit: the first kPad units' columns of every
+    // gate, then those of the next kPad units. `bias` is such a row. Rows of `in` have `in_stride`
+    // floats, those of `states` and `out` padded(n_units), and all have room for a multiple of kRowPad
+    // rows. The formulas are in Python's `Network`; each sum adds the bias, the products of the inputs
+    // and those of the state in this order; those of the state for a candidate are a sum of their own.
+    void (*remember)(const float* in, int in_stride, const float* states, int n, int n_units,
+                     const float* weights, const float* bias, Memory memory, float* out);
 
     // Draws actions[i] from softmax(logits[i, 0..n_actions)) by inverting the distribution at
     // units[i] in [0, 1). Without units (null) it is the largest logit, the first of equal ones.

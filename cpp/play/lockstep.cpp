@@ -51,6 +51,8 @@ void Lockstep::play(const Match& match, std::int64_t first, std::int64_t last,
     }
     for (std::int64_t begin = first; begin < last; begin += n_lanes) {
         playing_.clear();
+        pursuers_.forget();
+        evaders_.forget();
         for (std::int64_t w = begin; w < std::min(begin + n_lanes, last); ++w) {
             enter(*lanes_[w - begin], {match.seed, static_cast<std::uint64_t>(w)}, statistics++);
         }
@@ -136,12 +138,37 @@ void Lockstep::Squad::decide(const std::vector<Lane*>& lanes) {
                   lane->number);
         for (int i = first; i < last; ++i) units_[row++] = lane->units[lane->world.living()[i]];
     }
+    if (mlp_.network().memory != Memory::None) recall(lanes, n);
     mlp_.choose(n, units_.data(), actions_.data());
     const std::uint8_t* action = actions_.data();
     for (Lane* lane : lanes) {
         const int first = lane->first(team_), last = lane->last(team_);
         for (int i = first; i < last; ++i) lane->actions[lane->world.living()[i]] = *action++;
     }
+}
+
+// Moves what each agent remembers to its row: zeros in the first round. Later the rows only close up
+// behind agents that are gone, since the order of the others stays.
+void Lockstep::Squad::recall(const std::vector<Lane*>& lanes, std::size_t n) {
+    Rows& states = mlp_.states();
+    if (n == holders_.size()) return;
+    const bool begins = holders_.empty();
+    if (begins) holders_.resize(n);
+    std::size_t row = 0, from = 0;
+    for (const Lane* lane : lanes) {
+        const int first_holder = static_cast<int>(lane->number) * lane->world.config().n_agents();
+        for (int i = lane->first(team_); i < lane->last(team_); ++i, ++row, ++from) {
+            const int holder = first_holder + lane->world.living()[i];
+            if (begins) {
+                std::fill_n(states[row], states.width(), 0.0f);
+            } else {
+                while (holders_[from] != holder) ++from;
+                if (from != row) std::copy_n(states[from], states.width(), states[row]);
+            }
+            holders_[row] = holder;
+        }
+    }
+    holders_.resize(n);
 }
 
 }  // namespace matrixworld

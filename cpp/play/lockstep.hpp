@@ -65,15 +65,19 @@ class Lockstep {
         Squad(const Candidates& candidates, const Setup& setup, Team team);
 
         void load(int candidate);
+        void forget() { holders_.clear(); }
         void decide(const std::vector<Lane*>& lanes);
 
       private:
+        void recall(const std::vector<Lane*>& lanes, std::size_t n);
+
         const Candidates& candidates_;
         Team team_;
         Mlp mlp_;
         int loaded_ = -1;                    // candidate
         std::vector<float> units_;           // by row
         std::vector<std::uint8_t> actions_;  // by row
+        std::vector<int> holders_;           // by row: whose memory lies there
     };
 
     void enter(Lane& lane, EpisodeKey key, EpisodeStatistics* statistics);

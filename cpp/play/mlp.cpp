@@ -3,23 +3,44 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 namespace matrixworld {
 
+Memory to_memory(const std::string& name) {
+    if (name == "none") return Memory::None;
+    if (name == "elman") return Memory::Elman;
+    if (name == "gru") return Memory::Gru;
+    throw std::invalid_argument("memory: expected none, elman or gru, got '" + name + "'");
+}
+
 Network::Network(int fov, std::vector<int> hidden, int n_actions, Activation activation,
-                 bool sampled)
-    : fov(fov), activation(activation), sampled(sampled) {
+                 bool sampled, Memory memory)
+    : fov(fov), activation(activation), sampled(sampled), memory(memory) {
     require_range("fov", fov, 1, kMaxFieldOfView);
     sizes.push_back(kChannels * fov * fov);
     sizes.insert(sizes.end(), hidden.begin(), hidden.end());
     sizes.push_back(n_actions);
     for (int size : sizes) require_range("layer sizes", size, 1, kMaxLayer);
+    if (memory != Memory::None && hidden.empty()) {
+        throw std::invalid_argument("memory: expected a hidden layer before it, got none");
+    }
+}
+
+std::vector<Network::Shape> Network::layers() const {
+    std::vector<Shape> layers;
+    for (std::size_t i = 0; i + 1 < sizes.size(); ++i) layers.push_back({sizes[i], sizes[i + 1], 0});
+    if (memory == Memory::None) return layers;
+    const int gates = n_gates(memory);
+    layers.insert(layers.begin() + 1, {2 * sizes[1], gates * sizes[1], gates});
+    return layers;
 }
 
 Eigen::Index Network::genome_size() const {
     Eigen::Index size = 0;
-    for (std::size_t i = 0; i + 1 < sizes.size(); ++i) {
-        size += static_cast<Eigen::Index>(sizes[i] + 1) * sizes[i + 1];
+    for (const Shape& layer : layers()) {
+        size += static_cast<Eigen::Index>(layer.n_in + 1) * layer.n_out;
     }
     return size;
 }
@@ -34,16 +55,15 @@ constexpr Eigen::Index kMostKept = Eigen::Index{1} << 22;
 
 Mlp::Mlp(const Network& network, const Grid& grid)
     : network_(network), grid_(grid), inputs_(network.n_inputs()), cases_(grid, network.fov) {
-    for (std::size_t i = 0; i + 1 < network.sizes.size(); ++i) {
-        Layer layer;
-        layer.n_in = network.sizes[i];
-        layer.n_out = network.sizes[i + 1];
-        layer.weights = Rows(layer.n_in + 1, padded(layer.n_out));
-        const bool last = i + 2 == network.sizes.size();
-        layer.activation = last ? Activation::None : network.activation;
-        activations_.emplace_back(0, layer.width());
+    for (const auto& [n_in, n_out, n_gates] : network.layers()) {
+        Layer layer{n_in, n_out, n_gates, network.activation, {}};
+        const int width = padded(layer.n_units());
+        layer.weights = Rows(n_in + 1, std::max(n_gates, 1) * width);
+        activations_.emplace_back(0, width);
         layers_.push_back(std::move(layer));
     }
+    layers_.back().activation = Activation::None;
+    states_ = Rows(0, padded(network.state_size()));
     const int width = layers_.front().width();
     corner_sums_ = Rows((network.fov + 1) * (network.fov + 1), width);
     border_bases_ = Rows(cases_.n_cases(), width);
@@ -54,10 +74,21 @@ Mlp::Mlp(const Network& network, const Grid& grid)
 void Mlp::load(const float* genome) {
     for (Layer& layer : layers_) {
         for (int row = 0; row <= layer.n_in; ++row, genome += layer.n_out) {
-            std::copy_n(genome, layer.n_out, layer.weights[row]);
+            layer.load(genome, layer.weights[row]);
         }
     }
     sum_border();
+}
+
+// The columns of kPad units of a gate lie beside those of its other gates (see Kernels::remember).
+void Mlp::Layer::load(const float* genome, float* row) const {
+    const int gates = std::max(n_gates, 1);
+    for (int gate = 0; gate < gates; ++gate, genome += n_units()) {
+        for (int unit = 0; unit < n_units(); unit += kPad) {
+            const int n = std::min(kPad, n_units() - unit);
+            std::copy_n(genome + unit, n, row + unit * gates + gate * kPad);
+        }
+    }
 }
 
 // Fills the summed-area table: corner_sums(r, c) is the sum of the obstacle weights of the window's
@@ -145,6 +176,7 @@ void Mlp::sum_obstacles(const World& world, int row, int col, float* out) {
 void Mlp::make_room(std::size_t n) {
     const auto rows = static_cast<Eigen::Index>((n + kPad - 1) / kPad * kPad);
     for (Rows& activations : activations_) activations.grow(rows);
+    states_.grow(rows);
 }
 
 void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,
@@ -157,7 +189,10 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
     } else {
         sum_listed(world, occupancy, agents);
     }
-    for (std::size_t i = 1; i < layers_.size(); ++i) dense(i, agents.size());
+    for (int i = 0; i < n && network_.memory != Memory::None; ++i) {
+        world.memories().recall(agents[i], world.steps(), network_.state_size(), states_[i]);
+    }
+    for (std::size_t i = 1; i < layers_.size(); ++i) pass(i, agents.size());
     actions.resize(agents.size());
     kernels().choose(logits(), layers_.back().width(), n, network_.n_actions(),
                      network_.sampled ? units.data() : nullptr, actions.data());
@@ -176,19 +211,28 @@ void Mlp::look(const World& world, const Crowd& crowd, int first, int last, Eige
 
 void Mlp::choose(std::size_t n, const float* units, std::uint8_t* actions) {
     const std::size_t last = layers_.size() - 1;
-    for (std::size_t i = 1; i < last; ++i) dense(i, n);
+    for (std::size_t i = 1; i < last; ++i) pass(i, n);
     const Layer& layer = layers_[last];
-    const Rows& in = activations_[last - 1];
+    const Rows& in = layers_[last - 1].n_gates ? states_ : activations_[last - 1];
     kernels().finish(in[0], in.width(), static_cast<int>(n), layer.n_in, layer.weights[0],
                      layer.bias(), layer.width(), layer.n_out, network_.sampled ? units : nullptr,
                      actions);
 }
 
-void Mlp::dense(std::size_t i, std::size_t n) {
+void Mlp::pass(std::size_t i, std::size_t n) {
     const Layer& layer = layers_[i];
-    const Rows& in = activations_[i - 1];
+    if (layer.n_gates) return remember(layer, n);
+    const Rows& in = layers_[i - 1].n_gates ? states_ : activations_[i - 1];
     kernels().dense(in[0], in.width(), static_cast<int>(n), layer.n_in, layer.weights[0],
                     layer.bias(), layer.width(), layer.n_out, layer.activation, activations_[i][0]);
+}
+
+// The recurrent layer, the one after the first. Its outputs are what the agents remember next.
+void Mlp::remember(const Layer& layer, std::size_t n) {
+    const Rows& in = activations_[0];
+    kernels().remember(in[0], in.width(), states_[0], static_cast<int>(n), layer.n_units(),
+                       layer.weights[0], layer.bias(), network_.memory, activations_[1][0]);
+    std::swap(states_, activations_[1]);
 }
 
 // Adds the agents in view to the bases. With few agents in the world a kernel compares all their

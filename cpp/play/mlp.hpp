@@ -1,4 +1,5 @@
-// A policy network (multilayer perceptron): a genome, flat float32, read as layers.
+// A policy network (multilayer perceptron, with or without memory): a genome, flat float32, read as
+// layers.
 //
 // The first layer reads binary views in which few cells are set, so its output is a sum of few weight
 // rows: bias + border + obstacles + agents in view. The first three depend only on the agent's cell.
@@ -8,6 +9,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "grid/grid.hpp"
@@ -17,22 +19,38 @@
 
 namespace matrixworld {
 
+// "none", "elman" or "gru". Throws std::invalid_argument for other names.
+Memory to_memory(const std::string& name);
+
 constexpr int kMaxLayer = 1 << 20;  // units; the largest layer, so that sizes fit their types
 
-// The genome is, layer by layer, the weights (inputs, outputs) row by row and then the biases.
-// Throws std::invalid_argument for sizes below 1 and above kMaxLayer, and for a field of view that
-// no world has.
+// The genome is, layer by layer, the weights (inputs, outputs) row by row and then the biases. With
+// memory, a recurrent layer of as many units follows the first hidden layer. Its inputs are those and
+// what each unit remembers; its outputs are the gates one after the other, with a column for each unit.
+// Throws std::invalid_argument for sizes below 1 and above kMaxLayer, for a field of view that no
+// world has, and for memory without hidden layers.
 struct Network {
-    Network(int fov, std::vector<int> hidden, int n_actions, Activation activation, bool sampled);
+    Network(int fov, std::vector<int> hidden, int n_actions, Activation activation, bool sampled,
+            Memory memory = Memory::None);
 
     int fov;
     std::vector<int> sizes;  // inputs, hidden layers, actions
     Activation activation;
     bool sampled;  // draw the action from the softmax of the outputs, or take the largest output
+    Memory memory;
 
     int n_inputs() const { return sizes.front(); }
     int n_actions() const { return sizes.back(); }
     Eigen::Index genome_size() const;
+    // How many numbers an agent remembers.
+    int state_size() const { return memory == Memory::None ? 0 : sizes[1]; }
+
+    struct Shape {
+        int n_in;
+        int n_out;
+        int n_gates;  // of a recurrent layer; otherwise 0
+    };
+    std::vector<Shape> layers() const;
 };
 
 // Rows of `width` floats, a multiple of kPad, each of which begins at a multiple of the widest vector:
@@ -74,11 +92,12 @@ class Mlp {
     void load(const float* genome);
 
     // Chooses an action for each of `agents`, which are alive and belong to one team. units[i], in
-    // [0, 1), decides for agents[i] where actions are sampled.
+    // [0, 1), decides for agents[i] where actions are sampled. What the agents remember is read from
+    // the world; what they remember next is in the first rows of `states`.
     void act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,
              const std::vector<float>& units, std::vector<std::uint8_t>& actions);
 
-    bool samples() const { return network_.sampled; }
+    const Network& network() const { return network_; }
 
     // The outputs of the last `act`, (n agents, padded(n_actions)).
     const float* logits() const { return activations_.back()[0]; }
@@ -86,7 +105,10 @@ class Mlp {
     // The same for agents of several worlds at once. `look` reads the views of the agents [first,
     // last) of a crowd, from row `row` on; `slot` tells apart the worlds that
     // play at the same time. Then `choose` chooses the actions of the first n rows.
+    // With memory, `choose` replaces what the agents of the rows remember, `states`, (n rows,
+    // state_size), by what they remember next.
     // Preconditions: `make_room` for so many rows; room for a multiple of kPad units and actions.
+    Rows& states() { return states_; }
     void make_room(std::size_t n);
     void look(const World& world, const Crowd& crowd, int first, int last, Eigen::Index row,
               std::size_t slot);
@@ -96,8 +118,12 @@ class Mlp {
     struct Layer {
         int n_in = 0;
         int n_out = 0;
+        int n_gates = 0;  // of a recurrent layer
         Activation activation = Activation::None;
         Rows weights;  // (n_in, n_out), padded, and then the bias
+
+        int n_units() const { return n_gates ? n_out / n_gates : n_out; }
+        void load(const float* genome, float* row) const;
 
         int width() const { return weights.width(); }
         const float* bias() const { return weights[n_in]; }
@@ -110,7 +136,8 @@ class Mlp {
         std::vector<std::uint8_t> known;         // by cell
     };
 
-    void dense(std::size_t layer, std::size_t n);
+    void pass(std::size_t layer, std::size_t n);
+    void remember(const Layer& layer, std::size_t n);
     void first_layer(const World& world, const Positions& positions, const int* agents, int n,
                      std::size_t slot, float* out);
     void find_bases(const World& world, const Positions& positions, const int* agents, int n,
@@ -128,6 +155,7 @@ class Mlp {
     Grid grid_;
     std::vector<Layer> layers_;
     std::vector<Rows> activations_;    // by layer
+    Rows states_;                      // by row: what the agent remembers
     std::vector<int> inputs_;          // indices of the inputs that are 1
     std::vector<const float*> bases_;  // by agent that acts
 

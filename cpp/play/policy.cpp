@@ -44,20 +44,29 @@ void draw_units(const World& world, float* units) {
     }
 }
 
-void NetworkPolicy::choose(const World& world, const Occupancy& occupancy) {
+void NetworkPolicy::choose(World& world, const Occupancy& occupancy) {
     units_.resize(draws_.size());
     for (std::size_t i = 0; i < draws_.size(); ++i) units_[i] = unit(draws_[i]);
     mlp_.act(world, occupancy, agents_, units_, chosen_);
+    const int size = mlp_.network().state_size();
+    for (std::size_t i = 0; i < agents_.size() && size > 0; ++i) {
+        world.memories().keep(agents_[i], world.steps(), size, mlp_.states()[i]);
+    }
 }
 
 void NetworkPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
+    if (mlp_.network().memory != Memory::None) {
+        throw std::invalid_argument(
+            "network: expected one without memory, whose choices depend on the present state alone, "
+            "got one with memory");
+    }
     units_.assign(agents_.size(), 0.0f);
     mlp_.act(world, occupancy, agents_, units_, chosen_);
     const int n_actions = world.config().n_actions();
     const int width = padded(n_actions);
     for (std::size_t i = 0; i < agents_.size(); ++i, out += n_actions) {
         std::fill_n(out, n_actions, 0.0);
-        if (!mlp_.samples()) {
+        if (!mlp_.network().sampled) {
             out[chosen_[i]] = 1;
             continue;
         }
@@ -69,7 +78,7 @@ void NetworkPolicy::weigh(const World& world, const Occupancy& occupancy, double
     }
 }
 
-void ScriptedPolicy::choose(const World& world, const Occupancy& occupancy) {
+void ScriptedPolicy::choose(World& world, const Occupancy& occupancy) {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
         // One draw serves two independent decisions: `kSlipSteps` is a power of two, so the lowest
         // bits decide whether the agent slips, and `below` uses the highest for the move.

@@ -17,9 +17,10 @@ class Policy {
   public:
     virtual ~Policy() = default;
 
-    // Writes actions[agent] for the living agents in [first, last), which belong to one team.
+    // Writes actions[agent] for the living agents in [first, last), which belong to one team, and what
+    // they remember from this step.
     template <typename Integer>
-    void decide(const World& world, const Occupancy& occupancy, int first, int last,
+    void decide(World& world, const Occupancy& occupancy, int first, int last,
                 Integer* actions) {
         draw(world, first, last);
         if (agents_.empty()) return;
@@ -38,7 +39,7 @@ class Policy {
   protected:
     // Writes chosen_[i] for each agents_[i]. Called once for all agents of a turn, not once for each,
     // so that a network reads its weights once and the virtual call costs nothing.
-    virtual void choose(const World& world, const Occupancy& occupancy) = 0;
+    virtual void choose(World& world, const Occupancy& occupancy) = 0;
     virtual void weigh(const World& world, const Occupancy& occupancy, double* out) = 0;
 
     std::vector<int> agents_;           // the living agents that act, ascending
@@ -56,7 +57,7 @@ class NetworkPolicy : public Policy {
     void load(const float* genome) { mlp_.load(genome); }
 
   private:
-    void choose(const World& world, const Occupancy& occupancy) override;
+    void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
 
     Mlp mlp_;
@@ -68,7 +69,7 @@ class ScriptedPolicy : public Policy {
     ScriptedPolicy(const Script& script, int fov) : script_(script), sight_(fov) {}
 
   private:
-    void choose(const World& world, const Occupancy& occupancy) override;
+    void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
     void look(const World& world, const Occupancy& occupancy, int agent);
     bool walks() const { return goals_.empty() && script_.stride > 0; }

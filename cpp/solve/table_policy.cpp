@@ -29,7 +29,7 @@ void Tables::check(const Config& config) const {
     }
 }
 
-void TablePolicy::choose(const World& world, const Occupancy&) {
+void TablePolicy::choose(World& world, const Occupancy&) {
     if (world.team(agents_.front()) != tables_->team) {
         throw std::invalid_argument("policy: expected to play for its own team, got the other");
     }

@@ -28,7 +28,7 @@ class TablePolicy : public Policy {
     explicit TablePolicy(std::shared_ptr<const Tables> tables) : tables_(std::move(tables)) {}
 
   private:
-    void choose(const World& world, const Occupancy& occupancy) override;
+    void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
     int turn_of(const World& world) const;
     int draw_joint(const World& world, int turn, std::int64_t state) const;

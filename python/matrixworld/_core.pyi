@@ -116,7 +116,14 @@ class Network(metaclass=_Pybind11Type):
     """The shape of a policy network; `hidden` are the sizes of its hidden layers."""
 
     def __init__(
-        self, *, fov: int, hidden: Sequence[int], n_actions: int, activation: str, sampled: bool
+        self,
+        *,
+        fov: int,
+        hidden: Sequence[int],
+        n_actions: int,
+        activation: str,
+        sampled: bool,
+        memory: str,
     ) -> None: ...
 
 class World(metaclass=_Pybind11Type):

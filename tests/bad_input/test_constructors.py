@@ -83,7 +83,9 @@ CALLS = [
         autoreset_mode="NextStep", flatten=False, state=False, render_mode=None,
     ),
     partial(mw.parallel_env, config=CONFIG),
-    partial(mw.Network, hidden=(4,), activation="relu", fov=3, n_actions=5, sampled=True),
+    partial(
+        mw.Network, hidden=(4,), activation="relu", fov=3, n_actions=5, sampled=True, memory="gru"
+    ),
     partial(mw.Population, genomes=GENOME, network=NETWORK),
     partial(mw.Matches.of, pursuer=0, evader=0, seed=0),
     partial(mw.rollout, **TEAMS, matches=MATCH, episodes=1, threads=1),

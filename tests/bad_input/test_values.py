@@ -69,6 +69,8 @@ NETWORKS = [
     value(lambda: mw.Network(fov=10**6 + 1), "1 to 255 | got 1000001"),
     value(lambda: mw.Network(n_actions=4), "5 or 9 | got 4"),
     value(lambda: mw.Network(activation="gelu"), "'relu' or 'tanh' | got 'gelu'"),
+    value(lambda: mw.Network(memory="lstm"), "one of none, elman, gru | got 'lstm'"),
+    value(lambda: mw.Network((), memory="gru"), "none without hidden layers | got 'gru'"),
     value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
     value(lambda: NETWORK.layers(TEAM.genomes), "shape (329,) | got (2, 329)"),
     value(

@@ -44,6 +44,7 @@ def load(path: Path) -> tuple[str, Population]:
         Network(),
         Network((), fov=3),
         Network((7, 5), activation="tanh", fov=5, n_actions=9, sampled=False),
+        Network((3,), fov=3, memory="gru"),
     ],
 )
 def test_a_genome_is_read_as_it_was(network: Network, tmp_path: Path) -> None:

@@ -58,7 +58,7 @@ def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMod
 def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None:
     """Also where the rules take turns: all agents choose before the round."""
     config = config_of(name, obstacles=0.1)
-    settings = {f"{team}s": ["hunter", "random"]}
+    settings = {f"{team}s": ["hunter", random_team(config, 1, memory="gru")]}
     envs = mw.VectorEnv(config, 3, autoreset_mode="Disabled", **settings)
     singles = [mw.parallel_env(config, **settings) for _ in range(3)]
     seen, infos = envs.reset(seed=8)

@@ -48,11 +48,16 @@ def test_scripts_act_as_in_rollouts(script: Any, name: str) -> None:
 
 
 @pytest.mark.parametrize("sampled", [True, False])
-@pytest.mark.parametrize("activation", ["relu", "tanh"])
+@pytest.mark.parametrize(
+    ("activation", "memory"),
+    [("relu", "none"), ("tanh", "none"), ("relu", "gru"), ("tanh", "elman")],
+)
 @pytest.mark.parametrize("name", ["D", "S", "SB", "TO", "swarm-D", "agents-SD"])
-def test_networks_act_as_in_rollouts(name: str, activation: str, sampled: bool) -> None:
+def test_networks_act_as_in_rollouts(
+    name: str, activation: str, memory: str, sampled: bool
+) -> None:
     config = config_of(name, obstacles=0.1, max_steps=14)
-    fields = {"hidden": (6, 5), "activation": activation, "sampled": sampled}
+    fields = {"hidden": (6, 5), "activation": activation, "memory": memory, "sampled": sampled}
     for seed in range(2):
         pursuers, evaders = (random_team(config, 2 * seed + team, **fields) for team in range(2))
         same_as_recorded(config, pursuers, evaders, seed)
@@ -86,8 +91,9 @@ def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
         None,
         random_team(config, 2, sampled=False),
         "random",
+        random_team(config, 3, memory="gru"),
     ]
-    n_worlds = 50  # ten for each of the league
+    n_worlds = 60  # ten for each of the league
     place = np.random.default_rng(0).integers(len(league), size=n_worlds)
     batches = [mw.Batch(n_worlds, config, threads=threads) for threads in (1, 3)]
     for batch in batches:

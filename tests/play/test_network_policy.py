@@ -105,6 +105,63 @@ def test_pytorch_has_the_same_probabilities(hidden: tuple[int, ...], activation:
     assert all(parameter.requires_grad for parameter in module.parameters())
 
 
+# What agents remember when they see these.
+STATES = np.random.default_rng(6).uniform(-1, 1, (200, 16)).astype(np.float32)
+
+
+@pytest.mark.parametrize("memory", ["elman", "gru"])
+def test_a_policy_with_memory_takes_states_and_returns_the_next(memory: str) -> None:
+    policy, same = (policy_of(memory=memory, sampled=False) for _ in range(2))
+    actions, following = policy(VIEWS, STATES)
+    logits, expected = policy.network.advance(policy.genome, VIEWS, STATES)
+    assert np.array_equal(actions, logits.argmax(axis=1))
+    assert np.array_equal(following, expected)
+    assert following.shape == STATES.shape
+    assert np.array_equal(policy.logits(VIEWS, STATES), logits)
+    # It keeps nothing, and agents begin with zeros; one by one as all together.
+    zeros = np.zeros_like(STATES)
+    assert np.array_equal(policy(VIEWS)[1], same(VIEWS, zeros)[1])
+    action, state = policy(VIEWS[7], STATES[7])
+    assert action == actions[7]
+    assert np.allclose(state, following[7], atol=1e-6)
+    for states in (STATES[:1], STATES[:, :4], 0.5):
+        with pytest.raises(ValueError, match=r"states: expected shape \(200, 16\), got shape"):
+            policy(VIEWS, states)
+    with pytest.raises(ValueError, match="states: expected none without memory"):
+        policy_of()(VIEWS, STATES)
+
+
+@pytest.mark.parametrize("hidden", [(16,), (16, 8)])
+@pytest.mark.parametrize("memory", ["elman", "gru"])
+def test_libraries_have_the_same_memory(hidden: tuple[int, ...], memory: str) -> None:
+    """Their own recurrent layers, step after step."""
+    policy = policy_of(hidden=hidden, memory=memory)
+    expected = policy.network.advance(policy.genome, VIEWS, STATES)
+    views = VIEWS.astype(np.float32)
+    answers = []
+    try:
+        import torch
+    except ImportError:
+        pass
+    else:
+        with torch.no_grad():
+            given = torch.from_numpy(views), torch.from_numpy(STATES)
+            answers.append([each.numpy() for each in policy.to_torch()(*given)])
+    try:
+        from onnx.reference import ReferenceEvaluator
+    except ImportError:
+        pass
+    else:
+        run = ReferenceEvaluator(policy.to_onnx()).run
+        given = {"observations": views, "states": STATES}
+        answers.append(run(["logits", "next_states"], given))
+    if not answers:
+        pytest.skip("needs PyTorch or the package onnx")
+    for logits, following in answers:
+        assert np.abs(logits - expected[0]).max() < 1e-5
+        assert np.abs(following - expected[1]).max() < 1e-6
+
+
 @pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
 @pytest.mark.parametrize("activation", ["relu", "tanh"])
 def test_onnx_has_the_same_probabilities(

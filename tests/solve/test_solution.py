@@ -177,6 +177,7 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: solve(world(), steps=0), "steps: expected at least 1"),
         (lambda: best_response(world(), [(0.5, "still")], "pursuer"), "the sum 1"),
         (lambda: best_response(world(rows=7), network(world(rows=7)), "pursuer"), "with fov 13"),
+        (lambda: best_response(world(), network(world(), memory="gru"), "pursuer"), "without mem"),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter: expected a script"),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
         (lambda: best_response(world(), None, "pursuer"), "champion: expected a Population, the"),
@@ -196,8 +197,8 @@ def longer_reply(champion: Solution) -> Solution:
     return best_response(champion.states, [(1.0, champion)], "pursuer", steps=9)
 
 
-def network(config: mw.WorldConfig) -> mw.Population:
-    shape = mw.Network.for_config(config)
+def network(config: mw.WorldConfig, **fields: Any) -> mw.Population:
+    shape = mw.Network.for_config(config, **fields)
     return mw.Population(shape.initial(np.random.default_rng(0), weight=0.5, head=0.5), shape)
 
 

@@ -196,7 +196,7 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
         reasons[name] = reason
         arrays: dict[str, object] = {
             "genome": genome, "hidden": np.array([4]), "activation": "relu", "fov": 11,
-            "n_actions": 5, "sampled": True, "team": "pursuer",
+            "n_actions": 5, "sampled": True, "memory": "none", "team": "pursuer",
         }  # fmt: skip
         np.savez_compressed(
             directory / name, **{k: v for k, v in {**arrays, **changes}.items() if v is not None}

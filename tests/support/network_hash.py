@@ -8,6 +8,7 @@ import numpy as np
 
 import matrixworld as mw
 from matrixworld import _core
+from matrixworld.world.policy import GATES
 from one_by_one import assert_same_one_by_one
 from rows import random_genome
 
@@ -32,10 +33,13 @@ def _world_of(number: int) -> mw.WorldConfig:
 def of_everything() -> str:
     """Of logits at the start of an episode, and of the scores of a few matches."""
     digest = hashlib.sha256()
-    for number, hidden in enumerate(HIDDEN):
+    shapes = [
+        (hidden, memory) for memory in GATES for hidden in HIDDEN if hidden or memory == "none"
+    ]
+    for number, (hidden, memory) in enumerate(shapes):
         config = _world_of(number)
         activation = ["tanh", "relu"][number % 2]
-        network = mw.Network.for_config(config, hidden, activation=activation)
+        network = mw.Network.for_config(config, hidden, activation=activation, memory=memory)
         genomes = np.stack([random_genome(network, seed) for seed in (number, 100 + number)])
         logits = mw.World(config)._core.logits(network.core, genomes[0])
         digest.update(logits.tobytes())

@@ -61,5 +61,6 @@ def policy_json(team: mw.Population | str) -> Any:
         "hidden": network.hidden,
         "activation": network.activation,
         "sampled": network.sampled,
+        "memory": network.memory,
         "genome": base64.b64encode(team.genomes[0].astype("<f4").tobytes()).decode("ascii"),
     }

@@ -25,8 +25,9 @@ const COMMANDS = {
     const steps = Array.from({ length: match.length + 1 }, (_, step) => match.conflicts(step));
     const arrays = Object.fromEntries(ARRAYS.map((name) => [name, match[name]]));
     const world = engine.world(config);
+    const policies = { pursuers: policyOf(pursuers), evaders: policyOf(evaders) };
     const sought = seek.map((step) => {
-      match.seek(world, step);
+      match.seek(world, step, policies);
       return world.read("positions");
     });
     return { ...arrays, length: match.length, conflicts: steps, statistics: match.statistics, sought };
@@ -63,8 +64,8 @@ const COMMANDS = {
   decide({ config, start, actions, policy, team, agents }) {
     const world = engine.world(config);
     world.reset(startOf(start));
-    for (const row of actions) world.step(row);
     const player = policyOf(policy);
+    for (const row of actions) world.replay(row, { pursuer: player, evader: player });
     const chosen = world.decide(player, team, new Uint8Array(world.n_agents).fill(9));
     return { chosen, answers: agents.map((agent) => world.answer(player, agent)), view: world.view(agents[0] ?? 0) };
   },

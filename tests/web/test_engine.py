@@ -58,18 +58,21 @@ def test_the_tables_are_those_of_the_package() -> None:
     assert tables.TABLES.read_text(encoding="utf-8") == tables.text()
 
 
-def test_multiply_add_rounds_once(tmp_path: Path) -> None:
-    """The fused multiply-add of processors without one equals the standard library's."""
+@pytest.mark.parametrize(
+    ("driver", "argument", "answer"),
+    [("multiply_add", "0.2", "1085184 cases"), ("recurrent_units", "1009", "4256660 cases")],
+)
+def test_arithmetic_of_our_own(driver: str, argument: str, answer: str, tmp_path: Path) -> None:
+    """Multiply-add on processors without one, and functions of recurrent layers within bounds."""
     compiler = shutil.which("c++")
     if compiler is None:
         pytest.skip("needs a C++ compiler")
-    source = ROOT / "cpp/tests/multiply_add.cpp"
-    options = ["-std=gnu++17", "-O2", "-ffp-contract=off", f"-I{ROOT / 'cpp'}"]
-    built = tmp_path / "multiply_add"
-    subprocess.run([compiler, *options, source, "-o", built], check=True)
-    done = subprocess.run([built, "0.2"], capture_output=True, text=True, check=False)
+    options = ["-std=gnu++17", "-O2", "-ffp-contract=off", "-w", f"-I{ROOT / 'cpp'}"]
+    built = tmp_path / driver
+    subprocess.run([compiler, *options, ROOT / f"cpp/tests/{driver}.cpp", "-o", built], check=True)
+    done = subprocess.run([built, argument], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
-    assert "1085184 cases, 0 wrong" in done.stdout
+    assert f"{answer}, 0 wrong" in done.stdout
 
 
 def game(number: int, config: mw.WorldConfig, expected: SimpleNamespace) -> dict[str, Any]:
@@ -149,6 +152,8 @@ MATCHES = {
     "largest output of two layers": ("R", (40, 30), {"sampled": False, "activation": "tanh"}, {}),
     "agents take turns": ("TO", (16,), {"activation": "tanh"}, {"obstacles": 0.15}),
     "teams take turns": ("swarm-SD", (7,), {}, {"n_pursuers": 9}),
+    "gated memory": ("D", (32,), {"memory": "gru"}, {"n_pursuers": 9, "n_evaders": 9}),
+    "memory, team by team": ("swarm-SD", (9, 4), {"memory": "elman"}, {"obstacles": 0.1}),
     "a crowd": ("O", (32,), {}, {"rows": 20, "cols": 20, "n_pursuers": 70, "n_evaders": 80}),
 }
 
@@ -292,14 +297,16 @@ def test_a_snapshot_goes_on_in_another_world(run_command: Commands) -> None:
 # ---- Networks -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("sampled", [True, False])
-def test_what_a_network_answers(run_command: Commands, sampled: bool) -> None:
+@pytest.mark.parametrize(("sampled", "memory"), [(True, "none"), (False, "gru"), (True, "elman")])
+def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: str) -> None:
     config = config_of("O", obstacles=0.1)
-    policy = team(config, (16, 8), 4, sampled=sampled, activation="tanh")
+    policy = team(config, (16, 8), 4, sampled=sampled, activation="tanh", memory=memory)
     actions = random_actions(2, config.n_actions, 3, config.n_agents)
     world = mw.World(config)
     world.reset(11)
     for row in actions:
+        for agents in (range(config.n_pursuers), range(config.n_pursuers, config.n_agents)):
+            world.decide(policy, agents, row.copy())
         world.step(row)
     alive = np.flatnonzero(world.alive)
     chosen = np.full(config.n_agents, 9)
@@ -324,6 +331,10 @@ def test_what_a_network_answers(run_command: Commands, sampled: bool) -> None:
     by_agent = dict(zip(alive.tolist(), got["answers"], strict=True))
     for agent in alive[alive < config.n_pursuers]:
         assert by_agent[agent]["action"] == chosen[agent]
+    # What agents remembered before their last decision, which the pursuers made in this step.
+    kept = world._core.snapshot()["memories"].reshape(len(alive), 2, policy.network.state_size)
+    remembered = np.where(alive[:, None] < config.n_pursuers, kept[:, 0], kept[:, 1])
+    assert [answer["memory"] for answer in got["answers"]] == remembered.tolist()
     assert got["view"] == world.views()[alive[0]].ravel().tolist()
 
 

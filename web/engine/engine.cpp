@@ -242,12 +242,14 @@ EMSCRIPTEN_KEEPALIVE bool world_decide(PlayedWorld* played, const NamedArrays* p
     });
 }
 
-// The outputs of a network for a living agent.
+// The outputs of a network for a living agent, and what the agent remembers for it.
 EMSCRIPTEN_KEEPALIVE bool world_logits(PlayedWorld* played, const NamedArrays* policy, int agent) {
     return succeeds([&] {
         const Player player(Inputs(policy), played->config());
         const std::vector<float> logits = played->logits(player, agent);
         outputs.add("logits", logits.data(), logits.size());
+        const std::vector<float> memory = played->memory(player, agent);
+        outputs.add("memory", memory.data(), memory.size());
     });
 }
 

@@ -64,7 +64,7 @@ class PlayedWorld {
     }
 
     // Writes the actions that a policy chooses now for living agents [first, last) of one team.
-    void decide(const Candidates& policy, int first, int last, std::vector<int>& actions) const {
+    void decide(const Candidates& policy, int first, int last, std::vector<int>& actions) {
         if (world_.over()) return;
         LoadedPolicy loaded(policy, *setup_);
         loaded.load(0).decide(world_, scratch_.occupancy, first, last, actions.data());
@@ -83,6 +83,14 @@ class PlayedWorld {
         std::vector<std::uint8_t> actions(1);
         mlp.act(world_, scratch_.occupancy, {agent}, {0.0f}, actions);
         return {mlp.logits(), mlp.logits() + network->n_actions()};
+    }
+
+    // What an agent remembers at the beginning of this step for a network.
+    std::vector<float> memory(const Player& player, int agent) const {
+        std::vector<float> numbers(player.candidates.network->state_size());
+        world_.memories().recall(agent, world_.steps(), static_cast<int>(numbers.size()),
+                                 numbers.data());
+        return numbers;
     }
 
     void write(const OutputField& field, void* out) {

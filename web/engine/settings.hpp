@@ -91,7 +91,8 @@ struct Player {
         const auto activation =
             in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
         candidates.network.emplace(config.fov, in.list<int>("hidden"), config.n_actions(),
-                                   activation, in.number<bool>("sampled"));
+                                   activation, in.number<bool>("sampled"),
+                                   to_memory(in.text("memory")));
         genome = in.list<float>("genome");
         const auto size = static_cast<std::size_t>(candidates.network->genome_size());
         if (genome.size() != size) {

@@ -250,6 +250,7 @@ GENOME_FORMS = {
     "genome": ("f", 1),
     "hidden": ("iuf", 1),  # an empty list is an array of floats
     "activation": ("U", 0),
+    "memory": ("U", 0),
     "fov": ("iu", 0),
     "n_actions": ("iu", 0),
     "sampled": ("b", 0),
@@ -261,7 +262,7 @@ MOST_LAYERS = 16
 MOST_UNPACKED = MOST_BYTES["genome"]
 """Most bytes of the arrays in a compressed file."""
 MOST_MEMBERS = 100
-"""Most arrays in a file; a genome's has seven."""
+"""Most arrays in a file; a genome's has eight."""
 
 _COMPRESSIONS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others may need any memory
 _ENTRY = b"PK\x01\x02"  # begin of an entry in the directory of a zip archive
@@ -318,6 +319,7 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
         network = Network(
             tuple(int(size) for size in arrays["hidden"]),
             activation=str(arrays["activation"]),  # type: ignore[arg-type]
+            memory=str(arrays["memory"]),  # type: ignore[arg-type]
             fov=int(arrays["fov"]),
             n_actions=int(arrays["n_actions"]),
             sampled=bool(arrays["sampled"]),

@@ -47,7 +47,7 @@ from matrixworld.coevolution.sections import (
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network
+from matrixworld.world.policy import GATES, Network
 from matrixworld.world.rules import VARIANTS, Capture, Outcome, Rewards
 
 LEAST_MASKED_FOV = 3
@@ -71,6 +71,11 @@ class PolicySettings(Section):
     )
     activation: str = setting(
         "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
+    )
+    memory: str = setting(
+        "none",
+        "recurrent layer after the first hidden layer: elman, gru (gated recurrent units) or none",
+        choices=tuple(GATES),
     )
     initial_weight: float = setting(
         0.05, "standard deviation of untrained hidden weights", by={"against pursuer": 0.2}
@@ -247,6 +252,7 @@ class RaceSettings(Section):
         rewarded = gradients or self.fitness.measure == "rewards"
         rows = (
             ("policy", "activation", no_layers, "without hidden layers"),
+            ("policy", "memory", no_layers, "without hidden layers"),
             ("policy", "initial_weight", no_layers, "without hidden layers"),
             ("policy", "initial_weight", gradients, f"with {learner}"),
             ("policy", "initial_weight", started, "with a genome to start from"),
@@ -312,8 +318,8 @@ class RaceSettings(Section):
     def network(self) -> Network:
         """The policy network of a learning team, with its mask."""
         policy = self.policy
-        network = Network.for_config(self.world, hidden=policy.hidden, activation=policy.activation)
-        return masked_network(network, policy.mask)
+        shape = {"activation": policy.activation, "memory": policy.memory}
+        return masked_network(Network.for_config(self.world, policy.hidden, **shape), policy.mask)
 
     @property
     def overlap_penalty(self) -> float:

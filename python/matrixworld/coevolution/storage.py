@@ -446,9 +446,10 @@ def archive_network(files: RunDirectory, team: Team) -> Network:
     guest: Any = files.config.get("opponent_network")
     try:
         hidden, activation = tuple(guest["hidden"]), guest["activation"]
-        return Network.for_config(settings.world, hidden=hidden, activation=activation)
+        shape = {"activation": activation, "memory": guest["memory"]}
+        return Network.for_config(settings.world, hidden, **shape)
     except (KeyError, OverflowError, TypeError, ValueError) as error:
-        problem = f"opponent_network: expected hidden and activation ({error})"
+        problem = f"opponent_network: expected hidden, activation and memory ({error})"
         raise DamagedFileError(files.path / CONFIG, problem) from error
 
 

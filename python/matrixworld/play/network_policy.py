@@ -43,7 +43,7 @@ class NetworkPolicy:
     """A policy network with its weights, to act on observations outside of the engine.
 
     Call it with observations to get actions. `SavedRun.policy` returns one for a generation of a
-    run.
+    run. It keeps no state of agents: a policy with memory takes their states and returns the next.
 
     Parameters
     ----------
@@ -80,6 +80,14 @@ class NetworkPolicy:
     >>> actions = {agent: policy(seen) for agent, seen in observations.items()}
     >>> policy.probabilities(np.stack(list(observations.values()))).shape
     (4, 5)
+
+    With memory, each agent has a state:
+
+    >>> network = Network(hidden=(16,), fov=5, memory="gru")
+    >>> policy = NetworkPolicy(network, network.initial(np.random.default_rng(0)), seed=1)
+    >>> states = dict.fromkeys(observations)
+    >>> for agent, seen in observations.items():
+    ...     actions[agent], states[agent] = policy(seen, states[agent])
     """
 
     def __init__(
@@ -103,35 +111,55 @@ class NetworkPolicy:
         """Return the network without its weights."""
         return f"NetworkPolicy({self.network!r})"
 
-    def __call__(self, observations: ArrayLike) -> Any:
+    def __call__(self, observations: ArrayLike, states: ArrayLike | None = None) -> Any:
         """Return actions for observations: an int for one, int64 of the leading axes for several.
 
-        An observation is (3, fov, fov) or flattened; further axes may stand in front of it.
+        An observation is (3, fov, fov) or flattened; further axes may stand in front of it. With
+        memory it is a pair, actions and next states: `states`, float32 (..., state_size), are those
+        of the agents before, by default zeros, as at the start of an episode.
         """
-        views, leading = self._views(observations)
-        logits = self.network.logits(self.genome, views)
+        logits, following, leading = self._advance(observations, states)
         if self.network.sampled:
             # The action is the number of cumulated weights that do not exceed unit * total.
             cumulated = np.exp(logits - logits.max(axis=1, keepdims=True)).cumsum(axis=1)
-            threshold = self._rng.random(len(views), np.float32) * cumulated[:, -1]
+            threshold = self._rng.random(len(logits), np.float32) * cumulated[:, -1]
             actions = (cumulated[:, :-1] <= threshold[:, None]).sum(axis=1)
         else:
             actions = logits.argmax(axis=1)
-        return actions.reshape(leading) if leading else int(actions[0])
+        chosen = actions.reshape(leading) if leading else int(actions[0])
+        return (chosen, following) if self.network.state_size else chosen
 
-    def logits(self, observations: ArrayLike) -> NDArray[np.float32]:
-        """Return the outputs of the network, (..., n_actions), for observations as in a call."""
-        views, leading = self._views(observations)
-        return self.network.logits(self.genome, views).reshape(*leading, -1)
+    def logits(
+        self, observations: ArrayLike, states: ArrayLike | None = None
+    ) -> NDArray[np.float32]:
+        """Return the outputs of the network, (..., n_actions), for arguments as in a call."""
+        logits, _, leading = self._advance(observations, states)
+        return logits.reshape(*leading, -1)
 
-    def probabilities(self, observations: ArrayLike) -> NDArray[np.float32]:
+    def probabilities(
+        self, observations: ArrayLike, states: ArrayLike | None = None
+    ) -> NDArray[np.float32]:
         """Return the probability of each action, (..., n_actions): the softmax of the outputs.
 
         A policy that does not sample takes the largest.
         """
-        logits = self.logits(observations)
+        logits = self.logits(observations, states)
         weights = np.exp(logits - logits.max(axis=-1, keepdims=True))
         return np.asarray(weights / weights.sum(axis=-1, keepdims=True))
+
+    def _advance(
+        self, observations: ArrayLike, states: ArrayLike | None
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], tuple[int, ...]]:
+        """Return outputs (n, n_actions), next states (..., state_size) and the leading axes."""
+        views, leading = self._views(observations)
+        shape = *leading, self.network.state_size
+        if states is not None:
+            if np.shape(states) != shape or not self.network.state_size:
+                expected = f"shape {shape}" if self.network.state_size else "none without memory"
+                raise ValueError(f"states: expected {expected}, got shape {np.shape(states)}")
+            states = np.asarray(states, np.float32).reshape(len(views), -1)
+        logits, following = self.network.advance(self.genome, views, states)
+        return logits, following.reshape(shape), leading
 
     def _views(self, observations: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
         """Return observations as (n, 3, fov, fov), and the axes in front of an observation."""
@@ -152,7 +180,7 @@ class NetworkPolicy:
         """Return a copy of the weights (inputs, outputs) and biases (outputs,) of each layer.
 
         An observation is flattened in its own order: channel, row, column. The activation follows
-        every layer but the last, whose outputs are the logits.
+        every layer but the last, whose outputs are the logits, and a recurrent one (see `Network`).
         """
         return [(w.copy(), b.copy()) for w, b in self.network.layers(self.genome)]
 
@@ -160,11 +188,13 @@ class NetworkPolicy:
         """Return the genome as a population of one, which rollouts and environments take."""
         return Population(self.genome, self.network)
 
-    def to_torch(self) -> torch.nn.Sequential:
+    def to_torch(self) -> torch.nn.Module:
         """Return the network as a PyTorch module: observations (n, ...) to logits (n, n_actions).
 
         It is Flatten, then Linear and activation in turn. Inputs are float32; the softmax of the
-        outputs are the probabilities. It can be trained. Raises ImportError without PyTorch.
+        outputs are the probabilities. It can be trained. With memory it maps observations and
+        states (n, state_size) to logits and next states, by an RNNCell or GRUCell. Raises
+        ImportError without PyTorch.
         """
         try:
             import torch
@@ -173,21 +203,29 @@ class NetworkPolicy:
                 "to_torch: expected PyTorch, install it: pip install torch"
             ) from error
         activation = torch.nn.ReLU if self.network.activation == "relu" else torch.nn.Tanh
-        modules: list[torch.nn.Module] = [torch.nn.Flatten()]
-        for weights, bias in self.layers():
-            linear = torch.nn.Linear(*weights.shape)
+        size, modules = self.network.state_size, [torch.nn.Flatten()]
+        for number, (weights, bias) in enumerate(self.layers()):
             # PyTorch keeps weights as (outputs, inputs).
-            linear.load_state_dict(
-                {"weight": torch.from_numpy(weights.T.copy()), "bias": torch.from_numpy(bias)}
-            )
-            modules += [linear, activation()]
-        return torch.nn.Sequential(*modules[:-1])
+            rows, numbers = torch.from_numpy(weights.T.copy()), torch.from_numpy(bias)
+            if number == 1 and size:
+                make = torch.nn.RNNCell if self.network.memory == "elman" else torch.nn.GRUCell
+                parts = rows[:, :size], rows[:, size:], numbers, torch.zeros_like(numbers)
+                names = "weight_ih", "weight_hh", "bias_ih", "bias_hh"
+                modules.append(make(size, size))
+                modules[-1].load_state_dict(dict(zip(names, parts, strict=True)))
+                continue
+            modules += [torch.nn.Linear(*weights.shape), activation()]
+            modules[-2].load_state_dict({"weight": rows, "bias": numbers})
+        modules.pop()
+        return _with_states(modules) if size else torch.nn.Sequential(*modules)
 
     def to_onnx(self) -> onnx.ModelProto:
         """Return the network as an ONNX model, for example to save with ``onnx.save``.
 
         Its input is ``observations``, float32 (n, 3, fov, fov); outputs are ``logits`` and
-        ``probabilities``, float32 (n, n_actions). Raises ImportError without the package onnx.
+        ``probabilities``, float32 (n, n_actions). With memory a second input is ``states`` and the
+        third output ``next_states``, float32 (n, state_size). Raises ImportError without the
+        package onnx.
         """
         try:
             import onnx
@@ -206,31 +244,91 @@ class NetworkPolicy:
         return model
 
 
+def _with_states(modules: list[torch.nn.Module]) -> torch.nn.Module:
+    """Return a module of (observations, states) from its parts, of which the fourth is a cell."""
+    import torch
+
+    class WithStates(torch.nn.Module):  # type: ignore[misc]  # of an untyped package
+        def __init__(self) -> None:
+            super().__init__()
+            self.first = torch.nn.Sequential(*modules[:3])
+            self.cell = modules[3]
+            self.rest = torch.nn.Sequential(*modules[4:])
+
+        def forward(self, observations: Any, states: Any) -> Any:
+            following = self.cell(self.first(observations), states)
+            return self.rest(following), following
+
+    return WithStates()
+
+
 def _onnx_graph(network: Network, layers: Layers) -> onnx.GraphProto:
     """Return the network's nodes, and the softmax of its logits, with these weights."""
     import onnx
 
-    helper = onnx.helper
+    helper, to_tensor = onnx.helper, onnx.numpy_helper.from_array
     activation = "Relu" if network.activation == "relu" else "Tanh"
     nodes: list[Any] = [helper.make_node("Flatten", ["observations"], ["hidden_0"], axis=1)]
     weights: list[Any] = []
     for number, (matrix, bias) in enumerate(layers):
         names = [f"weights_{number}", f"bias_{number}"]
-        weights += map(onnx.numpy_helper.from_array, (matrix, bias), names)
         inputs = [f"hidden_{number}", *names]
+        if number == 1 and network.state_size:
+            cell_nodes, cell_weights = _onnx_cell(network, matrix, bias)
+            nodes, weights = nodes + cell_nodes, weights + cell_weights
+            continue
+        weights += map(to_tensor, (matrix, bias), names)
         if number == len(layers) - 1:
             nodes.append(helper.make_node("Gemm", inputs, ["logits"]))
             break
         nodes.append(helper.make_node("Gemm", inputs, [f"sum_{number}"]))
         nodes.append(helper.make_node(activation, [f"sum_{number}"], [f"hidden_{number + 1}"]))
     nodes.append(helper.make_node("Softmax", ["logits"], ["probabilities"], axis=1))
-    shapes: dict[str, list[str | int]] = {
-        "observations": ["n", CHANNELS, network.fov, network.fov],
-        "logits": ["n", network.n_actions],
-        "probabilities": ["n", network.n_actions],
+
+    def values(**shapes: list[str | int]) -> list[Any]:
+        floats = onnx.TensorProto.FLOAT
+        return [helper.make_tensor_value_info(name, floats, each) for name, each in shapes.items()]
+
+    state: list[str | int] = ["n", network.state_size]
+    answer: list[str | int] = ["n", network.n_actions]
+    given = values(observations=["n", CHANNELS, network.fov, network.fov])
+    returned = values(logits=answer, probabilities=answer)
+    if network.state_size:
+        given += values(states=state)
+        returned += values(next_states=state)
+    return helper.make_graph(nodes, "policy", given, returned, weights)
+
+
+def _onnx_cell(
+    network: Network, matrix: NDArray[np.float32], bias: NDArray[np.float32]
+) -> tuple[list[Any], list[Any]]:
+    """Return nodes from hidden_1 and states to next_states, also named hidden_2, with weights."""
+    import onnx
+
+    node, to_tensor, size = onnx.helper.make_node, onnx.numpy_helper.from_array, network.state_size
+    options = {"hidden_size": size}
+    if network.memory == "gru":
+        options["linear_before_reset"] = 1
+        # ONNX has the gates in the order z, r, c.
+        order = np.r_[size : 2 * size, :size, 2 * size : 3 * size]
+        matrix, bias = matrix[:, order], bias[order]
+    rows = matrix.T.copy()
+    weights = {
+        "steps": np.array([0], np.int64),  # the axis of time, of one step
+        "weights_1": rows[None, :, :size],
+        "states_1": rows[None, :, size:],
+        "bias_1": np.concatenate([bias, np.zeros_like(bias)])[None],
     }
-    first, *outputs = (
-        helper.make_tensor_value_info(name, onnx.TensorProto.FLOAT, shape)
-        for name, shape in shapes.items()
-    )
-    return helper.make_graph(nodes, "policy", [first], outputs, weights)
+    nodes = [
+        node("Unsqueeze", ["hidden_1", "steps"], ["input_1"]),
+        node("Unsqueeze", ["states", "steps"], ["before_1"]),
+        node(
+            "RNN" if network.memory == "elman" else "GRU",
+            ["input_1", "weights_1", "states_1", "bias_1", "", "before_1"],
+            ["", "after_1"],
+            **options,
+        ),
+        node("Squeeze", ["after_1", "steps"], ["next_states"]),
+        node("Identity", ["next_states"], ["hidden_2"]),
+    ]
+    return nodes, [to_tensor(np.ascontiguousarray(each), name) for name, each in weights.items()]

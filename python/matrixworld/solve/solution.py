@@ -430,7 +430,12 @@ def _fixed(states: States, champion: Champion, team: Team) -> _Fixed:
 
 
 def _check_sees(config: WorldConfig, champion: Population | str) -> None:
-    """Raise ValueError for a network that does not see the whole world from every cell."""
+    """Raise ValueError for a network that remembers, or does not see the whole world."""
+    if isinstance(champion, Population) and champion.network.memory != "none":
+        raise ValueError(
+            f"champion: expected a network without memory, whose choices depend on the present "
+            f"state alone, got memory {champion.network.memory!r}"
+        )
     needed = 2 * max(config.rows, config.cols) - 1
     if isinstance(champion, Population) and config.fov < needed:
         raise ValueError(

@@ -52,6 +52,11 @@ adversary of its own) hunter and surrounder keep one direction for 12 steps, and
 still, walk at random.
 """
 
+Memory: TypeAlias = Literal["none", "elman", "gru"]
+
+GATES: dict[Memory, int] = {"none": 0, "elman": 1, "gru": 3}
+"""Outputs of a recurrent layer for each of its units."""
+
 CHANNELS = 3
 """Channels of a view: evaders, pursuers, obstacles."""
 
@@ -61,7 +66,7 @@ _MAX_LAYER = 2**20
 
 @dataclass(frozen=True)
 class Network:
-    """A multilayer perceptron that maps an agent's view to an action.
+    """A multilayer perceptron that maps an agent's view to an action, with or without memory.
 
     It describes the shape of the network only; a genome holds the weights.
 
@@ -77,11 +82,16 @@ class Network:
         Outputs: 5, or 9 with diagonal moves.
     sampled : bool, optional
         Whether the action is drawn from the softmax of the outputs, or is the first largest one.
+    memory : {"none", "elman", "gru"}, optional
+        The recurrent layer after the first hidden layer, of as many units: none, a layer of Elman
+        (1990, "Finding structure in time"), or gated recurrent units (Cho et al. 2014, "Learning
+        phrase representations using RNN encoder-decoder").
 
     Raises
     ------
     ValueError
-        If a size is below 1 or above 2**20, `fov` is even, or the activation is unknown.
+        If a size is below 1 or above 2**20, `fov` is even, the activation or the memory is unknown,
+        or there is memory without a hidden layer.
     TypeError
         If a value has a wrong type.
 
@@ -89,6 +99,17 @@ class Network:
     -----
     A genome is a flat array of float32. It holds, layer by layer, the weights as an (inputs,
     outputs) matrix in row-major order and then the biases.
+
+    A recurrent layer replaces the outputs x of the first hidden layer (n,) by the state h of the
+    agent (n,). Each agent has its own, zeros at the start of an episode. At each step::
+
+        elman   h' = tanh(x W + h U + b)
+        gru     r, z = logistic(x W_r + h U_r + b_r), logistic(x W_z + h U_z + b_z)
+                c = tanh(x W_c + r * (h U_c) + b_c)
+                h' = z * h + (1 - z) * c
+
+    In the genome it is one layer of 2 n inputs, (x, h), and of n outputs or, for gru, 3 n: r, z, c.
+    The activation is not applied to it.
 
     Examples
     --------
@@ -103,6 +124,7 @@ class Network:
     fov: int = 11
     n_actions: int = 5
     sampled: bool = True
+    memory: Memory = "none"
 
     def __post_init__(self) -> None:
         # Text, bytes and mappings can be iterated over, but hold no sizes.
@@ -120,6 +142,9 @@ class Network:
         check_bool("sampled", self.sampled)
         if self.activation not in ("relu", "tanh"):
             raise ValueError(f"activation: expected 'relu' or 'tanh', got {self.activation!r}")
+        check_choice("memory", self.memory, GATES)
+        if self.memory != "none" and not self.hidden:
+            raise ValueError(f"memory: expected none without hidden layers, got {self.memory!r}")
 
     @classmethod
     def for_config(
@@ -130,13 +155,26 @@ class Network:
 
     @property
     def sizes(self) -> tuple[int, ...]:
-        """Sizes of all layers: inputs, hidden layers, actions."""
+        """Sizes of all layers but a recurrent one: inputs, hidden layers, actions."""
         return (CHANNELS * self.fov**2, *self.hidden, self.n_actions)
+
+    @property
+    def state_size(self) -> int:
+        """Length of an agent's state; 0 without memory."""
+        return 0 if self.memory == "none" else self.hidden[0]
+
+    @property
+    def shapes(self) -> list[tuple[int, int]]:
+        """Inputs and outputs of each layer; the recurrent layer is the second."""
+        shapes = list(pairwise(self.sizes))
+        if self.memory != "none":
+            shapes.insert(1, (2 * self.state_size, GATES[self.memory] * self.state_size))
+        return shapes
 
     @property
     def genome_size(self) -> int:
         """Number of weights and biases in a genome."""
-        return sum((n_in + 1) * n_out for n_in, n_out in pairwise(self.sizes))
+        return sum((n_in + 1) * n_out for n_in, n_out in self.shapes)
 
     def layers(
         self, genome: NDArray[np.float32]
@@ -148,7 +186,7 @@ class Network:
         if genome.shape != (self.genome_size,):
             raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
         layers, start = [], 0
-        for n_in, n_out in pairwise(self.sizes):
+        for n_in, n_out in self.shapes:
             middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
             layers.append((genome[start:middle].reshape(n_in, n_out), genome[middle:end]))
             start = end
@@ -157,18 +195,52 @@ class Network:
     def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Return the outputs before any softmax, float32 (n, n_actions), computed in NumPy.
 
-        Of views, uint8 (n, 3, fov, fov). ValueError if the views or the genome, (genome_size,),
-        have another shape.
+        Of views, uint8 (n, 3, fov, fov); with memory, of agents in the first step of an episode.
+        ValueError if the views or the genome, (genome_size,), have another shape.
+        """
+        return self.advance(genome, views)[0]
+
+    def advance(
+        self,
+        genome: NDArray[np.float32],
+        views: NDArray[np.uint8],
+        states: NDArray[np.float32] | None = None,
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Return the outputs of agents, as `logits` does, and their next states (n, state_size).
+
+        `states`, float32 (n, state_size), are what the agents remember; the default is zeros.
+        ValueError if an array has another shape.
         """
         expected = (CHANNELS, self.fov, self.fov)
         if views.shape[1:] != expected:
             raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
+        room = len(views), self.state_size
+        states = np.zeros(room, np.float32) if states is None else states
+        if states.shape != room:
+            raise ValueError(f"states: expected shape {room}, got {states.shape}")
         x = views.reshape(len(views), self.sizes[0]).astype(np.float32)
         *hidden, last = self.layers(genome)
-        for weights, bias in hidden:
+        for number, (weights, bias) in enumerate(hidden):
+            if number == 1 and self.state_size:
+                x = states = self._remember(weights, bias, x, states)
+                continue
             x = x @ weights + bias
             x = np.maximum(x, 0) if self.activation == "relu" else np.tanh(x)
-        return x @ last[0] + last[1]
+        return x @ last[0] + last[1], states
+
+    def _remember(
+        self, weights: NDArray[Any], bias: NDArray[Any], x: NDArray[Any], states: NDArray[Any]
+    ) -> NDArray[Any]:
+        """Return the next states (n, state_size); the notes of the class have the formulas."""
+        sums = x @ weights[: self.state_size] + bias
+        from_states = states @ weights[self.state_size :]
+        if self.memory == "elman":
+            return np.asarray(np.tanh(sums + from_states))
+        r, z, c = np.split(sums, 3, axis=1)
+        from_r, from_z, from_c = np.split(from_states, 3, axis=1)
+        z = _logistic(z + from_z)
+        c = np.tanh(c + _logistic(r + from_r) * from_c)
+        return np.asarray(z * states + (1 - z) * c)
 
     def initial(
         self, rng: np.random.Generator, weight: float = 0.05, head: float = 0.1
@@ -176,7 +248,8 @@ class Network:
         """Return a random genome, float32 (genome_size,), with all biases 0.
 
         `weight` and `head` are the standard deviations of the weights in the hidden layers and in
-        the last layer.
+        the last layer. That of a recurrent layer of n units is 1 / sqrt(2 n): states of all sizes
+        then last about as long.
         """
         # Twice: the random numbers of a layer come as an array of their own.
         check_memory("genome", weights=2 * 4 * self.genome_size)
@@ -184,6 +257,8 @@ class Network:
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):
             scale = head if number == len(layers) - 1 else weight
+            if number == 1 and self.state_size:
+                scale = len(weights) ** -0.5
             weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
 
@@ -201,7 +276,13 @@ class Network:
             n_actions=self.n_actions,
             activation=self.activation,
             sampled=self.sampled,
+            memory=self.memory,
         )
+
+
+def _logistic(x: NDArray[Any]) -> NDArray[Any]:
+    """Return 1 / (1 + e^-x), by a form that cannot overflow."""
+    return np.asarray(0.5 + 0.5 * np.tanh(0.5 * x))
 
 
 @dataclass(frozen=True, eq=False)

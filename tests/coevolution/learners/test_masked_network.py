@@ -33,17 +33,22 @@ def forbidden(views: np.ndarray, mask: str, team: Team, n_actions: int) -> np.nd
 @pytest.mark.parametrize("mask", ["obstacles", "occupied"])
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize(
-    ("hidden", "activation", "diagonal"),
-    [((), "relu", False), ((6,), "relu", True), ((6, 5), "relu", False), ((6, 5), "tanh", False)],
-)
+    ("hidden", "activation", "memory", "diagonal"),
+    [
+        ((), "relu", "none", False), ((6,), "relu", "none", True), ((6, 5), "relu", "none", False),
+        ((6, 5), "tanh", "none", False), ((6,), "relu", "gru", True),
+        ((6, 5), "tanh", "elman", False),
+    ],
+)  # fmt: skip
 def test_the_engine_never_plays_a_forbidden_move(
-    mask: str, team: Team, hidden: tuple[int, ...], activation: Any, diagonal: bool
+    mask: str, team: Team, hidden: tuple[int, ...], activation: Any, memory: Any, diagonal: bool
 ) -> None:
     config = WorldConfig(
         "S", rows=7, cols=7, n_pursuers=8, n_evaders=8, obstacles=0.15, fov=5, max_steps=40,
         diagonal=diagonal,
     )  # fmt: skip
-    network = masked_network(Network.for_config(config, hidden=hidden, activation=activation), mask)
+    bare_network = Network.for_config(config, hidden, activation=activation, memory=memory)
+    network = masked_network(bare_network, mask)
     weights = mask_weights(network, mask, team)
     assert weights is not None
     free = np.random.default_rng(1).normal(0, 0.5, (1, network.genome_size)).astype(np.float32)
@@ -59,7 +64,12 @@ def test_the_engine_never_plays_a_forbidden_move(
     assert not refused[each, played.actions].any()
     # No other move is forbidden, and none is more or less likely than without the mask.
     without = np.where(weights.values == FORBIDDEN, np.float32(0), genomes[0])
-    logits, bare = network.logits(genomes[0], views), network.logits(without, views)
+    # Agents remember anything, but not what was forbidden.
+    states = np.random.default_rng(2).uniform(-1, 1, (len(views), network.state_size))
+    states = states.astype(np.float32)
+    (logits, _), (bare, _) = (
+        network.advance(each, views, states) for each in (genomes[0], without)
+    )
     np.testing.assert_array_equal(logits[~refused], bare[~refused])
     assert (logits[refused] < FORBIDDEN / 2).all()  # whatever the other weights add
     assert len(np.unique(played.actions)) == config.n_actions

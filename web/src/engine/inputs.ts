@@ -4,9 +4,10 @@ import { expected } from "./errors.ts";
 import { Flags } from "./heap.ts";
 import type { Inputs } from "./heap.ts";
 import { BLAMES, CAPTURES, INTERACTIONS, MAP_CHARACTERS, OUTCOMES, SCRIPTS } from "./tables.ts";
-import type { Cell, Penalty, Rewards, Rules, Snapshot, Start, TeamPolicy, WorldConfig } from "./types.ts";
+import type { Cell, Memory, Penalty, Rewards, Rules, Snapshot, Start, TeamPolicy, WorldConfig } from "./types.ts";
 
 const INT_MAX = 2 ** 31 - 1;
+const MEMORIES: readonly Memory[] = ["none", "elman", "gru"];
 const SEED_MAX = 2n ** 64n - 1n;
 const FLOAT_MAX = 3.4028234663852886e38;
 
@@ -153,10 +154,12 @@ export function policyInputs(policy: TeamPolicy): Inputs {
   if (policy.activation !== "relu" && policy.activation !== "tanh") {
     throw expected("activation", "'relu' or 'tanh'", policy.activation);
   }
+  if (!MEMORIES.includes(policy.memory)) throw expected("memory", `one of ${MEMORIES.join(", ")}`, policy.memory);
   return {
     hidden: Int32Array.from(policy.hidden, (size) => integer("hidden", size)[0]!),
     activation: new TextEncoder().encode(policy.activation),
     sampled: bool("sampled", policy.sampled),
+    memory: new TextEncoder().encode(policy.memory),
     genome: policy.genome,
   };
 }

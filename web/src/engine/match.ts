@@ -50,13 +50,15 @@ export class Match {
     return conflictsOf(rows, this.config.n_pursuers);
   }
 
-  /** Set a world of the same settings to moment t: the state before step t + 1. */
-  seek(world: World, step: number): void {
+  /** Set a world of the same settings to moment t, before step t + 1, with what agents remember for the policies. */
+  seek(world: World, step: number, policies?: Pick<Pair, "pursuers" | "evaders">): void {
     this.check(step);
     const here = world.seed === this.seed && world.episode === BigInt(this.episode);
     if (!here || world.turn !== 0 || world.steps > step) world.reset({ seed: this.seed, episode: this.episode });
     for (let t = world.steps; t < step; ++t) {
-      world.step(this.actions.subarray(t * this.n_agents, (t + 1) * this.n_agents));
+      const actions = this.actions.subarray(t * this.n_agents, (t + 1) * this.n_agents);
+      if (policies) world.replay(actions, { pursuer: policies.pursuers, evader: policies.evaders });
+      else world.step(actions);
     }
   }
 

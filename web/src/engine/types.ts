@@ -56,6 +56,7 @@ export interface WorldConfig {
 }
 
 export type Activation = "relu" | "tanh";
+export type Memory = "none" | "elman" | "gru";
 
 /** A network and one genome: float32, layer by layer the weights (inputs, outputs), then the biases. */
 export interface NetworkPolicy {
@@ -63,6 +64,8 @@ export interface NetworkPolicy {
   activation: Activation;
   /** Whether an action is drawn from the softmax of the outputs, or the first largest is taken. */
   sampled: boolean;
+  /** The recurrent layer after the first hidden layer. */
+  memory: Memory;
   genome: Float32Array;
 }
 
@@ -160,6 +163,8 @@ export interface Answer {
   probabilities: Float32Array;
   /** The action that the agent takes at this moment of this episode. */
   action: number;
+  /** What the agent remembers of earlier steps, from -1 to 1; empty without memory. */
+  memory: Float32Array;
 }
 
 /** The statistics of an episode, as one episode of `matrixworld.rollout` has them. */
@@ -224,4 +229,8 @@ export interface Snapshot {
   first_turn: Uint8Array;
   terminated: Uint8Array;
   truncated: Uint8Array;
+  /** (A,) what agents remember: since which step, how many numbers, and the numbers of all */
+  memory_steps: Int32Array;
+  memory_sizes: Int32Array;
+  memories: Float32Array;
 }

@@ -79,6 +79,19 @@ export class World {
     return Uint8Array.from(actions as Int32Array);
   }
 
+  /** Play a round of known actions. Agents whose policies have memory remember it, as when they chose them. */
+  replay(actions: ArrayLike<number>, policies: Readonly<Record<"pursuer" | "evader", TeamPolicy>>): void {
+    const remembers = (policy: TeamPolicy): boolean => typeof policy !== "string" && policy.memory !== "none";
+    if (!remembers(policies.pursuer) && !remembers(policies.evader)) return this.step(actions);
+    const { n_pursuers } = this.config;
+    for (let turn = this.n_turns; turn > 0; --turn) {
+      const [first, last] = this.actors;
+      if (first < n_pursuers) this.decide(policies.pursuer, [first, Math.min(last, n_pursuers)], actions);
+      if (last > n_pursuers) this.decide(policies.evader, [Math.max(first, n_pursuers), last], actions);
+      this.playTurn(actions);
+    }
+  }
+
   // ---- Look -------------------------------------------------------------------------------------
 
   /** Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents. */
@@ -148,10 +161,10 @@ export class World {
   /** Return what a network answers to the view of a living agent. */
   answer(policy: TeamPolicy, agent: number): Answer {
     const inputs = policyInputs(policy);
-    const { logits } = this.call((block) => this.engine._world_logits(this.at, block.arrays(inputs), agent));
+    const { logits, memory } = this.call((block) => this.engine._world_logits(this.at, block.arrays(inputs), agent));
     const outputs = logits as Float32Array;
     const action = this.decide(policy, [agent, agent + 1], new Uint8Array(this.n_agents))[agent]!;
-    return { logits: outputs, probabilities: softmax(outputs), action };
+    return { logits: outputs, probabilities: softmax(outputs), action, memory: memory as Float32Array };
   }
 
   // ---- Moments ----------------------------------------------------------------------------------

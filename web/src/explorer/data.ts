@@ -2,7 +2,7 @@
 
 import { unzlibSync } from "fflate";
 import type { PageData } from "../playground/data.ts";
-import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+import type { Memory, NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
 export type Team = "pursuer" | "evader";
 export const TEAMS: readonly Team[] = ["pursuer", "evader"];
@@ -16,6 +16,7 @@ export interface TeamData {
     readonly hidden: readonly number[];
     readonly activation: "relu" | "tanh";
     readonly sampled: boolean;
+    readonly memory: Memory;
     readonly genome_size: number;
   } | null;
   /** The generations whose genomes the page holds. */
@@ -149,7 +150,8 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
   if (place < 0) throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
   const size = network.genome_size;
   const genome = genomesOf(genomes, size).subarray(place * size, (place + 1) * size);
-  return { hidden: network.hidden, activation: network.activation, sampled: network.sampled, genome } satisfies NetworkPolicy;
+  const { hidden, activation, sampled, memory } = network;
+  return { hidden, activation, sampled, memory, genome } satisfies NetworkPolicy;
 }
 
 /** Bytes of a number. */

@@ -9,6 +9,8 @@ import type { Run } from "./data.ts";
 import type { Selection } from "./store.ts";
 import { drawView } from "./view.ts";
 
+const MEMORY = "What it remembers: a number for each unit, from -1 to 1.";
+
 export class Inspector {
   readonly element: HTMLElement;
   readonly #onChoose: (agent: number | null) => void;
@@ -16,6 +18,7 @@ export class Inspector {
   readonly #name = html("h3");
   readonly #note = html("p", { class: "small muted" });
   readonly #bars = html("div", { class: "answers" });
+  readonly #memory = html("div", { class: "memory" });
   #world: World | null = null;
   #solution: Solution | null = null;
   #run: Run | null = null;
@@ -29,7 +32,7 @@ export class Inspector {
     this.element = html(
       "div", { class: "inspector", "data-open": "false" },
       html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and what its network answers."),
-      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note), this.#bars),
+      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note), this.#bars, this.#memory),
     );
   }
 
@@ -39,11 +42,12 @@ export class Inspector {
 
   /** Look at a match; the agent stays chosen. */
   show(engine: Engine, run: Run, match: Match, selection: Selection): void {
-    if (this.#run !== run || !this.#world) {
+    // A new world: one of the same seed may have played other networks.
+    this.#world?.free();
+    this.#world = engine.world(run.world);
+    if (this.#run !== run) {
       this.#solution = null;
-      this.#world?.free();
-      this.#world = engine.world(run.world);
-      if (this.#agent !== null && this.#run !== run) this.choose(null);
+      if (this.#agent !== null) this.choose(null);
     }
     [this.#run, this.#match, this.#selection] = [run, match, selection];
   }
@@ -79,8 +83,10 @@ export class Inspector {
     const [match, world, run, selection, agent] = [this.#match, this.#world, this.#run, this.#selection, this.#agent];
     if (!match || !world || !run || !selection || agent === null) return;
     const team = agent < match.config.n_pursuers ? "pursuer" : "evader";
+    this.#memory.replaceChildren();
     this.#name.replaceChildren(html("span", { class: team }, agentName(agent, match.config.n_pursuers)));
-    match.seek(world, step);
+    const policies = { pursuers: policyOf(run, "pursuer", selection.pursuer), evaders: policyOf(run, "evader", selection.evader) };
+    match.seek(world, step, policies);
     // As it decides, in its own turn.
     const actions = match.actions.subarray(step * match.n_agents, (step + 1) * match.n_agents);
     while (actions.length && !world.over && (agent < world.actors[0] || agent >= world.actors[1])) world.playTurn(actions);
@@ -89,8 +95,10 @@ export class Inspector {
     this.#canvas.ariaLabel = `Field of view of ${agentName(agent, match.config.n_pursuers)}: evaders, pursuers and obstacles around it`;
     const taken = actions[agent] ?? null;
     if (!alive) return this.#say([], "It is gone.");
-    const policy = policyOf(run, team, selection[team]);
-    const own = typeof policy === "string" ? null : world.answer(policy, agent).probabilities;
+    const policy = policies[`${team}s`];
+    const answer = typeof policy === "string" ? null : world.answer(policy, agent);
+    const own = answer?.probabilities ?? null;
+    if (answer?.memory.length) this.#memory.replaceChildren(html("p", { class: "small muted" }, MEMORY), units(answer.memory));
     const game = this.#solution?.game(world) ?? null;
     const told = typeof policy === "string"
       ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
@@ -123,4 +131,14 @@ function bar(probability: number): HTMLElement[] {
   const filled = html("span", { class: "filled" });
   filled.style.width = `${100 * probability}%`;
   return [html("span", { class: "track" }, filled), html("span", { class: "numbers" }, probability.toFixed(2))];
+}
+
+/** Return a bar for each number that an agent remembers: up from the middle, or down. */
+function units(memory: Float32Array): HTMLElement {
+  const bars = Array.from(memory, (number) => {
+    const bar = html("span", { title: number.toFixed(2) });
+    bar.style.transform = `scaleY(${number})`;
+    return bar;
+  });
+  return html("div", { class: "units" }, ...bars);
 }

@@ -140,14 +140,14 @@ def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -
     in matches allows. Training episodes are not longer than evaluation episodes. All other settings
     have their defaults, or the values in `changes`. Of a schedule only `archive_every` counts.
     """
-    path = run.files.path
+    path, policy = run.files.path, run.settings.policy
     if isinstance(run.teams[team], str):
         raise ValueError(f"team: expected one that learned in {path}, got {team!r}")
     # Rewards and mask of the champion's run are not taken over.
     chosen: dict[str, Any] = {
         "world": replace(run.settings.world, rewards=Rewards()),
         "policy": PolicySettings(
-            hidden=run.settings.policy.hidden, activation=run.settings.policy.activation
+            hidden=policy.hidden, activation=policy.activation, memory=policy.memory
         ),
         "learner": EvolutionStrategySettings(population=POPULATION),
         "seed": run.settings.seed,

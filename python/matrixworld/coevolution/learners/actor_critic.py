@@ -232,12 +232,17 @@ class ActorCriticSettings(LearnerSettings):
             )
 
     def check_run(self, run: RaceSettings) -> None:
-        """Raise ValueError unless all agents act at the same time."""
+        """Raise ValueError unless all agents act at the same time, by networks without memory."""
         interaction = run.world.rules.interaction
         if interaction is not Interaction.SIMULTANEOUS:
             raise ValueError(
                 f"world.rules: expected agents that act at the same time with actor-critic, got "
                 f"{interaction.name}"
+            )
+        if run.policy.memory != "none":
+            raise ValueError(
+                f"policy.memory: expected none with actor-critic, which learns from each step by "
+                f"itself, got {run.policy.memory!r}"
             )
 
     def new(

@@ -53,16 +53,26 @@ def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None
 
     None for the mask "none". Staying is never forbidden. Without hidden layers, the weights from
     the cells to the outputs are fixed. With tanh, a unit of the mask is not 1 but at least
-    tanh(tanh(...(1))), which is enough. On masks in learning: Huang & Ontañón 2022, "A closer look
-    at invalid action masking in policy gradient algorithms".
+    tanh(tanh(...(1))), which is enough; recurrent units of the mask remember nothing. On masks in
+    learning: Huang & Ontañón 2022, "A closer look at invalid action masking in policy gradient
+    algorithms".
     """
     if not MASKS[mask]:
         return None
     marks, values = np.zeros((2, network.genome_size), np.float32)
-    moves, last = network.n_actions - 1, len(network.hidden)
+    moves, last = network.n_actions - 1, len(network.shapes) - 1
     cells = _cells(network, mask, team)
     layers = zip(network.layers(values), network.layers(marks), strict=True)
-    for number, ((weights, _), (fixed_weights, fixed_biases)) in enumerate(layers):
+    for number, ((weights, biases), (fixed_weights, fixed_biases)) in enumerate(layers):
+        if number == 1 and network.state_size:
+            shape = 2, network.state_size, -1, network.state_size  # inputs and states; gates
+            by_gate, fixed = weights.reshape(shape), fixed_weights.reshape(shape)
+            fixed[:, -moves:] = fixed[..., -moves:] = 1.0
+            fixed_biases.reshape(shape[2:])[:, -moves:] = 1.0
+            by_gate[0, -moves:, -1, -moves:] = np.eye(moves)
+            if network.memory == "gru":
+                biases.reshape(shape[2:])[1, -moves:] = FORBIDDEN  # nothing is kept
+            continue
         sources = cells if number == 0 else np.arange(len(weights) - moves, len(weights))[None]
         # A unit of the mask hears of nothing else, and nothing else hears of it.
         if number > 0:

@@ -109,9 +109,8 @@ class SingleTeam(Run):
         if isinstance(self.opponents, str):
             return {"opponent_network": None}
         network = self.opponents.network
-        return {
-            "opponent_network": {"hidden": list(network.hidden), "activation": network.activation}
-        }
+        shape = {"activation": network.activation, "memory": network.memory}
+        return {"opponent_network": {"hidden": list(network.hidden), **shape}}
 
     def learn(self, stage: int) -> None:
         """Let the team learn until the next entry of the archive."""
