@@ -114,12 +114,19 @@ def still(output: nbformat.NotebookNode) -> None:
     describe(output, f"a moment of {html.unescape(found[2])}")
 
 
+MOVED = {
+    "](../": "](../../",
+    'Path("..")': 'Path("../..")',
+    "<details><summary>After": "<details open><summary>After",
+}
+"""What differs in the copy for teachers: it lies in a folder of its own, and hides no outcome."""
+
+
 def for_teachers(executed: nbformat.NotebookNode, name: str) -> nbformat.NotebookNode:
-    """Return an executed notebook that says what it is, and whose links lead one folder up."""
+    """Return an executed notebook as the copy for teachers, which says so."""
     for cell in executed.cells:
-        cell.source = cell.source.replace("](../", "](../../").replace(
-            'Path("..")', 'Path("../..")'
-        )
+        for old, new in MOVED.items():
+            cell.source = cell.source.replace(old, new)
     executed.cells[
         0
     ].source += f"\n\n*The teacher's copy, with all outcomes. Students get [theirs](../{name}).*"
