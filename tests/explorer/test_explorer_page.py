@@ -168,7 +168,7 @@ def test_keys(opened: Browser) -> None:
     opened.wait(f"{PLAYED} === '0 1 1 0 '")
     # Charts whose generations can be chosen take the focus and the same keys.
     charts = "[...document.querySelectorAll('.chart[tabindex], .triangle[tabindex]')]"
-    assert opened.js(f"{charts}.length") == 4
+    assert opened.js(f"{charts}.length") == 5
     for chart, cell in enumerate(("2 1", "2 2", "2 1", "2 2")):
         opened.js(f"{charts}[{chart}].focus()")
         opened.press(*((UP,), (RIGHT,), (LEFT,), (UP,))[chart])
@@ -510,6 +510,14 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     assert found["numbers"] == headline_numbers(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
+    # Its numbers as a game, and the dots of the panel, are those of `judge --all`.
+    results = analysis.all_results(
+        analysis.read_payoffs(race.payoff().capture_rates, per_episode=True)
+    )
+    assert found["spinning_top"] == results["runs"][0]["spinning_top"]
+    assert found["ratings"]["pursuers"]["high"] == results["ratings"]["pursuers"]["high"][0]
+    row = analysis.MEASURES["middle_intransitivity"]
+    assert f"{row.label}: {row.shown(row.of(race.payoff().capture_rate))}" in found["game"]
 
 
 def test_the_guided_minute_says_what_cells_and_the_judgement_say(race: SavedRun) -> None:

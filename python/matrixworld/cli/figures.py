@@ -87,7 +87,7 @@ def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> 
     alone = groups if selection.each or of_run else [g for g in groups if g not in seeds]
     found: dict[Path, Draw] = {}
     for single in [single for group in alone for single in group.singles]:
-        for name in OF_RUN if single.is_race else OF_RUN[:1]:
+        for name in _figures_of(single, selection):
             file = single.runs[0].path / f"{name}.{selection.suffix}"
             found[file] = partial(run_figure, name, single, baselines)
     drawn = {group.name: group for group in seeds or races}
@@ -95,6 +95,14 @@ def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> 
         file = root / f"{name}.{selection.suffix}"
         found[file] = partial(group_figure, name, drawn, baselines)
     return {file: draw for file, draw in found.items() if selection.name in (None, file.stem)}
+
+
+def _figures_of(run: Group, selection: Selection) -> tuple[str, ...]:
+    if not run.is_race:
+        return OF_RUN[:1]
+    # A spinning top takes the noise of the episodes: of one there is none, unless it is asked for.
+    known = selection.name or (run.payoffs.episodes or 0) > 1
+    return OF_RUN if known else OF_RUN[:-1]
 
 
 def _together(

@@ -310,6 +310,11 @@ def _shown(value: Any) -> str:
 
 BOARDS = 12
 """The most checkerboards on a page: the strongest ones."""
+OF_GAME = (
+    "weakest_intransitivity", "middle_intransitivity", "strongest_intransitivity",
+    "effective_diversity",
+)  # fmt: skip
+"""Measures beside the spinning top."""
 
 
 def findings(
@@ -342,15 +347,25 @@ def findings(
             stop._asdict() for stop in guided_minute(matrix, judgement, boards, (rows, columns))
         ],
         "margin": MARGIN,
+        "game": game_numbers(payoff),
         **curves(payoff),
     }
 
 
+def game_numbers(payoff: Payoff) -> list[str]:
+    """Return what the race is as a game, with intervals, a line for each measure."""
+    scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
+    rows = (analysis.MEASURES[name] for name in OF_GAME)
+    return [f"{row.label}: {row.shown(row.of(scores))}" for row in rows]
+
+
 def curves(payoff: Payoff) -> dict[str, Any]:
     """Return what is drawn of a race and claims nothing."""
-    matrix = payoff.capture_rate
-    ratings = analysis.elo(matrix)
+    matrix, several = payoff.capture_rate, payoff.capture_rates.shape[2] >= 2
     return {
+        "spinning_top": plain_values(analysis.spinning_top(payoff.capture_rates))
+        if several
+        else None,
         "generalization": _generalization(payoff),
         # The triangles are the two halves of the payoff, which the page has.
         "ciao": {
@@ -361,12 +376,29 @@ def curves(payoff: Payoff) -> dict[str, Any]:
             }
             for team, triangle in zip(("pursuers", "evaders"), analysis.ciao(matrix), strict=True)
         },
-        "ratings": {
-            "pursuers": plain_values(ratings.pursuers * analysis.ELO_POINTS),
-            "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
-            "offset": ratings.offset * analysis.ELO_POINTS,
-        },
+        "ratings": _ratings(payoff),
     }
+
+
+def _ratings(payoff: Payoff) -> dict[str, Any]:
+    """Return the Elo points of each generation, with intervals where episodes allow them."""
+    found = analysis.elo(payoff.capture_rate)
+    curves: dict[str, Any] = {"offset": found.offset * analysis.ELO_POINTS}
+    for team in ("pursuers", "evaders"):
+        mean = plain_values(getattr(found, team) * analysis.ELO_POINTS)
+        curves[team] = {"mean": mean, "low": None, "high": None}
+    if payoff.capture_rates.shape[2] >= 2:
+        bands = analysis.elo_over_episodes(payoff.capture_rates)
+        for team in ("pursuers", "evaders"):
+            _set_band(curves[team], getattr(bands, team))
+    return curves
+
+
+def _set_band(curve: dict[str, Any], band: Any) -> None:
+    """Add the ends of a band; where it has no interval, it is as thin as the line."""
+    mean, low, high = (np.ravel(ends) for ends in (band.mean, band.low, band.high))
+    ends = np.fmin(low, mean), np.fmax(high, mean)
+    curve |= dict(zip(("low", "high"), map(plain_values, ends), strict=True))
 
 
 def _generalization(payoff: Payoff) -> dict[str, Any]:
@@ -379,11 +411,7 @@ def _generalization(payoff: Payoff) -> dict[str, Any]:
     if payoff.capture_rates.shape[2] >= 2:
         bands = analysis.generalization_over_episodes(payoff.capture_rates)
         for team, band in zip(curves, bands, strict=True):
-            # Where all episodes are equal there is no interval: the band is as thin as the line.
-            assert band.low is not None
-            assert band.high is not None
-            ends = np.fmin(band.low, band.mean), np.fmax(band.high, band.mean)
-            curves[team] |= dict(zip(("low", "high"), map(plain_values, ends), strict=True))
+            _set_band(curves[team], band)
     return curves
 
 

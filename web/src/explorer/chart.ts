@@ -2,7 +2,7 @@
 
 import { html, svg } from "../page/dom.ts";
 import { ticks } from "./format.ts";
-import type { Curve } from "./data.ts";
+import type { Band, Curve } from "./data.ts";
 
 export interface Axis {
   readonly low: number;
@@ -10,6 +10,8 @@ export interface Axis {
   readonly label: string;
   /** Whether ticks are whole numbers. */
   readonly whole?: boolean;
+  /** Whether it counts from the middle to both sides. */
+  readonly mirrored?: boolean;
 }
 
 /** The axes of a chart and its scales, in pixels. */
@@ -49,7 +51,7 @@ export function frame(width: number, height: number, horizontal: Axis, vertical:
     );
   }
   for (const value of ticks(horizontal.low, horizontal.high, (right - left) / TICK_ROOM.x, horizontal.whole)) {
-    axes.append(svg("text", { x: x(value), y: bottom + 16, "text-anchor": "middle" }, shown(value)));
+    axes.append(svg("text", { x: x(value), y: bottom + 16, "text-anchor": "middle" }, shown(horizontal.mirrored ? Math.abs(value) : value)));
   }
   axes.append(
     svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "axis" }),
@@ -78,6 +80,13 @@ export function line(into: Frame, xs: readonly number[], ys: Curve, style: strin
     }
   });
   into.root.insertBefore(svg("path", { d: path, class: `line ${style}` }), into.marks);
+}
+
+/** Add the band between two curves. */
+export function band(into: Frame, { low, high }: Band, style: string): void {
+  if (!low || !high) return;
+  const points = (ends: Curve): string[] => ends.map((value, i) => `${into.x(i).toFixed(1)} ${into.y(value ?? 0).toFixed(1)}`);
+  into.root.insertBefore(svg("path", { d: `M${[...points(high), ...points(low).reverse()].join("L")}Z`, class: `band ${style}` }), into.marks);
 }
 
 /** Add a mark on a value of the horizontal axis: a line, and a dot where a curve is. */

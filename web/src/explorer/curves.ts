@@ -1,7 +1,7 @@
 // Training curve and ratings.
 
 import { listenToArrows } from "./arrow_keys.ts";
-import { chart, frame, legend, line, mark } from "./chart.ts";
+import { band, chart, frame, legend, line, mark } from "./chart.ts";
 import { TEAMS } from "./data.ts";
 import type { Run, Team } from "./data.ts";
 import { rate, thousands } from "./format.ts";
@@ -60,14 +60,18 @@ export function trainingPanel(run: Run, store: Store): Panel {
 export function ratingPanel(run: Run, store: Store): Panel | null {
   const ratings = run.findings?.ratings;
   if (!ratings) return null;
-  const curves = { pursuer: ratings.pursuers, evader: ratings.evaders };
-  const values = [...ratings.pursuers, ...ratings.evaders].map((value) => value ?? 0);
+  const bands = { pursuer: ratings.pursuers, evader: ratings.evaders };
+  const curves = { pursuer: bands.pursuer.mean, evader: bands.evader.mean };
+  const values = TEAMS.flatMap((team) => [bands[team].mean, bands[team].low ?? [], bands[team].high ?? []]).flat().map((value) => value ?? 0);
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const room = 0.06 * (high - low || 1);
   const last = Math.max(...run.payoff.shape) - 1;
   const made = chart(`Elo ratings by generation. ${KEYS}`, (width, height) => {
     const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: low - room, high: high + room, label: "Elo points" });
-    for (const team of TEAMS) line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
+    for (const team of TEAMS) {
+      band(into, bands[team], `of-${team}s`);
+      line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
+    }
     return into;
   }, (into) => {
     for (const team of TEAMS) {
@@ -83,7 +87,7 @@ export function ratingPanel(run: Run, store: Store): Panel | null {
   });
   listenToArrows(made.element, store, () => run.payoff.shape);
   return {
-    element: card("Ratings", `One number for each generation, which cycles do not fit. The game itself: ${rate(ratings.offset, 0)} points for the pursuers.`,
+    element: card("Ratings", `One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${rate(ratings.offset, 0)} points for the pursuers.`,
       legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element),
     update: made.update,
   };

@@ -70,6 +70,15 @@ export interface Stop {
   readonly shows: "match" | "checkerboard" | "judgement";
 }
 
+/** Strength and intransitivity of generations of a team, with an interval of the latter. */
+export interface SpinningTop {
+  readonly generations: readonly number[];
+  readonly strength: readonly number[];
+  readonly intransitivity: readonly number[];
+  readonly low: readonly number[];
+  readonly high: readonly number[];
+}
+
 interface OfTeams<Value> {
   readonly pursuers: Value;
   readonly evaders: Value;
@@ -84,7 +93,10 @@ export interface Findings {
   readonly ciao: OfTeams<{
     readonly fading: number | null; readonly stripes: number; readonly period: number | null;
   }>;
-  readonly ratings: OfTeams<Curve> & { readonly offset: number };
+  readonly ratings: OfTeams<Band> & { readonly offset: number };
+  readonly spinning_top: OfTeams<SpinningTop> | null;
+  /** Measures of the race as a game; none while it goes on. */
+  readonly game?: readonly string[];
   readonly checkerboards: readonly Checkerboard[];
   readonly guided_minute: readonly Stop[];
   readonly margin: number;

@@ -9,6 +9,7 @@ import type { Run } from "./data.ts";
 import { diagnosisPanel } from "./diagnosis.ts";
 import type { Panel } from "./panel.ts";
 import { settingsPanel } from "./settings.ts";
+import { spinningTopPanel } from "./spinning_top.ts";
 import type { Store } from "./store.ts";
 
 /** Return the panels of the selected run; those of the others are made when they are first shown. */
@@ -38,6 +39,7 @@ function panelsOf(run: Run, store: Store, engine: () => Engine | null): Panel[] 
     checkerboardPanel(run, store, engine),
     ratingPanel(run, store),
     ciaoPanel(run, store),
+    spinningTopPanel(run, store),
     settingsPanel(run),
   ];
   return all.filter((panel) => panel !== null);

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5f46f7e84d6a93405a6e960492c66d3899b283756fa6dead71b4e105f600275f */
+/* built from web/ by "npm run build"; sources 50e0eaa366f40bf7d169e040a6c6810f69489aa7ccbd35037d6fdccec45f99b3 */
 "use strict";(()=>{var G=[.5,1,2,4,8,16,32,64],re=0,ne=12,gr=2,te=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#c=[];#d=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#i(

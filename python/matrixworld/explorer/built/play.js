@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5f46f7e84d6a93405a6e960492c66d3899b283756fa6dead71b4e105f600275f */
+/* built from web/ by "npm run build"; sources 50e0eaa366f40bf7d169e040a6c6810f69489aa7ccbd35037d6fdccec45f99b3 */
 "use strict";(()=>{var sr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Pe={DISAPPEAR:0,REACH:1,BOUNCE:2},ar={OCCUPATION:0,SURROUND:1},ir={FAULT:0,INVOLVED:1};var vt=["obstacle","teammate","adversary"],bt=["vertex","edge","chain"],lr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],wt=["p\
 ursuer_{number}","evader_{number}"],ur={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ie={"both held":"both bounce","both doomed":"\
