@@ -4,7 +4,11 @@ import json
 
 import pytest
 
+import matrixworld as mw
 from command_line import matrixworld_command
+from matrixworld.coevolution import evolve
+from matrixworld.solve import States, expected_payoff, exploitability, guarantees
+from tiny_race import settings_of
 
 SMALL = ("--rows", 4, "--cols", 4, "--pursuers", 2, "--evaders", 1)
 
@@ -41,3 +45,41 @@ def test_worlds_that_cannot_be_solved(options, said):
     result = matrixworld_command("solve", *options, code=2)
     assert said in result.stderr
     assert result.stdout == ""
+
+
+def test_exploit_exact_prints_what_the_functions_return_and_writes_nothing(tmp_path):
+    quick = {"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1, "population": 2}
+    small = {"rows": 3, "cols": 3, "n_pursuers": 2, "n_evaders": 1, "max_steps": 2}
+    settings = [settings_of(**small, **quick, seed=seed) for seed in (0, 1)]
+    runs = evolve(settings, tmp_path / "job")
+    before = sorted(tmp_path.rglob("*"))
+    said = matrixworld_command("exploit", "job", "--champion", "evader", "--exact").stdout
+    states = States(settings[0].world)
+    gains = []
+    for seed, run in enumerate(runs):
+        truth = guarantees(states, run.teams)
+        pursuers, evaders = (
+            mw.Population(each.genomes[-1:], each.network) for each in run.teams.values()
+        )
+        met = expected_payoff(states, pursuers, evaders)
+        short = exploitability(states, evaders, "evader")
+        assert short == pytest.approx(truth.exploitability["evader"][-1])
+        assert truth.nash_conv == pytest.approx(sum(truth.exploitability.values()))
+        numbers = (met, truth.evaders[-1], truth.evaders[-1] - met, short)
+        assert [str(seed), *(f"{number:.3f}" for number in numbers)] in map(
+            str.split, said.splitlines()
+        )
+        gains.append(truth.evaders[-1] - met)
+    assert f"{sum(gains) / 2:.3f}" in said.split("mean", 1)[1]
+    assert f"is {truth.value:.3f}." in said
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_exploit_exact_refuses_what_does_not_fit(tmp_path):
+    world = {"rows": 3, "cols": 3, "n_pursuers": 1, "n_evaders": 1, "max_steps": 2, "fov": 3}
+    evolve([settings_of(**world, schedule="against", epochs=1, population=2)], tmp_path / "job")
+    exact = ("exploit", "job", "--champion", "pursuer", "--exact")
+    said = matrixworld_command(*exact, code=2).stderr
+    assert "expected a network that sees the whole world from every cell" in said
+    said = matrixworld_command(*exact, "--matches", 100, code=2).stderr
+    assert "--exact: expected no --matches: nothing learns" in said

@@ -180,6 +180,7 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: best_response(world(), network(world(), memory="gru"), "pursuer"), "without mem"),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter: expected a script"),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
+        (lambda: best_response(world(), ["still"], "pursuer"), "expected weights with champions"),
         (lambda: best_response(world(), None, "pursuer"), "champion: expected a Population, the"),
         (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
         (lambda: solve(world()).capture_time, "expected a game in turns"),

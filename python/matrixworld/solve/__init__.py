@@ -17,6 +17,7 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
 from __future__ import annotations
 
+from matrixworld.solve.guarantees import Guarantees, guarantees
 from matrixworld.solve.mixtures import mixture_bounds
 from matrixworld.solve.solution import (
     Champion,
@@ -31,11 +32,13 @@ from matrixworld.solve.states import States
 
 __all__ = [
     "Champion",
+    "Guarantees",
     "Solution",
     "States",
     "best_response",
     "expected_payoff",
     "exploitability",
+    "guarantees",
     "mixture_bounds",
     "nash_conv",
     "solve",

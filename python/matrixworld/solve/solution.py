@@ -418,6 +418,9 @@ def _fixed(states: States, champion: Champion, team: Team) -> _Fixed:
     if not issubclass(type(champion), Sequence):
         expected = "a Population, the name of a script, a Solution, or weights with these"
         raise TypeError(f"champion: expected {expected}, got {shown(champion)}")
+    for part in champion:
+        if not isinstance(part, Sequence) or isinstance(part, str) or len(part) != 2:
+            raise TypeError(f"champion: expected weights with champions, got {shown(part)}")
     weights = [check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
     if abs(sum(weights) - 1.0) > 1e-9:
         raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
-from math import comb, prod
+from math import comb, log10, prod
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -200,7 +200,12 @@ def _check_size(config: WorldConfig) -> None:
     side = next(boards, None)
     would = "no smaller board would" if side is None else f"{side} x {side} cells would fit"
     raise OutOfMemoryError(
-        f"states: expected at most {available / 10**9:,.1f} GB, got about {count:,} states and "
-        f"{needed / 10**9:,.1f} GB for {config.n_pursuers} against {config.n_evaders} agents on "
-        f"{config.rows} x {config.cols} cells; {would}"
+        f"states: expected at most {available / 10**9:,.1f} GB, got about {_rounded(count)} states "
+        f"and {_rounded(needed // 10**9)} GB for {config.n_pursuers} against {config.n_evaders} "
+        f"agents on {config.rows} x {config.cols} cells; {would}"
     )
+
+
+def _rounded(number: int) -> str:
+    """Return a number, or which power of ten it is, if nobody would read its digits."""
+    return f"{number:,}" if number < 10**12 else f"10^{int(log10(number))}"

@@ -352,7 +352,9 @@ def check_team(name: str, team: EnginePolicy) -> Any:
     if isinstance(team, TablePolicy):
         return team.core
     if not isinstance(team, str):
-        raise TypeError(f"{name}: expected a Population or the name of a script, got {team!r}")
+        raise TypeError(
+            f"{name}: expected a Population, a TablePolicy or the name of a script, got {team!r}"
+        )
     check_choice(name, team, SCRIPTS)
     return team
 

@@ -1,0 +1,85 @@
+"""What each generation of a race guarantees, and so how far it is from perfect play."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld._util.short_repr import short_repr
+from matrixworld.solve.solution import best_response, solve
+from matrixworld.solve.states import TEAMS, States
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution import Team
+
+
+@dataclass(frozen=True, eq=False)
+class Guarantees:
+    """The value of a world, and the capture rates when generations meet best responses.
+
+    Parameters
+    ----------
+    value : float
+        The capture rate under perfect play.
+    pursuers : ndarray of float64, shape (n,)
+        The capture rate that each generation of pursuers guarantees: against the best evaders.
+    evaders : ndarray of float64, shape (m,)
+        The capture rate that each generation of evaders cannot prevent: by the best pursuers.
+    """
+
+    value: float
+    pursuers: NDArray[np.float64]
+    evaders: NDArray[np.float64]
+
+    __repr__ = short_repr
+
+    @property
+    def exploitability(self) -> dict[Team, NDArray[np.float64]]:
+        """By how much each generation of a team falls short of the value, (n,) and (m,)."""
+        return {"pursuer": self.value - self.pursuers, "evader": self.evaders - self.value}
+
+    @property
+    def nash_conv(self) -> NDArray[np.float64]:
+        """The NashConv (n,) of the pair of each generation; ValueError if n and m differ."""
+        return self.evaders - self.pursuers
+
+
+def guarantees(
+    world: WorldConfig | States, teams: Mapping[Team, TeamPolicy], *, steps: int | None = None
+) -> Guarantees:
+    """Return what each generation of both teams guarantees against any opponent.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states.
+    teams : mapping of str to Population or str
+        What each team plays, such as ``open_run("my-race").teams``: one genome for each generation,
+        or the name of a script, which is one generation.
+    steps : int, optional
+        As in `solve`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `best_response` does.
+    """
+    states = States.of(world)
+    pursuers, evaders = (
+        [best_response(states, each, team, steps=steps).value for each in _generations(teams[team])]
+        for team in TEAMS
+    )
+    return Guarantees(solve(states, steps=steps).value, np.array(pursuers), np.array(evaders))
+
+
+def _generations(team: TeamPolicy) -> list[TeamPolicy]:
+    """Return each genome of a team as a champion, or the script."""
+    if not isinstance(team, Population):
+        return [team]
+    return [Population(genome[None], team.network) for genome in team.genomes]
