@@ -104,7 +104,7 @@ def test_a_page_that_exists_is_kept(run: Path) -> None:
 
 
 def test_the_number_of_runs_is_checked(run: Path) -> None:
-    with pytest.raises(ValueError, match="runs: expected 1 to 12 run directories, got 0"):
+    with pytest.raises(ValueError, match="runs: expected 1 to 12 finished runs, got 0"):
         explore()
     with pytest.raises(ValueError, match="got 13"):
         explore(*[run] * 13)

@@ -83,10 +83,10 @@ const COMMANDS = {
     return { message, same: JSON.stringify(before.cells) === JSON.stringify(world.snapshot().cells) };
   },
   // Perfect play at each moment of an episode, turn by turn, and what the teams lose by the actions.
-  solve({ config, start, actions }) {
+  solve({ config, start, actions, payoff }) {
     const why = whyNotSolved(config);
     if (why) return { why };
-    const solution = engine.solution(config);
+    const solution = engine.solution(config, payoff);
     while (solution.goBack()) continue;
     const world = engine.world(config);
     world.reset(startOf(start));

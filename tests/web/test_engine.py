@@ -11,14 +11,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import matrixworld as mw
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.solve import Solution, States, solve
+from matrixworld.solve import solve
+from matrixworld.solve.solution import PAYOFFS, Payoff
 from matrixworld.world.arrays import WORLD_FIELDS
 from matrixworld.world.conflicts import conflict_of
 from node import Commands, policy_json, run_node
+from perfect_play import solved_moment
 from rows import NAMES, config_of, random_actions, random_genome
 
 ROOT = Path(__file__).parents[2]
@@ -429,68 +430,30 @@ SOLVED = {
 }
 
 
-def order_of(states: States, world: mw.World) -> tuple[list[int], int]:
-    """Return the agents in the order of a world's state, and its number, found by its cells."""
-    config, n = world.config, world.config.n_pursuers
-    cells = np.where(world.alive, world.positions @ [config.cols, 1], -1)
-    by_cell = [*np.argsort(cells[:n], kind="stable"), *n + np.argsort(cells[n:], kind="stable")]
-    one_by_one = config.rules.interaction is mw.Interaction.AGENT_TURNS
-    order = list(range(config.n_agents)) if one_by_one else [int(agent) for agent in by_cell]
-    same = (states.cells(world.turn) == cells[order]).all(axis=1)
-    same &= (states.captured(world.turn) == world.captured[[a - n for a in order[n:]]]).all(axis=1)
-    return order, int(np.flatnonzero(same)[-1])
-
-
-def solved_moment(
-    solution: Solution, world: mw.World, row: NDArray[np.int64]
-) -> tuple[dict[str, Any], list[float]]:
-    """Return what Python knows of a moment, and what the teams lose by the actions of its turn."""
-    states, turn, left = solution.states, world.turn, world.config.max_steps - world.steps
-    order, state = order_of(states, world)
-    values, last = solution.values, turn + 1 == states.n_turns
-    after = values[0 if last else turn + 1][min(left - last, len(values[0]) - 1)]
-    matrix = after[states.successors(turn)[state]]
-    play = [solution.probabilities(team, left, turn)[state] for team in ("pursuer", "evader")]
-    teams = [
-        [a for a in order if a in world.actors and (a < world.config.n_pursuers) == pursues]
-        for pursues in (True, False)
-    ]
-    joint = [0, 0]
-    marginals: list[list[float] | None] = [None] * world.config.n_agents
-    for side, team in enumerate(teams):
-        shape = (world.config.n_actions,) * len(team)
-        joint[side] = int(np.ravel_multi_index(row[team], shape)) if team else 0
-        for axis, agent in enumerate(team):
-            others = tuple(each for each in range(len(team)) if each != axis)
-            marginals[agent] = play[side].reshape(shape).sum(axis=others).tolist()
-    value = float(values[turn][min(left, len(values[0]) - 1), state])
-    lost = [value - matrix[joint[0]] @ play[1], play[0] @ matrix[:, joint[1]] - value]
-    told = {"value": value, "play": [each.tolist() for each in play]}
-    return told, [*lost, *(each for agent in marginals if agent for each in agent)]
-
-
 @pytest.mark.parametrize("name", SOLVED)
-def test_pages_know_perfect_play(run_command: Commands, name: str) -> None:
-    """Values and probabilities are those of Python, bit for bit; so are losses, up to rounding."""
+@pytest.mark.parametrize("payoff", PAYOFFS)
+def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: Payoff) -> None:
+    """What pages compute is what Python does: of the capture rate bit for bit."""
     config = SOLVED[name]
-    solution = solve(config)
+    solution = solve(config, payoff=payoff)
     rng, world = np.random.default_rng(3), mw.World(config)
     world.reset(2)
-    actions, expected, sums = [], [], []
+    actions, moments = [], []
     while not (world.terminated or world.truncated):
-        row = rng.integers(config.n_actions, size=config.n_agents)
-        told, numbers = solved_moment(solution, world, row)
-        actions.append(row.tolist())
-        expected.append(told)
-        sums.append(numbers)
-        world.play_turn(row)
-    given = {"config": config.to_json(), "start": {"seed": "2"}, "actions": actions}
-    found = run_command(do="solve", **given)
-    assert [{key: each[key] for key in ("value", "play")} for each in found] == expected
-    for each, numbers in zip(found, sums, strict=True):
-        marginals = [share for agent in each["marginals"] if agent for share in agent]
-        assert [*each["lost"], *marginals] == pytest.approx(numbers, abs=1e-9)
-    assert max(sum(each["lost"]) for each in found) > 0.1
+        actions.append(rng.integers(config.n_actions, size=config.n_agents))
+        moments.append(solved_moment(solution, world, actions[-1]))
+        world.play_turn(actions[-1])
+    rows = [row.tolist() for row in actions]
+    given = {"config": config.to_json(), "start": {"seed": "2"}, "payoff": payoff}
+    for found, moment in zip(run_command(do="solve", actions=rows, **given), moments, strict=True):
+        if payoff == "capture-rate":
+            assert (found["value"], found["play"]) == (moment.value, moment.play)
+        assert found["value"] == pytest.approx(moment.value, abs=1e-9)
+        assert found["lost"] == pytest.approx(moment.lost, abs=1e-9)
+        shares = [share for agent in found["marginals"] for share in agent or [-1]]
+        expected = [share for agent in moment.marginals for share in agent or [-1]]
+        assert shares == pytest.approx(expected, abs=1e-9)
+    assert max(max(moment.lost) for moment in moments) > 0.1
 
 
 @pytest.mark.parametrize(
@@ -499,5 +462,5 @@ def test_pages_know_perfect_play(run_command: Commands, name: str) -> None:
 def test_pages_say_why_they_do_not_solve(
     run_command: Commands, changes: dict[str, Any], why: str
 ) -> None:
-    config = replace(SOLVED["O"], **changes)
-    assert why in run_command(do="solve", config=config.to_json(), start={}, actions=[])["why"]
+    config = replace(SOLVED["O"], **changes).to_json()
+    assert why in run_command(do="solve", config=config, start={}, actions=[])["why"]

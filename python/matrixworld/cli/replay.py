@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -25,12 +24,15 @@ from matrixworld.cli.options import (
     world_options,
 )
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import TEAMS, open_run
+from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
+from matrixworld.solve import solve
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Population, Script, TeamPolicy
+from matrixworld.world.policy import SCRIPTS, EnginePolicy, Population, Script
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
 LAST = "-1"
@@ -81,8 +83,8 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
 @click.option(
     "--pursuer",
     metavar="WHO",
-    help="generation of the run, script, or .npz file of class export  [default: the last; of a "
-    f"VARIANT {CHASER}]",
+    help="generation of the run, script, .npz file of class export, or solved: perfect play, in "
+    f"small worlds  [default: the last; of a VARIANT {CHASER}]",
 )
 @click.option(
     "--evader",
@@ -241,21 +243,34 @@ def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
         _refuse(given, f"{source} is a single episode")
         return Episode.load(source)
     _refuse(given.keys() - MATCH, f"{source} is a run")
-    run, teams = open_run(source), {team: given.get(team, LAST) for team in TEAMS}
-    files = {team: _of_file(team, who) for team, who in teams.items() if _is_file(who)}
-    generations = {
-        team: 0 if team in files else _generation(team, who) for team, who in teams.items()
-    }
-    # The file's team takes the place of the run's.
-    run = replace(run, teams={**run.teams, **files})
-    return run.record(**generations, episode=given.get("episode", 0))
+    run = open_run(source)
+    (pursuers, g), (evaders, h) = (_player(run, team, given.get(team, LAST)) for team in TEAMS)
+    return record(
+        run.settings.world,
+        *(pursuers, evaders),
+        seed=evaluation_seed(run.settings.seed, g, h),
+        pursuer=g,
+        evader=h,
+        episode=given.get("episode", 0),
+    )
 
 
-def _is_file(who: str) -> bool:
-    return who.lower().endswith(".npz")
+def _player(run: SavedRun, team: Team, who: str) -> tuple[EnginePolicy, int]:
+    """Return what plays for a team in a run's world, and its generation; 0 of what is none."""
+    named = _named(run.settings.world, team, who)
+    if named is not None:
+        return named, 0
+    return run.teams[team], run.generation(team, _generation(team, who))
 
 
-def _of_file(team: str, who: str) -> Population:
+def _named(config: WorldConfig, team: Team, who: str) -> EnginePolicy | None:
+    """Return the team of a file, or perfect play; None for other names."""
+    if who.lower().endswith(".npz"):
+        return _of_file(team, who)
+    return solve(config).policy(team) if who == SOLVED else None
+
+
+def _of_file(team: Team, who: str) -> Population:
     """Return the genome that ``class export`` has written for a team."""
     path = Path(who)
     found, population = read_genome(path, read_content(path))
@@ -288,11 +303,13 @@ def _scripted(
     steps: int | None = None,
     **world: Any,
 ) -> Episode:
-    teams: list[TeamPolicy] = []
-    for team, who in zip(TEAMS, (pursuer, evader), strict=True):
-        if not _is_file(who):
-            check_choice(team, who, SCRIPTS)
-        teams.append(_of_file(team, who) if _is_file(who) else cast(Script, who))
     # None is no number of steps: WorldConfig has its own default.
     limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
-    return record(WorldConfig(rules, **limit, **world), *teams, seed=seed, episode=episode)
+    config = WorldConfig(rules, **limit, **world)
+    teams: list[EnginePolicy] = []
+    for team, who in zip(TEAMS, (pursuer, evader), strict=True):
+        named = _named(config, team, who)
+        if named is None:
+            check_choice(team, who, (*SCRIPTS, SOLVED))
+        teams.append(cast(Script, who) if named is None else named)
+    return record(config, *teams, seed=seed, episode=episode)

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
+from matrixworld.solve import solve
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
@@ -27,13 +28,16 @@ if TYPE_CHECKING:
     from matrixworld.coevolution import SavedRun, Team
 
 Opponent: TypeAlias = "str | Path | Population | NetworkPolicy | SavedRun | TablePolicy | Callback"
-"""What can play for a team: the name of a script or of a held-out opponent (``"evolved-2"``), a run
-directory (its last generation), a population or a saved run (each genome is an opponent), a
-`NetworkPolicy`, a solved policy, or a function from observations of n living agents, uint8
-(n, 3, fov, fov), to actions (n,)."""
+"""What can play for a team: the name of a script or of a held-out opponent (``"evolved-2"``),
+``"solved"`` (perfect play, in small worlds), a run directory (its last generation), a population or
+a saved run (each genome is an opponent), a `NetworkPolicy`, a solved policy, or a function from
+observations of n living agents, uint8 (n, 3, fov, fov), to actions (n,)."""
 
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
+
+SOLVED = "solved"
+"""The name of perfect play."""
 
 _PURPOSE = 2**32
 """What opponents' random numbers are drawn for; the engine's own purposes are small numbers."""
@@ -219,6 +223,8 @@ def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterabl
     """Return the policies that an opponent stands for."""
     if isinstance(given, str) and given in SCRIPTS:
         return [given]
+    if isinstance(given, str) and given == SOLVED:
+        return [solve(config).policy(team)]
     if isinstance(given, str | Path):
         given = _named(name, team, given, config)
     elif isinstance(given, NetworkPolicy):
@@ -249,6 +255,6 @@ def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Pop
     if str(given) in evolved:
         return evolved[str(given)]
     if not Path(given).is_dir():
-        known = ", ".join([*SCRIPTS, *evolved])
+        known = ", ".join([*SCRIPTS, SOLVED, *evolved])
         raise ValueError(f"{name}: expected one of {known}, or a run directory, got {str(given)!r}")
     return last_generation(given, team)

@@ -19,11 +19,15 @@ from matrixworld.explorer.page import render_page
 from matrixworld.explorer.runs_page import archives_of, kept_generations, packed
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import SCRIPT_TEXTS, Population, TeamPolicy
 from matrixworld.world.rules import Capture, Rules, rules_of
 
 PAGE = "play.html"
 """Name of the page where no other is given."""
+
+LIVELY = "clumsy-fleer"
+"""The evaders that a match begins with where they are there: the strongest are hardly caught."""
+NETWORK_TEXT = "a network that evolved in a race"
 
 Players = Mapping[Team, Mapping[str, TeamPolicy]]
 """What plays for each team, by name, roughly from weak to strong; populations have one genome."""
@@ -77,11 +81,21 @@ def _plain(players: Mapping[str, TeamPolicy]) -> dict[str, Any]:
     """Return the players of a team as plain values; None stands for the next genome."""
     networks = [each.network for each in players.values() if isinstance(each, Population)]
     known = [{**plain_values(each), "genome_size": each.genome_size} for each in networks[:1]]
+    names = list(players)
     return {
-        "names": list(players),
+        "names": names,
+        "texts": [_text(name, each) for name, each in players.items()],
+        "usual": names.index(LIVELY) if LIVELY in names else len(names) - 1,
         "scripts": [each if isinstance(each, str) else None for each in players.values()],
         "network": known[0] if known else None,
     }
+
+
+def _text(name: str, player: TeamPolicy) -> str:
+    """Return what a player does; the generations of a run need no words."""
+    if isinstance(player, str):
+        return SCRIPT_TEXTS[player]
+    return NETWORK_TEXT if name.startswith("evolved") else ""
 
 
 def _genomes(players: Mapping[str, TeamPolicy]) -> bytes:

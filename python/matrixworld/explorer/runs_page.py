@@ -4,7 +4,7 @@ Numbers and verdicts come from `matrixworld.analysis`, from the same functions t
 and the figures use; the page computes none of its own.
 
 >>> from matrixworld.explorer import explore
->>> explore("runs/O-seed0/generalist-generalist/seed-0")  # doctest: +SKIP
+>>> explore("runs/O-seed0")  # doctest: +SKIP
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import SavedRun, open_run
+from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
 from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes import replay
@@ -78,10 +78,11 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
     Parameters
     ----------
     *runs : str or path
-        Run directories, at least one and at most 12.
+        Directories of runs, or of jobs: then all their finished runs. At least one run and at most
+        12.
     file : str or path, optional
-        The page. The default is ``explorer.html`` in the run directory, or in the directory that
-        holds all of the runs.
+        The page. The default is ``explorer.html`` in the directory, or in the one that holds all of
+        them.
     force : bool, optional
         Whether to replace a file that exists. The default is False.
 
@@ -90,21 +91,21 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
     ValueError
         If the number of runs is another one.
     FileNotFoundError
-        If a directory holds no run, or its run is not finished.
+        If a directory holds no finished run.
     FileExistsError
         If the file exists.
     DamagedFileError
         If a file of a run is cut or altered.
     """
-    if not 1 <= len(runs) <= MOST_RUNS:
-        raise ValueError(f"runs: expected 1 to {MOST_RUNS} run directories, got {len(runs)}")
     paths = [Path(run) for run in runs]
+    saved = [run for path in paths for run in open_runs(path) or [open_run(path)]]
+    if not 1 <= len(saved) <= MOST_RUNS:
+        raise ValueError(f"runs: expected 1 to {MOST_RUNS} finished runs, got {len(saved)}")
     # By default beside what it shows.
     common = Path(os.path.commonpath([path.absolute() for path in paths]))
     page = common / PAGE if file is None else Path(file)
     if page.exists() and not force:
         raise FileExistsError(f"{page}: exists; force=True replaces it")
-    saved = [open_run(path) for path in paths]
     write_page(page, explorer_page(saved))
     # Three moments of the match of the last generations.
     picture = io.BytesIO()

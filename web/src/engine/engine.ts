@@ -14,6 +14,7 @@
 import type { Compiled } from "./heap.ts";
 import { Match, playMatch, playRollout } from "./match.ts";
 import { Solution } from "./solution.ts";
+import type { Payoff } from "./solution.ts";
 import type { EpisodeStatistics, TeamPolicy, WorldConfig } from "./types.ts";
 import { World } from "./world.ts";
 
@@ -48,8 +49,8 @@ export class Engine {
   }
 
   /** Begin to solve a world that `whyNotSolved` has nothing against. */
-  solution(config: WorldConfig): Solution {
-    return new Solution(this.compiled, config);
+  solution(config: WorldConfig, payoff: Payoff = "capture-rate"): Solution {
+    return new Solution(this.compiled, config, payoff);
   }
 
   /**

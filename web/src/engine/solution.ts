@@ -39,7 +39,7 @@ export function whyNotSolved(config: WorldConfig): string {
 
 /** The game of one turn at a moment: all that the teams can do, and what it leads to. */
 export class TurnGame {
-  /** The capture rate that both teams guarantee from here on when they play perfectly. */
+  /** What both teams guarantee from here on when they play perfectly: the capture rate, or minus the rounds after this one. */
   readonly value: number;
   /** Of the pursuers and of the evaders: the agents that act, and the probabilities of their joint actions. */
   readonly teams: readonly { readonly agents: readonly number[]; readonly play: Float64Array }[];
@@ -75,9 +75,15 @@ export class TurnGame {
   }
 }
 
+/** What the teams play for: the capture rate at the end, or the rounds until all evaders are captured. */
+export type Payoff = "capture-rate" | "capture-time";
+/** Rounds that perfect play for time looks ahead: it may gain by every further one. */
+export const HORIZON = 60;
+
 /** Values of all moments of a small world, by backward induction. */
 export class Solution {
   readonly config: WorldConfig;
+  readonly payoff: Payoff;
   private readonly engine: Compiled;
   private readonly states: number;
   private readonly n_turns: number;
@@ -85,13 +91,14 @@ export class Solution {
   private readonly values: Float64Array[][];
 
   /** List the states; no rounds are known yet. */
-  constructor(engine: Compiled, config: WorldConfig) {
-    [this.engine, this.config] = [engine, config];
+  constructor(engine: Compiled, config: WorldConfig, payoff: Payoff) {
+    [this.engine, this.config, this.payoff] = [engine, config, payoff];
     this.states = call(engine, (block) => engine._states_new(block.arrays(configInputs(config))));
     released.register(this, [engine, this.states]);
     const turns = { SIMULTANEOUS: 1, SWARM_TURNS: 2, AGENT_TURNS: config.n_pursuers + config.n_evaders };
     this.n_turns = turns[config.rules.interaction];
-    this.values = [[this.call(() => engine._states_payoffs(this.states))["payoffs"] as Float64Array]];
+    const rates = this.call(() => engine._states_payoffs(this.states))["payoffs"] as Float64Array;
+    this.values = [[payoff === "capture-rate" ? rates : rates.fill(0)]];
   }
 
   /** Go back by one more round; return whether there are more to come. */
@@ -102,8 +109,10 @@ export class Solution {
       const next = row[turn + 1] ?? before;
       row[turn] = this.call((block) => this.engine._states_backup(this.states, turn, block.arrays({ next })))["values"] as Float64Array;
     }
+    if (this.payoff === "capture-time") row[0] = row[0]!.map((value, state) => (state === this.config.n_evaders ? 0 : value - 1));
     this.values.push(row);
-    return this.values.length <= this.config.max_steps && row[0]!.some((value, state) => value !== before[state]);
+    const rounds = this.payoff === "capture-rate" ? this.config.max_steps : Math.min(this.config.max_steps, HORIZON);
+    return this.values.length <= rounds && row[0]!.some((value, state) => value !== before[state]);
   }
 
   /** Return the game of a world's next turn; null at an end, and where no start on distinct free cells leads. */

@@ -39,6 +39,7 @@ export class World {
 
   /** Where it is in the engine's memory. */
   get address(): number {
+    if (this.freed) throw expected("world", "one that is in use", "one that was freed");
     return this.at;
   }
 
@@ -47,19 +48,19 @@ export class World {
   /** Start an episode. The world stays as it was if the start is refused. */
   reset(start: Start = {}): void {
     const inputs = startInputs(start, this.config);
-    this.call((block) => this.engine._world_reset(this.at, block.arrays(inputs)));
+    this.call((block) => this.engine._world_reset(this.address, block.arrays(inputs)));
   }
 
   /** Play one round with the actions (A,) of all agents; those of gone agents are ignored. */
   step(actions: ArrayLike<number>): void {
     const inputs = actionsInputs(actions);
-    this.call((block) => this.engine._world_step(this.at, block.arrays(inputs)));
+    this.call((block) => this.engine._world_step(this.address, block.arrays(inputs)));
   }
 
   /** Play the next turn of a round; only the actions of the living `actors` are read. */
   playTurn(actions: ArrayLike<number>): void {
     const inputs = actionsInputs(actions);
-    this.call((block) => this.engine._world_play_turn(this.at, block.arrays(inputs)));
+    this.call((block) => this.engine._world_play_turn(this.address, block.arrays(inputs)));
   }
 
   /**
@@ -74,7 +75,7 @@ export class World {
     if (given.length !== this.n_agents) throw expected("actions", String(this.n_agents), given.length);
     const inputs = [policyInputs(policy), actionsInputs(given)] as const;
     const { actions } = this.call((block) =>
-      this.engine._world_decide(this.at, block.arrays(inputs[0]), first, last, block.arrays(inputs[1])),
+      this.engine._world_decide(this.address, block.arrays(inputs[0]), first, last, block.arrays(inputs[1])),
     );
     return Uint8Array.from(actions as Int32Array);
   }
@@ -111,7 +112,7 @@ export class World {
   }
 
   private turnNumbers(): Int32Array {
-    return this.call(() => this.engine._world_turn(this.at))["turn"] as Int32Array;
+    return this.call(() => this.engine._world_turn(this.address))["turn"] as Int32Array;
   }
 
   /** Rounds played in this episode. */
@@ -134,7 +135,7 @@ export class World {
 
   /** Return one array. */
   read<Name extends keyof WorldArrays>(name: Name): WorldArrays[Name] {
-    return this.call((block) => this.engine._world_read(this.at, block.text(name)))[name] as WorldArrays[Name];
+    return this.call((block) => this.engine._world_read(this.address, block.text(name)))[name] as WorldArrays[Name];
   }
 
   /** Return the view of one agent, (3, fov, fov): evaders, pursuers, obstacles. */
@@ -155,13 +156,13 @@ export class World {
 
   /** Return the same as numbers (n, 11), those of `Match`. */
   conflictTable(): Int32Array {
-    return this.call(() => this.engine._world_conflicts(this.at))["conflict_table"] as Int32Array;
+    return this.call(() => this.engine._world_conflicts(this.address))["conflict_table"] as Int32Array;
   }
 
   /** Return what a network answers to the view of a living agent. */
   answer(policy: TeamPolicy, agent: number): Answer {
     const inputs = policyInputs(policy);
-    const { logits, memory } = this.call((block) => this.engine._world_logits(this.at, block.arrays(inputs), agent));
+    const { logits, memory } = this.call((block) => this.engine._world_logits(this.address, block.arrays(inputs), agent));
     const outputs = logits as Float32Array;
     const action = this.decide(policy, [agent, agent + 1], new Uint8Array(this.n_agents))[agent]!;
     return { logits: outputs, probabilities: softmax(outputs), action, memory: memory as Float32Array };
@@ -171,17 +172,16 @@ export class World {
 
   /** Return the whole state, from which any world of these settings can go on. */
   snapshot(): Snapshot {
-    return this.call(() => this.engine._world_snapshot(this.at)) as unknown as Snapshot;
+    return this.call(() => this.engine._world_snapshot(this.address)) as unknown as Snapshot;
   }
 
   /** Go on from a state, which may be an edited one. The world stays as it was if it is refused. */
   restore(snapshot: Snapshot): void {
     const inputs = snapshotInputs(snapshot);
-    this.call((block) => this.engine._world_restore(this.at, block.arrays(inputs)));
+    this.call((block) => this.engine._world_restore(this.address, block.arrays(inputs)));
   }
 
   private call(invoke: Parameters<typeof call>[1]): ReturnType<typeof lastOutputs> {
-    if (this.freed) throw expected("world", "one that is in use", "one that was freed");
     call(this.engine, invoke);
     return lastOutputs(this.engine);
   }

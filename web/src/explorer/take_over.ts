@@ -59,7 +59,7 @@ export class TakeOver {
     const { run: number, pursuer, evader, episode, seed } = place;
     const team = teamOf(run.world, moves.seat);
     const players = run.teams[team].kept.map((generation) => ({
-      name: run.teams[team].script ?? `generation ${generation}`, policy: () => policyOf(run, team, generation),
+      name: run.teams[team].script ?? `generation ${generation}`, text: "", policy: () => policyOf(run, team, generation),
     }));
     if (!this.view) {
       this.view = new PlayView(engine);

@@ -19,6 +19,10 @@ import { PlayView } from "./view.ts";
 /** What can play for a team; `matrixworld.explorer.play_page` writes it. */
 interface TeamData {
   readonly names: readonly string[];
+  /** Of each name what it does. */
+  readonly texts: readonly string[];
+  /** The place of the one that a match begins with. */
+  readonly usual: number;
   /** Of each name a script, or null: then the next genome plays. */
   readonly scripts: readonly (ScriptName | null)[];
   readonly network: (Omit<NetworkPolicy, "genome"> & { readonly genome_size: number }) | null;
@@ -35,14 +39,14 @@ const data = JSON.parse(text("data")) as Data;
 const players = { pursuer: playersOf("pursuer"), evader: playersOf("evader") };
 
 function playersOf(team: Team): Player[] {
-  const { names, scripts, network } = data.teams[team];
+  const { names, texts, scripts, network } = data.teams[team];
   const policy = (place: number): TeamPolicy => {
     const script = scripts[place];
     if (script || !network) return script!;
     const [size, genome] = [network.genome_size, scripts.slice(0, place).filter((each) => each === null).length];
     return { ...network, genome: genomesOf(team, size).subarray(genome * size, (genome + 1) * size) };
   };
-  return names.map((name, place) => ({ name, policy: () => policy(place) }));
+  return names.map((name, place) => ({ name, text: texts[place]!, policy: () => policy(place) }));
 }
 
 /** A match of the page: who plays for each team, and the seed. */
@@ -76,8 +80,15 @@ const choiceOf = (names: readonly string[], chosen: number): HTMLSelectElement =
 function setup(engine: Engine, view: PlayView): HTMLElement {
   const [you, pursuers, evaders] = [
     choiceOf(["an evader", "a pursuer"], 0),
-    ...TEAMS.map((team) => choiceOf(data.teams[team].names, data.teams[team].names.length - 1)),
+    ...TEAMS.map((team) => choiceOf(data.teams[team].names, data.teams[team].usual)),
   ] as [HTMLSelectElement, HTMLSelectElement, HTMLSelectElement];
+  const about = html("p", { class: "small muted about" });
+  const explain = (): void => {
+    const chosen = [players.pursuer[Number(pursuers.value)]!, players.evader[Number(evaders.value)]!];
+    about.textContent = chosen.filter((each) => each.text).map((each) => `${each.name}: ${each.text}.`).join(" ");
+  };
+  for (const each of [pursuers, evaders]) each.addEventListener("change", explain);
+  explain();
   const problem = html("p", { class: "problem", role: "alert" });
   const begin = (): void => play(engine, view, { pursuer: Number(pursuers.value), evader: Number(evaders.value), seed: randomSeed() },
     { seat: you.value === "0" ? data.world.n_pursuers : 0, from: 0, moves: [] });
@@ -95,7 +106,7 @@ function setup(engine: Engine, view: PlayView): HTMLElement {
     html("label", {}, "You are ", you), html("label", {}, "Pursuers ", pursuers), html("label", {}, "Evaders ", evaders),
     html("button", { type: "button", class: "primary", onclick: begin }, "Play"),
     html("button", { type: "button", onclick: () => escapeGame(view, data.world, players.pursuer) }, "Can you escape it?"),
-    html("button", { type: "button", onclick: () => file.click() }, "Open a file"), file, problem));
+    html("button", { type: "button", onclick: () => file.click() }, "Open a file"), file, problem, about));
 }
 
 async function show(): Promise<void> {

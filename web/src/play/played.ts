@@ -25,6 +25,8 @@ export interface Played extends Moves {
 /** A policy with the name that readers know it by. */
 export interface Player {
   readonly name: string;
+  /** What it does. */
+  readonly text: string;
   readonly policy: () => TeamPolicy;
 }
 

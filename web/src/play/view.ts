@@ -11,7 +11,7 @@ import type { WorldConfig } from "../engine/types.ts";
 import { wordsOf } from "../explorer/words.ts";
 import { hasAddress, html } from "../page/dom.ts";
 import { agentName } from "../page/names.ts";
-import { lossText, lossesOf, perfectText, solved, ticksOf } from "../page/solved.ts";
+import { lossText, lossesOf, perfectText, scoreOf, solved, ticksOf, worstText, worthText } from "../page/solved.ts";
 import type { Loss } from "../page/solved.ts";
 import { actionOf, bearing, listenToPointer, pad } from "./controls.ts";
 import { episodeFile } from "./file.ts";
@@ -26,6 +26,8 @@ const PACES = [0, 1, 2, 4, 8] as const;
 export interface Game {
   readonly played: Played;
   readonly title: string;
+  /** What the opponents do, told at the start. */
+  readonly about?: string;
   /** What is shown at the end, and what plays it again. */
   ending(live: Live, played: Played): readonly (Node | string)[];
   again(): void;
@@ -167,7 +169,7 @@ export class PlayView {
     const why = whyNotSolved(live.config);
     this.#best.disabled = Boolean(why);
     this.#whyNot.textContent = why ? `No best move: ${why}` : "Best move";
-    void solved(this.#engine, live.config).then((solution) => {
+    void solved(this.#engine, live.config, scoreOf(live.config)).then((solution) => {
       if (this.#live !== live) return;
       this.#solution = solution;
       this.#judge();
@@ -229,7 +231,7 @@ export class PlayView {
     this.element.dataset["state"] = "ended";
     this.#judge();
     const own = this.#losses.filter(({ team }) => team === teamOf(live.config, played.seat));
-    if (own.length) this.#ending.children[0]!.after(html("p", { class: "small muted" }, lostInAll(own)));
+    if (own.length) this.#ending.children[0]!.after(html("p", { class: "small muted" }, worstText(own)));
     this.#ending.focus({ preventScroll: true });
     this.#ending.scrollIntoView({ block: "nearest" });
   }
@@ -252,11 +254,11 @@ export class PlayView {
     if (!live || step > live.length) return;
     const about = wordsOf(live, live.recording, step).filter(({ agents }) => seat === null || agents.includes(seat));
     const sentences = [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
-    if (this.#game && step === 0) sentences.push(goal(live.config, seat!));
+    if (this.#game && step === 0) sentences.push(this.#game.about ? `Each opponent: ${this.#game.about}` : "", goal(live.config, seat!));
     else if (seat !== null) sentences.push(nearest(live, step, seat));
     sentences.push(...this.#losses.filter((loss) => loss.step === step).map(lossText));
     const perfect = step === live.length && seat !== null ? this.#perfect : null;
-    if (perfect) sentences.push(`Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; value ${perfect.value.toFixed(2)}`);
+    if (perfect) sentences.push(`Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; ${worthText(this.#solution!, perfect, step)}`);
     this.#look();
     this.#told.textContent = sentences.filter(Boolean).map((text) => `${text}.`).join(" ");
   }
@@ -293,13 +295,6 @@ export function headline(live: Live, seat: number): string {
   const [{ lasted, out, captured }, { config }] = [resultOf(live, seat), live];
   if (teamOf(config, seat) === "pursuer") return `Your team captured ${captured} of ${evaders(config)} in ${lasted} steps.`;
   return out ? `You lasted ${lasted} of ${config.max_steps} steps.` : `You escaped: ${lasted} steps.`;
-}
-
-/** Return what a team lost by all its moves, and where most. */
-function lostInAll(losses: readonly Loss[]): string {
-  const most = losses.reduce((a, b) => (b.lost > a.lost ? b : a));
-  const sum = losses.reduce((total, { lost }) => total + lost, 0);
-  return `Your team's moves lost ${sum.toFixed(2)} of the capture rate against a perfect opponent, most in step ${most.step}: ${most.lost.toFixed(2)}.`;
 }
 
 const evaders = ({ n_evaders }: WorldConfig): string => `${n_evaders} evader${n_evaders === 1 ? "" : "s"}`;

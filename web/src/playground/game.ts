@@ -2,7 +2,10 @@
 
 import { momentOf, recording } from "../board/from_engine.ts";
 import type { Moment, Recording } from "../board/recording.ts";
-import type { Engine, World } from "../engine/engine.ts";
+import type { Engine, Solution, World } from "../engine/engine.ts";
+import type { TurnGame } from "../engine/solution.ts";
+import { lossesOf } from "../page/solved.ts";
+import type { Loss } from "../page/solved.ts";
 import type { Conflict, Rules, Snapshot } from "../engine/types.ts";
 import { CHAMPION, STAY, agents, configOf, nAgents, standing } from "./scene.ts";
 import type { Champions } from "./data.ts";
@@ -99,6 +102,14 @@ export class Game {
       ...this.#scene, played: [], steps: world.steps, ended: this.outcomes.at(-1)!.terminated,
       pursuers: starts.slice(0, first), evaders: starts.slice(first),
     };
+  }
+
+  /** Return perfect play at the present moment, where it is known, and what the last step lost. */
+  perfect(solution: Solution): { game: TurnGame | null; losses: readonly Loss[] } {
+    const [before, actions] = [this.#snapshots.at(-2), this.#moments.at(-1)!.actions];
+    if (before) this.#world.restore(before);
+    // The step is played again, and leads to the present moment.
+    return { losses: before && actions ? lossesOf(solution, this.#world, [actions]) : [], game: solution.game(this.#world) };
   }
 
   free(): void {

@@ -9,6 +9,7 @@ import { arena } from "./arena.ts";
 import { keysDialog, shareDialog } from "./dialogs.ts";
 import { gallery } from "./gallery.ts";
 import { listenToKeys } from "./keys.ts";
+import { perfectPanel } from "./perfect.ts";
 import { rulesPanel } from "./rules_panel.ts";
 import type { Store } from "./store.ts";
 import { story } from "./story.ts";
@@ -27,7 +28,7 @@ export function showPlayground(root: HTMLElement, store: Store): void {
   const main = html("main", { class: "layout" },
     rulesPanel(store),
     html("section", { class: "card stage", "aria-label": "Board" }, arena(store), toolbar(store)),
-    html("div", { class: "side" }, story(store), agentsPanel(store)));
+    html("div", { class: "side" }, story(store), agentsPanel(store), perfectPanel(store)));
   root.classList.add("playground");
   root.replaceChildren(header, gallery(store), main, share.element, keys);
   listenToKeys(store, { share: share.open, keys: openKeys });

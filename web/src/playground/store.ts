@@ -3,11 +3,12 @@
 import { Player } from "../board/player.ts";
 import { stillMotion } from "../board/board.ts";
 import { EngineError } from "../engine/engine.ts";
-import type { Engine } from "../engine/engine.ts";
+import type { Engine, Solution } from "../engine/engine.ts";
 import type { Rules } from "../engine/types.ts";
 import type { Example, PageData } from "./data.ts";
 import { Game, sameStart } from "./game.ts";
-import { MOST_STEPS, agents, stepped, steppedBack } from "./scene.ts";
+import { scoreOf, solved } from "../page/solved.ts";
+import { MOST_STEPS, agents, configOf, stepped, steppedBack } from "./scene.ts";
 import type { Command, Scene } from "./scene.ts";
 
 export type Mode = "act" | "build";
@@ -173,6 +174,12 @@ export class Store extends EventTarget {
 
   redo(): void {
     this.#exchange(this.#redo, this.#undo);
+  }
+
+  /** Solve the world of the scene; null where it is not solved. */
+  solution(): Promise<Solution | null> {
+    const config = configOf(this.#scene, this.#scene.rules);
+    return solved(this.#engine, config, scoreOf(config));
   }
 
   get canUndo(): boolean {

@@ -1,0 +1,134 @@
+"""Pages show perfect play of small worlds, and it is that of `Solution`."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from browser import Browser
+from command_line import matrixworld_command
+from matrixworld import Action, Episode, World, WorldConfig, parallel_env
+from matrixworld.coevolution import SavedRun, open_run, start
+from matrixworld.explorer import Playground, explore
+from matrixworld.explorer.page import write_page
+from matrixworld.explorer.play_page import of_run, play_page
+from matrixworld.solve import solve
+from perfect_play import solved_moment
+from tiny_race import tiny_race
+
+# For each of the named agents, chosen by keys: both columns of probabilities, and the note.
+INSPECTED = """((names) => {
+  const press = (key) => document.dispatchEvent(new KeyboardEvent("keydown", { key }));
+  const text = (selector) => document.querySelector(selector).textContent;
+  const told = names.map((name) => {
+    for (let tried = 0; tried < 9 && text(".inspector h3") !== name; tried++) press("a");
+    const rows = Array.from(document.querySelectorAll(".action:not(:first-child)"));
+    const shares = (row) => Array.from(row.querySelectorAll(".numbers"), (e) => +e.textContent);
+    return [rows.map(shares), text(".answer")];
+  });
+  return told;
+})(arguments[0])"""
+
+
+@pytest.fixture(scope="module", params=["O", "TO"])
+def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> SavedRun:
+    directory = tmp_path_factory.mktemp("small") / "race"
+    world = {"rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 6, "fov": 7}
+    start(tiny_race(rules=request.param, **world), directory, threads=1).run()
+    return open_run(directory)
+
+
+def test_the_explorer_shows_perfect_play_and_what_was_lost(browser: Browser, run: SavedRun) -> None:
+    config, solution = run.settings.world, solve(run.settings.world)
+    # The match from which most can be read.
+    g, h, episode = max(
+        ((g, h, run.record(g, h)) for g in range(3) for h in range(3)), key=lambda m: m[2].length
+    )
+    browser.open(explore(run.files.path, force=True).path)
+    browser.wait("document.querySelector('#match').dataset.played")
+    browser.driver.execute_script(f"location.hash = 'run=0&pursuers={g}&evaders={h}'")
+    browser.wait(f"document.querySelector('#match').dataset.played === '0 {g} {h} 0 '")
+    browser.wait("document.querySelector('.losses i')")
+    lost: list[str] = []
+    world = World(config)
+    world.reset(0, pursuers=episode.positions[0][:2], evaders=episode.positions[0][2:])
+    for step, row in enumerate(episode.actions.astype(np.int64)):
+        of_step = np.zeros(2)
+        browser.driver.execute_script(f"location.hash = 'pursuers={g}&evaders={h}&step={step}'")
+        browser.wait(f"matrixworldExplorer.step === {step}")
+        while world.steps == step and not world.terminated:
+            moment = solved_moment(solution, world, row)
+            of_step += moment.lost
+            names = [config.agent_name(agent) for agent in world.actors]
+            found = browser.js(INSPECTED, names)
+            for agent, (shares, told) in zip(world.actors, found, strict=True):
+                shown = np.array(shares)[:, 1]
+                assert shown == pytest.approx(np.array(moment.marginals[agent]), abs=0.0051)
+                assert f"Value {moment.value:.2f}:" in told
+            world.play_turn(row)
+        for team, part in zip(("pursuers", "evaders"), of_step, strict=True):
+            if part >= 0.005:
+                told = f"The {team} lose {part:.2f} of the capture rate against a perfect opponent"
+                lost.append(f"Step {step + 1}: {told}")
+    titles = browser.js("Array.from(document.querySelectorAll('.losses i'), (each) => each.title)")
+    assert titles == lost
+    assert lost
+    assert browser.errors() == []
+
+
+def test_who_plays_is_told_the_best_move(browser: Browser, run: SavedRun, tmp_path: Path) -> None:
+    write_page(tmp_path / "play.html", play_page("play", *of_run(run)))
+    browser.open(tmp_path / "play.html")
+    browser.js("document.querySelectorAll('.play-choice input')[1].click()")
+    told = "document.querySelector('.play-told').textContent"
+    browser.wait(f"{told}.includes('Perfect play')")
+    positions = browser.js("Array.from(matrixworldPlay.live.recording.moments[0].positions)")
+    cells = np.array(positions).reshape(-1, 2)
+    config = WorldConfig.from_json(browser.js("matrixworldPlay.live.config"))
+    world = World(config)
+    world.reset(0, pursuers=cells[:2], evaders=cells[2:])
+    solution = solve(config, payoff="capture-time")
+    moment = solved_moment(solution, world, np.zeros(3, np.int64))
+    assert f"captured after {1 - moment.value:.1f} steps" in browser.js(told)
+    shares = moment.marginals[2]
+    best = "decided in its turn" if shares is None else Action(int(np.argmax(shares))).name.lower()
+    assert best in browser.js(told)
+
+
+def test_the_playground_solves_a_scene(browser: Browser, tmp_path: Path) -> None:
+    world = World("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
+    world.reset(0, pursuers=[[0, 0], [3, 1]], evaders=[[3, 3]])
+    Playground(world, [Action.STAY, Action.NORTH, Action.STAY]).save(tmp_path / "small.html")
+    browser.open(tmp_path / "small.html")
+    browser.driver.execute_script("document.querySelector('.perfect').open = true")
+    text = "document.querySelector('.perfect').innerText"
+    solution = solve(world.config, payoff="capture-time")
+    row = np.array([Action.STAY, Action.NORTH, Action.STAY], np.int64)
+    before = solved_moment(solution, world, row)
+    browser.wait(f"{text}.includes('From here: captured after {1 - before.value:.1f} steps.')")
+    world.step(row)
+    browser.click("#step")
+    after = solved_moment(solution, world, row)
+    browser.wait(f"{text}.includes('From here: captured after {1 - after.value:.1f} steps.')")
+    assert f"The pursuers lose {before.lost[0]:.1f} steps" in browser.js(text)
+
+
+def test_solved_is_a_name(run: SavedRun, tmp_path: Path) -> None:
+    """Of opponents of environments, and of teams that ``replay`` shows."""
+    config = run.settings.world
+    match = (run.files.path, "--pursuer", "solved", "--evader", "solved", "--episode", "2")
+    matrixworld_command("replay", *match, "--out", tmp_path / "match.npz")
+    episode = Episode.load(tmp_path / "match.npz")
+    solution, world = solve(config), World(config)
+    start = episode.positions[0]
+    world.reset(0, pursuers=start[:2], evaders=start[2:])
+    for row in episode.actions.astype(np.int64):
+        while True:
+            assert solved_moment(solution, world, row).lost == pytest.approx([0, 0], abs=1e-9)
+            world.play_turn(row)
+            if world.turn == 0 or world.terminated:
+                break
+    environment = parallel_env(config, evaders="solved")
+    assert [type(each).__name__ for each in environment.opponents] == ["TablePolicy"]
+    told = matrixworld_command("replay", "O", "--pursuer", "solved", code=2).output
+    assert "agents on 40 x 40 cells; no smaller board would" in told
