@@ -189,6 +189,17 @@ def test_tables_and_refusals_show_what_was_found(
     assert browser.errors() == []
 
 
+SMALL = WorldConfig("O", rows=5, cols=5, n_pursuers=2, n_evaders=2, max_steps=4)
+
+
+def test_a_class_may_hand_in_predictions_alone(tmp_path: Path) -> None:
+    (tmp_path / "ada.jsonl").write_text('{"prediction": "4.a", "choice": "b"}\n')
+    result = play_class(tmp_path, SMALL, episodes=2, seed=1)
+    assert result.votes == {"4.a": {"b": 1}}
+    assert {each.kind for team in TEAMS for each in result.entries[team]} == {"script"}
+    assert "4.a" in class_page(result, {team: standings(result, team) for team in TEAMS}, title="")
+
+
 def test_a_page_without_room_keeps_the_best_and_worst_matches(
     played: tuple[ClassResult, Tables], browser: Browser, tmp_path: Path
 ) -> None:

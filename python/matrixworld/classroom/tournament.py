@@ -14,7 +14,7 @@ import secrets
 import signal
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager, nullcontext
 from dataclasses import dataclass, field
@@ -132,7 +132,7 @@ def play_class(
     OSError
         If the directory cannot be read.
     ValueError
-        If it holds nothing that can play, or an argument is out of range.
+        If it holds nothing that can play and no predictions, or an argument is out of range.
     """
     check_integer("episodes", episodes, 2)
     seed = secrets.randbits(63) if seed is None else check_integer("seed", seed, 0, SEED_MAX)
@@ -151,12 +151,12 @@ def play_class(
         with progress("submissions") as report:
             students, refused = admit(submissions, pool, report)
         refusals = [*unreadable, *spoilt, *refused]
-        _require(students, refusals, directory)
+        _require(students or votes, refusals, directory)
         with progress("episodes") as report:
             teams = _with_scripts(students)
             played, failed = _round_robin(teams, pool, episodes, report)
     refusals += [Refusal(each.name, each.file, reason) for each, reason in failed.items()]
-    _require([each for each in students if each not in failed], refusals, directory)
+    _require([each for each in students if each not in failed] or votes, refusals, directory)
     pursuers, evaders = (
         tuple(each for each in teams[team] if each not in failed) for team in TEAMS
     )
@@ -191,9 +191,9 @@ def _one_interruption() -> Iterator[None]:
         yield
 
 
-def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: Path) -> None:
-    """Raise ValueError with all reasons if there is no entry of a student."""
-    if not students:
+def _require(handed_in: Collection[object], refusals: Sequence[Refusal], directory: Path) -> None:
+    """Raise ValueError with all reasons if there is neither an entry of a student nor a vote."""
+    if not handed_in:
         reasons = "".join(f"\n  {each.file}: {each.reason}" for each in refusals)
         raise ValueError(f"{directory}: expected a submission that can play, got none{reasons}")
 
