@@ -1,5 +1,6 @@
 """Scripts in evolution/ that measure over many runs: their runs, verdicts, tables and files."""
 
+import json
 import re
 from collections.abc import Callable
 from dataclasses import replace
@@ -37,6 +38,9 @@ TABLES: dict[str, Callable[[Path], str]] = {
         hall_of_fame.read_races(at / "races.csv")
     ),
     "judgement/errors.md": judgement_tables.report_of,
+    "yoked_races/comparison.md": lambda at: yoked_races.report(
+        json.loads(read(at / "numbers.json"))
+    ),
     "safe_learning/table.md": lambda at: safe_learning.table(dict(np.load(at / "numbers.npz"))),
 }
 """Published tables, and how they are made from the other files of their directory."""
