@@ -10,6 +10,7 @@ from matrices import ROCK_PAPER_SCISSORS, payoffs
 from matrixworld import analysis
 from matrixworld.analysis.meta_strategies import (
     META_SOLVERS,
+    MetaSolver,
     _projected,
     projected_replicator_dynamics,
     rectified_nash,
@@ -30,6 +31,7 @@ def loss_limit(matrix: np.ndarray) -> float:
     return float(found.fun)
 
 
+@settings(max_examples=30)
 @given(payoffs(parts=10))
 def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -> None:
     weights = META_SOLVERS["nash"](matrix)
@@ -42,7 +44,7 @@ def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -
 @settings(max_examples=15)
 @given(payoffs(parts=10))
 def test_mean_mixtures_of_replicators_approach_an_equilibrium(matrix: np.ndarray) -> None:
-    p, q = projected_replicator_dynamics(matrix, steps=1000)
+    p, q = projected_replicator_dynamics(matrix, steps=1000, rate=0.02)
     for mixture in (p, q):
         assert mixture.min() >= 0.0
         assert mixture.sum() == pytest.approx(1.0)
@@ -75,8 +77,14 @@ def test_replicators_by_hand() -> None:
     np.testing.assert_allclose(q, [(0.5 + 0.49) / 2, (0.5 + 0.51) / 2])
     # The uniform mixture is a rest point of rock-paper-scissors.
     np.testing.assert_allclose(projected_replicator_dynamics(ROCK_PAPER_SCISSORS)[0], [1 / 3] * 3)
+    # Short steps follow the continuous dynamics.
+    game = [[0.8, 0.1], [0.3, 0.6]]
+    path = analysis.replicator_dynamics(game, time=20.0)
+    expected = np.trapezoid(path.pursuers, path.times, axis=0) / 20.0
+    mean, _ = projected_replicator_dynamics(game, steps=4000, rate=0.005)
+    np.testing.assert_allclose(mean, expected, atol=2e-3)
     # A dominated row falls to the smallest weight, from 1/2 along a logistic curve.
-    p, _ = projected_replicator_dynamics([[1.0], [0.0]], steps=500, least=0.1)
+    p, _ = projected_replicator_dynamics([[1.0], [0.0]], steps=500, rate=0.02, least=0.1)
     assert p[1] == pytest.approx(0.1, abs=0.06)
     with pytest.raises(ValueError, match=r"a smallest weight from 0 to 0\.5, got 0\.6"):
         projected_replicator_dynamics([[1.0], [0.0]], least=0.6)
@@ -107,6 +115,119 @@ def test_meta_strategies_are_those_of_openspiel() -> None:
         for least in (1e-6, 0.05):
             same = {"prd_iterations": 500, "prd_dt": 0.02, "prd_gamma": least}
             means = theirs.projected_replicator_dynamics([matrix, -matrix], **same)
-            found = projected_replicator_dynamics(matrix, steps=500, least=least)
+            found = projected_replicator_dynamics(matrix, steps=500, rate=0.02, least=least)
             np.testing.assert_allclose(found[0], means[0], atol=1e-9)
             np.testing.assert_allclose(found[1], means[1], atol=1e-9)
+
+
+# The loop with exact responses
+
+
+def uniform(payoff: np.ndarray) -> np.ndarray:
+    return np.full(payoff.shape[1], 1.0 / payoff.shape[1])
+
+
+def mean_prd(payoff: np.ndarray) -> np.ndarray:
+    return projected_replicator_dynamics(payoff, steps=500, rate=0.02)[1]
+
+
+SOLVERS = {"nash": META_SOLVERS["nash"], "prd": mean_prd, "uniform": uniform}
+
+
+def loop(game: np.ndarray, solver: MetaSolver, rounds: int) -> tuple[list[float], np.ndarray]:
+    """Return the NashConv of the meta-strategies of each round, and the last one of the rows."""
+    rows, columns, gaps = [0], [0], []
+    for _ in range(rounds):
+        part = game[np.ix_(rows, columns)]
+        p = np.bincount(rows, solver(1.0 - part.T), len(game))
+        q = np.bincount(columns, solver(part), len(game.T))
+        p, q = p / p.sum(), q / q.sum()
+        gaps.append(analysis.exploitability(game, p, q).total)
+        rows.append(int((game @ q).argmax()))
+        columns.append(int((p @ game).argmin()))
+    return gaps, p
+
+
+def blotto(soldiers: int, fields: int) -> np.ndarray:
+    """Return the game of Borel and Gross: who wins more fields wins, 1/2 for a draw."""
+    splits = np.array([s for s in np.ndindex((soldiers + 1,) * fields) if sum(s) == soldiers])
+    won = np.sign(splits[:, None] - splits).sum(axis=2)
+    return (1.0 + np.sign(won)) / 2.0
+
+
+def ladder(levels: int) -> np.ndarray:
+    """Return rock-paper-scissors on each level of a transitive game: a higher level wins."""
+    level, hand = np.divmod(np.arange(3 * levels), 3)
+    higher = level[:, None] - level
+    same = ROCK_PAPER_SCISSORS[hand][:, hand]
+    return np.where(higher == 0, same, higher > 0)
+
+
+GAMES_TO_PLAY = {"rock": ROCK_PAPER_SCISSORS, "blotto": blotto(5, 3), "ladder": ladder(4)}
+
+
+@pytest.mark.parametrize("name", GAMES_TO_PLAY)
+def test_double_oracle_ends_in_an_equilibrium(name: str) -> None:
+    game = GAMES_TO_PLAY[name]
+    gaps, p = loop(game, META_SOLVERS["nash"], len(game) + 1)
+    assert gaps[0] == 1.0
+    assert gaps[-1] < 1e-6
+    if name == "rock":
+        np.testing.assert_allclose(gaps, [1.0, 1.0, 0.0, 0.0], atol=1e-9)
+    if name == "ladder":  # the highest cycle has all weight
+        np.testing.assert_allclose(p[-3:], [1 / 3] * 3, atol=1e-6)
+
+
+def test_fictitious_play_falls_as_one_over_the_root_of_its_rounds() -> None:
+    """The rate that Karlin (1959) expected; double oracle needs three rounds."""
+    gaps, _ = loop(ROCK_PAPER_SCISSORS, uniform, 400)
+    rounds = np.arange(1, 401)
+    assert (np.array(gaps) * np.sqrt(rounds) < 3.0).all()
+    slope = np.polyfit(np.log(rounds[20:]), np.log(np.array(gaps)[20:]), 1)[0]
+    assert -0.7 < slope < -0.3
+
+
+def test_rectified_responses_miss_an_equilibrium() -> None:
+    """The example of McAleer et al. (2020), "Pipeline PSRO": a strategy that beats all a little."""
+    payoff = np.array([[0, -1, 1, -0.4], [1, 0, -1, -0.4], [-1, 1, 0, -0.4], [0.4, 0.4, 0.4, 0]])
+    game = (1.0 + payoff) / 2.0
+    gaps, _ = loop(game, rectified_nash, 12)
+    assert min(gaps) > 0.3
+    assert loop(game, META_SOLVERS["nash"], 12)[0][-1] < 1e-6
+
+
+@pytest.mark.parametrize("method", SOLVERS)
+def test_the_loop_is_that_of_openspiel(method: str) -> None:
+    pyspiel = pytest.importorskip("pyspiel", reason="open_spiel is not installed")
+    pytest.importorskip("networkx", reason="open_spiel's psro_v2 needs it")
+    from open_spiel.python.algorithms.psro_v2 import best_response_oracle, psro_v2
+    from open_spiel.python.policy import TabularPolicy
+
+    matrix = np.random.default_rng(0).random((6, 5))
+    rounds = {"nash": 3, "prd": 6, "uniform": 6}[method]  # then equal responses repeat
+    game = pyspiel.convert_to_turn_based(
+        pyspiel.create_matrix_game(matrix.tolist(), (-matrix).tolist())
+    )
+    first = TabularPolicy(game)
+    first.action_probability_array[:] = np.eye(6)[0]
+    theirs = psro_v2.PSROSolver(
+        game,
+        best_response_oracle.BestResponseOracle(best_response_backend="py"),
+        sims_per_entry=1,
+        initial_policies=[first, first],
+        training_strategy_selector="probabilistic",
+        meta_strategy_method=method,
+        sample_from_marginals=True,
+        prd_iterations=500,
+        prd_dt=0.02,
+    )
+    for _ in range(rounds - 1):
+        theirs.iteration()
+    begin = game.new_initial_state()
+    weights = np.zeros(6)
+    for weight, policy in zip(
+        theirs.get_meta_strategies()[0], theirs.get_policies()[0], strict=True
+    ):
+        for action, probability in policy.action_probabilities(begin).items():
+            weights[action] += weight * probability
+    np.testing.assert_allclose(loop(matrix, SOLVERS[method], rounds)[1], weights, atol=1e-6)

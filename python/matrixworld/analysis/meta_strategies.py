@@ -33,7 +33,7 @@ _TIE = 1e-7  # the tolerance of `nash_averaging`
 
 
 def projected_replicator_dynamics(
-    payoff: ArrayLike, *, steps: int = 10_000, rate: float = 0.02, least: float = 1e-6
+    payoff: ArrayLike, *, steps: int = 2_000, rate: float = 0.1, least: float = 1e-6
 ) -> tuple[Rates, Rates]:
     """Return the mean mixtures of both teams, (n,) and (m,), under projected replicator dynamics.
 
