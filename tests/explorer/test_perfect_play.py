@@ -22,9 +22,9 @@ INSPECTED = """((names) => {
   const text = (selector) => document.querySelector(selector).textContent;
   const told = names.map((name) => {
     for (let tried = 0; tried < 9 && text(".inspector h3") !== name; tried++) press("a");
-    const rows = Array.from(document.querySelectorAll(".action:not(:first-child)"));
+    const rows = Array.from(document.querySelectorAll(".action:not(.muted)"));
     const shares = (row) => Array.from(row.querySelectorAll(".numbers"), (e) => +e.textContent);
-    return [rows.map(shares), text(".answer")];
+    return [rows.map(shares), text(".answers p")];
   });
   return told;
 })(arguments[0])"""
@@ -64,7 +64,7 @@ def test_the_explorer_shows_perfect_play_and_what_was_lost(browser: Browser, run
             for agent, (shares, told) in zip(world.actors, found, strict=True):
                 shown = np.array(shares)[:, 1]
                 assert shown == pytest.approx(np.array(moment.marginals[agent]), abs=0.0051)
-                assert f"Value {moment.value:.2f}:" in told
+                assert f"Value {moment.value:.2f} under" in told
             world.play_turn(row)
         for team, part in zip(("pursuers", "evaders"), of_step, strict=True):
             if part >= 0.005:
@@ -132,3 +132,10 @@ def test_solved_is_a_name(run: SavedRun, tmp_path: Path) -> None:
     assert [type(each).__name__ for each in environment.opponents] == ["TablePolicy"]
     told = matrixworld_command("replay", "O", "--pursuer", "solved", code=2).output
     assert "agents on 40 x 40 cells; no smaller board would" in told
+
+
+@pytest.mark.slow
+def test_nothing_hinders_readers_with_disabilities(browser: Browser, run: SavedRun) -> None:
+    key = "document.dispatchEvent(new KeyboardEvent('keydown', {key: '%'}));"
+    keys = key.replace("%", "a") + key.replace("%", "ArrowRight")
+    assert browser.hindrances(explore(run.files.path, force=True).path, keys) == {}

@@ -127,7 +127,7 @@ MOST_FILES_OF_AN_OUTPUT = 3  # with more, there would be a table too many
 def test_every_kind_of_extension_has_a_recipe() -> None:
     assert [recipe.title for recipe in RECIPES] == [
         *("A variant", "An outcome", "A learner", "An opponent sampler"),
-        *("A script", "A measure", "An output of a step"),
+        *("A script", "A measure", "A solved world", "An output of a step"),
     ]
 
 

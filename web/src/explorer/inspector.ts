@@ -105,13 +105,13 @@ export class Inspector {
       : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
     const columns = [["its network", own], ["perfect play", game?.marginal(agent) ?? null]] as const;
     const why = whyNotSolved(match.config);
-    const perfect = game ? `Value ${game.value.toFixed(2)}: the capture rate under perfect play.` : why && `Perfect play is not known: ${why}.`;
+    const perfect = game ? `Value ${game.value.toFixed(2)} under perfect play.` : why && `Perfect play is not known: ${why}.`;
     this.#say(table(columns, taken), taken === null ? "The episode is over." : told, perfect);
   }
 
-  #say(bars: readonly HTMLElement[], ...notes: string[]): void {
-    this.#bars.replaceChildren(...bars);
-    this.#note.textContent = notes.filter(Boolean).join(" ");
+  #say(bars: readonly HTMLElement[], note: string, perfect = ""): void {
+    this.#bars.replaceChildren(html("p", { class: "small muted" }, perfect), ...bars);
+    this.#note.textContent = note;
   }
 }
 

@@ -40,7 +40,7 @@ export class MatchPanel {
   readonly #strip: EpisodeStrip;
   readonly #title = html("h2", { class: "match-title" });
   readonly #tally = html("p", { class: "tally numbers" });
-  readonly #words = html("ol", { class: "words", "aria-live": "off", "aria-label": "What happened in this step" });
+  readonly #words = html("ol", { class: "words", tabindex: 0, "aria-live": "off", "aria-label": "What happened in this step" });
   readonly #problem = html("p", { class: "problem", role: "alert" });
   #engine: Engine | null = null;
   #champions: Champions | null = null;

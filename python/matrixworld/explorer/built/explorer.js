@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a5b3016a8a4a441ffecdde1e217b29baa21d77814369ecab9464290b83c86f2d */
+/* built from web/ by "npm run build"; sources 8011a8f5718aca6599625d964e64fb920c0b11d7d6b9fc67188e50844f3091ca */
 "use strict";(()=>{var Sa=Object.create;var yr=Object.defineProperty;var Ma=Object.getOwnPropertyDescriptor;var Aa=Object.getOwnPropertyNames;var Ea=Object.getPrototypeOf,Ta=Object.prototype.hasOwnProperty;var Ca=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var ka=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Aa(e))!Ta.call(t,o)&&o!==n&&yr(t,o,{get:()=>e[o],enumerable:!(r=Ma(e,o))||r.enumerable});
 return t};var Ra=(t,e,n)=>(n=t!=null?Sa(Ea(t)):{},ka(e||!t||!t.__esModule?yr(n,"default",{value:t,enumerable:!0}):n,t));var Xs=Ca(ur=>{var Hs=Object.defineProperty,Wl=t=>Hs(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var n in e)Hs(t,n,{get:e[n],enumerable:!0})};Wl(ur);Hl(ur,{GIFEncoder:()=>Zs,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>nc,nearestColorIndex:()=>Ks,nearestColorIndexWithDistance:()=>Ys,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
@@ -414,13 +414,13 @@ over&&(a<r.actors[0]||a>=r.actors[1]);)r.playTurn(d);let c=!!(n.alive[e*n.n_agen
 `Field of view of ${G(a,n.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#c([],"It is gone.");let m=l[`${i}s`],
 h=typeof m=="string"?null:r.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},il),ul(h.memory));let f=this.#p?.
 game(r)??null,g=typeof m=="string"?`The script "${m}" plays for it${u===null?"":`; it goes ${ue[u]}`}.`:m.sampled?"Its action is drawn from these probabilities.":
-"It takes the most probable action.",b=[["its network",y],["perfect play",f?.marginal(a)??null]],x=We(n.config),v=f?`Value ${f.value.toFixed(2)}: the capture ra\
-te under perfect play.`:x&&`Perfect play is not known: ${x}.`;this.#c(ll(b,u),u===null?"The episode is over.":g,v)}#c(e,...n){this.#a.replaceChildren(...e),this.#r.
-textContent=n.filter(Boolean).join(" ")}};function ll(t,e){let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("span"),...n.map(
-([s])=>p("span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...n.flatMap(([,i])=>cl(i[a]))));
-return n.length>1||n[0][0]!==t[0][0]?[r,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"track"},e),p(
-"span",{class:"numbers"},t.toFixed(2))]}function ul(t){let e=Array.from(t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY(${n})`,r});return p(
-"div",{class:"units"},...e)}function Je(t,e,{pursuer:n,evader:r,episode:o,seed:s}){let a=e.seeds[n][r];return t.match(e.world,J(e,"pursuer",n),J(e,"evader",r),BigInt(s??a),o)}function os(t){let e=JSON.stringify(t,(n,r)=>n==="genome"?Array.from(r):r);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
+"It takes the most probable action.",b=[["its network",y],["perfect play",f?.marginal(a)??null]],x=We(n.config),v=f?`Value ${f.value.toFixed(2)} under perfect p\
+lay.`:x&&`Perfect play is not known: ${x}.`;this.#c(ll(b,u),u===null?"The episode is over.":g,v)}#c(e,n,r=""){this.#a.replaceChildren(p("p",{class:"small muted"},
+r),...e),this.#r.textContent=n}};function ll(t,e){let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("span"),...n.map(([s])=>p(
+"span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...n.flatMap(([,i])=>cl(i[a]))));return n.
+length>1||n[0][0]!==t[0][0]?[r,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"track"},e),p("span",{class:"\
+numbers"},t.toFixed(2))]}function ul(t){let e=Array.from(t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY(${n})`,r});return p("div",{
+class:"units"},...e)}function Je(t,e,{pursuer:n,evader:r,episode:o,seed:s}){let a=e.seeds[n][r];return t.match(e.world,J(e,"pursuer",n),J(e,"evader",r),BigInt(s??a),o)}function os(t){let e=JSON.stringify(t,(n,r)=>n==="genome"?Array.from(r):r);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
 outerHTML}var ss="champion",as=0,Qn=64,er=100;var dl=(t,e)=>Object.keys(t).every(n=>t[n]===e[n]);function is(t,e){return Object.keys(e).find(n=>dl(e[n],t))??null}var xt="_",pl="n",Kd=2n**64n-1n;var tr={fov:11,maxSteps:500,rewards:"paper"},ml=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function us(t,e){let n=i=>i.map(l=>fl(l,e)).join(""),r=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,o=hl(t.rewards,e),s=[t.seed,t.episode,t.steps].join("."),a={rules:cs(
 t.rules,e),others:t.others?cs(t.others,e):"",rewards:o===tr.rewards?"":o,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===tr.fov?"":String(t.fov),
@@ -451,31 +451,31 @@ n),l=new Set(i.flatMap(c=>c.doomed)),d=a.map(c=>({kind:"capture",text:`${s(c)} i
 end",text:Sl(t),agents:[]}),d}function xl({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
  steps`}function Sl(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
  evaders captured`}var Ml=60,on=class{element;player=new Me(0,{speed:Ke,still:ie()});inspector;match=null;recording=null;actions;#e;#n;#t;#r;#a=p("h2",{class:"match-title"});#s=p(
-"p",{class:"tally numbers"});#l=p("ol",{class:"words","aria-live":"off","aria-label":"What happened in this step"});#p=p("p",{class:"problem",role:"alert"});#u=null;#m=null;#d=0;#i=!1;#h=0;#c=[];constructor(e,n,r){
-[this.#n,this.#t]=[e,n];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),this.#r=new Xt(n),this.inspector=new Qt(s=>this.#x(s)),o.addEventListener(
-"click",s=>this.inspector.choose(this.#e.agentAt(s.clientX,s.clientY))),this.actions=p("div",{class:"beside"},p("button",{type:"button",class:"to-play",title:"M\
-ove the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.dispatchEvent(new Event("takeover"))},"Take over"),ds(()=>this.shown,
-r)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p("div",{class:"match"},p("header",{class:"match-head"},this.#a,this.#s),
-this.#p,p("div",{class:"stage"},o),p("div",{class:"aside"},this.#l,Zo(),this.actions,this.inspector.element),Ze(this.player),this.#r.element)),this.player.addEventListener(
-"frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener("step",()=>this.#w()),n.on("match",()=>this.#f()),n.on("\
-rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#n[this.#t.selected.run]}reveal(){this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){
-return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#u=e,this.#y()}playSoon(){this.#i=!0,this.#d||this.#g()}goTo(e){
-this.#h=e,!this.#d&&this.match&&this.#y()}#g(){!this.#i||!this.match||(this.#i=!1,this.player.jump(0),ie()||this.player.play())}#f(){this.#v(),clearTimeout(this.#d),
-this.#d=setTimeout(()=>this.#y(),Ml)}#y(){clearTimeout(this.#d),this.#d=0,this.player.pause(),this.#v();let{selected:e}=this.#t,n=Z.map(s=>Ce(this.#o,s,e[s])).find(
-Boolean)??"";if(this.#p.textContent=n,n||!this.#u)return;this.match=Je(this.#u,this.#o,e);let[r,o]=this.names(e);this.#m={pursuer:{name:r,policy:J(this.#o,"purs\
-uer",e.pursuer)},evader:{name:o,policy:J(this.#o,"evader",e.evader)}},this.recording=Jt(this.match),this.#r.show(this.#o,this.match),this.inspector.show(this.#u,
-this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=mo(this.recording),this.#c=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,
-this.#w(),this.#b(this.#u,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,n){let r=await en(
-e,n.config);if(this.match!==n||!r)return;let o=e.world(n.config);n.seek(o,0),this.#c=tn(r,o,Al(n)),o.free(),this.player.ticks=nn(this.#c),this.inspector.solution=
-r,this.#w()}names({run:e,pursuer:n,evader:r}){let{teams:o}=this.#n[e];return[o.pursuer.script??`pursuers ${n}`,o.evader.script??`evaders ${r}`]}#v(){let{episode:e,
-seed:n}=this.#t.selected,{payoff:r}=this.#o,[o,s]=this.names(this.#t.selected),a=n===null?e<r.episodes?`episode ${e+1} of ${r.episodes}`:`episode ${e+1}, not pa\
-rt of the cell`:`seed ${n}`;this.#a.replaceChildren(p("span",{class:"pursuer"},o)," against ",p("span",{class:"evader"},s),p("span",{class:"muted small"},a))}#w(){
-let e=this.match;if(!e||!this.recording)return;let n=this.player.step,r=this.recording.moments[n];this.#S(Array.from(r.everCaptured).filter(Boolean).length,n),this.#l.
-replaceChildren(...this.#c.filter(o=>o.step===n).map(o=>p("li",{class:`loss-${o.team}`},St(o))),...rn(e,this.recording,n).map(o=>p("li",{class:o.kind,"data-agen\
-ts":o.agents.join(" ")},o.text))),this.inspector.at(n),this.#M()}#S(e,n){this.#s.replaceChildren(p("strong",{},e),` of ${this.#o.world.n_evaders} captured`,p("s\
-pan",{class:"muted"},` · step ${n}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){let e=this.inspector.agent;for(let n of this.#l.children){
-let r=n.dataset.agents?.split(" ")??[];n.classList.toggle("about",e!==null&&r.includes(String(e)))}}},Al=({actions:t,length:e,n_agents:n})=>Array.from({length:e},
-(r,o)=>t.subarray(o*n,(o+1)*n));var El={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},Tl=5;function be(t,e,n,r="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
+"p",{class:"tally numbers"});#l=p("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#p=p("p",{class:"problem",role:"a\
+lert"});#u=null;#m=null;#d=0;#i=!1;#h=0;#c=[];constructor(e,n,r){[this.#n,this.#t]=[e,n];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),
+this.#r=new Xt(n),this.inspector=new Qt(s=>this.#x(s)),o.addEventListener("click",s=>this.inspector.choose(this.#e.agentAt(s.clientX,s.clientY))),this.actions=p(
+"div",{class:"beside"},p("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
+dispatchEvent(new Event("takeover"))},"Take over"),ds(()=>this.shown,r)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p("d\
+iv",{class:"match"},p("header",{class:"match-head"},this.#a,this.#s),this.#p,p("div",{class:"stage"},o),p("div",{class:"aside"},this.#l,Zo(),this.actions,this.inspector.
+element),Ze(this.player),this.#r.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener(
+"step",()=>this.#w()),n.on("match",()=>this.#f()),n.on("rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#n[this.#t.selected.run]}reveal(){
+this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#u=
+e,this.#y()}playSoon(){this.#i=!0,this.#d||this.#g()}goTo(e){this.#h=e,!this.#d&&this.match&&this.#y()}#g(){!this.#i||!this.match||(this.#i=!1,this.player.jump(
+0),ie()||this.player.play())}#f(){this.#v(),clearTimeout(this.#d),this.#d=setTimeout(()=>this.#y(),Ml)}#y(){clearTimeout(this.#d),this.#d=0,this.player.pause(),
+this.#v();let{selected:e}=this.#t,n=Z.map(s=>Ce(this.#o,s,e[s])).find(Boolean)??"";if(this.#p.textContent=n,n||!this.#u)return;this.match=Je(this.#u,this.#o,e);
+let[r,o]=this.names(e);this.#m={pursuer:{name:r,policy:J(this.#o,"pursuer",e.pursuer)},evader:{name:o,policy:J(this.#o,"evader",e.evader)}},this.recording=Jt(this.
+match),this.#r.show(this.#o,this.match),this.inspector.show(this.#u,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=mo(this.recording),
+this.#c=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,this.#w(),this.#b(this.#u,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
+ ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,n){let r=await en(e,n.config);if(this.match!==n||!r)return;let o=e.world(n.config);n.seek(o,0),this.#c=tn(r,o,Al(
+n)),o.free(),this.player.ticks=nn(this.#c),this.inspector.solution=r,this.#w()}names({run:e,pursuer:n,evader:r}){let{teams:o}=this.#n[e];return[o.pursuer.script??
+`pursuers ${n}`,o.evader.script??`evaders ${r}`]}#v(){let{episode:e,seed:n}=this.#t.selected,{payoff:r}=this.#o,[o,s]=this.names(this.#t.selected),a=n===null?e<
+r.episodes?`episode ${e+1} of ${r.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${n}`;this.#a.replaceChildren(p("span",{class:"pursuer"},o)," against ",
+p("span",{class:"evader"},s),p("span",{class:"muted small"},a))}#w(){let e=this.match;if(!e||!this.recording)return;let n=this.player.step,r=this.recording.moments[n];
+this.#S(Array.from(r.everCaptured).filter(Boolean).length,n),this.#l.replaceChildren(...this.#c.filter(o=>o.step===n).map(o=>p("li",{class:`loss-${o.team}`},St(
+o))),...rn(e,this.recording,n).map(o=>p("li",{class:o.kind,"data-agents":o.agents.join(" ")},o.text))),this.inspector.at(n),this.#M()}#S(e,n){this.#s.replaceChildren(
+p("strong",{},e),` of ${this.#o.world.n_evaders} captured`,p("span",{class:"muted"},` · step ${n}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){
+let e=this.inspector.agent;for(let n of this.#l.children){let r=n.dataset.agents?.split(" ")??[];n.classList.toggle("about",e!==null&&r.includes(String(e)))}}},
+Al=({actions:t,length:e,n_agents:n})=>Array.from({length:e},(r,o)=>t.subarray(o*n,(o+1)*n));var El={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},Tl=5;function be(t,e,n,r="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
 t.addEventListener("keydown",o=>{let s=El[o.key];if(!s)return;let[a,i]=r==="pursuer"?s:[s[1],s[0]],[l,d]=n(),c=o.shiftKey?Tl:1,{pursuer:u,evader:m}=e.selected;e.
 select({pursuer:vs(u+c*a,l),evader:vs(m+c*i,d)}),o.preventDefault(),o.stopPropagation()})}var vs=(t,e)=>Math.min(e-1,Math.max(0,t));var Cl=24,sn=7,xs=t=>t<Cl&&matchMedia("(pointer: coarse)").matches;function Ss(t,e,n,r){let[o,s]=t.payoff.shape,[a,i]=[ws(e,o),ws(n,s)],[l,d]=[Math.min(sn,o),Math.
 min(sn,s)],c=[];for(let y=a+l-1;y>=a;y--){c.push(p("span",{class:"pursuer"},y));for(let f=i;f<i+d;f++)c.push(kl(t,y,f,r))}let u=Array.from({length:d},(y,f)=>p("\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources a5b3016a8a4a441ffecdde1e217b29baa21d77814369ecab9464290b83c86f2d */
+/* built from web/ by "npm run build"; sources 8011a8f5718aca6599625d964e64fb920c0b11d7d6b9fc67188e50844f3091ca */
 "use strict";(()=>{var ar={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},ir={OCCUPATION:0,SURROUND:1},lr={FAULT:0,INVOLVED:1};var bt=["obstacle","teammate","adversary"],wt=["vertex","edge","chain"],ur=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xt=["p\
 ursuer_{number}","evader_{number}"],cr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Le={"both held":"both bounce","both doomed":"\
