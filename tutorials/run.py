@@ -68,6 +68,7 @@ def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.Note
             copy,
             kernel_name="python3",
             resources={"metadata": {"path": folder}},
+            startup_timeout=300,  # of a busy machine
             coalesce_streams=True,  # the prints of a cell in one piece
             **options,
         ).execute()

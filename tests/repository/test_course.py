@@ -27,6 +27,13 @@ def chapter(path: Path) -> int:
     return int(path.name[:2])
 
 
+def own(path: Path) -> dict[str, Exercise | Prediction]:
+    """Return what a notebook asks; two parts of a chapter share its exercises."""
+    text = "\n".join(source(cell) for cell in cells(TUTORIALS / f"{path.stem}.ipynb", "code"))
+    table = exercises(chapter(path))
+    return {name: table[name] for name in re.findall(r'(?:check|outcome)\("([\d.a-z]+)"', text)}
+
+
 def test_every_notebook_has_solutions() -> None:
     assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
 
@@ -66,7 +73,7 @@ def test_what_a_student_s_notebook_shows_gives_no_answer(path: Path) -> None:
     assert any("image/png" in o.get("data", {}) for cell in kept for o in cell["outputs"])
     text = " ".join(" ".join(map(printed, kept)).split())
     assert "image/gif" not in text
-    for each in exercises(chapter(path)).values():
+    for each in own(path).values():
         assert each.explanation not in text
         assert not isinstance(each, Exercise) or each.hints[-1] not in text
     assert not any(re.search(r"hidden = \{|do not look", source(cell)) for cell in code)
@@ -82,7 +89,7 @@ def test_a_teacher_s_copy_is_the_notebook_with_all_outputs(path: Path) -> None:
     assert "error" not in {output["output_type"] for output in outputs}
     pictures = [output["metadata"] for output in outputs if "image/png" in output.get("data", {})]
     assert all(len(metadata["image/png"]["alt"]) > 20 for metadata in pictures)
-    outcomes = [each for each in exercises(chapter(path)).values() if isinstance(each, Prediction)]
+    outcomes = [each for each in own(path).values() if isinstance(each, Prediction)]
     shown = " ".join(" ".join(map(printed, code)).split())
     assert all(each.explanation in shown for each in outcomes)
     assert shown.count("✓ As you predicted") == len(outcomes)
@@ -97,15 +104,14 @@ def test_notebooks_begin_alike() -> None:
     assert len({source(cells(path, "code")[0]) for path in NOTEBOOKS}) == 1
 
 
-@each_notebook
-def test_every_exercise_of_a_notebook_is_asked(path: Path) -> None:
-    code = [source(cell) for cell in cells(path, "code")]
-    text = "\n".join(code)
-    checked = re.findall(r'(?:check|outcome)\("([\d.a-z]+)"', text)
-    table = exercises(chapter(path))
-    assert checked == list(table)
+@pytest.mark.parametrize("number", range(1, 10))
+def test_every_exercise_of_a_chapter_is_asked(number: int) -> None:
+    parts = [own(path) for path in NOTEBOOKS if chapter(path) == number]
+    table = exercises(number)
+    assert [name for part in parts for name in part] == list(table)
     assert 3 <= sum(isinstance(each, Exercise) for each in table.values()) <= 5
-    assert any(isinstance(each, Prediction) for each in table.values())
+    for part in parts:
+        assert {type(each) for each in part.values()} == {Exercise, Prediction}
 
 
 @each_notebook
@@ -115,7 +121,7 @@ def test_predictions_are_made_before_their_experiments(path: Path) -> None:
     asked = [text for text in code if "predict(" in text]
     assert all(re.match(r'predict\("[\d.a-z]+", \.\.\.\).*\n+.', text) for text in asked)
     order = re.findall(r'(predict|outcome)\("([\d.a-z]+)"', "\n".join(code))
-    table = exercises(chapter(path))
+    table = own(path)
     names = [name for name, each in table.items() if isinstance(each, Prediction)]
     assert order == [(what, name) for name in names for what in ("predict", "outcome")]
 
@@ -131,7 +137,7 @@ def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(os.environ, "MATRIXWORLD_QUICK", "1")
     solved = runpy.run_path(str(path))
-    for name, exercise in exercises(chapter(path)).items():
+    for name, exercise in own(path).items():
         if isinstance(exercise, Exercise):
             reply = check(name, solved[f"exercise_{name.partition('.')[2]}"])
             assert reply.right is True, reply.text

@@ -1,4 +1,4 @@
-"""Make what notebook 6 keeps: races with six kinds of opponents, and halls of fame compared.
+"""Make what notebook 6b keeps: races with six kinds of opponents, and halls of fame compared.
 
     python tutorials/make/chapter_6.py        10 minutes on one core; can be interrupted
 

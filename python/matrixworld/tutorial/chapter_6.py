@@ -1,4 +1,4 @@
-"""Exercises of notebook 6, "Running in circles"."""
+"""Exercises of notebook 6, "Running in circles", and of its second part, 6b."""
 
 from __future__ import annotations
 
