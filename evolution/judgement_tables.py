@@ -82,7 +82,7 @@ RATE_HEADS = (
 )  # fmt: skip
 
 
-def _errors(rows: Sequence[Row], **wanted: str) -> list[str]:
+def errors_of(rows: Sequence[Row], **wanted: str) -> list[str]:
     """Return the cells below `RATE_HEADS`."""
     hits = totals(rows, truth="True", **wanted)
     alarms = totals(rows, truth="False", **wanted)
@@ -159,7 +159,8 @@ COVERAGE = (
 
 def _by(rows: Sequence[Row], *heads: str) -> str:
     found = [
-        [*key, *_errors(rows, **dict(zip(heads, key, strict=True)))] for key in _known(rows, *heads)
+        [*key, *errors_of(rows, **dict(zip(heads, key, strict=True)))]
+        for key in _known(rows, *heads)
     ]
     return table((*heads, *RATE_HEADS), found)
 
