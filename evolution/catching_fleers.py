@@ -11,8 +11,8 @@ Look at a row from left to right for the effect of team size, and at a column fr
 the effect of training. The interval is Student's t over training seeds. Scripts do not learn, and
 have none.
 
-``evolution/results/catching_fleers`` keeps the table. Not tried: a memory. The networks of the
-engine decide by what an agent sees in this step.
+``evolution/results/catching_fleers`` keeps the table. These networks decide by what an agent sees
+in this step; `memory.py` trains others.
 """
 
 from __future__ import annotations

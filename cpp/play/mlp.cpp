@@ -74,19 +74,22 @@ Mlp::Mlp(const Network& network, const Grid& grid)
 void Mlp::load(const float* genome) {
     for (Layer& layer : layers_) {
         for (int row = 0; row <= layer.n_in; ++row, genome += layer.n_out) {
-            layer.load(genome, layer.weights[row]);
+            if (layer.n_gates) {
+                layer.load_gates(genome, layer.weights[row]);
+            } else {
+                std::copy_n(genome, layer.n_out, layer.weights[row]);
+            }
         }
     }
     sum_border();
 }
 
 // The columns of kPad units of a gate lie beside those of its other gates (see Kernels::remember).
-void Mlp::Layer::load(const float* genome, float* row) const {
-    const int gates = std::max(n_gates, 1);
-    for (int gate = 0; gate < gates; ++gate, genome += n_units()) {
+void Mlp::Layer::load_gates(const float* genome, float* row) const {
+    for (int gate = 0; gate < n_gates; ++gate, genome += n_units()) {
         for (int unit = 0; unit < n_units(); unit += kPad) {
             const int n = std::min(kPad, n_units() - unit);
-            std::copy_n(genome + unit, n, row + unit * gates + gate * kPad);
+            std::copy_n(genome + unit, n, row + unit * n_gates + gate * kPad);
         }
     }
 }

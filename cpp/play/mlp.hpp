@@ -123,7 +123,7 @@ class Mlp {
         Rows weights;  // (n_in, n_out), padded, and then the bias
 
         int n_units() const { return n_gates ? n_out / n_gates : n_out; }
-        void load(const float* genome, float* row) const;
+        void load_gates(const float* genome, float* row) const;
 
         int width() const { return weights.width(); }
         const float* bias() const { return weights[n_in]; }

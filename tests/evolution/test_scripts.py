@@ -12,6 +12,7 @@ import deap_example
 import evolve_held_out
 import generalization
 import matrixworld as mw
+import memory
 import safe_coevolution
 from evolution_scripts import DOCS, read, rows, run_quickly, run_script
 from matrixworld import coevolution
@@ -199,6 +200,36 @@ def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(tmp_path
     ]
     assert float(table["chaser"][-1]) == pytest.approx(np.mean(episodes), abs=0.005)
     assert run_quickly("catching_fleers", tmp_path) == told
+
+
+@pytest.mark.slow
+def test_memory_prints_both_tables_again(tmp_path: Path) -> None:
+    told = run_quickly("memory", tmp_path)
+    assert "| the best without memory, exactly | 0.617 | |" in told
+    assert [row[0] for row in rows(told)[-3:]] == [
+        f"trained, {each}" for each in ("no memory", "elman", "gru")
+    ]
+    assert run_quickly("memory", tmp_path) == told
+
+
+def test_the_corridor_without_memory_is_what_is_played_there() -> None:
+    """A pursuer that goes east with some probability, and turns at the ends."""
+    policy, rng = np.array([0.7, 0.9, 1.0]), np.random.default_rng(1)
+
+    def choose(views: np.ndarray) -> np.ndarray:
+        east = np.full(len(views), policy[0])
+        seen = views[:, :, 1]  # channels, and the cells west and east
+        east[seen[:, 2, 0] == 1] = policy[1]
+        east[seen[:, 2, 2] == 1] = 1 - policy[2]
+        east[seen[:, 0, 0] == 1] = 0.0
+        east[seen[:, 0, 2] == 1] = 1.0
+        moves = rng.random(len(views)) < east
+        return np.where(moves, mw.Action.EAST, mw.Action.WEST)
+
+    world = coevolution.RaceSettings.of(memory.CORRIDOR).world
+    played = mw.score_policy(choose, "pursuer", world, opponents={"still": "still"}, episodes=400)
+    # Three deviations of 400 episodes.
+    assert played.mean().value == pytest.approx(memory.capture_rate(policy), abs=0.075)
 
 
 def test_the_difficulty_of_opponents_is_what_the_page_says() -> None:
