@@ -167,7 +167,8 @@ export class PlayView {
     this.#solution = null;
     this.#losses = this.player.ticks = [];
     const why = whyNotSolved(live.config);
-    this.#best.disabled = Boolean(why);
+    this.#best.hidden = this.#best.disabled = Boolean(why);
+    this.#whyNot.className = why ? "small muted" : "";
     this.#whyNot.textContent = why ? `No best move: ${why}` : "Best move";
     void solved(this.#engine, live.config, scoreOf(live.config)).then((solution) => {
       if (this.#live !== live) return;
@@ -254,7 +255,7 @@ export class PlayView {
     if (!live || step > live.length) return;
     const about = wordsOf(live, live.recording, step).filter(({ agents }) => seat === null || agents.includes(seat));
     const sentences = [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
-    if (this.#game && step === 0) sentences.push(this.#game.about ? `Each opponent: ${this.#game.about}` : "", goal(live.config, seat!));
+    if (this.#game && step === 0) sentences.push(this.#game.about ?? "", goal(live.config, seat!));
     else if (seat !== null) sentences.push(nearest(live, step, seat));
     sentences.push(...this.#losses.filter((loss) => loss.step === step).map(lossText));
     const perfect = step === live.length && seat !== null ? this.#perfect : null;

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8011a8f5718aca6599625d964e64fb920c0b11d7d6b9fc67188e50844f3091ca */
+/* built from web/ by "npm run build"; sources 791b762e1a813a170c4a7faf25359d4d07f6494c63e26676a90b0243cba2c28c */
 "use strict";(()=>{var Sa=Object.create;var yr=Object.defineProperty;var Ma=Object.getOwnPropertyDescriptor;var Aa=Object.getOwnPropertyNames;var Ea=Object.getPrototypeOf,Ta=Object.prototype.hasOwnProperty;var Ca=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var ka=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Aa(e))!Ta.call(t,o)&&o!==n&&yr(t,o,{get:()=>e[o],enumerable:!(r=Ma(e,o))||r.enumerable});
 return t};var Ra=(t,e,n)=>(n=t!=null?Sa(Ea(t)):{},ka(e||!t||!t.__esModule?yr(n,"default",{value:t,enumerable:!0}):n,t));var Xs=Ca(ur=>{var Hs=Object.defineProperty,Wl=t=>Hs(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var n in e)Hs(t,n,{get:e[n],enumerable:!0})};Wl(ur);Hl(ur,{GIFEncoder:()=>Zs,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>nc,nearestColorIndex:()=>Ks,nearestColorIndexWithDistance:()=>Ys,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
@@ -304,7 +304,7 @@ cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Ho(t,e
 0&&r<t.rows&&o>=0&&o<t.cols?[r,o]:null}var ji={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function qe(t){let e=getComputedStyle(t),n=Object.entries(ji).map(([r,o])=>[r,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(n)}var ie=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Se=class{canvas;#e=null;#n=0;#t;#r={rows:1,cols:1,left:0,top:0,cell:1};#a=0;#s;#l;constructor(e,n={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...Ht,...n},this.#s=new ResizeObserver(()=>this.#u()),this.#s.observe(e),this.#l=new MutationObserver(
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...Ht,...n},this.#s=new ResizeObserver(()=>this.#c()),this.#s.observe(e),this.#l=new MutationObserver(
 ()=>this.redraw()),this.#l.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#s.disconnect(),this.#l.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#a)}get look(){
 return this.#t}set look(e){this.#t={...this.#t,...e},this.#p(),this.redraw()}show(e,n){this.#e=e,this.#n=Math.min(Math.max(0,n),e.moments.length-1),this.#p(),this.
@@ -314,7 +314,7 @@ colors:qe(this.canvas)};jt(s,this.#e,this.#n,this.#t,o)}cellAt(e,n){let r=this.c
 left)*o,(n-r.top)*o)}agentAt(e,n){let r=this.cellAt(e,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#n)],s=ft(this.#e,o).get(r[0]*this.#e.
 cols+r[1])??[],a=Dt(this.#e,Math.round(this.#n)),i=l=>{let[d,c]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-e,c-n)};return s.length?s.reduce((l,d)=>i(d)<i(l)?
 d:l):null}pointOf(e,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#r;return[r.left+(s+e*i)*o,r.top+(a+n*i)*
-o]}#p(){if(!this.#e)return;let{rows:e,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(yt(e,n)))}#u(){let e=devicePixelRatio||1,{width:n,height:r}=this.
+o]}#p(){if(!this.#e)return;let{rows:e,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(yt(e,n)))}#c(){let e=devicePixelRatio||1,{width:n,height:r}=this.
 canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*e)),this.canvas.height=Math.max(1,Math.round(r*e)),this.drawNow()}};var Gi=12e3;function jo(t,e,n){let r=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>u(
 d-1,!1)},"Back"),a=p("button",{type:"button",onclick:()=>u(d+1,!1)}),i=p("section",{class:"guided card","aria-label":"A guided minute"},o,p("div",{},s,a,p("butt\
 on",{type:"button",onclick:()=>m()},"Skip"))),l=p("button",{type:"button",class:"begin-minute",onclick:()=>u(0,!ie())},"A guided minute"),[d,c]=[-1,0];function u(g,b){
@@ -323,16 +323,16 @@ textContent=g===r().length-1?"End":"Next",i.hidden=!1,e.select({pursuer:x.pursue
 scrollIntoView({block:"nearest"}):x.shows==="checkerboard"?h():(n.reveal(),n.playSoon()),b&&(c=setTimeout(()=>u(g+1,!0),Gi))}function m(){clearTimeout(c),d=-1,i.
 hidden=!0,l.focus()}function h(){document.querySelector(".miniature")?.click();let g=document.querySelector("dialog.four[open]");g?.append(i),g?.addEventListener(
 "close",()=>document.body.append(i),{once:!0})}let y=()=>document.querySelector("dialog.four[open]")?.close(),f=()=>{l.hidden=!r().length,i.hidden||m()};return e.
-on("run",f),i.addEventListener("keydown",g=>{g.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var gt=[.5,1,2,4,8,16,32,64],Ke=0,Vt=12,Vi=2,Me=class extends EventTarget{#e;#n;#t;#r=0;#a=0;#s=!1;#l=null;#p=0;#u=[];#m=[];glide=.28;constructor(e,n={}){super(),
+on("run",f),i.addEventListener("keydown",g=>{g.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var gt=[.5,1,2,4,8,16,32,64],Ke=0,Vt=12,Vi=2,Me=class extends EventTarget{#e;#n;#t;#r=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,n={}){super(),
 this.#e=e,this.#n=n.speed??4,this.#t=n.still??!1}get step(){return this.#r}get time(){return this.#t?this.#r:this.#a}get arrived(){return this.#a===this.#r}get playing(){
-return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#r>e&&this.jump(e),this.#o("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#o(
+return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#r>e&&this.jump(e),this.#o("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#o(
 "state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#n||Math.max(Vi,this.#e/Vt)}get speed(){return this.#n}set speed(e){
 this.#n=e,this.#o("state")}changeSpeed(e){let n=gt.findIndex(r=>r>=this.pace);this.speed=gt[Math.min(gt.length-1,Math.max(0,n+e))]}play(){this.#s||!this.#e||(this.#r===
 this.#e&&this.jump(0),this.#s=!0,this.#o("state"),this.#i())}pause(){this.#s&&(this.#s=!1,this.#o("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
 pause();let n=Math.min(this.#e,Math.max(0,this.#r+e));Math.abs(n-this.#a)>1?this.jump(n):this.#d(n),this.#i()}jump(e){this.#a=Math.min(this.#e,Math.max(0,Math.round(
 e))),this.#d(this.#a),this.#o("frame")}#d(e){e!==this.#r&&(this.#r=e,this.#o("step"),this.#t&&this.#o("frame"))}#i(){this.#l===null&&(this.#p=performance.now(),
-this.#l=requestAnimationFrame(()=>this.#h()))}#h(){this.#l=null;let e=performance.now();this.#c(Math.min(.25,(e-this.#p)/1e3)),this.#p=e,(!this.#t||this.arrived)&&
-this.#o("frame"),(this.#s||this.#a!==this.#r)&&(this.#l=requestAnimationFrame(()=>this.#h()))}#c(e){let n=e;for(;n>0;){if(this.#a===this.#r){if(!this.#s)return;
+this.#l=requestAnimationFrame(()=>this.#h()))}#h(){this.#l=null;let e=performance.now();this.#u(Math.min(.25,(e-this.#p)/1e3)),this.#p=e,(!this.#t||this.arrived)&&
+this.#o("frame"),(this.#s||this.#a!==this.#r)&&(this.#l=requestAnimationFrame(()=>this.#h()))}#u(e){let n=e;for(;n>0;){if(this.#a===this.#r){if(!this.#s)return;
 if(this.#r===this.#e)return this.pause();this.#d(this.#r+1)}let r=this.#s?this.pace:1/this.glide,o=this.#r-this.#a,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#a=s===
 Math.abs(o)?this.#r:this.#a+Math.sign(o)*s}this.#s&&this.#a===this.#e&&this.pause()}#o(e){this.dispatchEvent(new Event(e))}};function Ae(t,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let n=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(n),ArrowLeft:()=>t.move(-n),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
@@ -402,20 +402,20 @@ round(100*e)}%`,p("button",{type:"button",class:"episode",title:`Episode ${n+1}:
 i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let c=0;n&&c<i*i;c++){let[u,m]=[(c%i+.5)*l,(Math.floor(c/i)+.5)*l],h=f=>!!n[f*i*i+c];h(sl)&&(a.fillStyle=
 s.obstacle,a.fillRect(u-l/2,m-l/2,l,l));let y=h(es)&&h(ts)?l*.18:0;h(es)&&ns(a,Re,u+y,m+y,l*.74,s.evader),h(ts)&&ns(a,Wt,u-y,m-y,l*.86,s.pursuer)}a.strokeStyle=
 r<e.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let d=Math.floor(i/2)*l;a.strokeRect(d,d,l,l)}function ns(t,e,n,r,o,s){e(t,n,r,o),t.fillStyle=s,t.fill()}var il="What it remembers: a number for each unit, from -1 to 1.",Qt=class{element;#e;#n=p("canvas",{class:"seen",role:"img"});#t=p("h3");#r=p("p",{class:"small\
- muted"});#a=p("div",{class:"answers"});#s=p("div",{class:"memory"});#l=null;#p=null;#u=null;#m=null;#d=null;#i=null;#h=0;constructor(e){this.#e=e,this.element=
+ muted"});#a=p("div",{class:"answers"});#s=p("div",{class:"memory"});#l=null;#p=null;#c=null;#m=null;#d=null;#i=null;#h=0;constructor(e){this.#e=e,this.element=
 p("div",{class:"inspector","data-open":"false"},p("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),p("d\
 iv",{class:"inspected"},this.#n,p("div",{class:"answer"},this.#t,this.#r),this.#a,this.#s))}get agent(){return this.#i}show(e,n,r,o){this.#l?.free(),this.#l=e.world(
-n.world),this.#u!==n&&(this.#p=null,this.#i!==null&&this.choose(null)),[this.#u,this.#m,this.#d]=[n,r,o]}set solution(e){this.#p=e,this.at(this.#h)}choose(e){this.#i=
+n.world),this.#c!==n&&(this.#p=null,this.#i!==null&&this.choose(null)),[this.#c,this.#m,this.#d]=[n,r,o]}set solution(e){this.#p=e,this.at(this.#h)}choose(e){this.#i=
 e,this.element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let n=this.#m;if(!n)return;let r=this.#i??(e>0?-1:0);for(let o=0;o<n.n_agents;o++)
-if(r=(r+e+n.n_agents)%n.n_agents,n.alive[this.#h*n.n_agents+r])return this.choose(r)}at(e){this.#h=e;let[n,r,o,s,a]=[this.#m,this.#l,this.#u,this.#d,this.#i];if(!n||
+if(r=(r+e+n.n_agents)%n.n_agents,n.alive[this.#h*n.n_agents+r])return this.choose(r)}at(e){this.#h=e;let[n,r,o,s,a]=[this.#m,this.#l,this.#c,this.#d,this.#i];if(!n||
 !r||!o||!s||a===null)return;let i=a<n.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(),this.#t.replaceChildren(p("span",{class:i},G(a,n.config.n_pursuers)));
 let l={pursuers:J(o,"pursuer",s.pursuer),evaders:J(o,"evader",s.evader)};n.seek(r,e,l);let d=n.actions.subarray(e*n.n_agents,(e+1)*n.n_agents);for(;d.length&&!r.
 over&&(a<r.actors[0]||a>=r.actors[1]);)r.playTurn(d);let c=!!(n.alive[e*n.n_agents+a]&&r.read("alive")[a]);rs(this.#n,n.config,c?r.view(a):null,a),this.#n.ariaLabel=
-`Field of view of ${G(a,n.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#c([],"It is gone.");let m=l[`${i}s`],
+`Field of view of ${G(a,n.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#u([],"It is gone.");let m=l[`${i}s`],
 h=typeof m=="string"?null:r.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},il),ul(h.memory));let f=this.#p?.
 game(r)??null,g=typeof m=="string"?`The script "${m}" plays for it${u===null?"":`; it goes ${ue[u]}`}.`:m.sampled?"Its action is drawn from these probabilities.":
 "It takes the most probable action.",b=[["its network",y],["perfect play",f?.marginal(a)??null]],x=We(n.config),v=f?`Value ${f.value.toFixed(2)} under perfect p\
-lay.`:x&&`Perfect play is not known: ${x}.`;this.#c(ll(b,u),u===null?"The episode is over.":g,v)}#c(e,n,r=""){this.#a.replaceChildren(p("p",{class:"small muted"},
+lay.`:x&&`Perfect play is not known: ${x}.`;this.#u(ll(b,u),u===null?"The episode is over.":g,v)}#u(e,n,r=""){this.#a.replaceChildren(p("p",{class:"small muted"},
 r),...e),this.#r.textContent=n}};function ll(t,e){let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("span"),...n.map(([s])=>p(
 "span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...n.flatMap(([,i])=>cl(i[a]))));return n.
 length>1||n[0][0]!==t[0][0]?[r,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"track"},e),p("span",{class:"\
@@ -452,26 +452,26 @@ end",text:Sl(t),agents:[]}),d}function xl({config:t}){return`${t.n_pursuers} pur
  steps`}function Sl(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
  evaders captured`}var Ml=60,on=class{element;player=new Me(0,{speed:Ke,still:ie()});inspector;match=null;recording=null;actions;#e;#n;#t;#r;#a=p("h2",{class:"match-title"});#s=p(
 "p",{class:"tally numbers"});#l=p("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#p=p("p",{class:"problem",role:"a\
-lert"});#u=null;#m=null;#d=0;#i=!1;#h=0;#c=[];constructor(e,n,r){[this.#n,this.#t]=[e,n];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),
+lert"});#c=null;#m=null;#d=0;#i=!1;#h=0;#u=[];constructor(e,n,r){[this.#n,this.#t]=[e,n];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),
 this.#r=new Xt(n),this.inspector=new Qt(s=>this.#x(s)),o.addEventListener("click",s=>this.inspector.choose(this.#e.agentAt(s.clientX,s.clientY))),this.actions=p(
 "div",{class:"beside"},p("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
 dispatchEvent(new Event("takeover"))},"Take over"),ds(()=>this.shown,r)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p("d\
 iv",{class:"match"},p("header",{class:"match-head"},this.#a,this.#s),this.#p,p("div",{class:"stage"},o),p("div",{class:"aside"},this.#l,Zo(),this.actions,this.inspector.
 element),Ze(this.player),this.#r.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener(
 "step",()=>this.#w()),n.on("match",()=>this.#f()),n.on("rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#n[this.#t.selected.run]}reveal(){
-this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#u=
+this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#c=
 e,this.#y()}playSoon(){this.#i=!0,this.#d||this.#g()}goTo(e){this.#h=e,!this.#d&&this.match&&this.#y()}#g(){!this.#i||!this.match||(this.#i=!1,this.player.jump(
 0),ie()||this.player.play())}#f(){this.#v(),clearTimeout(this.#d),this.#d=setTimeout(()=>this.#y(),Ml)}#y(){clearTimeout(this.#d),this.#d=0,this.player.pause(),
-this.#v();let{selected:e}=this.#t,n=Z.map(s=>Ce(this.#o,s,e[s])).find(Boolean)??"";if(this.#p.textContent=n,n||!this.#u)return;this.match=Je(this.#u,this.#o,e);
+this.#v();let{selected:e}=this.#t,n=Z.map(s=>Ce(this.#o,s,e[s])).find(Boolean)??"";if(this.#p.textContent=n,n||!this.#c)return;this.match=Je(this.#c,this.#o,e);
 let[r,o]=this.names(e);this.#m={pursuer:{name:r,policy:J(this.#o,"pursuer",e.pursuer)},evader:{name:o,policy:J(this.#o,"evader",e.evader)}},this.recording=Jt(this.
-match),this.#r.show(this.#o,this.match),this.inspector.show(this.#u,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=mo(this.recording),
-this.#c=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,this.#w(),this.#b(this.#u,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
- ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,n){let r=await en(e,n.config);if(this.match!==n||!r)return;let o=e.world(n.config);n.seek(o,0),this.#c=tn(r,o,Al(
-n)),o.free(),this.player.ticks=nn(this.#c),this.inspector.solution=r,this.#w()}names({run:e,pursuer:n,evader:r}){let{teams:o}=this.#n[e];return[o.pursuer.script??
+match),this.#r.show(this.#o,this.match),this.inspector.show(this.#c,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=mo(this.recording),
+this.#u=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,this.#w(),this.#b(this.#c,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
+ ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,n){let r=await en(e,n.config);if(this.match!==n||!r)return;let o=e.world(n.config);n.seek(o,0),this.#u=tn(r,o,Al(
+n)),o.free(),this.player.ticks=nn(this.#u),this.inspector.solution=r,this.#w()}names({run:e,pursuer:n,evader:r}){let{teams:o}=this.#n[e];return[o.pursuer.script??
 `pursuers ${n}`,o.evader.script??`evaders ${r}`]}#v(){let{episode:e,seed:n}=this.#t.selected,{payoff:r}=this.#o,[o,s]=this.names(this.#t.selected),a=n===null?e<
 r.episodes?`episode ${e+1} of ${r.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${n}`;this.#a.replaceChildren(p("span",{class:"pursuer"},o)," against ",
 p("span",{class:"evader"},s),p("span",{class:"muted small"},a))}#w(){let e=this.match;if(!e||!this.recording)return;let n=this.player.step,r=this.recording.moments[n];
-this.#S(Array.from(r.everCaptured).filter(Boolean).length,n),this.#l.replaceChildren(...this.#c.filter(o=>o.step===n).map(o=>p("li",{class:`loss-${o.team}`},St(
+this.#S(Array.from(r.everCaptured).filter(Boolean).length,n),this.#l.replaceChildren(...this.#u.filter(o=>o.step===n).map(o=>p("li",{class:`loss-${o.team}`},St(
 o))),...rn(e,this.recording,n).map(o=>p("li",{class:o.kind,"data-agents":o.agents.join(" ")},o.text))),this.inspector.at(n),this.#M()}#S(e,n){this.#s.replaceChildren(
 p("strong",{},e),` of ${this.#o.world.n_evaders} captured`,p("span",{class:"muted"},` · step ${n}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){
 let e=this.inspector.agent;for(let n of this.#l.children){let r=n.dataset.agents?.split(" ")??[];n.classList.toggle("about",e!==null&&r.includes(String(e)))}}},
@@ -483,9 +483,9 @@ span",{class:"evader"},i+f)),m=p("button",{type:"button","aria-label":"Close: al
 p","aria-label":"Cells around the tap"},...c,m,...u);return h.style.gridTemplateColumns=`2.4rem repeat(${d}, minmax(0, 1fr))`,h.addEventListener("click",y=>y.stopPropagation()),
 h}function kl(t,e,n,r){let o=He(t,e,n)?.rate,s=p("button",{type:"button","aria-label":`${B(o)}: pursuers ${e} against evaders ${n}`,onclick:()=>r({pursuer:e,evader:n})},
 B(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Kt(o),qt(o)]),s}var ws=(t,e)=>Math.max(0,Math.min(e-sn,t-Math.floor(sn/2)));var se={left:52,bottom:46,top:76,right:84},de=10,Rl=160,Mt=se.right-de-14,_e=se.top-de-14,an=class{element;#e;#n;#t=p("canvas",{"aria-hidden":"true"});#r=M("svg",
-{"aria-hidden":"true"});#a=M("g");#s;#l=p("h2");#p=p("strong",{class:"rate numbers"});#u=p("span",{class:"small muted"});#m=p("p",{class:"of-both-teams small mu\
+{"aria-hidden":"true"});#a=M("g");#s;#l=p("h2");#p=p("strong",{class:"rate numbers"});#c=p("span",{class:"small muted"});#m=p("p",{class:"of-both-teams small mu\
 ted numbers"});#d=null;constructor(e,n){[this.#n,this.#e]=[e,n],this.#s=p("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
-ch, Enter plays it."},this.#t,this.#r);let r=p("header",{class:"readout","aria-live":"polite"},p("div",{},this.#l,this.#m),p("div",{class:"of-cell"},this.#p,this.#u));
+ch, Enter plays it."},this.#t,this.#r);let r=p("header",{class:"readout","aria-live":"polite"},p("div",{},this.#l,this.#m),p("div",{class:"of-cell"},this.#p,this.#c));
 this.element=p("section",{class:"card matrix-card","aria-label":"Payoff matrix"},r,this.#s,Zt("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).
 observe(this.#s),this.#s.addEventListener("pointermove",o=>this.#v(o)),this.#s.addEventListener("pointerleave",()=>n.point({})),this.#s.addEventListener("click",
 o=>this.#w(o)),this.#s.addEventListener("mousedown",o=>{o.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),be(this.#s,
@@ -493,7 +493,7 @@ n,()=>this.#i.payoff.shape),this.#s.addEventListener("keydown",o=>{o.key==="Ente
 r",()=>this.#g())}get#i(){return this.#n[this.#e.selected.run]}#h(){let[e,n]=this.#i.payoff.shape,{clientWidth:r,clientHeight:o}=this.#s;if(r<50)return;let a=Math.
 max(Rl,Math.min(r-se.left-se.right,o-se.top-se.bottom))/Math.max(e,n),i=Math.max(se.left,(r-n*a-se.right+se.left)/2),l=se.top+Math.max(0,(o-se.top-se.bottom-e*a)/
 2),d={width:r,height:o,left:i,top:l,cell:a,rows:e,columns:n};this.#d=d,Yt(this.#t,this.#i.payoff,{left:i,top:l,width:n*a,height:e*a}),this.#r.setAttribute("view\
-Box",`0 0 ${r} ${o}`),this.#r.replaceChildren(_l(d),...$l(d),...this.#o(d),this.#a),this.#g()}#c(e){let n=this.#i.findings?.generalization;if(!n)return[];let{selected:r,
+Box",`0 0 ${r} ${o}`),this.#r.replaceChildren(_l(d),...$l(d),...this.#o(d),this.#a),this.#g()}#u(e){let n=this.#i.findings?.generalization;if(!n)return[];let{selected:r,
 hover:o}=this.#e,[s,a]=[o.pursuer??r.pursuer,o.evader??r.evader],[i,l]=Ms(e,n.pursuers.mean[s]??0,s),[d,c]=As(e,n.evaders.mean[a]??0,a);return[M("circle",{class:"\
 dot of-pursuers",cx:i,cy:l,r:5}),M("circle",{class:"dot of-evaders",cx:d,cy:c,r:5})]}#o(e){let n=this.#i.findings?.generalization;if(!n)return[];let{left:r,top:o,
 cell:s,rows:a,columns:i}=e,[l,d]=[r+i*s+de,o-de],c={class:"side"};return[M("rect",{...c,x:l,y:o,width:Mt,height:a*s}),M("rect",{...c,x:r,y:d-_e,width:i*s,height:_e}),
@@ -503,9 +503,9 @@ _e+8,"text-anchor":"end"},"1"),M("text",{class:"label of-pursuers",x:l+Mt,y:o+a*
 de,y:d-_e+10,"text-anchor":"start"},"escapes")]}#g(){let e=this.#d;if(!e)return;let{selected:n,hover:r}=this.#e,{left:o,top:s,cell:a,rows:i,columns:l}=e,d=y=>s+
 (i-1-y)*a,c=[],u=(y,f)=>M("rect",{class:f,x:o,y:d(y),width:l*a+de+Mt,height:a}),m=(y,f)=>M("rect",{class:f,x:o+y*a,y:s-de-_e,width:a,height:de+_e+i*a});c.push(u(
 n.pursuer,"strip pursuer"),m(n.evader,"strip evader")),r.pursuer!==null&&r.pursuer<i&&c.push(u(r.pursuer,"strip hover")),r.evader!==null&&r.evader<l&&c.push(m(r.
-evader,"strip hover")),c.push(...this.#c(e));let h={x:o+n.evader*a,y:d(n.pursuer),width:a,height:a};c.push(M("rect",{class:"chosen under",...h}),M("rect",{class:"\
+evader,"strip hover")),c.push(...this.#u(e));let h={x:o+n.evader*a,y:d(n.pursuer),width:a,height:a};c.push(M("rect",{class:"chosen under",...h}),M("rect",{class:"\
 chosen",...h})),this.#a.replaceChildren(...c),this.#f()}#f(){let{selected:e,hover:n}=this.#e,r=n.pursuer??e.pursuer,o=n.evader??e.evader,s=He(this.#i,r,o);this.#l.
-replaceChildren(p("span",{class:"pursuer"},`Pursuers ${r}`)," against ",p("span",{class:"evader"},`evaders ${o}`)),this.#p.textContent=s?B(s.rate,3):"-",this.#u.
+replaceChildren(p("span",{class:"pursuer"},`Pursuers ${r}`)," against ",p("span",{class:"evader"},`evaders ${o}`)),this.#p.textContent=s?B(s.rate,3):"-",this.#c.
 textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"the evaluation played no episodes",this.#m.textContent=this.#y(r,o)}#y(e,n){let r=this.#i.findings?.
 generalization;if(!r)return"";let o=(s,a)=>Xo(s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(r.pursuers,e)}, escapes ${o(r.evaders,
 n)}`}#b(e){let n=this.#d;if(!n)return null;let r=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-r.left-n.left)/n.cell),s=n.rows-1-Math.floor((e.clientY-
@@ -652,47 +652,47 @@ return ya({format:x(wc),n_pursuers:b(r.n_pursuers),config:x(JSON.stringify(r)),s
 ...v]))},map:{dtype:"|b1",shape:[r.rows,r.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[y.length/11,11],data:Int32Array.from(
 y)}})}var xc=[0,1,2,4,8],gn=class{element;player=new Me(0,{speed:4,still:ie()});#e;#n;#t=p("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=p("h2");#a=p("p",{
 class:"play-told",role:"status"});#s=ua(e=>this.act(e));#l=p("select",{},...xc.map(e=>p("option",{value:e},e?`${e} / s`:"step by step")));#p=p("input",{type:"ch\
-eckbox"});#u=p("input",{type:"checkbox"});#m=p("span");#d=p("p",{class:"small muted play-keys",id:"play-keys"});#i=p("section",{class:"play-ending",tabindex:-1,
-"aria-labelledby":"play-headline"});#h=Ze(this.player);#c=null;#o=null;#g=[];#f=null;#y=null;#b=[];#v=0;#w=0;constructor(e){this.#e=e,this.#n=new Se(this.#t,{numbers:!1}),
-this.#t.setAttribute("role","application"),this.#l.addEventListener("change",()=>this.#A()),this.#p.addEventListener("change",()=>this.#x()),this.#u.addEventListener(
+eckbox"});#c=p("input",{type:"checkbox"});#m=p("span");#d=p("p",{class:"small muted play-keys",id:"play-keys"});#i=p("section",{class:"play-ending",tabindex:-1,
+"aria-labelledby":"play-headline"});#h=Ze(this.player);#u=null;#o=null;#g=[];#f=null;#y=null;#b=[];#v=0;#w=0;constructor(e){this.#e=e,this.#n=new Se(this.#t,{numbers:!1}),
+this.#t.setAttribute("role","application"),this.#l.addEventListener("change",()=>this.#A()),this.#p.addEventListener("change",()=>this.#x()),this.#c.addEventListener(
 "change",()=>this.#E()),da(this.#n,()=>{let n=this.#f!==null&&this.#o&&L(this.#o.recording.moments.at(-1),this.#f);return n?{cell:n,diagonal:this.#o.config.diagonal}:
 null},n=>this.act(n)),this.player.addEventListener("frame",()=>this.#o&&this.#n.show(this.#o.recording,this.player.time)),this.player.addEventListener("step",()=>this.#E()),
 this.element=p("div",{class:"play"},p("header",{class:"play-head"},this.#r,this.#a),p("div",{class:"play-stage"},this.#t),p("div",{class:"play-side"},this.#i,this.#s.
 element,p("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#l),p("label",{class:"play-choice"},this.#p,p("span",{},"Fog",p("span",{class:"at-le\
-ngth"},": see only what it sees"))),p("label",{class:"play-choice"},this.#u,this.#m),this.#d),this.#h)}get played(){return this.#c&&{...this.#c.played,moves:this.#g}}get live(){
-return this.#o}play(e){this.#S(pr(this.#e,e.played),e.played.seat,e.title),[this.#c,this.#g,this.#v]=[e,[...e.played.moves],0],this.element.dataset.state="playi\
-ng",this.#t.focus({preventScroll:!0}),yn(this.#o,e.played.seat)&&this.#R()}watch(e,n,r){this.#c=null,this.#S(e,n,r),this.#_()}stop(){this.#A(),this.player.pause(),
-this.#c=null}act(e){let[n,r]=[this.#c,this.#o];if(!n||!r||this.element.dataset.state!=="playing")return;this.#v=e;let o=Number(this.#l.value);this.#w||(this.#k(),
+ngth"},": see only what it sees"))),p("label",{class:"play-choice"},this.#c,this.#m),this.#d),this.#h)}get played(){return this.#u&&{...this.#u.played,moves:this.#g}}get live(){
+return this.#o}play(e){this.#S(pr(this.#e,e.played),e.played.seat,e.title),[this.#u,this.#g,this.#v]=[e,[...e.played.moves],0],this.element.dataset.state="playi\
+ng",this.#t.focus({preventScroll:!0}),yn(this.#o,e.played.seat)&&this.#R()}watch(e,n,r){this.#u=null,this.#S(e,n,r),this.#_()}stop(){this.#A(),this.player.pause(),
+this.#u=null}act(e){let[n,r]=[this.#u,this.#o];if(!n||!r||this.element.dataset.state!=="playing")return;this.#v=e;let o=Number(this.#l.value);this.#w||(this.#k(),
 o&&this.element.dataset.state==="playing"&&(this.#w=setInterval(()=>this.#k(),1e3/o)))}key(e){let{target:n,key:r}=e;if(n instanceof HTMLSelectElement||n instanceof
 HTMLInputElement&&(n.type==="text"||r===" ")||n instanceof HTMLButtonElement&&(r===" "||r==="Enter")||!this.#o)return!1;if(this.element.dataset.state!=="playing")
 return Ae(this.player,e);let s=ca(e,this.#o.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#S(e,n,r){this.#A(),this.player.pause(),[this.#o,this.#f]=
 [e,n],this.#r.textContent=r,this.#t.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#d.replaceChildren(p("spa\
 n",{class:"at-length"},`Arrow keys or W A X D move, Space or S stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board\
 : swipe, or tap where to go."),this.#M(e),this.#i.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#E()}#x(){this.#n.look={you:this.#f,
-fog:this.#p.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#$()}}#M(e){this.#y=null,this.#b=this.player.ticks=[];let n=We(e.config);this.#u.disabled=!!n,
-this.#m.textContent=n?`No best move: ${n}`:"Best move",en(this.#e,e.config,hs(e.config)).then(r=>{this.#o===e&&(this.#y=r,this.#T(),this.#E())})}#T(){let[e,n]=[
-this.#o,this.#y];if(!n||this.element.dataset.state==="playing")return;let r=this.#e.world(e.config);r.reset(e.start),this.#b=tn(n,r,e.actions),r.free(),this.player.
-ticks=nn(this.#b)}get#C(){return this.#u.checked&&this.#c&&this.element.dataset.state==="playing"&&this.#y&&this.#o.game(this.#y)||null}#$(){let[e,n]=[this.#f,this.#f!==
-null&&this.#C?.marginal(this.#f)];return e!==null&&n?Object.assign(Array(e).fill(0),{[e]:n.indexOf(Math.max(...n))}):null}#A(){clearInterval(this.#w),this.#w=0,
-this.#a.ariaLive=Number(this.#l.value)?"off":"polite"}#k(){let[{policies:e,seat:n},r]=[this.#c.played,this.#o];r.step(e,n,this.#v),this.#g.push(this.#v),this.player.
-length=r.length,this.player.glide=Math.min(.22,.9/(Number(this.#l.value)||4)),this.player.move(r.length-this.player.step),yn(r,n)&&this.#R()}#R(){this.#A();let[
-e,n,r]=[this.#c,this.#o,this.played],o=ct()?e.link(r):null;this.#i.replaceChildren(p("h3",{id:"play-headline"},Ac(n,r.seat)),...e.ending(n,r),p("div",{class:"pl\
-ay-buttons"},p("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),p("button",{type:"button",onclick:()=>this.#_()},"Watch it"),p("button",{
-type:"button",onclick:()=>this.#P(n,r.seat)},"Save"),o&&p("button",{type:"button",onclick:({currentTarget:a})=>Tc(a,o)},"Link"))),this.element.dataset.state="en\
-ded",this.#T();let s=this.#b.filter(({team:a})=>a===pe(n.config,r.seat));s.length&&this.#i.children[0].after(p("p",{class:"small muted"},ys(s))),this.#i.focus({
-preventScroll:!0}),this.#i.scrollIntoView({block:"nearest"})}#_(){this.element.dataset.state="watched",this.player.length=this.#o.length,this.player.jump(0),ie()||
-this.player.play()}#P(e,n){let r=new Blob([ga(this.#e,e,n)],{type:"application/octet-stream"});p("a",{href:URL.createObjectURL(r),download:`${G(n,e.config.n_pursuers)}\
--${e.length}-steps.npz`}).click()}#E(){let[e,n,{step:r}]=[this.#o,this.#f,this.player];if(!e||r>e.length)return;let o=rn(e,e.recording,r).filter(({agents:i})=>n===
-null||i.includes(n)),s=[`Step ${r} of ${e.config.max_steps}`,...o.map(({text:i})=>i)];this.#c&&r===0?s.push(this.#c.about?`Each opponent: ${this.#c.about}`:"",Sc(
-e.config,n)):n!==null&&s.push(Mc(e,r,n)),s.push(...this.#b.filter(i=>i.step===r).map(St));let a=r===e.length&&n!==null?this.#C:null;a&&s.push(`Perfect play: ${bs(
-a,n)||"decided in its turn"}; ${gs(this.#y,a,r)}`),this.#x(),this.#a.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Sc(t,e){let n=t.rules.capture===
-"SURROUND";return pe(t,e)==="evader"?`Stay free: ${n?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture evaders: ${n?"surro\
-und them together":"reach their cell"}`}function Mc({config:t,recording:e},n,r){let o=e.moments[n],a=pe(t,r)==="pursuer"?"evader":"pursuer";if(!o.alive[r])return"";
-let i=L(o,r),l=u=>{let[m,h]=L(o,u);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},d=Array.from({length:o.alive.length},(u,m)=>m).filter(u=>pe(t,u)===a&&o.alive[u]&&
-!o.captured[u-t.n_pursuers]&&2*l(u)<t.fov);if(!d.length)return`No ${a} in view`;let c=d.reduce((u,m)=>l(m)<l(u)?m:u);return`Nearest ${a}: ${pa(i,L(o,c))}`}function Ac(t,e){
-let[{lasted:n,out:r,captured:o},{config:s}]=[Qe(t,e),t];return pe(s,e)==="pursuer"?`Your team captured ${o} of ${Ec(s)} in ${n} steps.`:r?`You lasted ${n} of ${s.
-max_steps} steps.`:`You escaped: ${n} steps.`}var Ec=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Tc(t,e){let n=p("input",{type:"text",readonly:!0,value:e,
-"aria-label":"Link to this match"});t.replaceWith(n),n.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var bn=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#n;#t;#r=null;constructor(e,n,r){[this.#e,this.#n,this.#t]=[e,n,r],
+fog:this.#p.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#$()}}#M(e){this.#y=null,this.#b=this.player.ticks=[];let n=We(e.config);this.#c.hidden=this.#c.
+disabled=!!n,this.#m.className=n?"small muted":"",this.#m.textContent=n?`No best move: ${n}`:"Best move",en(this.#e,e.config,hs(e.config)).then(r=>{this.#o===e&&
+(this.#y=r,this.#T(),this.#E())})}#T(){let[e,n]=[this.#o,this.#y];if(!n||this.element.dataset.state==="playing")return;let r=this.#e.world(e.config);r.reset(e.start),
+this.#b=tn(n,r,e.actions),r.free(),this.player.ticks=nn(this.#b)}get#C(){return this.#c.checked&&this.#u&&this.element.dataset.state==="playing"&&this.#y&&this.#o.
+game(this.#y)||null}#$(){let[e,n]=[this.#f,this.#f!==null&&this.#C?.marginal(this.#f)];return e!==null&&n?Object.assign(Array(e).fill(0),{[e]:n.indexOf(Math.max(
+...n))}):null}#A(){clearInterval(this.#w),this.#w=0,this.#a.ariaLive=Number(this.#l.value)?"off":"polite"}#k(){let[{policies:e,seat:n},r]=[this.#u.played,this.#o];
+r.step(e,n,this.#v),this.#g.push(this.#v),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(this.#l.value)||4)),this.player.move(r.length-this.
+player.step),yn(r,n)&&this.#R()}#R(){this.#A();let[e,n,r]=[this.#u,this.#o,this.played],o=ct()?e.link(r):null;this.#i.replaceChildren(p("h3",{id:"play-headline"},
+Ac(n,r.seat)),...e.ending(n,r),p("div",{class:"play-buttons"},p("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),p("button",{type:"button",
+onclick:()=>this.#_()},"Watch it"),p("button",{type:"button",onclick:()=>this.#P(n,r.seat)},"Save"),o&&p("button",{type:"button",onclick:({currentTarget:a})=>Tc(
+a,o)},"Link"))),this.element.dataset.state="ended",this.#T();let s=this.#b.filter(({team:a})=>a===pe(n.config,r.seat));s.length&&this.#i.children[0].after(p("p",
+{class:"small muted"},ys(s))),this.#i.focus({preventScroll:!0}),this.#i.scrollIntoView({block:"nearest"})}#_(){this.element.dataset.state="watched",this.player.
+length=this.#o.length,this.player.jump(0),ie()||this.player.play()}#P(e,n){let r=new Blob([ga(this.#e,e,n)],{type:"application/octet-stream"});p("a",{href:URL.createObjectURL(
+r),download:`${G(n,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#E(){let[e,n,{step:r}]=[this.#o,this.#f,this.player];if(!e||r>e.length)return;let o=rn(
+e,e.recording,r).filter(({agents:i})=>n===null||i.includes(n)),s=[`Step ${r} of ${e.config.max_steps}`,...o.map(({text:i})=>i)];this.#u&&r===0?s.push(this.#u.about??
+"",Sc(e.config,n)):n!==null&&s.push(Mc(e,r,n)),s.push(...this.#b.filter(i=>i.step===r).map(St));let a=r===e.length&&n!==null?this.#C:null;a&&s.push(`Perfect pla\
+y: ${bs(a,n)||"decided in its turn"}; ${gs(this.#y,a,r)}`),this.#x(),this.#a.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Sc(t,e){let n=t.
+rules.capture==="SURROUND";return pe(t,e)==="evader"?`Stay free: ${n?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture eva\
+ders: ${n?"surround them together":"reach their cell"}`}function Mc({config:t,recording:e},n,r){let o=e.moments[n],a=pe(t,r)==="pursuer"?"evader":"pursuer";if(!o.
+alive[r])return"";let i=L(o,r),l=u=>{let[m,h]=L(o,u);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},d=Array.from({length:o.alive.length},(u,m)=>m).filter(u=>pe(
+t,u)===a&&o.alive[u]&&!o.captured[u-t.n_pursuers]&&2*l(u)<t.fov);if(!d.length)return`No ${a} in view`;let c=d.reduce((u,m)=>l(m)<l(u)?m:u);return`Nearest ${a}: ${pa(
+i,L(o,c))}`}function Ac(t,e){let[{lasted:n,out:r,captured:o},{config:s}]=[Qe(t,e),t];return pe(s,e)==="pursuer"?`Your team captured ${o} of ${Ec(s)} in ${n} ste\
+ps.`:r?`You lasted ${n} of ${s.max_steps} steps.`:`You escaped: ${n} steps.`}var Ec=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Tc(t,e){let n=p("inpu\
+t",{type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(n),n.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var bn=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#n;#t;#r=null;constructor(e,n,r){[this.#e,this.#n,this.#t]=[e,n,r],
 r.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.view?.key(o)&&o.preventDefault()),this.dialog.addEventListener(
 "close",()=>this.view?.stop())}start(e,n){this.#r=e;let r=ut(n,this.#e,this.#n.selected),o=aa(new URLSearchParams(n.replace(/^#/,"")),this.#e[r.run].world);o&&this.#a(
 r,o)}open(){let e=this.#t.shown;if(!e)return;let{match:n,step:r}=e;this.#t.player.pause();let o=this.#t.inspector.agent,s=r<n.length?r:0,a=(u,m)=>!!n.alive[m*n.
