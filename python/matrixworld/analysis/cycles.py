@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import (
     BIASED,
     LEVEL,
@@ -316,8 +316,8 @@ def _weighted(excess: Rates, noise: Rates, weights: Rates, level: float) -> Esti
     return Estimate(value, value - reach, most + reach, "episodes", biased_high=most)
 
 
-@dataclass(frozen=True, eq=False)
-class SpinningTop:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpinningTop(Readable):
     """Strength and intransitivity of the generations of one team, each array of shape (k,).
 
     `generations`: their numbers. `strength`: mean payoff. `intransitivity`, with its interval `low`
@@ -330,8 +330,6 @@ class SpinningTop:
     intransitivity: Rates
     low: Rates
     high: Rates
-
-    __repr__ = short_repr
 
 
 def spinning_top(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[SpinningTop]:

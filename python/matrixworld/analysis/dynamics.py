@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_integer
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.analysis.games import check_mixture
 from matrixworld.analysis.payoffs import Rates, check_finite, require
 
@@ -17,8 +17,8 @@ TIME = 200.0
 """Default duration: a strategy that gains .05 more than another becomes e^10 times as frequent."""
 
 
-@dataclass(frozen=True, eq=False)
-class ReplicatorPath:
+@dataclass(frozen=True, eq=False, repr=False)
+class ReplicatorPath(Readable):
     """Shares of all strategies over time.
 
     `times` (points,); `pursuers` (points, n) and `evaders` (points, m): shares of the strategies of
@@ -28,8 +28,6 @@ class ReplicatorPath:
     times: Rates
     pursuers: Rates
     evaders: Rates
-
-    __repr__ = short_repr
 
     def divergence(self, pursuers: ArrayLike, evaders: ArrayLike) -> Rates:
         """Return the distance (points,) from two mixtures p and q: ``KL(p | x) + KL(q | y)``, nats.

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.analysis.cycles import transitive_fit
 from matrixworld.analysis.intervals import (
     LEVEL,
@@ -29,8 +29,8 @@ _STRICT = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 
 _MOST_STEPS = 200
 
 
-@dataclass(frozen=True, eq=False)
-class Nash:
+@dataclass(frozen=True, eq=False, repr=False)
+class Nash(Readable):
     """The maximum-entropy Nash equilibrium of a payoff matrix, and payoffs against it.
 
     `value`: capture rate when both teams play their mixtures. `pursuers` (n,) and `evaders` (m,):
@@ -44,8 +44,6 @@ class Nash:
     evaders: Rates
     pursuer_averages: Rates
     evader_averages: Rates
-
-    __repr__ = short_repr
 
 
 def nash_averaging(payoff: ArrayLike) -> Nash:
@@ -412,8 +410,8 @@ _BLOCK = 64  # states that are eliminated together
 _RAREST = 1e-60
 
 
-@dataclass(frozen=True, eq=False)
-class AlphaRank:
+@dataclass(frozen=True, eq=False, repr=False)
+class AlphaRank(Readable):
     """Share of time that the populations spend at each pair and at each generation.
 
     Shapes (n, m), (n,) and (m,); each has the sum 1.
@@ -422,8 +420,6 @@ class AlphaRank:
     pairs: Rates
     pursuers: Rates
     evaders: Rates
-
-    __repr__ = short_repr
 
 
 def alpha_rank(

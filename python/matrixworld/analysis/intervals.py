@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
 LEVEL = 0.95
@@ -39,7 +39,7 @@ UNIT: Bounds = (0.0, 1.0)
 
 
 @dataclass(frozen=True)
-class Estimate:
+class Estimate(Readable):
     """A number with its interval, if there is one.
 
     Parameters
@@ -68,8 +68,8 @@ class Estimate:
     biased_low: float | None = None
     biased_high: float | None = None
 
-    def __str__(self) -> str:
-        return format(self)
+    def _parts(self) -> Parts:
+        return [format(self)]
 
     def __float__(self) -> float:
         return self.value
@@ -89,8 +89,8 @@ class Estimate:
         return self.low, self.high
 
 
-@dataclass(frozen=True, eq=False)
-class Band:
+@dataclass(frozen=True, eq=False, repr=False)
+class Band(Readable):
     """A mean curve with its pointwise interval; all of shape (k,).
 
     Parameters
@@ -110,8 +110,6 @@ class Band:
     low: Rates | None
     high: Rates | None
     runs: NDArray[np.int64]
-
-    __repr__ = short_repr
 
 
 def interval_over_runs(

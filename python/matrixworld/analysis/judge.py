@@ -10,8 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from matrixworld._util.short_repr import short_repr
-from matrixworld._util.text_table import table_lines
+from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
@@ -56,8 +55,8 @@ class Finding:
     by_run: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Judgement:
+@dataclass(frozen=True, repr=False)
+class Judgement(Readable):
     """What happened in a race, or in several with the same settings.
 
     Parameters
@@ -83,13 +82,11 @@ class Judgement:
     window: str
     windows: Mapping[str, Findings]
 
-    __repr__ = short_repr
-
-    def __str__(self) -> str:
+    def _parts(self) -> Parts:
         """Return the table that ``matrixworld judge`` prints."""
         from matrixworld.analysis.report import judgement_cells
 
-        return "\n".join(itertools.chain(*table_lines(judgement_cells(self), "<<<<")))
+        return [judgement_cells(self)]
 
     @property
     def headline(self) -> Findings:

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_integer
 from matrixworld._util.files import DamagedFileError, read_npz, read_text
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Rates = NDArray[np.float64]
 """Capture rates, or other float64 numbers of the analysis."""
@@ -73,8 +73,8 @@ class Window:
         return slice(*self.pursuers), slice(*self.evaders)
 
 
-@dataclass(frozen=True, eq=False)
-class Payoffs:
+@dataclass(frozen=True, eq=False, repr=False)
+class Payoffs(Readable):
     """Payoff matrices of one run or of several independent runs, and their episodes if known.
 
     `matrices` (runs, n, m); `scores` (runs, n, m, episodes), the capture rate of each episode;
@@ -86,10 +86,13 @@ class Payoffs:
     episodes: int | None = None
     cross: Rates | None = None
 
-    __repr__ = short_repr
-
     def __len__(self) -> int:
         return len(self.matrices)
+
+    def _parts(self) -> Parts:
+        of = "" if len(self) == 1 else f", means of {len(self)} runs"
+        head = f"Capture rates of pursuers (rows) against evaders{of}:"
+        return [head, matrix_table(self.matrices.mean(axis=0))]
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import check_cells
 from matrixworld.analysis.payoffs import ByTeam, Mask, Rates, check_payoff, require, swap_teams
 
@@ -141,8 +141,8 @@ def _progress(matrix: Rates, opponents: Mask) -> TeamProgress:
 # ---- By the lag between opponents ----------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class LagProfile:
+@dataclass(frozen=True, eq=False, repr=False)
+class LagProfile(Readable):
     """Mean capture rate by lag, pursuer minus evader generation.
 
     All have the shape (n + m - 1,). `lags` ascend from ``-(m - 1)`` to ``n - 1``; `means` are those
@@ -152,8 +152,6 @@ class LagProfile:
     lags: NDArray[np.int64]
     means: Rates
     cells: NDArray[np.int64]
-
-    __repr__ = short_repr
 
     def at(self, lag: int) -> float:
         """Return the mean at one lag, or raise ValueError if the profile does not contain it."""

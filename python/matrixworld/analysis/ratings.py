@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import LEVEL, check_level, t_quantile
 from matrixworld.analysis.payoffs import (
     SHRINKAGE,
@@ -30,8 +30,8 @@ _MOST_STEPS = 100
 _TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates
 
 
-@dataclass(frozen=True, eq=False)
-class Elo:
+@dataclass(frozen=True, eq=False, repr=False)
+class Elo(Readable):
     """Ratings: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
 
     `pursuers` (n,) and `evaders` (m,) are in natural logits, sum 0; higher captures, and escapes,
@@ -47,8 +47,6 @@ class Elo:
     shrinkage: float
     u: Rates
     v: Rates
-
-    __repr__ = short_repr
 
     @property
     def logits(self) -> Rates:
@@ -116,8 +114,8 @@ def elo(
     return replace(ratings, u=(left * scale)[:, kept], v=(right.T * scale)[:, kept])
 
 
-@dataclass(frozen=True, eq=False)
-class Ratings:
+@dataclass(frozen=True, eq=False, repr=False)
+class Ratings(Readable):
     """Elo ratings of one team in points, with intervals: arrays of shape (runs, k).
 
     `mean`: rating of each generation of each run; `low` and `high`: its interval, NaN where all
@@ -130,8 +128,6 @@ class Ratings:
     high: Rates
     between: float
     within: float
-
-    __repr__ = short_repr
 
 
 def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Ratings]:

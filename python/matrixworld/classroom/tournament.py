@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld._util.files import DamagedFileError
+from matrixworld._util.readable import Parts, Readable, Table
 from matrixworld.classroom.policy_process import (
     CAN_FORK,
     NO_FORK,
@@ -62,8 +63,8 @@ TRIAL_OPPONENT: Script = "random"
 """The script against which every program plays an episode first."""
 
 
-@dataclass(frozen=True, eq=False)
-class ClassResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class ClassResult(Readable):
     """A tournament of P pursuers and E evaders; what broke a rule while it played is refused."""
 
     config: WorldConfig
@@ -75,6 +76,16 @@ class ClassResult:
     recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
     """All actions of the first episode of each pair, (steps, A)."""
     votes: Votes = field(default_factory=dict)  # on the predictions of the course
+
+    def _parts(self) -> Parts:
+        from matrixworld.classroom.standings import standings
+
+        parts: list[str | Table] = []
+        for team in TEAMS:
+            score = "capture rate" if team == "pursuer" else "escape rate"
+            rows = ((e.rank or "-", e.entry.name, str(e.score)) for e in standings(self, team))
+            parts += [f"The {team}s:", [("rank", "name", f"mean {score}"), *rows]]
+        return [*parts, f"Refused: {len(self.refusals)}"]
 
     @property
     def match_seed(self) -> int:

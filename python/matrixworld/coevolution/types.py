@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Team = Literal["pursuer", "evader"]
 TEAMS: tuple[Team, Team] = ("pursuer", "evader")
@@ -69,8 +69,8 @@ def other(team: Team) -> Team:
     return "evader" if team == "pursuer" else "pursuer"
 
 
-@dataclass(frozen=True)
-class Payoff:
+@dataclass(frozen=True, repr=False)
+class Payoff(Readable):
     """Results of G pursuers against H evaders, in n episodes a pair.
 
     Row g is pursuer g, column h evader h. In arrays by team, pursuers come first; in arrays by kind
@@ -99,7 +99,10 @@ class Payoff:
     pursuer_survivors: FloatArray
     evader_survivors: FloatArray
 
-    __repr__ = short_repr
+    def _parts(self) -> Parts:
+        episodes = self.capture_rates.shape[2]
+        head = f"Capture rates of pursuers (rows) against evaders, {episodes} episodes a pair:"
+        return [head, matrix_table(self.capture_rate)]
 
     @property
     def capture_rate(self) -> FloatArray:

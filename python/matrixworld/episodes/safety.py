@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
+from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.episodes.episode import Episode
@@ -19,11 +20,10 @@ from matrixworld.world.rules import COLLISION_KINDS
 
 _COUNTED = ("collisions", "faults", "agent_steps", "capture_rate")
 TEAMS = ("pursuers", "evaders")
-_COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
 
 
-@dataclass(frozen=True, eq=False)
-class SafetySummary:
+@dataclass(frozen=True, eq=False, repr=False)
+class SafetySummary(Readable):
     """Collisions of several episodes, by team (pursuers, evaders) and kind (see `COLLISION_KINDS`).
 
     An agent-step is one step of one agent that was alive as the step began. A rate is the number of
@@ -70,20 +70,21 @@ class SafetySummary:
         plain: dict[str, Any] = plain_values(self)
         return plain
 
-    def __str__(self) -> str:
+    def _parts(self) -> Parts:
         plural = "" if self.episodes == 1 else "s"
-        return "\n".join(
+        kinds = [(t, k) for t in range(len(TEAMS)) for k in range(len(COLLISION_KINDS))]
+        return [
+            f"{self.episodes} episode{plural}, capture rate {self.capture_rate:.2f}, "
+            f"{self.safe_episodes:.0%} without anybody at fault",
+            "Agent-steps in collision, per 1000 (95% interval), and at fault in an episode:",
             [
-                f"{self.episodes} episode{plural}, capture rate {self.capture_rate:.2f}, "
-                f"{self.safe_episodes:.0%} without anybody at fault",
-                "Agent-steps in collision, per 1000 (95% interval), and at fault in an episode:",
-                _COLUMNS.format("", "", "involved", "at fault", "median", "mean", "max", "none in"),
-                *(self._row(t, k) for t in range(len(TEAMS)) for k in range(len(COLLISION_KINDS))),
-            ]
-        )
+                ("", "", "involved", "at fault", "median", "mean", "max", "none in"),
+                *(self._row(t, k) for t, k in kinds),
+            ],
+        ]
 
-    def _row(self, t: int, k: int) -> str:
-        return _COLUMNS.format(
+    def _row(self, t: int, k: int) -> tuple[str, ...]:
+        return (
             TEAMS[t],
             COLLISION_KINDS[k],
             _printed(self.involved_rate[t, k], self.involved_interval[t, k]),

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld._util.memory import EPISODE_BYTES, check_memory
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.world.arrays import workspace_bytes
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, Population, check_team
@@ -59,8 +59,8 @@ class Matches(NamedTuple):
         return cls(*(np.ascontiguousarray(part) for part in broadcast))
 
 
-@dataclass(frozen=True, eq=False)
-class EpisodeStatistics:
+@dataclass(frozen=True, eq=False, repr=False)
+class EpisodeStatistics(Readable):
     """Statistics of M matches with N episodes each. Every shape begins with (M, N).
 
     Parameters
@@ -101,8 +101,6 @@ class EpisodeStatistics:
     collisions: NDArray[np.int32]
     faults: NDArray[np.int32]
     agent_steps: NDArray[np.int64]
-
-    __repr__ = short_repr
 
 
 Rollout = Callable[..., EpisodeStatistics]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.solve.solution import best_response, solve
 from matrixworld.solve.states import TEAMS, States
 from matrixworld.world.config import WorldConfig
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from matrixworld.coevolution import Team
 
 
-@dataclass(frozen=True, eq=False)
-class Guarantees:
+@dataclass(frozen=True, eq=False, repr=False)
+class Guarantees(Readable):
     """The value of a world, and the capture rates when generations meet best responses.
 
     Parameters
@@ -36,8 +36,6 @@ class Guarantees:
     value: float
     pursuers: NDArray[np.float64]
     evaders: NDArray[np.float64]
-
-    __repr__ = short_repr
 
     @property
     def exploitability(self) -> dict[Team, NDArray[np.float64]]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, check_choice, check_integer, check_number, shown
 from matrixworld._util.memory import check_memory
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Parts, Readable
 from matrixworld.solve.states import TEAMS, States
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, Script, TablePolicy
@@ -57,8 +57,8 @@ class _Fixed:
         return np.asarray(sum(rows))
 
 
-@dataclass(frozen=True, eq=False)
-class Solution:
+@dataclass(frozen=True, eq=False, repr=False)
+class Solution(Readable):
     """Values of all states of a world for every number of rounds left, and who plays how.
 
     `solve` returns one in which both teams play perfectly, `best_response` one in which a team
@@ -91,7 +91,17 @@ class Solution:
     gap: float
     fixed: dict[Team, _Fixed]
 
-    __repr__ = short_repr
+    def _parts(self) -> Parts:
+        rows = {
+            "value": f"{self.value:.4f}, the mean {self.payoff.replace('-', ' ')} over all starts",
+            "steps of an episode": str(self.steps),
+            "states": f"{self.states.total:,}",
+            "largest gap between the guarantees of a step": f"{self.gap:.1g}",
+        }
+        plays = (
+            f"{next(iter(self.fixed))}s are fixed" if self.fixed else "both teams play perfectly"
+        )
+        return [[("Solution", plays), *rows.items()]]
 
     @property
     def value(self) -> float:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._util.checks import check_bool, check_choice, check_integer, shown
 from matrixworld._util.memory import check_memory
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Readable
 from matrixworld.world.config import WorldConfig
 
 Script: TypeAlias = Literal[
@@ -285,8 +285,8 @@ def _logistic(x: NDArray[Any]) -> NDArray[Any]:
     return np.asarray(0.5 + 0.5 * np.tanh(0.5 * x))
 
 
-@dataclass(frozen=True, eq=False)
-class Population:
+@dataclass(frozen=True, eq=False, repr=False)
+class Population(Readable):
     """Genomes of one network, which can play for a team.
 
     Parameters
@@ -306,8 +306,6 @@ class Population:
 
     genomes: NDArray[np.float32]
     network: Network
-
-    __repr__ = short_repr
 
     def __post_init__(self) -> None:
         if not isinstance(self.network, Network):

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from matrixworld._util.checks import SEED_MAX, check_choice, check_integer, check_threads
 from matrixworld._util.files import load_arrays
 from matrixworld._util.memory import EPISODE_BYTES, check_memory
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.coevolution.evaluation.tournament import (
     BLOCK_SECONDS,
@@ -125,8 +125,8 @@ def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy]
 # Scores of genomes and runs:
 
 
-@dataclass(frozen=True)
-class HeldOutScores:
+@dataclass(frozen=True, repr=False)
+class HeldOutScores(Readable):
     """Scores of G genomes of a team against N held-out opponents, by their names."""
 
     team: Team
@@ -137,17 +137,24 @@ class HeldOutScores:
     left_out: str = ""
     """Which opponents of the variant are left out, and why; empty if none is."""
 
-    __repr__ = short_repr
-
-    def __str__(self) -> str:
-        """Return the table that ``matrixworld score`` prints."""
+    def _parts(self) -> Parts:
         names = [*self.opponents, "mean"]
-        return self.table(
+        head, rows = self._rows(
             lambda row: {n: self.mean(row) if n == "mean" else self.against(n, row) for n in names}
         )
+        first = "opponent" if len(self.generations) == 1 else "generation"
+        cells = ((name.strip(), str(score)) for name, score in rows.items())
+        return [head, [(first, SCORE[self.team]), *cells]]
 
     def table(self, estimates_of: Callable[[int], Mapping[str, Estimate]]) -> str:
         """Return estimates of each row as lines: of one generation all, of several the mean."""
+        head, rows = self._rows(estimates_of)
+        width = max(map(len, rows))
+        return "\n".join([head, *(f"  {name:{width}}  {each}" for name, each in rows.items())])
+
+    def _rows(
+        self, estimates_of: Callable[[int], Mapping[str, Estimate]]
+    ) -> tuple[str, dict[str, Estimate]]:
         score, generations = SCORE[self.team], self.generations
         if len(generations) == 1:
             head = f"{self.team}s of generation {generations[0]}: {score}"
@@ -155,8 +162,7 @@ class HeldOutScores:
         else:
             head = f"{self.team}s by generation: mean {score}"
             rows = {f"{g:10}": estimates_of(row)["mean"] for row, g in enumerate(generations)}
-        width = max(map(len, rows))
-        return "\n".join([head, *(f"  {name:{width}}  {each}" for name, each in rows.items())])
+        return head, rows
 
     @property
     def matches(self) -> int:

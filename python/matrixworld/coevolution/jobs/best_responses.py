@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.files import save_json
-from matrixworld._util.short_repr import short_repr
+from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import response_gain
 from matrixworld.analysis.games import ResponseGain
 from matrixworld.coevolution.evaluation.tournament import tournament
@@ -31,8 +31,8 @@ POPULATION = 48
 """Candidates per epoch: with few matches, many small steps learn more than few large ones."""
 
 
-@dataclass(frozen=True)
-class BestResponse:
+@dataclass(frozen=True, repr=False)
+class BestResponse(Readable):
     """Result of a best response to the champion of `team`."""
 
     team: Team
@@ -46,7 +46,9 @@ class BestResponse:
     directory: Path
     """Run directory of the response."""
 
-    __repr__ = short_repr
+    def _parts(self) -> Parts:
+        means = f"{self.before.mean():.3f} before, {self.after.mean():.3f} after"
+        return [f"{self.team}s' opponents score {means}: {self.gain}"]
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as values that JSON can hold, without the single episodes."""

@@ -1,0 +1,114 @@
+"""How results are shown: a line of code, a table where they are printed, HTML in a notebook."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping, Sequence
+from dataclasses import fields
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld._util.text_table import table_lines
+
+Table = Sequence[Sequence[str]]
+"""Rows of cells; the first row is the head."""
+Parts = Sequence["str | Table"]
+"""What a result shows: texts and tables."""
+
+LONGEST = 60
+"""Characters of a value that is shown as it is."""
+MOST_ROWS, MOST_CELLS = 40, 12
+"""Most rows of columns, and most rows and columns of a matrix, that are shown."""
+NUMERIC = frozenset("0123456789.,%+-einaf")
+"""Characters of cells that are aligned right."""
+
+
+class Readable:
+    """A dataclass, made with ``repr=False``, that people read.
+
+    Its ``repr`` is one line, in which arrays appear as dtype and shape, other long values as type
+    and size. Its `_parts` are printed by ``str``, and shown by notebooks.
+    """
+
+    def __repr__(self) -> str:
+        shown = (f"{name}={_short(value)}" for name, value in _values(self).items())
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+    def __str__(self) -> str:
+        return "\n".join(chain(*map(_lines, self._parts())))
+
+    def _repr_html_(self) -> str:
+        return "\n".join(map(_html, self._parts()))
+
+    def _parts(self) -> Parts:
+        """Return what is shown: by default columns of all arrays (n,), and the other fields."""
+        columns, others = dict[str, Any](), [(type(self).__name__, "")]
+        for name, value in _values(self).items():
+            if isinstance(value, np.ndarray) and value.ndim == 1:
+                columns[name] = value
+            else:
+                others.append((name, _cell(value)))
+        rows = _some(max(map(len, columns.values()), default=0), MOST_ROWS)
+        cells = [[_cell(v[i]) if i < len(v) else "" for v in columns.values()] for i in rows]
+        table = [["", *columns], *([str(i), *row] for i, row in zip(rows, cells, strict=True))]
+        return [others, table] if columns else [others]
+
+
+def matrix_table(matrix: NDArray[Any]) -> Table:
+    """Return a matrix as a table with the numbers of its rows and columns; a large one in part."""
+    rows, columns = (_some(size, MOST_CELLS) for size in matrix.shape)
+    body = [[str(i), *(f"{matrix[i, j]:.2f}" for j in columns)] for i in rows]
+    return [["", *map(str, columns)], *body]
+
+
+def _some(count: int, most: int) -> list[int]:
+    """Return the numbers of `count` rows, or so many at equal distances with the last one."""
+    chosen: list[int] = np.linspace(0, count - 1, min(count, most)).round().astype(int).tolist()
+    return chosen
+
+
+def _values(result: Any) -> dict[str, Any]:
+    return {item.name: getattr(result, item.name) for item in fields(result)}
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"<{value.dtype} {value.shape}>"
+    text = repr(value)
+    if len(text) <= LONGEST:
+        return text
+    name = type(value).__name__
+    if isinstance(value, Mapping):
+        return f"<{name} of {', '.join(map(str, value))}>"
+    if isinstance(value, list | tuple):
+        return f"<{name} of {len(value)}>"
+    return f"<{name}>"
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, np.ndarray) and value.size and value.dtype.kind in "bfiu":
+        return f"mean {value.mean():.3f} of {' x '.join(map(str, value.shape))}"
+    if isinstance(value, float | np.floating):
+        return f"{value:.3f}"
+    return str(value) if isinstance(value, np.generic | str) else _short(value)
+
+
+def _lines(part: str | Table) -> list[str]:
+    if isinstance(part, str):
+        return [part]
+    columns = zip(*part, strict=True)
+    align = "".join("<>"[all(map(NUMERIC.issuperset, cells))] for _, *cells in columns)
+    return list(chain(*table_lines(part, align)))
+
+
+def _html(part: str | Table) -> str:
+    if isinstance(part, str):
+        return f"<p>{html.escape(part)}</p>"
+    rows = []
+    for tag, row in zip(["th", *["td"] * (len(part) - 1)], part, strict=True):
+        cells = (html.escape(cell).replace("\n", "<br>") for cell in row)
+        rows.append(f"<tr>{''.join(f'<{tag}>{cell}</{tag}>' for cell in cells)}</tr>")
+    return f"<table>{''.join(rows)}</table>"

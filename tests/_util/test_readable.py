@@ -1,0 +1,103 @@
+"""Results have a text of one line, and tables where they are printed and in notebooks."""
+
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld import analysis
+from matrixworld.coevolution import finish, open_run
+from matrixworld.coevolution.evaluation.scores import HeldOutScores
+from tiny_race import tiny_race, tiny_single
+
+PAYOFF = np.random.default_rng(0).random((12, 11))
+NETWORK = mw.Network.for_config(mw.WorldConfig("O"))
+RESULTS = {
+    "AlphaRank": lambda: analysis.alpha_rank(PAYOFF),
+    "Judgement": lambda: analysis.judge(PAYOFF),
+    "LagProfile": lambda: analysis.lag_profile(PAYOFF),
+    "Nash": lambda: analysis.nash_averaging(PAYOFF),
+    "Population": lambda: mw.Population(np.zeros((3, NETWORK.genome_size), np.float32), NETWORK),
+    "EpisodeStatistics": lambda: mw.rollout("O", "still", "still", mw.Matches.of([0, 0], 0, 1)),
+}
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_result_has_a_text_of_one_line(name):
+    text = repr(RESULTS[name]())
+    assert text.startswith(f"{name}(")
+    assert "\n" not in text
+    assert len(text) <= 600  # a few lines of a notebook; arrays would have thousands
+
+
+def test_a_run_says_what_it_is(tmp_path):
+    finish(tiny_race(), tmp_path / "race")
+    assert repr(open_run(tmp_path / "race")) == (
+        f"SavedRun('{tmp_path / 'race'}', generalist-generalist, seed 5, pursuers: 3, evaders: 3)"
+    )
+    finish(tiny_single(), tmp_path / "one")
+    assert "pursuer-against-random, seed" in repr(open_run(tmp_path / "one"))
+
+
+def test_arrays_appear_as_dtype_and_shape():
+    assert repr(analysis.lag_profile(PAYOFF)) == (
+        "LagProfile(lags=<int64 (22,)>, means=<float64 (22,)>, cells=<int64 (22,)>)"
+    )
+
+
+def cells_in(page: str) -> list[list[str]]:
+    """Return the cells of all rows, as a browser reads them."""
+    rows = list[list[str]]()
+
+    class Reader(HTMLParser):
+        def handle_starttag(self, tag: str, attrs: object) -> None:
+            if tag == "tr":
+                rows.append([])
+            elif tag in ("td", "th"):
+                rows[-1].append("")
+
+        def handle_data(self, data: str) -> None:
+            if rows and data.strip():
+                rows[-1][-1] += data
+
+    Reader().feed(page)
+    return rows
+
+
+def test_columns_have_the_numbers_of_the_arrays():
+    nash = analysis.nash_averaging(PAYOFF)
+    rows = cells_in(nash._repr_html_())
+    assert rows[:3] == [
+        ["Nash", ""],
+        ["value", f"{nash.value:.3f}"],
+        ["", "pursuers", "evaders", "pursuer_averages", "evader_averages"],
+    ]
+    weights = [*nash.evaders, None]  # there is one evader generation less
+    for number, (row, weight) in enumerate(zip(rows[3:], weights, strict=True)):
+        assert row[:2] == [str(number), f"{nash.pursuers[number]:.3f}"]
+        assert row[2] == ("" if weight is None else f"{weight:.3f}")
+    assert [line.split() for line in str(nash).splitlines()[-12:-1]] == rows[3:-1]
+
+
+def test_a_matrix_is_shown_with_its_numbers_and_a_large_one_in_part():
+    small, large = analysis.read_payoffs(PAYOFF[:3, :2]), analysis.read_payoffs(np.eye(50))
+    head, *rows = cells_in(small._repr_html_())
+    assert head == ["", "0", "1"]
+    assert rows == [[str(i), *(f"{x:.2f}" for x in PAYOFF[i, :2])] for i in range(3)]
+    shown = cells_in(large._repr_html_())
+    assert shown[0][1] == "0"
+    assert shown[0][-1] == shown[-1][0] == "49"
+    assert all(
+        row[i] == ("1.00" if row[0] == shown[0][i] else "0.00")
+        for row in shown[1:]
+        for i in range(1, 13)
+    )
+    assert max(map(len, str(large).splitlines())) <= 80
+
+
+def test_text_of_others_is_escaped():
+    scores = HeldOutScores("evader", (1,), ("<b>", "fleer"), np.ones((1, 2, 9)))
+    assert "<b>" in str(scores)
+    assert "<b>" not in scores._repr_html_()
+    assert "&lt;b&gt;" in scores._repr_html_()
