@@ -104,7 +104,7 @@ class Experiment:
         return replace(self.base, seed=seed, schedule=replace(self.base.schedule, **changes))
 
 
-GENERALISTS, SPECIALISTS = "generalist-generalist", "specialist-specialist"
+GENERALISTS = "generalist-generalist"
 TURNS = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed(
     {
         "match_episodes": 8,
@@ -118,7 +118,6 @@ FULL = {
     "turns, generalists": Experiment(TURNS, GENERALISTS, exact=True),
     "small, generalists": Experiment(SMALL, GENERALISTS),
     "medium, generalists": Experiment(MEDIUM, GENERALISTS),
-    "medium, specialists": Experiment(MEDIUM, SPECIALISTS),
 }
 TINY = TURNS.changed(
     {
@@ -138,6 +137,8 @@ Row = dict[str, float]
 Kinds = dict[str, dict[str, Any]]
 """By kind: ``"rows"``, one for each seed, and ``"judgement"`` of all of them, by condition."""
 
+SHARES = ("arms race", "rise")
+"""Conditions: 1 if the judgement of a single race finds it in the whole race, else 0."""
 NAMES = {
     "pursuer_gain": "gain of the pursuers in its matrix",
     "evader_gain": "gain of the evaders in its matrix",
@@ -147,10 +148,10 @@ NAMES = {
     "rise": "seeds with a rise",
     "pursuer_common": "rise of the pursuers against common ones",
     "evader_common": "rise of the evaders against common ones",
-    "pursuer_perfect": "pursuers against perfect evaders, capture",
-    "evader_perfect": "evaders against perfect pursuers, escape",
-    "pursuer_guaranteed": "guaranteed by the pursuers, capture",
-    "evader_guaranteed": "guaranteed by the evaders, escape",
+    "pursuer_perfect": "rise of the pursuers against perfect play",
+    "evader_perfect": "rise of the evaders against perfect play",
+    "pursuer_guaranteed": "rise of what the pursuers guarantee",
+    "evader_guaranteed": "rise of what the evaders guarantee",
 }
 
 
@@ -187,7 +188,7 @@ def numbers(
         rows = []
         for seed in tqdm(range(len(each)), unit=" races", desc=kind, disable=None):
             row = {f"{team}_gain": gain(rates[seed], team) for team in TEAMS}
-            for name in ("arms race", "rise"):
+            for name in SHARES:
                 row[name] = float(judged[name].by_run[seed] == "present")
             met = each[seed] if kind == RACE else runs[RACE][(seed + 1) % len(each)]
             for team in TEAMS:
@@ -262,19 +263,20 @@ def solved(world: mw.WorldConfig) -> Solution:
 
 
 def exactly(team: Team, run: SavedRun) -> Row:
-    """Return exact payoffs of a team's last fifth: against perfect play and best responses."""
-    solution = solved(run.settings.world)
-    policy = run.teams[team]
-    payoffs = []
-    for genome in policy.genomes[late(run, team)]:
+    """Return how much a team's last fifth is better than generation 0, exactly.
+
+    Against perfect play, and against the best response to each generation: what it guarantees.
+    """
+    solution, policy = solved(run.settings.world), run.teams[team]
+    rates = []
+    for genome in [policy.genomes[0], *policy.genomes[late(run, team)]]:
         champion = mw.Population(genome[np.newaxis], policy.network)
         pair = (champion, solution) if team == "pursuer" else (solution, champion)
         responded = best_response(solution.states, champion, team).value
-        payoffs.append((expected_payoff(solution.states, *pair), responded))
-    perfect, guaranteed = np.mean(payoffs, axis=0)
-    if team == "evader":
-        perfect, guaranteed = 1 - perfect, 1 - guaranteed
-    return {f"{team}_perfect": float(perfect), f"{team}_guaranteed": float(guaranteed)}
+        rates.append((expected_payoff(solution.states, *pair), responded))
+    # Captures are what pursuers want, and evaders do not.
+    rises = (np.mean(rates[1:], axis=0) - rates[0]) * (1 if team == "pursuer" else -1)
+    return {f"{team}_perfect": float(rises[0]), f"{team}_guaranteed": float(rises[1])}
 
 
 def verdict(p: float, difference: analysis.Estimate) -> str:
@@ -304,8 +306,12 @@ def table(name: str, found: Kinds) -> str:
         "|---" * 6 + "|",
     ]
     for key, p in zip(names, adjusted, strict=True):
-        means = [analysis.interval_over_runs(values[kind][key]) for kind in (RACE, YOKED)]
-        difference = analysis.interval_over_runs(differences[key])
+        low, high = (0.0, 1.0) if key in SHARES else (-1.0, 1.0)
+        means = [
+            analysis.interval_over_runs(values[kind][key], bounds=(low, high))
+            for kind in (RACE, YOKED)
+        ]
+        difference = analysis.interval_over_runs(differences[key], bounds=(-1.0, 1.0))
         cells = [NAMES[key], *map(written, means), written(difference, sign="+"), shown_p(p)]
         lines.append(f"| {' | '.join([*cells, f'**{verdict(p, difference)}**'])} |")
     lines += ["", f"| judgement of all seeds, whole race | {RACE} | {YOKED} |", "|---" * 3 + "|"]
