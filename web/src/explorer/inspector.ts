@@ -9,7 +9,7 @@ import type { Run } from "./data.ts";
 import type { Selection } from "./store.ts";
 import { drawView } from "./view.ts";
 
-const MEMORY = "What it remembers: a number for each unit, from -1 to 1.";
+const MEMORY = "What it remembers: a number for each unit, from -1 to 1";
 
 export class Inspector {
   readonly element: HTMLElement;
@@ -18,7 +18,7 @@ export class Inspector {
   readonly #name = html("h3");
   readonly #note = html("p", { class: "small muted" });
   readonly #bars = html("div", { class: "answers" });
-  readonly #memory = html("div", { class: "memory" });
+  readonly #memory = html("div", { title: MEMORY });
   #world: World | null = null;
   #solution: Solution | null = null;
   #run: Run | null = null;
@@ -32,7 +32,7 @@ export class Inspector {
     this.element = html(
       "div", { class: "inspector", "data-open": "false" },
       html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and what its network answers."),
-      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note), this.#bars, this.#memory),
+      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note, this.#memory), this.#bars),
     );
   }
 
@@ -98,7 +98,7 @@ export class Inspector {
     const policy = policies[`${team}s`];
     const answer = typeof policy === "string" ? null : world.answer(policy, agent);
     const own = answer?.probabilities ?? null;
-    if (answer?.memory.length) this.#memory.replaceChildren(html("p", { class: "small muted" }, MEMORY), units(answer.memory));
+    if (answer?.memory.length) this.#memory.replaceChildren(html("p", { class: "small muted" }, "It remembers:"), units(answer.memory));
     const game = this.#solution?.game(world) ?? null;
     const told = typeof policy === "string"
       ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
@@ -140,5 +140,5 @@ function units(memory: Float32Array): HTMLElement {
     bar.style.transform = `scaleY(${number})`;
     return bar;
   });
-  return html("div", { class: "units" }, ...bars);
+  return html("div", { class: "units", role: "img", "aria-label": MEMORY }, ...bars);
 }
