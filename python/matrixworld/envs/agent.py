@@ -118,7 +118,7 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         return seen[mine], reward[mine], terminated[mine], truncated[mine], info[mine]
 
     def render(self) -> Any:
-        """Draw the present moment as `MatrixWorldParallel.render` does."""
+        """See `MatrixWorldParallel.render`."""
         return self.env.render()
 
     def close(self) -> None:

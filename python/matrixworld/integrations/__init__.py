@@ -8,8 +8,8 @@
 `tensorboard`, `wandb`    `epoch_writer`, a callback for `matrixworld.coevolution.finish`
 ========================  =========================================================================
 
-A library is imported when one of its functions is called. If it is missing, the error names the
-extra of this package that installs it.
+A library is imported when one of these functions is called. If it is missing, they raise
+MissingExtraError, which names the extra of this package that installs it.
 """
 
 from __future__ import annotations

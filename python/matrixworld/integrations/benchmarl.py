@@ -16,29 +16,15 @@ __all__ = ["task"]
 
 
 def task(config: WorldConfig | Rules | str = "O", **settings: Any) -> Any:
-    """Make a task of BenchMARL: the agents of one team, as the group with its name.
+    """Make a task, for ``benchmarl.experiment.Experiment(task=...)``.
+
+    BenchMARL does not leave out agents that are gone: choose rules in which the agents that learn
+    cannot disappear.
 
     Parameters
     ----------
     config, **settings
         As for `matrixworld.integrations.torchrl.env`.
-
-    Returns
-    -------
-    benchmarl.environments.PettingZooClass
-        The task, for ``benchmarl.experiment.Experiment(task=...)``.
-
-    Raises
-    ------
-    MissingExtraError
-        If BenchMARL is not installed.
-    ValueError, TypeError
-        As `parallel_env` does.
-
-    Notes
-    -----
-    BenchMARL does not leave out agents that are gone: choose rules in which the agents that learn
-    cannot disappear.
     """
     library = imported("benchmarl.environments", "benchmarl")
     world = parallel_env(config, **opponents(settings)).config  # refuses bad settings now

@@ -17,9 +17,7 @@ __all__ = ["policy", "vec_env"]
 
 
 def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settings: Any) -> Any:
-    """Make a vector environment of Stable-Baselines3: the agents of one team in many worlds.
-
-    The agents share the policy that learns. The other team is played by the environment.
+    """Make a vector environment in which the agents of one team share the policy that learns.
 
     Parameters
     ----------
@@ -36,13 +34,6 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
     stable_baselines3.common.vec_env.VecMonitor
         With ``num_envs`` of n_worlds times the agents of the team. Observations are float32, flat
         unless ``flatten=False``. An agent's episode ends with its world, see `AgentVectorEnv`.
-
-    Raises
-    ------
-    MissingExtraError
-        If Stable-Baselines3 is not installed.
-    ValueError, TypeError
-        As `VectorEnv` does.
 
     Examples
     --------

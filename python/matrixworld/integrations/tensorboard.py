@@ -25,11 +25,6 @@ def epoch_writer(directory: str | Path = "tensorboard") -> Iterator[OnEpoch]:
     ----------
     directory : str or Path, optional
         Gets a directory for each run, with its name. The default is ``"tensorboard"``.
-
-    Raises
-    ------
-    MissingExtraError
-        If tensorboardX is not installed.
     """
     new: Any = imported("tensorboardX", "tensorboard").SummaryWriter
     with ExitStack() as open_writers:

@@ -16,9 +16,7 @@ __all__ = ["vector_env"]
 
 
 def vector_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settings: Any) -> Any:
-    """Make a vector environment of Tianshou: the agents of one team in many worlds.
-
-    The agents share the policy that learns. The other team is played by the environment.
+    """Make a vector environment in which the agents of one team share the policy that learns.
 
     Parameters
     ----------
@@ -30,13 +28,6 @@ def vector_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **set
     tianshou.env.BaseVectorEnv
         With n_worlds times the agents of the team. Its attribute ``agents`` is the
         `AgentVectorEnv`, which has the spaces of one agent.
-
-    Raises
-    ------
-    MissingExtraError
-        If Tianshou is not installed.
-    ValueError, TypeError
-        As `VectorEnv` does.
     """
     library = imported("tianshou.env", "tianshou")
 

@@ -39,13 +39,6 @@ def env(
     torchrl.envs.TransformedEnv
         Observations of a group of n agents are float32 (..., n, 3 * fov * fov). An episode goes on
         without agents that are gone; ``("pursuer", "mask")`` marks the others.
-
-    Raises
-    ------
-    MissingExtraError
-        If TorchRL is not installed.
-    ValueError, TypeError
-        As `parallel_env` does.
     """
     library, torch = imported("torchrl.envs", "torchrl"), imported("torch", "torchrl")
     worlds = parallel_env(config, **opponents(settings))

@@ -25,11 +25,6 @@ def epoch_writer(**settings: Any) -> Iterator[OnEpoch]:
     ----------
     **settings
         Arguments of ``wandb.init``, such as ``project="races"`` or ``mode="offline"``.
-
-    Raises
-    ------
-    MissingExtraError
-        If wandb is not installed.
     """
     init: Any = imported("wandb", "wandb").init
     with ExitStack() as open_runs:
