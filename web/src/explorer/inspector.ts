@@ -103,14 +103,18 @@ export class Inspector {
     const told = typeof policy === "string"
       ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
       : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
-    const columns = [["its network", own], ["perfect play", game?.marginal(agent) ?? null]] as const;
+    const columns = [["network", own], ["perfect", game?.marginal(agent) ?? null]] as const;
     const why = whyNotSolved(match.config);
-    const perfect = game ? `Value ${game.value.toFixed(2)} under perfect play.` : why && `Perfect play is not known: ${why}.`;
-    this.#say(table(columns, taken), taken === null ? "The episode is over." : told, perfect);
+    const line = (text: string): HTMLElement => html("p", { class: "small muted" }, text);
+    this.#say([
+      ...(game ? [line(`Value ${game.value.toFixed(2)} under perfect play.`)] : []),
+      ...table(columns, taken),
+      ...(why ? [line(`Perfect play is not known: ${why}.`)] : []),
+    ], taken === null ? "The episode is over." : told);
   }
 
-  #say(bars: readonly HTMLElement[], note: string, perfect = ""): void {
-    this.#bars.replaceChildren(html("p", { class: "small muted" }, perfect), ...bars);
+  #say(bars: readonly HTMLElement[], note: string): void {
+    this.#bars.replaceChildren(...bars);
     this.#note.textContent = note;
   }
 }

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 73985366104c54f1eabe82c71d79a22013ed5b0103d797e8b5da9973d732e3a4 */
+/* built from web/ by "npm run build"; sources aeeab636c3e93d9a013d38a878a349bfabb3100e276b4bacc4215b25d26b1a4a */
 "use strict";(()=>{var Ma=Object.create;var yr=Object.defineProperty;var Aa=Object.getOwnPropertyDescriptor;var Ea=Object.getOwnPropertyNames;var Ta=Object.getPrototypeOf,Ca=Object.prototype.hasOwnProperty;var ka=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var Ra=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ea(e))!Ca.call(t,o)&&o!==n&&yr(t,o,{get:()=>e[o],enumerable:!(r=Aa(e,o))||r.enumerable});
 return t};var _a=(t,e,n)=>(n=t!=null?Ma(Ta(t)):{},Ra(e||!t||!t.__esModule?yr(n,"default",{value:t,enumerable:!0}):n,t));var Qs=ka(ur=>{var js=Object.defineProperty,Wl=t=>js(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var n in e)js(t,n,{get:e[n],enumerable:!0})};Wl(ur);Hl(ur,{GIFEncoder:()=>Js,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>nc,nearestColorIndex:()=>Ys,nearestColorIndexWithDistance:()=>Zs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
@@ -414,13 +414,13 @@ over&&(a<r.actors[0]||a>=r.actors[1]);)r.playTurn(d);let c=!!(n.alive[e*n.n_agen
 `Field of view of ${G(a,n.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#u([],"It is gone.");let m=l[`${i}s`],
 h=typeof m=="string"?null:r.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},"It remembers:"),ul(h.memory));
 let f=this.#p?.game(r)??null,g=typeof m=="string"?`The script "${m}" plays for it${u===null?"":`; it goes ${ue[u]}`}.`:m.sampled?"Its action is drawn from these\
- probabilities.":"It takes the most probable action.",b=[["its network",y],["perfect play",f?.marginal(a)??null]],x=We(n.config),v=f?`Value ${f.value.toFixed(2)}\
- under perfect play.`:x&&`Perfect play is not known: ${x}.`;this.#u(ll(b,u),u===null?"The episode is over.":g,v)}#u(e,n,r=""){this.#a.replaceChildren(p("p",{class:"\
-small muted"},r),...e),this.#r.textContent=n}};function ll(t,e){let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("span"),...n.
-map(([s])=>p("span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...n.flatMap(([,i])=>cl(i[a]))));
-return n.length>1||n[0][0]!==t[0][0]?[r,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"track"},e),p(
-"span",{class:"numbers"},t.toFixed(2))]}function ul(t){let e=Array.from(t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY(${n})`,r});return p(
-"div",{class:"units",role:"img","aria-label":os},...e)}function Je(t,e,{pursuer:n,evader:r,episode:o,seed:s}){let a=e.seeds[n][r];return t.match(e.world,J(e,"pursuer",n),J(e,"evader",r),BigInt(s??a),o)}function ss(t){let e=JSON.stringify(t,(n,r)=>n==="genome"?Array.from(r):r);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
+ probabilities.":"It takes the most probable action.",b=[["network",y],["perfect",f?.marginal(a)??null]],x=We(n.config),v=w=>p("p",{class:"small muted"},w);this.#u(
+[...f?[v(`Value ${f.value.toFixed(2)} under perfect play.`)]:[],...ll(b,u),...x?[v(`Perfect play is not known: ${x}.`)]:[]],u===null?"The episode is over.":g)}#u(e,n){
+this.#a.replaceChildren(...e),this.#r.textContent=n}};function ll(t,e){let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("s\
+pan"),...n.map(([s])=>p("span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...n.flatMap(([,
+i])=>cl(i[a]))));return n.length>1||n[0][0]!==t[0][0]?[r,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"\
+track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function ul(t){let e=Array.from(t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY\
+(${n})`,r});return p("div",{class:"units",role:"img","aria-label":os},...e)}function Je(t,e,{pursuer:n,evader:r,episode:o,seed:s}){let a=e.seeds[n][r];return t.match(e.world,J(e,"pursuer",n),J(e,"evader",r),BigInt(s??a),o)}function ss(t){let e=JSON.stringify(t,(n,r)=>n==="genome"?Array.from(r):r);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
 outerHTML}var as="champion",is=0,Qn=64,er=100;var dl=(t,e)=>Object.keys(t).every(n=>t[n]===e[n]);function ls(t,e){return Object.keys(e).find(n=>dl(e[n],t))??null}var xt="_",pl="n",Kd=2n**64n-1n;var tr={fov:11,maxSteps:500,rewards:"paper"},ml=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function ds(t,e){let n=i=>i.map(l=>fl(l,e)).join(""),r=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,o=hl(t.rewards,e),s=[t.seed,t.episode,t.steps].join("."),a={rules:us(
 t.rules,e),others:t.others?us(t.others,e):"",rewards:o===tr.rewards?"":o,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===tr.fov?"":String(t.fov),

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 73985366104c54f1eabe82c71d79a22013ed5b0103d797e8b5da9973d732e3a4 */
+/* built from web/ by "npm run build"; sources aeeab636c3e93d9a013d38a878a349bfabb3100e276b4bacc4215b25d26b1a4a */
 "use strict";(()=>{var ar={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},ir={OCCUPATION:0,SURROUND:1},lr={FAULT:0,INVOLVED:1};var bt=["obstacle","teammate","adversary"],wt=["vertex","edge","chain"],ur=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xt=["p\
 ursuer_{number}","evader_{number}"],cr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Le={"both held":"both bounce","both doomed":"\
