@@ -47,12 +47,15 @@ class Simulation:
         True value of each interval and kind of data; NaN where there is none.
     estimates : callable
         Takes a generator, draws data, and returns the estimate of each interval.
+    slow : bool, optional
+        Whether it takes so long that a quarter of the repetitions has to do.
     """
 
     size: int
     samples: int
     truths: Mapping[Case, float]
     estimates: Callable[[np.random.Generator], Mapping[Case, Estimate]]
+    slow: bool = False
 
 
 # ---- One number of each run ----------------------------------------------------------------------

@@ -286,7 +286,9 @@ SCORES = read_payoffs(np.random.default_rng(0).random((14, 14, 9)), per_episode=
 
 def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
     counts = coverage.read_counts(COVERAGE)
-    assert all(0 <= row.covered <= row.given <= row.repetitions == 400 for row in counts)
+    assert all(0 <= row.covered <= row.given <= row.repetitions for row in counts)
+    # Equilibria take long: a quarter of the repetitions.
+    assert {row.repetitions for row in counts} == {100, 400}
     for interval in ("mean of runs", "difference of runs"):
         rows = [row for row in counts if (row.interval, row.data) == (interval, "normal")]
         assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
@@ -309,6 +311,11 @@ def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
         # A flat matrix has no true transitive share, and hardly ever gets an interval.
         if (row.interval, row.data.split(",")[0]) == ("transitive_share", "flat"):
             assert row.given <= 0.1 * row.repetitions, row
+        # One true equilibrium of many, and generations in the wrong order, as the page says.
+        elif (row.interval.split("_")[-1], row.data[:5], row.size) in (
+            ("diversity", "cycle", 8), ("intransitivity", "steps", 31),
+        ):  # fmt: skip
+            assert row.covered > 0.5 * row.given, row
         elif row.interval in unbiased and row.given >= 100:
             assert row.covered >= 0.9 * row.given, row
 
@@ -332,7 +339,7 @@ def test_the_script_writes_counts_and_their_table(tmp_path: Path) -> None:
     counts = coverage.read_counts(tmp_path / "coverage/coverage.csv")
     assert printed.startswith(coverage.table(counts))
     assert read(tmp_path / "coverage/coverage.md") == coverage.table(counts) + "\n"
-    assert {row.repetitions for row in counts} == {20}
+    assert {row.repetitions for row in counts} == {5, 20}
     assert min(row.given for row in counts if row.interval == "mean of episodes") == 20
 
 

@@ -304,7 +304,7 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
         "level": level,
         "measures": measure_all(payoffs, level=level),
         "bands": race_bands(payoffs.matrices, level=level),
-        "runs": [_curves(run) for run in payoffs.runs],
+        "runs": [_curves(run, level) for run in payoffs.runs],
     }
     if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
         found["ratings"] = elo_over_episodes(payoffs.scores, level=level)
@@ -314,11 +314,11 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
     return plain
 
 
-def _curves(run: Payoffs) -> dict[str, Any]:
+def _curves(run: Payoffs, level: float) -> dict[str, Any]:
     curves = {name: of(run.matrices[0]) for name, of in CURVES.items()}
     if run.scores is not None and run.scores.shape[3] >= 2:
         curves["dominance"] = progress.dominance_tournament(run.scores[0])
-        curves["spinning_top"] = spinning_top(run.scores[0])
+        curves["spinning_top"] = spinning_top(run.scores[0], level=level)
     return {"payoff": run.matrices[0], **curves}
 
 

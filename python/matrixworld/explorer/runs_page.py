@@ -390,8 +390,8 @@ def _ratings(payoff: Payoff) -> dict[str, Any]:
         curves[team] = {"mean": mean, "low": None, "high": None}
     if payoff.capture_rates.shape[2] >= 2:
         bands = analysis.elo_over_episodes(payoff.capture_rates)
-        for team in ("pursuers", "evaders"):
-            _set_band(curves[team], getattr(bands, team))
+        for team, band in zip(("pursuers", "evaders"), bands, strict=True):
+            _set_band(curves[team], band)
     return curves
 
 

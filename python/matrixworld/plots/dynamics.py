@@ -15,11 +15,10 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis.cycles import SpinningTop
 from matrixworld.analysis.dynamics import TIME, ReplicatorPath
 from matrixworld.analysis.games import Nash
 from matrixworld.analysis.judge import LEAST_INTRANSITIVITY
-from matrixworld.analysis.payoffs import Rates
+from matrixworld.analysis.payoffs import Rates, require
 from matrixworld.plots import style
 from matrixworld.plots.payoffs import COLORMAP
 
@@ -46,12 +45,13 @@ def replicator_trajectories(
     payoff : array_like of float, shape (n, m)
         Capture rates.
     starts : sequence of pairs of array_like of float, shapes (n,) and (m,), optional
-        Shares of pursuers and evaders at the begin. The default is equal shares.
+        Shares of pursuers and evaders at the begin, at most 20. The default is equal shares.
     time : float, optional
         Duration, above 0.
     title : str, optional
     """
     nash = analysis.nash_averaging(payoff)
+    require(len(starts) <= len(style.LINES), f"at most {len(style.LINES)} starts", len(starts))
     pairs: Sequence[Any] = starts or [(None, None)]
     paths = [
         analysis.replicator_dynamics(payoff, pursuers=p, evaders=q, time=time, points=1001)
@@ -88,7 +88,7 @@ def _draw_triangle(axes: Axes, shares: Sequence[Rates], nash: Rates) -> None:
     axes.plot(*CORNERS[[0, 1, 2, 0]].T, color=colors.MUTED, linewidth=0.8)
     for number, (corner, shift) in enumerate(zip(CORNERS, (-0.07, -0.07, 0.07), strict=True)):
         axes.text(corner[0], corner[1] + shift, str(number), ha="center", va="center")
-    for each, (color, line) in zip(shares, _lines(len(shares)), strict=True):
+    for each, (color, line) in zip(shares, style.LINES, strict=False):
         places = (each @ CORNERS).T
         axes.plot(*places, color=color, linestyle=line, linewidth=1.2)
         axes.plot(*places[:, 0], color=color, marker="o", markersize=5)
@@ -98,17 +98,13 @@ def _draw_triangle(axes: Axes, shares: Sequence[Rates], nash: Rates) -> None:
 
 
 def _draw_divergence(axes: Axes, paths: Sequence[ReplicatorPath], nash: Nash) -> None:
-    for path, (color, line) in zip(paths, _lines(len(paths)), strict=True):
+    for path, (color, line) in zip(paths, style.LINES, strict=False):
         away = path.divergence(nash.pursuers, nash.evaders)
         axes.plot(path.times, away, color=color, linestyle=line, linewidth=1.5)
     axes.set(xlabel="time", ylabel="divergence, nats")
     axes.set_ylim(0, 1.1 * axes.get_ylim()[1])
     axes.set_title("distance from equilibrium", size="medium")
     style.plain_axis(axes)
-
-
-def _lines(count: int) -> Sequence[tuple[str, Any]]:
-    return [style.LINES[number % len(style.LINES)] for number in range(count)]
 
 
 def spinning_top(
@@ -129,21 +125,17 @@ def spinning_top(
     figure = style.new_figure(6.4, 4.6)
     axes = figure.add_subplot()
     tops = analysis.spinning_top(scores)
-    for team, top, color in zip(("pursuers", "evaders"), tops, colors.TEAMS, strict=True):
-        _draw_half(axes, top, -1 if team == "pursuers" else 1, color, team)
-    most = 1.05 * max(float(top.high.max()) for top in tops) or 1.0
-    for place in (-LEAST_INTRANSITIVITY, LEAST_INTRANSITIVITY):
-        axes.axvline(place, color=colors.MUTED, linestyle=":", linewidth=1.0)
+    sides = (("pursuers", -1), ("evaders", 1))
+    for (team, side), top, color in zip(sides, tops, colors.TEAMS, strict=True):
+        places = side * top.intransitivity
+        axes.hlines(top.strength, side * top.low, side * top.high, color=color, linewidth=0.8)
+        axes.plot(places, top.strength, "o", markersize=5, color=color, label=team)
+        axes.barh(top.strength, places, height=0.012, color=color, alpha=0.3, linewidth=0)
+        axes.axvline(side * LEAST_INTRANSITIVITY, color=colors.MUTED, linestyle=":", linewidth=1.0)
+    most = 1.05 * max(LEAST_INTRANSITIVITY, *(float(top.high.max()) for top in tops))
     axes.set(xlim=(-most, most), xlabel="intransitivity", ylabel="strength (mean payoff)")
     axes.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
     style.unit_axis(axes)
     axes.set_title(style.fitting(figure, title))
     style.legend_below(figure, style.labelled(axes))
     return figure
-
-
-def _draw_half(axes: Axes, top: SpinningTop, side: int, color: str, team: str) -> None:
-    axes.hlines(top.strength, side * top.low, side * top.high, color=color, linewidth=0.8)
-    places = side * top.intransitivity
-    axes.plot(places, top.strength, "o", markersize=5, color=color, label=team)
-    axes.barh(top.strength, places, height=0.012, color=color, alpha=0.3, linewidth=0)
