@@ -15,6 +15,7 @@ from matrixworld.coevolution import (
     DrawnOpponents,
     EvolutionStrategySettings,
     HallOfFame,
+    MetaOpponents,
     RaceSettings,
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES
@@ -289,3 +290,19 @@ def test_every_setting_has_a_help_text():
     for kinds in map(sections_in, hints_of(RaceSettings).values()):
         for cls in kinds.values():
             assert all(item.metadata["help"] in cls.__doc__ for item in fields(cls))
+
+
+@pytest.mark.parametrize("base", [RaceSettings(), RaceSettings(schedule="hall-of-fame")])
+def test_a_part_of_an_opponent_sampler_that_a_schedule_names(base: RaceSettings) -> None:
+    given = {"schedule": "psro", f"{MEET}.episodes": 3, "schedule.evaders_meet": "prd"}
+    for settings in (RaceSettings.of(given), base.changed(given)):
+        schedule = settings.schedule
+        assert schedule.name == "psro"
+        assert schedule.pursuers_meet == MetaOpponents(solver="nash", episodes=3)
+        assert schedule.evaders_meet == MetaOpponents(solver="prd")
+        assert (schedule.archive_episodes("pursuer"), schedule.archive_episodes("evader")) == (
+            3,
+            10,
+        )
+    # Meta-strategies of one team only have no name.
+    assert base.changed({**given, "schedule.evaders_meet": "latest"}).schedule.name == "alternating"

@@ -18,6 +18,7 @@ import interval_coverage as coverage
 import judgement_tables
 import matrixworld as mw
 import paper_claims
+import psro
 import safe_learning
 import yoked_races
 from evolution_scripts import DOCS, RESULTS, read, run_quickly, run_script
@@ -41,6 +42,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "yoked_races/comparison.md": lambda at: yoked_races.report(
         json.loads(read(at / "numbers.json"))
     ),
+    "psro/table.md": lambda at: psro.table(json.loads(read(at / "numbers.json"))),
     "safe_learning/table.md": lambda at: safe_learning.table(dict(np.load(at / "numbers.npz"))),
 }
 """Published tables, and how they are made from the other files of their directory."""
@@ -181,6 +183,33 @@ def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
     ]
     assert budget == min(ends) < max(ends)
     assert printed.count("\n| latest |") == printed.count("\n| maxsolve |") == 1
+
+
+@pytest.mark.slow
+def test_psro_is_compared_at_one_budget(tmp_path: Path) -> None:
+    printed = run_quickly("psro", tmp_path)
+    assert {path.name for path in (tmp_path / "psro").iterdir()} == {
+        "numbers.json", "table.md", "curves.png",
+    }  # fmt: skip
+    assert printed.startswith(read(tmp_path / "psro" / "table.md"))
+    found = json.loads(read(tmp_path / "psro" / "numbers.json"))
+    assert list(found["races"]) == list(psro.KINDS)
+    for rows in found["races"].values():
+        assert [row["seed"] for row in rows] == [0, 1]
+        # An opponent that is told whom it meets gains no less than the best one.
+        assert all(0.0 <= gain <= 1.0 for row in rows for gain in row["mixture"])
+    budget, reached = psro.at_budget(found["races"])
+    assert budget == min(row["matches"][-1] for rows in found["races"].values() for row in rows)
+    assert (reached["PSRO, Nash"]["generation"] < 3).all()  # its matrix has a price
+    # Read from the files: nothing is played or solved again.
+    assert run_quickly("psro", tmp_path) == printed
+
+
+def test_mixtures_of_a_race_are_equilibria_of_its_generations() -> None:
+    matrix = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+    first, whole = psro.mixtures(matrix, 1)[0], psro.mixtures(matrix, 2)[0]
+    np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
+    np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
 
 
 @pytest.mark.slow

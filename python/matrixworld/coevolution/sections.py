@@ -268,6 +268,10 @@ def _restored(item: Field[Any], hint: Any, plain: Any, path: str, *, complete: b
     else:
         # A part of the default section: its other fields stay.
         cls, given = type(default), {} if complete else vars(default)
+    for name, part in values.items():
+        # A part of a section that the shorthand names: its other fields stay.
+        if isinstance(part, Mapping) and isinstance(given.get(name), str):
+            values[name] = {"kind": given[name], **part}
     return from_plain(cls, {**given, **values}, f"{path}.", complete=complete)
 
 
