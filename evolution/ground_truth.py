@@ -8,7 +8,8 @@ score (capture rate of pursuers, escape rate of evaders) against the best respon
 (docs/ground_truth.md). Beside it stands what the package's measures say. Three questions:
 
 - *generations*: which of two generations of a race is better? Spearman's correlation over the
-  generations of a race, mean over the races of a seed;
+  generations of a race, mean over the races of a seed; numbers have four digits, and a race whose
+  generations all guarantee the same does not count;
 - *champions*: which of two races has the better last generation? Correlation over races;
 - *changes*: in which of two races did a team improve more? Correlation over races, of linear
   changes (slope times length, as a gain is).
@@ -24,6 +25,8 @@ progress: one rises, the other does not; false if both or none rise. Rise: a tea
 none does. Stagnation: no team changes by more than ``STAYS``; false if one changes by ``RISES``.
 The thresholds were set when one race of each schedule had been seen. The judgement is about scores
 against the opponents of the race, so an error here is an error of the reader who takes it for more.
+
+With ``--responses`` best responses to champions are learned, too, and compared with the exact ones.
 
 Runs are kept in ``--runs``; an interrupted script continues there, and takes further schedules and
 seeds. ``--results`` receives the numbers of each race, tables and a figure.
@@ -78,7 +81,7 @@ SCHEDULES = (
     "hall-of-fame",
     "psro",
 )
-BUDGETS = (2_000, 5_000, 20_000, 50_000)
+BUDGETS = (2_000, 5_000, 20_000)
 """Matches of learned responses."""
 RESPONSES_TO = "generalist-generalist"
 """Schedule to whose champions responses are learned."""
@@ -219,7 +222,9 @@ def exact(states: States, teams: Mapping[Team, mw.Population], champion: Team) -
     return captured if champion == "evader" else 1 - captured
 
 
-def numbers_of_all(runs: Mapping[tuple[str, int], SavedRun], root: Path, quick: bool) -> list[Row]:
+def numbers_of_all(
+    runs: Mapping[tuple[str, int], SavedRun], root: Path, budgets: Sequence[int]
+) -> list[Row]:
     """Return the numbers of all races; those that need no other race are kept beside the runs."""
     found = []
     for (schedule, seed), run in tqdm(runs.items(), unit=" races", disable=None):
@@ -231,9 +236,8 @@ def numbers_of_all(runs: Mapping[tuple[str, int], SavedRun], root: Path, quick: 
         for team, scores in against_others(runs, (schedule, seed)).items():
             row["measures"][team]["others"] = scores
         found.append(row)
-    rows = [row for row in found if row["schedule"] == RESPONSES_TO]
+    rows = [row for row in found if budgets and row["schedule"] == RESPONSES_TO]
     champions = {f"seed-{row['seed']}": runs[RESPONSES_TO, row["seed"]] for row in rows}
-    budgets = BUDGETS[:1] if quick else BUDGETS
     learned = responses_of(champions, budgets, root / "responses") if rows else {}
     for row, each in zip(rows, learned.values(), strict=True):
         row["responses"] = each
@@ -268,13 +272,13 @@ def correlation(one: Sequence[float], other: Sequence[float]) -> float:
 
 
 def within_races(rows: Sequence[Row], team: Team, measure: str) -> analysis.Estimate | None:
-    """Return how well a measure orders the generations of a race."""
+    """Return how well a measure orders the generations of the races in which these differ."""
     by_seed: dict[int, list[float]] = {}
     for row in rows:
         said = row["measures"][team].get(measure, ())
         if len(said) == len(row["truth"][team]):
             by_seed.setdefault(row["seed"], []).append(correlation(said, row["truth"][team]))
-    means = [np.mean(each) for each in by_seed.values() if not np.isnan(each).any()]
+    means = [np.nanmean(each) for each in by_seed.values() if not np.isnan(each).all()]
     return analysis.interval_over_runs(means, bounds=(-1.0, 1.0)) if len(means) > 1 else None
 
 
@@ -317,7 +321,10 @@ def table_of_measures(rows: Sequence[Row]) -> str:
     heads = ["score against"]
     heads += [f"{q}: {t}s" for q in ("generations", "champions", "changes") for t in TEAMS]
     cells = []
+    known = {name for row in rows for team in TEAMS for name in row["measures"][team]}
     for measure, label in MEASURES.items():
+        if measure not in known:
+            continue
         found = [within_races(rows, team, measure) for team in TEAMS]
         found += [between_races(rows, team, measure, last_of) for team in TEAMS]
         found += [between_races(rows, team, measure, linear_change) for team in TEAMS]
@@ -348,8 +355,6 @@ def by_schedule(rows: Sequence[Row]) -> dict[str, list[Row]]:
 def table_of_responses(rows: Sequence[Row]) -> str:
     """Return how much of the gain of a best response the learned ones find, by matches."""
     learned = [row for row in rows if "responses" in row]
-    if not learned:
-        return "None."
     budgets = [key for key in learned[0]["responses"]["pursuer"] if key != "met"]
     cells = []
     for budget in budgets:
@@ -459,11 +464,14 @@ def report(rows: Sequence[Row], toys: Path) -> str:
         table_of_changes(rows),
         "## Errors of the judgement",
         table_of_errors(rows, toys),
-        "## Learned responses to the last generations",
-        f"Champions: those of {RESPONSES_TO}. Gain: exact score of the response minus that of the "
-        "champion's last opponent.",
-        table_of_responses(rows),
     ]
+    if any("responses" in row for row in rows):
+        parts += [
+            "## Learned responses to the last generations",
+            f"Champions: those of {RESPONSES_TO}. Gain: exact score of the response minus that of "
+            "the champion's last opponent.",
+            table_of_responses(rows),
+        ]
     return "\n\n".join(parts) + "\n"
 
 
@@ -491,8 +499,8 @@ def draw(rows: Sequence[Row], file: Path) -> None:
             axis.set_title(title if team == "pursuer" else "")
         line[0].set_ylabel(f"{team}s")
         value = rows[0]["value"] if team == "pursuer" else 1 - rows[0]["value"]
-        line[2].text(0.98, 0.95, f"perfect play: {value:.2f}", transform=line[2].transAxes,
-                     ha="right", va="top")  # fmt: skip
+        line[2].text(0.03, 0.95, f"perfect play: {value:.2f}", transform=line[2].transAxes,
+                     ha="left", va="top")  # fmt: skip
     for axis in axes[1]:
         axis.set_xlabel("generation")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), ncols=5, loc="outside lower center")
@@ -505,6 +513,7 @@ def main() -> None:
     parser = script_parser(__doc__, quick="two seeds of tiny races")
     parser.add_argument("--schedules", nargs="+", choices=SCHEDULES, default=list(SCHEDULES))
     parser.add_argument("--seeds", type=int, help="races of each schedule; default 10, or 2")
+    parser.add_argument("--responses", action="store_true", help="learn responses, too")
     parser.add_argument("--runs", type=Path, default=Path("runs/ground_truth"))
     parser.add_argument("--results", type=Path, default=Path("ground_truth"))
     parser.add_argument("--threads", type=int, help="default: one for each core")
@@ -516,7 +525,8 @@ def main() -> None:
     settings = {place(*key): settings_of(*key, args.quick) for key in keys}
     played = finish_all(settings, args.runs, threads=args.threads)
     runs = {key: played[place(*key)] for key in keys}
-    rows = rounded(numbers_of_all(runs, args.runs, args.quick))
+    budgets = BUDGETS[: 1 if args.quick else None] if args.responses else ()
+    rows = rounded(numbers_of_all(runs, args.runs, budgets))
     args.results.mkdir(parents=True, exist_ok=True)
     lines = ",\n".join(map(json.dumps, rows))
     (args.results / "races.json").write_text(f"[{lines}]\n", encoding="utf-8")

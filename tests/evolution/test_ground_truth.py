@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import ground_truth
-from evolution_scripts import read, run_quickly
+from evolution_scripts import DOCS, RESULTS, read, run_quickly
 from matrixworld.coevolution import open_run
 from matrixworld.solve import best_response
 
@@ -68,9 +68,16 @@ def test_intervals_of_correlations_over_races_hold_without_a_relation():
     assert missed <= 12
 
 
+def test_the_page_shows_the_published_tables():
+    told, page = read(RESULTS / "ground_truth" / "measures.md"), read(DOCS / "ground_truth.md")
+    for heading in ("What the teams guarantee", "Correlations with the truth"):
+        table = told.split(f"## {heading}", 1)[1].split("\n\n| ", 1)[1].split("\n\n", 1)[0]
+        assert table.strip() in page
+
+
 @pytest.mark.slow
 def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path: Path):
-    options = ("--threads", "1", "--schedules", "generalist-generalist")
+    options = ("--threads", "1", "--responses", "--schedules", "generalist-generalist")
     printed = run_quickly("ground_truth", tmp_path, *options)
     results = tmp_path / "ground_truth"
     assert {path.name for path in results.iterdir()} == {

@@ -13,6 +13,7 @@ import pytest
 import actor_critic_baselines as baselines
 import actor_critic_races as races
 import common
+import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
@@ -35,6 +36,9 @@ TABLES: dict[str, Callable[[Path], str]] = {
     ),
     "actor_critic/races.md": lambda at: races.table(dict(np.load(at / "races.npz"))),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
+    "ground_truth/measures.md": lambda at: ground_truth.report(
+        json.loads(read(at / "races.json")), RESULTS / "judgement"
+    ),
     "hall_of_fame/comparison.md": lambda at: hall_of_fame.table(
         hall_of_fame.read_races(at / "races.csv")
     ),
