@@ -64,10 +64,7 @@ NO_EPISODES = (
     f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
     "noise"
 )
-TOO_FEW_FOR_DIVERSITY = (
-    f"it takes the single episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell diversity "
-    "from noise"
-)
+TOO_FEW_FOR_DIVERSITY = f"it takes at least {EPISODES_TO_JUDGE} single episodes of each pair"
 
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 
@@ -344,10 +341,21 @@ def _cyclic(third: int | None = None) -> Estimator:
     return _deciding(of_run)
 
 
-def _diversity(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    if payoffs.scores is None or not payoffs.shows_noise:
-        return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
-    return effective_diversity_over_episodes(payoffs.scores[0][window.cells], level=level)
+def _diversity() -> Estimator:
+    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        if payoffs.scores is None or not payoffs.shows_noise:
+            return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
+        return effective_diversity_over_episodes(payoffs.scores[0][window.cells], level=level)
+
+    deciding = _deciding(of_run)
+
+    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
+        found = deciding(payoffs, window, level, singles)
+        # Estimates without bias may be below 0, diversities not.
+        low = None if found.low is None else max(0.0, found.low)
+        return replace(found, value=found.value if low is None else max(0.0, found.value), low=low)
+
+    return estimate
 
 
 def _recurrence(team: str) -> Estimator:
@@ -485,7 +493,7 @@ ROWS = (
     ),
     *_of_teams("rungs", "dominant {team} generations", _dominant, form=".1f"),
     Measure("game_value", "capture rate in the Nash equilibrium", _biased(game_value)),
-    Measure("effective_diversity", "effective diversity of the equilibrium", _deciding(_diversity)),
+    Measure("effective_diversity", "effective diversity of the equilibrium", _diversity()),
     *(
         Measure(
             f"{which}_intransitivity", f"intransitivity of the {which} third", _cyclic(third),

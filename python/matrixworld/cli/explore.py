@@ -197,6 +197,10 @@ def _check_races(groups: Sequence[Group], selection: Selection) -> None:
             raise click.UsageError(
                 f"--figure {selection.name}: expected a race, got a run of one team: {run.path}"
             )
+        if selection.name == "spinning_top" and run.payoff.capture_rates.shape[2] < 2:
+            raise click.UsageError(
+                f"--figure spinning_top: expected at least 2 episodes of a pair, got 1: {run.path}"
+            )
     races = sum(len(group.runs) for group in groups)
     if selection.name == "comparison" and races < 2:
         raise click.UsageError(f"--figure comparison: expected at least two races, got {races}")
