@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
 from matrixworld._util import colors
-from matrixworld.envs import AgentEnv, aec_env, parallel_env
+from matrixworld.envs import aec_env, parallel_env
+from matrixworld.envs.agent import AgentEnv
 from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
 from matrixworld.episodes import render, replay
 from matrixworld.episodes.episode import Episode

@@ -71,7 +71,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from matrixworld.envs.agent import AgentEnv
 from matrixworld.envs.single import (
     INFO_KEYS,
     OPTIONS,
@@ -86,7 +85,6 @@ __all__ = [
     "INFO_KEYS",
     "OPTIONS",
     "RENDER_MODES",
-    "AgentEnv",
     "MatrixWorldAEC",
     "MatrixWorldParallel",
     "aec_env",
