@@ -115,7 +115,7 @@ MATCHES = [
         lambda: mw.rollout(CONFIG, "stalker", TEAM, MATCH),
         f"one of {', '.join(mw.SCRIPTS)} | got 'stalker'",
     ),
-    kind(lambda: rollout(TEAM, GENOME), "a Population or the name | evaders: "),
+    kind(lambda: rollout(TEAM, GENOME), "a Population, a TablePolicy or the name | evaders: "),
     value(lambda: play(TEAM, TEAM, [1, 2], 0), "0 to 1 | pursuer: expected 0 to 1, got 2"),
     value(lambda: play(TEAM, TEAM, 0, 5), "0 to 1 | evader: expected 0 to 1, got 5"),
     value(lambda: play("still", TEAM, 1, 0), "0 to 0 | got 1"),

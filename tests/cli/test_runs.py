@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import matrixworld
-from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
+from command_line import FIGURES, GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
 from matrixworld import VARIANTS, Episode, WorldConfig, record
 from matrixworld.cli.figures import collisions_per_1000, planned, run_title
 from matrixworld.cli.groups import groups_of
@@ -201,7 +201,7 @@ def test_all_figures_are_drawn_and_races_side_by_side(run):
     assert sorted(Path(file).absolute() for file in said) == sorted(
         path.absolute() for path in [*figures, Path("comparison.png")]
     )
-    assert len(figures) == 10  # five of each race; the comparison lies beside them
+    assert sorted(path.name for path in figures) == sorted([*FIGURES] * 2)
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 

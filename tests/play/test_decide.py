@@ -124,7 +124,7 @@ def test_a_refused_decision_writes_nothing() -> None:
     team = range(3, 7)
     for policies, chosen, agents, out, error, message in [
         (["flier"], [0, 0], team, actions, ValueError, "policies: expected one of random, still"),
-        ([3], [0, 0], team, actions, TypeError, "policies: expected a Population or the name"),
+        ([3], [0, 0], team, actions, TypeError, "policies: expected a Population, a T"),
         ([other_views], [0, 0], team, actions, ValueError, "policies: expected a network for fov"),
         ([two], [0, 0], team, actions, ValueError, "policies: expected a single genome, got 2"),
         (["still"], [0, 1], team, actions, ValueError, "chosen: expected 0 to 0, got 1"),

@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import analysis, classroom, coevolution, explorer, toys, tutorial
+from matrixworld import analysis, classroom, coevolution, explorer, solve, toys, tutorial
 from matrixworld.analysis.meta_strategies import META_SOLVERS
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
@@ -187,6 +187,7 @@ def _of_analysis() -> Iterator[Any]:
     yield payoffs.late
     yield analysis.dominance_tournament(scores)
     yield from (analysis.spinning_top(scores), analysis.elo_over_episodes(scores))
+    yield solve.Guarantees(0.5, payoff[0], payoff[1])
     yield analysis.replicator_dynamics(payoff)
     yield analysis.disengagements(np.ones((9, 2)))
     yield strength_gain(payoff[0], payoff[0])

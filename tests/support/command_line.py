@@ -16,7 +16,18 @@ JOB = {**RACE, "joint_epochs": 2}
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 PLACES = [f"{schedule}/seed-{TINY['seed']}" for schedule in MAIN_JOB]
 """Where the runs of the main job are."""
-FIGURES = {"payoff.png", "generalization.png", "lag_profile.png", "training.png", "collisions.png"}
+FIGURES = {
+    f"{name}.png"
+    for name in [
+        "payoff",
+        "generalization",
+        "lag_profile",
+        "training",
+        "collisions",
+        "dynamics",
+        "spinning_top",
+    ]
+}
 READING = [
     ["judge", "RUN"],
     ["replay", "RUN", "--out", "match.npz"],

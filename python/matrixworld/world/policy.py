@@ -351,7 +351,8 @@ def check_team(name: str, team: EnginePolicy) -> Any:
         return team.core
     if not isinstance(team, str):
         raise TypeError(
-            f"{name}: expected a Population, a TablePolicy or the name of a script, got {team!r}"
+            f"{name}: expected a Population, a TablePolicy or the name of a script, "
+            f"got {shown(team)}"
         )
     check_choice(name, team, SCRIPTS)
     return team
