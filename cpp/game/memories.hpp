@@ -26,7 +26,8 @@ class Memories {
         if (agent >= static_cast<int>(held_.size())) return;
         const Held& held = held_[agent];
         const std::vector<float>& numbers = held.step == step ? held.before : held.after;
-        if (static_cast<int>(numbers.size()) == size) std::copy(numbers.begin(), numbers.end(), out);
+        if (static_cast<int>(numbers.size()) == size)
+            std::copy(numbers.begin(), numbers.end(), out);
     }
 
     void keep(int agent, int step, int size, const float* numbers) {

@@ -30,7 +30,8 @@ Network::Network(int fov, std::vector<int> hidden, int n_actions, Activation act
 
 std::vector<Network::Shape> Network::layers() const {
     std::vector<Shape> layers;
-    for (std::size_t i = 0; i + 1 < sizes.size(); ++i) layers.push_back({sizes[i], sizes[i + 1], 0});
+    for (std::size_t i = 0; i + 1 < sizes.size(); ++i)
+        layers.push_back({sizes[i], sizes[i + 1], 0});
     if (memory == Memory::None) return layers;
     const int gates = n_gates(memory);
     layers.insert(layers.begin() + 1, {2 * sizes[1], gates * sizes[1], gates});

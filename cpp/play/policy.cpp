@@ -57,7 +57,8 @@ void NetworkPolicy::choose(World& world, const Occupancy& occupancy) {
 void NetworkPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
     if (mlp_.network().memory != Memory::None) {
         throw std::invalid_argument(
-            "network: expected one without memory, whose choices depend on the present state alone, "
+            "network: expected one without memory, whose choices depend on the present state "
+            "alone, "
             "got one with memory");
     }
     units_.assign(agents_.size(), 0.0f);

@@ -20,8 +20,7 @@ class Policy {
     // Writes actions[agent] for the living agents in [first, last), which belong to one team, and what
     // they remember from this step.
     template <typename Integer>
-    void decide(World& world, const Occupancy& occupancy, int first, int last,
-                Integer* actions) {
+    void decide(World& world, const Occupancy& occupancy, int first, int last, Integer* actions) {
         draw(world, first, last);
         if (agents_.empty()) return;
         choose(world, occupancy);

@@ -13,7 +13,7 @@ namespace matrixworld {
 namespace {
 
 constexpr int kGonePlace = 0;
-constexpr int kCapturedPlace = 1;    // of an evader: gone after its capture
+constexpr int kCapturedPlace = 1;   // of an evader: gone after its capture
 constexpr std::size_t kPiece = 64;  // states; a piece of work of a thread
 
 }  // namespace
@@ -268,13 +268,14 @@ void States::for_each_state(std::size_t first, std::size_t last, int n_threads,
                             const std::function<void(std::size_t state, int thread)>& work) {
     const KeptWorkers kept(n_threads);
     const std::size_t n_pieces = (last - first + kPiece - 1) / kPiece;
-    (*kept).run(static_cast<std::int64_t>(n_pieces),
-                [&](std::int64_t piece, int thread) {
-                    const std::size_t begin = first + static_cast<std::size_t>(piece) * kPiece;
-                    const std::size_t end = std::min(begin + kPiece, last);
-                    for (std::size_t state = begin; state < end; ++state) work(state, thread);
-                },
-                poll);
+    (*kept).run(
+        static_cast<std::int64_t>(n_pieces),
+        [&](std::int64_t piece, int thread) {
+            const std::size_t begin = first + static_cast<std::size_t>(piece) * kPiece;
+            const std::size_t end = std::min(begin + kPiece, last);
+            for (std::size_t state = begin; state < end; ++state) work(state, thread);
+        },
+        poll);
 }
 
 // ---- What a policy does in every state ----------------------------------------------------------

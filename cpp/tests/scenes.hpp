@@ -154,12 +154,11 @@ inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden,
     std::vector<int> hidden(static_cast<std::size_t>(n_hidden));
     for (int& size : hidden) size = random.one_of({1, 7, 16, 20, 32, 33, 64});
     const Activation activation = random.one_of({Activation::Relu, Activation::Tanh});
-    side->candidates.network.emplace(config.fov, hidden, config.n_actions(), activation,
-                                     random.chance(70),
-                                     hidden.empty() ? matrixworld::Memory::None
-                                                    : random.one_of({matrixworld::Memory::None,
-                                                                     matrixworld::Memory::Elman,
-                                                                     matrixworld::Memory::Gru}));
+    side->candidates.network.emplace(
+        config.fov, hidden, config.n_actions(), activation, random.chance(70),
+        hidden.empty() ? matrixworld::Memory::None
+                       : random.one_of({matrixworld::Memory::None, matrixworld::Memory::Elman,
+                                        matrixworld::Memory::Gru}));
     side->candidates.n = random.between(1, 3);
     side->genomes.resize(static_cast<std::size_t>(side->candidates.n) *
                          static_cast<std::size_t>(side->candidates.network->genome_size()));
