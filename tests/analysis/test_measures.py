@@ -353,6 +353,7 @@ def test_log_loss_by_hand() -> None:
     assert analysis.log_loss([[0.5]], [[0.0]]) == np.inf  # what was held impossible happened
 
 
+@pytest.mark.slow
 def test_intervals_of_ratings_are_those_of_a_jackknife() -> None:
     rng = np.random.default_rng(1)
     scores = (rng.random((7, 5, 200)) < staircase(7)[:, :5, None] * 0.6 + 0.2).astype(float)

@@ -173,6 +173,7 @@ def test_a_program_that_takes_too_long_in_all_is_left_out(tmp_path: Path) -> Non
     ]
 
 
+@pytest.mark.slow
 def test_a_program_that_waits_ends_by_the_clock(tmp_path: Path) -> None:
     """Without processor time, and with answers that each come in time: in a match and in all."""
     waits = (
@@ -196,6 +197,7 @@ def test_a_program_that_waits_ends_by_the_clock(tmp_path: Path) -> None:
     assert time.monotonic() - began < 15.0
 
 
+@pytest.mark.slow
 def test_limits_of_time_count_for_genomes(tmp_path: Path) -> None:
     """A file of 7.9 MB, whose network takes a second or so for each match."""
     network = Network(hidden=(1400, 1000), fov=11)

@@ -103,6 +103,7 @@ def process_of(*args):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     """Ctrl-C in the first runs leaves no process; a kill loses nothing."""

@@ -110,6 +110,7 @@ def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Pat
     check_equal(place, settings, tmp_path / "alone")
 
 
+@pytest.mark.slow
 def test_work_goes_on_when_all_workers_were_lost_and_another_joins(dask: DaskCluster) -> None:
     [only] = dask.workers(1)
     told: list[str] = []

@@ -65,6 +65,7 @@ COMMANDS = {
 """Commands that a cluster plays, and their arguments."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_cluster_gives_the_same_files(
     name: str, race: Path, dask: DaskCluster, tmp_path: Path

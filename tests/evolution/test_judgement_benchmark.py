@@ -347,6 +347,7 @@ def test_judgements_of_other_code_are_refused(run: Callable[..., str], tmp_path:
         run("--quick", "--results", tmp_path)
 
 
+@pytest.mark.slow
 def test_races_are_those_that_the_setting_says() -> None:
     seen = set()
     for seed in range(40):
@@ -393,6 +394,7 @@ def test_sizes_by_hand() -> None:
     assert [*map(place, rows)] == [("stagnation", "0.2", "0.4")]
 
 
+@pytest.mark.slow
 def test_learners_that_cannot_learn_and_opponents_in_random_order() -> None:
     frozen = cases.real_case(cases.FROZEN, 3)
     assert frozen.scores.shape == (15, 15, 10)

@@ -178,6 +178,7 @@ def test_p_value_of_seeds() -> None:
     assert common.p_value([0.1] * 6, 0.1) == 1.0
 
 
+@pytest.mark.slow
 def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
     printed = run_quickly("archives", tmp_path, "--samplers", "latest", "maxsolve")
     budget = int(printed.split(" matches")[0].rsplit(" ", 1)[-1].replace(",", ""))

@@ -124,6 +124,7 @@ def test_the_deap_example_evolves_a_response_that_wins() -> None:
     assert after < before - 0.1
 
 
+@pytest.mark.slow
 def test_safe_coevolution_prices_collisions(tmp_path: Path) -> None:
     table = rows(quick("safe_coevolution", tmp_path))
     assert [path.name for path in tmp_path.iterdir()] == ["safe_coevolution.png"]

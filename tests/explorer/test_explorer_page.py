@@ -151,6 +151,7 @@ def test_the_page_says_if_its_matches_differ(browser: Browser, job: Job, tmp_pat
     browser.wait("document.querySelector('.check').textContent.includes('differs')")
 
 
+@pytest.mark.slow
 def test_keys(opened: Browser) -> None:
     select(opened, 0, 1, 1)
     opened.wait("window.matrixworldExplorer.step > 0")  # a click plays the match
@@ -281,6 +282,7 @@ def test_the_guided_minute_drives_the_page(opened: Browser, job: Job) -> None:
     assert opened.errors() == []
 
 
+@pytest.mark.slow
 def test_a_match_is_saved_as_a_gif_of_ten_seconds(opened: Browser, tmp_path: Path) -> None:
     opened.prefer(prefers_color_scheme="light")
     where = {"behavior": "allow", "downloadPath": str(tmp_path)}
@@ -335,6 +337,7 @@ def test_a_page_with_an_altered_script_does_not_run(
     assert any("Content Security Policy" in error for error in browser.errors())
 
 
+@pytest.mark.slow
 def test_a_finger_chooses_in_a_loupe_and_sees_the_board(browser: Browser, tmp_path: Path) -> None:
     start(tiny_race(generations=14), tmp_path / "run", threads=1).run()
     browser.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
@@ -373,6 +376,7 @@ def test_reduced_motion_shows_moments_only(browser: Browser, page: Path) -> None
     browser.prefer(prefers_reduced_motion="no-preference")
 
 
+@pytest.mark.slow
 def test_a_step_opens_in_the_playground(opened: Browser, job: Job) -> None:
     browser = opened
     select(browser, 0, 1, 2)

@@ -76,6 +76,7 @@ def bytes_of(root: Path) -> dict[str, bytes]:
     return {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
 
 
+@pytest.mark.slow
 def test_runs_have_the_same_bytes_with_a_page_beside_them(job: Path, tmp_path: Path) -> None:
     root = tmp_path / "job"
     with LivePage(root, [*JOB]) as page:
@@ -116,6 +117,7 @@ def test_an_error_ends_the_page_and_its_threads(job: Path) -> None:
         get(page.url)
 
 
+@pytest.mark.slow
 def test_a_browser_follows_the_runs_and_ends_with_the_finished_page(
     browser: Browser, live: LivePage, job: Path
 ) -> None:

@@ -186,6 +186,7 @@ def same(first: Episode, second: Episode) -> bool:
     return all(np.array_equal(getattr(first, name), getattr(second, name)) for name in fields)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("run", [0, 1])
 def test_a_file_is_an_episode_and_replays_bit_for_bit(
     browser: Browser, page: Path, job: list[SavedRun], downloads: Path, run: int, tmp_path: Path
@@ -212,6 +213,7 @@ def test_a_file_is_an_episode_and_replays_bit_for_bit(
     assert same(episode, Episode.load(tmp_path / "again.npz"))
 
 
+@pytest.mark.slow
 def test_a_link_holds_the_match(browser: Browser, page: Path) -> None:
     take_over(browser, page, 1, 1, 0, 2)
     moves_until_done(browser, LETTERS, np.random.default_rng(2))
@@ -230,6 +232,7 @@ def test_a_link_holds_the_match(browser: Browser, page: Path) -> None:
     assert browser.errors() == []
 
 
+@pytest.mark.slow
 def test_again_begins_where_the_person_took_over(browser: Browser, page: Path) -> None:
     take_over(browser, page, 0, 2, 2, 4)
     before = shown(browser)
@@ -252,6 +255,7 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> None:
     browser.open(own)
     lasted = []
@@ -305,6 +309,7 @@ def open_file(browser: Browser, file: Path) -> None:
     browser.driver.find_element("css selector", "input[type=file]").send_keys(str(file))
 
 
+@pytest.mark.slow
 def test_files_open_in_the_page(
     browser: Browser, own: Path, downloads: Path, tmp_path: Path
 ) -> None:

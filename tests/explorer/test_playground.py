@@ -204,6 +204,7 @@ def test_another_move_forgets_the_steps_that_were_taken_back(page: PlaygroundPag
     assert board(page, "played") == [[[2, 4, 0], [0, 0, 0]]]
 
 
+@pytest.mark.slow
 def test_undo_and_redo(page: PlaygroundPage) -> None:
     start = page.scene()
     page.browser.press(DOWN, ENTER, "5")
@@ -218,6 +219,7 @@ def test_undo_and_redo(page: PlaygroundPage) -> None:
     assert page.scene() == end
 
 
+@pytest.mark.slow
 def test_run_stops_at_the_end_of_the_episode(page: PlaygroundPage) -> None:
     page.load("rules=O&size=1x6&pursuers=0.0&evaders=0.5&next=cb")  # a chaser, one that stays
     page.browser.press(" ")
@@ -345,6 +347,7 @@ def test_a_reload_shows_the_same_scene(page: PlaygroundPage) -> None:
 # Looks:
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [DESKTOP, LAPTOP, PHONE])
 def test_nothing_is_cut_off_and_nothing_jumps(page: PlaygroundPage, size: tuple[int, int]) -> None:
     page.browser.resize(*size)

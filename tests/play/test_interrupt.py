@@ -87,6 +87,7 @@ world = mw.WorldConfig("SB", max_steps={max_steps}, n_pursuers=1, n_evaders=1)
     finish(process)
 
 
+@pytest.mark.slow
 def test_a_handler_may_play_matches_itself() -> None:
     """A handler that returns lets the rollout go on, with the same result.
 

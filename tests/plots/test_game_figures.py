@@ -163,6 +163,7 @@ def test_another_suffix_is_refused(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_text_of_a_figure_is_inside_of_it(tmp_path: Path) -> None:
     for draw in FIGURES:
         figure = draw()

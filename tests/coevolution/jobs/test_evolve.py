@@ -139,6 +139,7 @@ def stop_at(share, stopped):
     return report
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(tmp_path):
     settings = [tiny_race(seed=seed, **LONG) for seed in range(3)]
     stopped = []
@@ -247,6 +248,7 @@ def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_
     assert {name: files_in(tmp_path / name) for name in others} == {n: straight[n] for n in others}
 
 
+@pytest.mark.slow
 def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch):
     job = job_of(SETTINGS)
     save_job(tmp_path, job)
@@ -269,6 +271,7 @@ def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch
     check_equal(tmp_path, straight)
 
 
+@pytest.mark.slow
 @posix
 def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
     bad = tiny_race(learner="dying:Exits")

@@ -90,6 +90,7 @@ def test_maxsolve_takes_a_draw_for_unsolved():
     assert kept(submitted(MaxSolve(2), [[0.5, 0.6]])) == ([0], [1])
 
 
+@pytest.mark.slow
 @given(histories(), st.integers(1, 10))
 def test_maxsolve_keeps_all_distinct_solved_vectors_up_to_its_limit(history, limit):
     """On archived and new tests together, of archived and new candidates."""

@@ -74,6 +74,7 @@ def check_readable(directory):
         files.log()
 
 
+@pytest.mark.slow
 @quickly("kind", SHORT_RUNS, lambda kind: kind == "short single")
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     """Each event is tried, so that none depends on being hit at random."""
