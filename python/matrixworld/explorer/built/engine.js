@@ -1,4 +1,4 @@
-/* built from cpp/ and web/engine/ by web/build_engine.py; sources bac20db1680568b6665a10406dc4ff8a3ea626d96a8eff2926761ed56f039df7 */
+/* built from cpp/ and web/engine/ by web/build_engine.py; sources ccc1424f41826b6af462a7257953d7da7ee7886b29d407ee28be034b9652e4d4 */
 var matrixworldEngine = (() => {
   var _scriptDir = typeof document !== 'undefined' && document.currentScript ? document.currentScript.src : undefined;
   
