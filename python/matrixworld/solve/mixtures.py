@@ -36,7 +36,7 @@ def mixture_bounds(
     states. Both bounds are exact numbers, without sampling: one opponent is told after its first
     action whom it has met, and gets at least as much as the best one. The other one cannot be
     better: it forgets how a state came about, and believes what the state alone says about whom it
-    has met. It is improved until no change of its actions in any one round gains anything.
+    has met. It is improved round by round until a pass gains less than 1e-6, in at most ten passes.
 
     Parameters
     ----------
