@@ -56,13 +56,25 @@ numpydoc_show_class_members = False  # the template of classes lists them
 
 html_theme = "furo"
 html_title = "matrixworld"
-html_extra_path = ["playground.html"]
+# Pages that work alone lie beside the first page of the site. Their Markdown has pages here, too.
+DOCS = REPOSITORY / "docs"
+html_extra_path = [
+    str(page) for page in sorted({*DOCS.glob("*.html"), *DOCS.glob("class_material/*.html")})
+]
 
 
 def add_contents(app: Sphinx, document: str, source: list[str]) -> None:
     """Add the table of contents of the site to the first page."""
     if document == root_doc:
         source[0] += "\n" + (REPOSITORY / "docs/site/contents.md").read_text("utf-8")
+
+
+def link_whole_pages(app: Sphinx, document: str, source: list[str]) -> None:
+    """Open pages that work alone, at their place, where Sphinx would offer a copy to download."""
+    names = "|".join(Path(page).stem for page in html_extra_path)
+    link = rf"\[([^]]+)\]\((?:[\w./]*/)?((?:{names})\.html(?:#[^)]*)?)\)"
+    up = "../" * document.count("/")
+    source[0] = re.sub(link, rf"<a href='{up}\2'>\1</a>", source[0])
 
 
 def name_anchors(app: Sphinx, tree: nodes.document) -> None:
@@ -107,6 +119,7 @@ def show_markdown(
 def setup(app: Sphinx) -> dict[str, Any]:
     """Connect what this site does to the events of Sphinx."""
     app.connect("source-read", add_contents)
+    app.connect("source-read", link_whole_pages)
     app.connect("doctree-read", name_anchors)
     app.connect("doctree-read", drop_links_to_folders)
     app.connect("autodoc-process-docstring", show_markdown, priority=400)  # before numpydoc

@@ -4,6 +4,7 @@ import ast
 import inspect
 import json
 import re
+import runpy
 import subprocess
 import sys
 from collections import Counter
@@ -323,6 +324,31 @@ def test_the_exercises_that_the_teachers_page_names_exist() -> None:
     for name in named:
         chapter, _, item = name.partition(".")
         assert isinstance(exercises(int(chapter))[name], Exercise) is item.isdigit(), name
+
+
+# Sheets and slides for a class
+
+SHEETS = sorted((DOCS / "class_material").glob("*.md"))
+
+
+@pytest.mark.parametrize("page", SHEETS, ids=lambda page: page.stem)
+def test_sheets_to_print_have_the_words_of_their_sources(page: Path) -> None:
+    text, printed = (page.with_suffix(end).read_text(encoding="utf-8") for end in (".md", ".html"))
+    words = set(
+        re.findall(r"\w{3,}", re.sub(r"---.*?---|<[^>]+>|&\w+;|!\[.*?\]", " ", text, flags=re.S))
+    )
+    assert len(words) > 20
+    assert words - set(re.findall(r"\w+", printed)) == set(), "see .ci/pages"
+
+
+def test_the_answers_for_a_class_are_what_dice_and_hands_do(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    runpy.run_path(str(DOCS / "class_material" / "simulate.py"), run_name="__main__")
+    told = re.findall(r"\d+\.\d|\d+ %", capsys.readouterr().out)
+    assert len(told) == 9
+    answers = read("docs/class_material/answers.md")
+    assert [number for number in told if number not in answers] == []
 
 
 # The page for users of the published code
