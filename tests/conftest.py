@@ -18,6 +18,7 @@ from tiny_race import tiny_race
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
     "ci",  # derandomized: the same examples in every run
+    max_examples=40,
     derandomize=True,
     database=None,
     deadline=None,

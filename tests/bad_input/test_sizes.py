@@ -18,6 +18,7 @@ from matrixworld.episodes import replay
 from matrixworld.world.arrays import state_bytes, workspace_bytes
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
+from slow import quickly
 from tiny_race import tiny_race
 
 TEAM = mw.Population(GENOME, NETWORK)
@@ -185,7 +186,7 @@ ENVIRONMENTS: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
-@pytest.mark.parametrize("name", ENVIRONMENTS)
+@quickly("name", ENVIRONMENTS, lambda name: name in ("copies", "masks and state", "agents"))
 def test_estimates_of_environments_are_within_a_half(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -27,6 +27,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.storage import COLUMNS
+from slow import quickly
 from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
 SETTINGS = {
@@ -307,7 +308,11 @@ def check_reported_or_repaired(directory, name, straight):
 
 # That every cut and every altered byte is found, the tests of sealed files show.
 @pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, which are part of the output
-@pytest.mark.parametrize("damage", ["half", "deleted", "of another run", "of another name"])
+@quickly(
+    "damage",
+    ["half", "deleted", "of another run", "of another name"],
+    lambda damage: damage in ("half", "of another run"),
+)
 @pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
 def test_damage_is_repaired_or_reported(copy, straight, foreign, name, damage):
     others = [path for path in copy.glob(f"{name[:5]}*.npz") if path.name != name]

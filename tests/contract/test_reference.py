@@ -18,7 +18,7 @@ from reference import MOVES, ReferenceWorld, records
 from scenes import FIELDS, TOGETHER, Scene, random_scene, scenes
 
 World = mw.World | ReferenceWorld
-WORLDS_PER_ROW = 8
+WORLDS_PER_ROW = 4
 WORLDS_OF_SHARED_CELLS = 1500
 MANY = settings(max_examples=8 * settings().max_examples)
 ARRAYS = (

@@ -13,6 +13,7 @@ import matrixworld as mw
 from browser import DESKTOP, LAPTOP, PHONE, Browser
 from matrixworld.explorer import Playground
 from matrixworld.explorer.scenes import GALLERY, Example, drawn_world, scene_link
+from slow import quickly
 
 SHOW = """
 const done = arguments[1], loaded = () => setTimeout(() => done(true));
@@ -471,7 +472,7 @@ OWN = mw.Rules(mw.Interaction.AGENT_TURNS, teammate=mw.Outcome.DISAPPEAR)
 """Rules without a name, which a link spells out."""
 
 
-@pytest.mark.parametrize("rules", [*mw.VARIANTS, OWN], ids=str)
+@quickly("rules", [*mw.VARIANTS, OWN], lambda rules: rules in ("O", "SDB", OWN))
 def test_a_world_goes_on_in_the_page(still: PlaygroundPage, rules: str | mw.Rules) -> None:
     """Agents are gone or share cells, evaders are captured, and scripts draw random numbers."""
     config = mw.WorldConfig(

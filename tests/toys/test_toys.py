@@ -79,9 +79,9 @@ def test_games_by_hand():
         ("scalar", 0.005, 99.3, 0.4),
         ("focusing", 0.005, 85.6, 5.6),
         ("intransitive", 0.005, 53.2, 41.0),
-        ("scalar", 0.0025, 99.7, 0.2),
-        ("focusing", 0.0025, 90.2, 6.0),
-        ("intransitive", 0.0025, 39.3, 52.0),
+        pytest.param("scalar", 0.0025, 99.7, 0.2, marks=pytest.mark.slow),
+        pytest.param("focusing", 0.0025, 90.2, 6.0, marks=pytest.mark.slow),
+        pytest.param("intransitive", 0.0025, 39.3, 52.0, marks=pytest.mark.slow),
     ],
 )
 def test_numbers_game(name, flips, expected, tolerance):

@@ -10,6 +10,7 @@ import pytest
 import matrixworld as mw
 from matrixworld.coevolution import tournament
 from rows import NAMES, config_of, random_actions
+from slow import quickly
 
 MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
 MODES = list(mw.Autoreset)
@@ -91,7 +92,7 @@ class SingleWorld:
 
 
 @pytest.mark.parametrize("autoreset", MODES)
-@pytest.mark.parametrize("obstacles", [None, 0.15])
+@quickly("obstacles", [None, 0.15], lambda obstacles: obstacles is not None)
 @pytest.mark.parametrize("name", NAMES)
 def test_each_world_is_a_single_world(
     name: str, obstacles: float | None, autoreset: mw.Autoreset
