@@ -7,6 +7,20 @@ No answer yet. Replace the dots with your answer, run the cell, and check again.
 
 from __future__ import annotations
 
-from matrixworld.tutorial.course import UnansweredError, check, hint, kept, outcome, predict, size
+import sys
 
-__all__ = ["UnansweredError", "check", "hint", "kept", "outcome", "predict", "size"]
+from matrixworld.tutorial.course import (
+    BANNER,
+    UnansweredError,
+    check,
+    hint,
+    kept,
+    outcome,
+    predict,
+    size,
+)
+from matrixworld.tutorial.slider import Slider
+
+__all__ = ["Slider", "UnansweredError", "check", "hint", "kept", "outcome", "predict", "size"]
+
+sys.stdout.write(size(full="", quick=BANNER))  # the first cell of every notebook imports this

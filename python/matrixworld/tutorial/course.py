@@ -37,6 +37,10 @@ DATA = Path(__file__).parent / "data"
 """Results that take longer than a notebook should; scripts in ``tutorials/make`` make them anew."""
 QUICK = "MATRIXWORLD_QUICK"
 """Environment variable: if it is 1, notebooks compute at the smaller size."""
+BANNER = f"""\
+################  {QUICK}=1: experiments are small.  ################
+The text of this notebook does not apply to the numbers and figures that follow.
+"""
 
 T = TypeVar("T")
 
