@@ -4,7 +4,7 @@ Modules import them from here, which does not import the whole package. The buil
 `__version__` from this file, and the name is the one in ``pyproject.toml``.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 #: What ``pip`` installs. `matrixworld` on the Python package index is another project.
 DISTRIBUTION = "matrixworld-pursuit"

@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import inspect
+import json
 import re
 import subprocess
 import sys
@@ -88,12 +89,16 @@ def test_the_version_has_one_source() -> None:
     assert f'\n__version__ = "{__version__}"\n' in (ROOT / source).read_text(encoding="utf-8")
     citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     assert re.findall(r"^version: (.+)$", citation, re.MULTILINE) == [__version__]
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    sections = re.findall(r"^## \[(.+?)\]", changes, re.MULTILINE)
+    assert sections[0] in {"Unreleased", __version__}
+    assert __version__ in sections[:2]
 
 
 def test_the_version_and_the_licences_are_installed(installed: metadata.Distribution) -> None:
     assert installed.version == __version__
     assert installed.metadata["License-Expression"] == "MIT AND BSD-3-Clause AND MPL-2.0"
-    names = ("eigen", "fflate", "gifenc", "pybind11")
+    names = ("eigen", "emscripten", "fflate", "gifenc", "pybind11")
     files = ["LICENSE", *(f"licenses/{name}.txt" for name in names)]
     assert installed.metadata.get_all("License-File") == files
     texts = {
@@ -101,9 +106,30 @@ def test_the_version_and_the_licences_are_installed(installed: metadata.Distribu
     }
     assert "MIT License" in texts["LICENSE"]
     assert "Mozilla Public License Version 2.0" in texts["eigen.txt"]
+    assert "Rich Felker" in texts["emscripten.txt"]
     assert "Wenzel Jakob" in texts["pybind11.txt"]
     assert "Arjun Barrett" in texts["fflate.txt"]
     assert "Matt DesLauriers" in texts["gifenc.txt"]
+
+
+def test_the_bill_of_materials_names_what_was_compiled_in(
+    installed: metadata.Distribution,
+) -> None:
+    found = [path for path in installed.files or [] if "sboms" in path.parts]
+    if not found:
+        pytest.skip("an editable installation has none")
+    (told,) = [json.loads(path.read_text()) for path in found]
+    assert told["metadata"]["component"]["version"] == __version__
+    versions = {part["name"]: part["version"] for part in told["components"]}
+    locked = json.loads((ROOT / "web/package-lock.json").read_text(encoding="utf-8"))["packages"]
+    assert {name: versions.pop(name) for name in ("fflate", "gifenc")} == {
+        name: locked[f"node_modules/{name}"]["version"] for name in ("fflate", "gifenc")
+    }
+    compiler = (ROOT / "web/build_engine.py").read_text(encoding="utf-8")
+    assert f'\nVERSION = "{versions.pop("emscripten")}"' in compiler
+    assert versions.keys() == {"Eigen", "pybind11"}
+    assert versions["Eigen"].startswith("3.4.")
+    assert versions["pybind11"].startswith("3.")
 
 
 def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distribution) -> None:
@@ -112,6 +138,15 @@ def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distrib
     links = re.findall(r"\]\(([^)]*)\)", page)
     assert links
     assert [link for link in links if not link.startswith("https://")] == []
+
+
+def test_the_first_command_on_the_page_of_the_index_installs_the_wheel() -> None:
+    page = (ROOT / "README.md").read_text(encoding="utf-8")
+    hook = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["fancy-pypi-readme"]
+    for each in hook["substitutions"]:
+        page = re.sub(each["pattern"], each["replacement"], page)
+    assert f"pip install {DISTRIBUTION} && .venv/bin/matrixworld evolve\n" in page
+    assert "You need Python 3.10 or later, no compiler and no GPU." in page
 
 
 @pytest.mark.parametrize("module", ["matrixworld", "matrixworld.envs"])

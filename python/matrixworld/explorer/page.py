@@ -56,7 +56,7 @@ def render_page(
     more_scripts, more_styles = ([_inline(name, suffix) for name in opens] for suffix in SUFFIXES)
     return (
         _environment()
-        .get_template(f"{page}.html")
+        .get_template("page.html")
         .render(
             title=title,
             version=__version__,
