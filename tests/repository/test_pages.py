@@ -64,6 +64,7 @@ RUN = {
 }  # fmt: skip
 """Pages whose examples run, one after the other, and patterns of lines that are not shown."""
 ELSEWHERE = {
+    "docs/browser.md": "needs a browser; tests/repository/test_browser.py",
     "docs/class.md": "tests/classroom/test_class.py",
     "docs/cluster.md": "needs a cluster; tests/cluster/test_cluster.py",
     "docs/explorer.md": "needs a run; tests/explorer/test_pages.py",

@@ -17,6 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from matrixworld._util.browser import HAS_PROCESSES
 from matrixworld._util.checks import check_instance, check_threads, shown
 from matrixworld._util.files import (
     DamagedFileError,
@@ -240,7 +241,8 @@ def evolve(
         A new or empty directory, or that of the same runs, which are continued.
     executor : concurrent.futures.Executor, optional
         Plays the runs, one thread each. By default worker processes of this machine, each with as
-        many threads as there are more cores than runs; a single run is played in this process.
+        many threads as there are more cores than runs; a single run, and in a browser any run, is
+        played in this process.
     threads : int, optional
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
@@ -375,8 +377,9 @@ def play_job(
         try:
             if executor is not None and names:
                 play.by_executor(executor, names)
-            elif len(names) == 1:
-                play.here(threads)
+            elif len(names) == 1 or not HAS_PROCESSES:
+                for name in names:
+                    play.here(name, threads)
             elif names:
                 play.by_processes(*shares(len(names), threads))
         finally:
@@ -425,12 +428,11 @@ class JobPlay:
     def _ended(self, name: str) -> bool:
         return name in self.finished or name in self.failures
 
-    def here(self, threads: int | None) -> None:
-        """Play the only unfinished run in this process.
+    def here(self, name: str, threads: int | None) -> None:
+        """Play a run in this process, the only one that is left or where there are no others.
 
         A worker process would take half a second to start, and hide where an error came from.
         """
-        [name] = self.unfinished()
         path, alone = self._root / name, name == ITSELF
         report = at_times(lambda progress: self._tell({name: progress}))
         on_epoch = self._on_epoch

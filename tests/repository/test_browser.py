@@ -1,0 +1,34 @@
+"""In a browser, without processes and threads, the package is imported and races run."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from matrixworld.coevolution import evolve
+from tiny_race import results, tiny_race
+
+SUPPORT = Path(__file__).parents[1] / "support"
+
+EVOLVES = """
+import like_a_browser
+from pathlib import Path
+from matrixworld import classroom, cli, explorer, plots, solve, toys, tutorial
+from matrixworld.coevolution import ProgressBar, evolve
+from tiny_race import tiny_race
+
+with ProgressBar() as bar:
+    evolve([tiny_race(seed=1), tiny_race(seed=2)], Path({directory!r}), report=bar)
+"""
+
+
+def test_races_run_as_elsewhere(tmp_path: Path) -> None:
+    code = EVOLVES.format(directory=str(tmp_path / "browser"))
+    python = [sys.executable, "-W", "error", "-c", code]
+    paths = os.pathsep.join([str(SUPPORT), *sys.path])
+    subprocess.run(python, env=os.environ | {"PYTHONPATH": paths}, check=True)
+    for run in evolve([tiny_race(seed=1)], tmp_path / "here", threads=1):
+        name = run.files.path.relative_to(tmp_path / "here")
+        assert results(tmp_path / "browser" / name) == results(run.files.path)
