@@ -1,10 +1,17 @@
-"""Write the pages of the variants, and their pictures, from `matrixworld.envs`; the playground.
+"""Write the pages of the variants and their pictures, the playground and the lesson.
 
-python docs/make_pages.py
+    python docs/make_pages.py
+
+The lesson keeps the races of the page that it replaces. New ones, of the default job, are made in
+some minutes and handed over; look then whether ``lesson.toml`` still says what they show:
+
+    matrixworld evolve --seed 0 --out runs/lesson
+    python docs/make_pages.py runs/lesson
 """
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -104,3 +111,6 @@ def write(folder: Path) -> None:
 if __name__ == "__main__":
     write(FOLDER)
     Playground().save(DOCS / "playground.html", force=True)
+    from lesson_page import write_lesson  # beside this file
+
+    write_lesson(Path(sys.argv[1]) if len(sys.argv) > 1 else None)

@@ -14,7 +14,7 @@ import { build } from "esbuild";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const BUILT = join(HERE, "..", "python", "matrixworld", "explorer", "built");
-const PAGES = ["explorer", "playground", "class", "play"];
+const PAGES = ["explorer", "playground", "class", "play", "lesson"];
 /** What the pages are built from. The engine is built by itself, see build_engine.py. */
 const SOURCES = ["src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json"];
 

@@ -30,7 +30,7 @@ from matrixworld.explorer.scenes import GALLERY, scene_link
 from matrixworld.world.policy import SCRIPTS
 from tiny_race import tiny_race
 
-PAGES = ("explorer", "playground", "class", "play")
+PAGES = ("explorer", "playground", "class", "play", "lesson")
 REPOSITORY = Path(__file__).parents[2]
 WEB = REPOSITORY / "web"
 SOURCES = ("src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json")

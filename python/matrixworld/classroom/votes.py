@@ -17,7 +17,8 @@ from matrixworld.classroom.submissions import LONGEST_NAME, Refusal, Submission
 Votes: TypeAlias = dict[str, dict[str, int]]
 """How many students made each choice, by prediction and choice, such as ``votes["4.a"]["b"]``."""
 
-NAME = re.compile(r"([1-9][0-9]?)\.([a-z])")
+NAME = re.compile(r"(0|[1-9][0-9]?)\.([a-z])")
+"""The notebook and its prediction; 0 is the lesson that needs no notebook, ``docs/lesson.html``."""
 
 
 def count_votes(files: Iterable[Submission]) -> tuple[Votes, list[Refusal]]:

@@ -105,7 +105,7 @@ export function legend(...entries: readonly (readonly [text: string, style: stri
 }
 
 /**
- * Return an element that holds a chart and draws it as wide as it is, and what draws its marks anew.
+ * Return an element that holds a chart and draws it as wide as it is, and what draws its marks, or all of it, anew.
  *
  * `draw` makes the chart for a size, `mark` what moves with the selection, and `choose` gets the value
  * of the horizontal axis that is clicked.
@@ -115,7 +115,7 @@ export function chart(
   draw: (width: number, height: number) => Frame,
   mark: (into: Frame) => void,
   choose: (value: number, into: Frame, event: MouseEvent) => void,
-): { element: HTMLElement; update(): void } {
+): { element: HTMLElement; update(): void; redraw(): void } {
   const element = html("div", { class: "chart chooses", role: "img", "aria-label": label });
   let shownFrame: Frame | null = null;
   const update = (): void => {
@@ -123,12 +123,13 @@ export function chart(
     if (shownFrame) mark(shownFrame);
   };
   element.addEventListener("click", (event) => shownFrame && choose(shownFrame.at(event.clientX), shownFrame, event));
-  new ResizeObserver(() => {
+  const redraw = (): void => {
     const { clientWidth, clientHeight } = element;
     if (clientWidth < 50 || clientHeight < 50) return;
     shownFrame = draw(clientWidth, clientHeight);
     element.replaceChildren(shownFrame.root);
     update();
-  }).observe(element);
-  return { element, update };
+  };
+  new ResizeObserver(redraw).observe(element);
+  return { element, update, redraw };
 }

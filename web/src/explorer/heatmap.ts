@@ -6,8 +6,10 @@ import { viridis, viridisGradient } from "./colormap.ts";
 
 type Box = Readonly<Record<"left" | "top" | "width" | "height", number>>;
 
+type Cells = Pick<Payoff, "shape" | "first" | "capture_rate">;
+
 /** Draw the capture rates of all cells; cells without episodes stay empty. */
-export function drawCells(canvas: HTMLCanvasElement, payoff: Payoff, box: Box): void {
+export function drawCells(canvas: HTMLCanvasElement, payoff: Cells, box: Box): void {
   const ratio = devicePixelRatio || 1;
   for (const [name, pixels] of Object.entries(box)) canvas.style.setProperty(name, `${pixels}px`);
   canvas.width = Math.round(box.width * ratio);
@@ -20,7 +22,7 @@ export function drawCells(canvas: HTMLCanvasElement, payoff: Payoff, box: Box): 
 }
 
 /** Return a picture with one pixel for each cell. */
-function cellsOf(payoff: Payoff): HTMLCanvasElement | null {
+function cellsOf(payoff: Cells): HTMLCanvasElement | null {
   const [rows, columns] = payoff.shape;
   const picture = document.createElement("canvas");
   [picture.width, picture.height] = [columns, rows];

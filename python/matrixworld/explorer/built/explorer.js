@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources aeeab636c3e93d9a013d38a878a349bfabb3100e276b4bacc4215b25d26b1a4a */
+/* built from web/ by "npm run build"; sources e27c71b740b807b9980cbd2dbdfeb14aaf2cd5f61ca5aff50e3cbe34d061db23 */
 "use strict";(()=>{var Ma=Object.create;var yr=Object.defineProperty;var Aa=Object.getOwnPropertyDescriptor;var Ea=Object.getOwnPropertyNames;var Ta=Object.getPrototypeOf,Ca=Object.prototype.hasOwnProperty;var ka=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var Ra=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ea(e))!Ca.call(t,o)&&o!==n&&yr(t,o,{get:()=>e[o],enumerable:!(r=Aa(e,o))||r.enumerable});
 return t};var _a=(t,e,n)=>(n=t!=null?Ma(Ta(t)):{},Ra(e||!t||!t.__esModule?yr(n,"default",{value:t,enumerable:!0}):n,t));var Qs=ka(ur=>{var js=Object.defineProperty,Wl=t=>js(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var n in e)js(t,n,{get:e[n],enumerable:!0})};Wl(ur);Hl(ur,{GIFEncoder:()=>Js,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>nc,nearestColorIndex:()=>Ys,nearestColorIndexWithDistance:()=>Zs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
@@ -564,8 +564,8 @@ t.marks)}function Ps(t,{low:e,high:n},r){if(!e||!n)return;let o=s=>s.map((a,i)=>
 M${[...o(n),...o(e).reverse()].join("L")}Z`,class:`band ${r}`}),t.marks)}function sr(t,e,n,r=null){let o=t.x(e);t.marks.append(M("line",{x1:o,x2:o,y1:t.top,y2:t.
 bottom,class:`mark ${n}`})),r!==null&&t.marks.append(M("circle",{cx:o,cy:t.y(r),r:5,class:`dot ${n}`}))}function Et(...t){return p("p",{class:"legend small"},...t.
 map(([e,n])=>p("span",{class:`key ${n}`},e)))}function Tt(t,e,n,r){let o=p("div",{class:"chart chooses",role:"img","aria-label":t}),s=null,a=()=>{s?.marks.replaceChildren(),
-s&&n(s)};return o.addEventListener("click",i=>s&&r(s.at(i.clientX),s,i)),new ResizeObserver(()=>{let{clientWidth:i,clientHeight:l}=o;i<50||l<50||(s=e(i,l),o.replaceChildren(
-s.root),a())}).observe(o),{element:o,update:a}}var ar=["of-pursuers","of-evaders","of-both"],Il=2500,Os="Arrow keys choose generations.",Nl={low:0,high:1,label:"capture rate"};function Ls(t,e){let{training:n}=t,
+s&&n(s)};o.addEventListener("click",l=>s&&r(s.at(l.clientX),s,l));let i=()=>{let{clientWidth:l,clientHeight:d}=o;l<50||d<50||(s=e(l,d),o.replaceChildren(s.root),
+a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var ar=["of-pursuers","of-evaders","of-both"],Il=2500,Os="Arrow keys choose generations.",Nl={low:0,high:1,label:"capture rate"};function Ls(t,e){let{training:n}=t,
 {capture_rate:r,generation:o,learner:s,epochs:a}=n,i=r.map((y,f)=>(f+1)*a),l=Bl(r,n.window),d=i.at(-1)??1,c=i.length>Il?"dense":"",u=(y,f)=>{let g=o.flatMap((b,x)=>b===
 y&&(s[x]===f||s[x]===2)?[x]:[]);return g.length?[i[g[0]],i[g.at(-1)]]:null},m=Tt(`Capture rate in ${d} epochs of training. ${Os}`,(y,f)=>{let g=At(y,f,{low:0,high:d,
 label:"epoch",whole:!0},Nl);for(let[b,x]of[["raw",r],[c,l]])for(let[v,w]of ar.entries()){let A=x.map((C,E)=>s[E]===v||s[E+1]===v?C:null);A.some(C=>C!==null)&&or(

@@ -1,0 +1,101 @@
+"""The lesson that needs no installation: the texts of ``lesson.toml``, and three real races.
+
+``make_pages.py`` writes the page. It keeps its races: a page of the present texts and scripts takes
+them from the one that it replaces.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from matrixworld._util.files import load_toml
+from matrixworld.coevolution.storage import open_runs
+from matrixworld.explorer.page import render_page, write_page
+from matrixworld.explorer.playground import page_data
+from matrixworld.explorer.runs_page import archives_of, run_data
+from matrixworld.tutorial.course import Prediction, exercises
+from matrixworld.version import __version__
+
+PAGE = Path(__file__).with_name("lesson.html")
+LESSON: dict[str, Any] = load_toml(Path(__file__).with_name("lesson.toml"))
+MOST_BYTES = 2 * 2**20
+"""Genomes of the page, in bytes, which holds every fifth generation of default races."""
+VERDICTS = {"present": "a", "absent": "b", "cannot tell": "c"}
+"""Options of prediction 0.e: the verdict on the arms race in the last half of the first race."""
+
+
+class Races(NamedTuple):
+    """Races as plain values, in the order of the lesson, and the genomes that they name."""
+
+    runs: list[dict[str, Any]]
+    genomes: dict[str, bytes]
+
+
+def races_of_job(job: Path) -> Races:
+    """Return the races of a finished job; ValueError if one that the lesson shows is missing."""
+    found = {run.settings.schedule.name: run for run in open_runs(job)}
+    if missing := set(LESSON["races"]) - set(found):
+        raise ValueError(f"{job}: expected a finished race of {', '.join(sorted(missing))}")
+    runs = [found[name] for name in LESSON["races"]]
+    archives = archives_of(runs, MOST_BYTES)
+    plain = [
+        {**run_data(f"Race {letter}", run, step=archives.step), "teams": teams}
+        for letter, run, teams in zip("ABC", runs, archives.teams, strict=True)
+    ]
+    return Races(plain, archives.blobs)
+
+
+def races_of_page(page: str) -> Races:
+    """Return the races that a page holds."""
+    scripts = dict(re.findall(r'<script type="[^"]+" id="([\w-]+)">(.*?)</script>', page))
+    runs = json.loads(scripts.pop("data"))["runs"]
+    return Races(runs, {name: base64.b64decode(each) for name, each in scripts.items()})
+
+
+def write_lesson(job: Path | None) -> None:
+    """Write the page with the races of a job, or those that it has."""
+    races = races_of_job(job) if job else races_of_page(PAGE.read_text(encoding="utf-8"))
+    write_page(PAGE, lesson_page(races))
+
+
+def lesson_page(races: Races) -> str:
+    """Return the page as HTML."""
+    sections = [
+        {**section, "parts": [_filled(part, races) for part in section["parts"]]}
+        for section in LESSON["sections"]
+    ]
+    data = {
+        "version": __version__,
+        **{name: " ".join(LESSON[name].split()) for name in ("title", "lead")},
+        "sections": sections,
+        "runs": races.runs,
+        "playground": page_data(),
+    }
+    return render_page("lesson", f"{LESSON['title']} - matrixworld", data, races.genomes)
+
+
+def _filled(part: dict[str, Any], races: Races) -> dict[str, Any]:
+    """Return a part with what the course says of the same question, and what the races say."""
+    name = part.get("predict") or part.get("exercise")
+    if name is None:
+        return part
+    if name == "0.e":
+        (verdict,) = (
+            row[1] for row in races.runs[0]["findings"]["table"] if row[0::3] == _ARMS_RACE
+        )
+        return {**part, "outcome": VERDICTS[verdict]}
+    if name.startswith("0."):
+        return part
+    course = exercises(int(name[0]))[name]
+    known = {"explanation": course.explanation}
+    if isinstance(course, Prediction):
+        known["outcome"] = course.outcome
+    return {**known, **part}
+
+
+_ARMS_RACE = ["arms race", "last half"]
+"""Condition and window of the row of the judgement that prediction 0.e asks for."""

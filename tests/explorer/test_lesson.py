@@ -1,0 +1,234 @@
+"""The lesson: its games, its data, and a walk through the page as a student takes it."""
+
+import json
+import re
+import sys
+from collections.abc import Callable, Iterator
+from itertools import chain
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from browser import Browser
+from matrixworld.classroom.votes import first_choices
+from matrixworld.toys import GAMES, alternate
+from matrixworld.toys.rock_paper_scissors import PAYOFF
+from matrixworld.tutorial.course import Prediction, exercises
+from node import run_node
+
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE = DOCS / "lesson.html"
+
+
+@pytest.fixture(scope="module")
+def lesson() -> Iterator[ModuleType]:
+    """The program that makes the page."""
+    sys.path.insert(0, str(DOCS))
+    import lesson_page
+
+    yield lesson_page
+    sys.path.remove(str(DOCS))
+
+
+def test_the_page_in_docs_is_the_present_one(lesson: ModuleType) -> None:
+    kept = PAGE.read_text(encoding="utf-8")
+    races = lesson.races_of_page(kept)
+    assert kept == lesson.lesson_page(races), "run python docs/make_pages.py"
+    assert len(kept) < 5e6
+    assert [run["schedule"] for run in races.runs] == lesson.LESSON["races"]
+
+
+def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: ModuleType) -> None:
+    races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
+    parts = list(chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"]))
+    asked = [lesson._filled(part, races) for part in parts if "question" in part]
+    for part in (each for each in asked if "predict" in each):
+        name = part["predict"]
+        assert part["outcome"] in part["options"], name
+        if not name.startswith("0."):
+            known = exercises(int(name[0]))[name]
+            assert isinstance(known, Prediction)
+            assert tuple(part["options"]) == known.options
+            assert part["outcome"] == known.outcome
+    names = [each.get("predict") or each.get("exercise") or "exit" for each in asked]
+    assert len(set(names)) == len(names)
+    guess = next(each for each in asked if each.get("predict") == "0.d")
+    assert lesson.LESSON["races"]["abc".index(guess["outcome"])] == "specialist-specialist"
+
+
+# ---- Its games, in plain Python with the same random numbers -------------------------------------
+
+
+def generator(seed: int) -> Callable[[], float]:
+    """Return mulberry32 with whole numbers of any size."""
+    state = seed
+
+    def draw() -> float:
+        nonlocal state
+        state = (state + 0x6D2B79F5) % 2**32
+        mixed = (state ^ state >> 15) * (state | 1) % 2**32
+        mixed ^= (mixed + (mixed ^ mixed >> 7) * (mixed | 61)) % 2**32
+        return (mixed ^ mixed >> 14) / 2**32
+
+    return draw
+
+
+def hands_of(generations: int, memory: int, draw: Callable[[], float]) -> dict[str, list[int]]:
+    """Let teams answer the last hands of each other; whole numbers, so that ties are ties."""
+    hands: dict[str, list[int]] = {"pursuers": [0], "evaders": [0]}
+    for _ in range(generations):
+        for team, other in (("pursuers", "evaders"), ("evaders", "pursuers")):
+            wins = (2 * PAYOFF).astype(int)[:, hands[other][-memory:]].sum(axis=1)
+            best = np.flatnonzero(wins == wins.max())
+            hands[team].append(int(best[int(draw() * len(best)) if len(best) > 1 else 0]))
+    return hands
+
+
+def shuffled(n: int, draw: Callable[[], float], most: int) -> list[int]:
+    """Draw some of n numbers without replacement, each swapped to the front."""
+    order = list(range(n))
+    for at in range(min(most, n)):
+        other = at + int(draw() * (n - at))
+        order[at], order[other] = order[other], order[at]
+    return order[:most]
+
+
+def numbers_game(
+    name: str, settings: dict[str, Any], generations: int, draw: Callable[[], float]
+) -> list[Any]:
+    """Return the ones (n, dimensions) of both sides at the end; the package judges who wins."""
+    n, game = settings["population"], GAMES[name]
+    bits = [np.zeros((n, *game.shape), dtype=bool) for _ in (0, 1)]
+    champions: tuple[list[Any], list[Any]] = ([], [])
+    for _ in range(generations):
+        ones = [each.sum(axis=2) for each in bits]
+        won = np.zeros((2, n))
+        for _ in range(settings["opponents"]):
+            others = shuffled(n, draw, n)
+            won[0] += game.beats(ones[0], ones[1][others])
+            won[1][others] += game.beats(ones[1][others], ones[0])
+        for side in (0, 1):
+            past = champions[1 - side]
+            for champion in shuffled(len(past), draw, settings["hall"]):
+                won[side] += game.beats(ones[side], np.tile(past[champion], (n, 1)))
+        for side in (0, 1):
+            champions[side].append(ones[side][won[side].argmax()])
+            chances = np.cumsum(won[side] if won[side].any() else np.ones(n))
+            parents = [
+                int(np.searchsorted(chances, draw() * chances[-1], "right")) for _ in range(n)
+            ]
+            flips = [draw() < settings["mutation"] for _ in range(bits[side].size)]
+            bits[side] = bits[side][parents] ^ np.reshape(flips, bits[side].shape)
+    return [each.sum(axis=2).tolist() for each in bits]
+
+
+def test_the_games_are_those_of_slow_python() -> None:
+    """And of the package where nothing is drawn. Answers to all past hands converge."""
+    memories, generations, seed = [1, 2, 5, 1000], 400, 3
+    settings = {"population": 6, "mutation": 0.02, "opponents": 4, "hall": 3}
+    games = [{"game": name, "settings": settings, "generations": 12} for name in GAMES]
+    given = {"memories": memories, "generations": generations, "seed": seed, "games": games}
+    found = run_node("toys.mjs", given)
+    for memory, hands in zip(memories, found["hands"], strict=True):
+        assert hands == hands_of(generations, memory, generator(seed))
+    specialists = alternate("specialist-specialist", generations, epochs=1)
+    assert found["hands"][0] == {f"{team}s": each for team, each in specialists.items()}
+    for last, every in zip(found["hands"][0].values(), found["hands"][-1].values(), strict=True):
+        assert last[1:-3] == last[4:]
+        shares = np.bincount(every) / len(every)
+        assert shares == pytest.approx([1 / 3] * 3, abs=0.04)
+    for given_game, game in zip(games, found["games"], strict=True):
+        name = str(given_game["game"])
+        ones = numbers_game(name, settings, 12, generator(seed))
+        assert game["ones"] == ones
+        a, b = (np.array(each) for each in ones)
+        first, second = (each.ravel() for each in np.indices((6, 6)))
+        won, lost = GAMES[name].beats(a[first], b[second]), GAMES[name].beats(b[second], a[first])
+        assert game["score"] == pytest.approx(np.mean((1.0 + won - lost) / 2))
+
+
+# ---- The page ------------------------------------------------------------------------------------
+
+CHOOSE = """(([name, choice]) => {
+  const form = document.getElementById(`prediction-${name}`);
+  if (choice) form.querySelector(`input[value="${choice}"]`).click();
+  form.requestSubmit();
+  return form.textContent;
+})(arguments[0])"""
+"""Make a prediction, or none, and return what its part then says."""
+ANSWER = """(([name, answer]) => {
+  const form = document.getElementById(`exercise-${name}`);
+  form.querySelector("input").value = answer;
+  form.requestSubmit();
+  return form.querySelector(".reply").textContent;
+})(arguments[0])"""
+TEXT = "document.querySelector(arguments[0]).textContent"
+CHOICES = {
+    "0.a": "c", "4.a": "b", "0.b": "a", "4.b": "d", "0.c": "a", "0.d": "b", "5.a": "a", "0.e": "c",
+}  # fmt: skip
+
+
+@pytest.mark.slow
+def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
+    """Nothing is told before the prediction; answers are checked; all comes back and is saved."""
+    folder = {"behavior": "allow", "downloadPath": str(tmp_path)}
+    browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", folder)
+    browser.open(PAGE)
+    for section in ("#hands", "#numbers", "#matrix", "#races"):
+        assert "goes on with your prediction." in browser.js(TEXT, section)
+    assert "in section 1" in browser.js(TEXT, "#exit")
+    assert "policy cycle" not in browser.js(TEXT, "main")
+    assert "Choose one first" in browser.js(CHOOSE, ["4.a", ""])
+    assert "outcome" not in browser.js(CHOOSE, ["0.a", "c"])
+    assert "The outcome: This curve cannot tell." in browser.js(TEXT, "#exit")
+    browser.js(CHOOSE, ["5.a", "a"])
+    assert "in section 4" in browser.js(TEXT, "#races")  # the explorer would tell who is who
+    for name, choice in list(CHOICES.items())[1:6]:
+        assert "predicted" in browser.js(CHOOSE, [name, choice])
+    browser.js(CHOOSE, ["0.e", "c"])
+    assert browser.js("document.querySelectorAll('.waiting').length") == 0
+    assert "It contains the current evaders" in browser.js(ANSWER, ["4.2", "0,65"])
+    assert "✓ Right" in browser.js(ANSWER, ["4.2", "0.7"])
+    assert "Expected a number" in browser.js(ANSWER, ["0.1", "three"])
+    check = "document.querySelector('#exercise-4\\\\.1 [type=submit]')"
+    assert "should grow" in browser.js(f"({check}.click(), {TEXT})", "#exercise-4\\.1 .reply")
+    for cell in (4, 8, 9, 12, 13, 14):  # below the diagonal: 0.8
+        browser.js("document.querySelectorAll('.cells button')[arguments[0]].click()", cell)
+    for cell in (1, 2, 3, 6, 7, 11) * 2:  # above: 0.2
+        browser.js("document.querySelectorAll('.cells button')[arguments[0]].click()", cell)
+    assert "✓ Right" in browser.js(f"({check}.click(), {TEXT})", "#exercise-4\\.1 .reply")
+    memory = "document.querySelectorAll('#hands .slider input')[0]"
+    before = browser.js("document.querySelectorAll('#hands .line')[1].getAttribute('d')")
+    browser.js(f"({memory}.value = 0, {memory}.dispatchEvent(new Event('input')))")
+    assert before != browser.js("document.querySelectorAll('#hands .line')[1].getAttribute('d')")
+    browser.wait("document.querySelector('#races .match-card').dataset.played")
+    assert browser.js(TEXT, "#races .check") == "As in the evaluation"
+    browser.js("document.querySelector('#numbers .primary').click()")
+    browser.wait("/after 600 generations/.test(document.querySelector('#numbers').textContent)", 60)
+    browser.wait("/hall 15: mean 8\\d/.test(document.querySelector('#numbers').textContent)", 60)
+    browser.js("document.querySelector('#exit-answer').form.requestSubmit()")
+    assert "A good answer has" not in browser.js(TEXT, "#exit")
+    said = "They got better, or the others got worse: play against the team of a month ago."
+    browser.click("#exit-answer")
+    browser.press(said)
+    browser.reload()
+    assert browser.js("document.querySelector('#exit-answer').value") == said
+    browser.js("document.querySelector('#exit-answer').form.requestSubmit()")
+    assert "A good answer has" in browser.js(TEXT, "#exit")
+    assert "✓ Right" in browser.js(TEXT, "#exercise-4\\.2 .reply")
+    browser.js("document.querySelector('.save').click()")
+    browser.wait("true")
+    saved = tmp_path / "predictions.jsonl"
+    for _ in range(100):
+        if saved.exists():
+            break
+        browser.js("new Promise((done) => setTimeout(done, 50))")
+    assert first_choices(saved.read_bytes()) == CHOICES
+    assert all(
+        re.fullmatch(r"[-\d]+T[:\d]+\+00:00", json.loads(line)["time"]) for line in saved.open()
+    )
+    assert browser.errors() == []
+    assert browser.hindrances(PAGE) == {}

@@ -1,0 +1,89 @@
+// Texts, predictions and exercises as elements.
+
+import { html } from "../page/dom.ts";
+import { checkOf } from "./exercises.ts";
+import type { Exercise, Prediction } from "./data.ts";
+import type { Store } from "./store.ts";
+
+/** Return paragraphs of a text in which **this** is bold. */
+export const paragraphs = (text: string): HTMLElement[] => text.trim().split(/\n\s*\n/).map((each) => html("p", {}, ...inline(each)));
+
+export const inline = (text: string): Node[] =>
+  text.split("**").map((each, place) => (place % 2 ? html("strong", {}, each) : document.createTextNode(each)));
+
+/** Return a question with options. The choice is made once, and the reply appears with it. */
+export function predictionPart(part: Prediction, store: Store): HTMLElement {
+  const { predict: name, options } = part;
+  const status = html("p", { class: "small muted", role: "status" });
+  const button = html("button", { type: "submit", class: "primary" }, "This is my prediction");
+  const radios = Object.keys(options).map((option) => html("input", { type: "radio", name: `prediction-${name}`, value: option }));
+  const form = html("form", { class: "prediction", id: `prediction-${name}` },
+    html("fieldset", {},
+      html("legend", {}, html("strong", {}, "Predict. "), part.question),
+      ...radios.map((radio) => html("label", { class: "option" }, radio, html("span", {}, options[radio.value])))),
+    html("div", { class: "buttons" }, button, status));
+  const show = (): void => {
+    const choice = store.choice(name);
+    if (choice === undefined) return;
+    for (const radio of radios) [radio.checked, radio.disabled] = [radio.value === choice, true];
+    button.hidden = true;
+    status.replaceChildren();
+    form.append(part.later ? html("p", { class: "reply" }, part.later) : outcomeOf(part, choice));
+  };
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const chosen = radios.find((radio) => radio.checked);
+    if (!chosen) status.textContent = "Choose one first. Any prediction is a good one.";
+    else {
+      store.choose(name, chosen.value);
+      show();
+    }
+  });
+  show();
+  return form;
+}
+
+/** Return what was predicted, what is so, and why. */
+export function outcomeOf(part: Prediction, choice: string): HTMLElement {
+  const { options, outcome } = part;
+  const right = choice === outcome;
+  return html("div", { class: "reply", role: "status", "data-right": String(right) },
+    html("p", {}, html("strong", {}, right ? "✓ As you predicted: " : "You predicted: "), options[choice],
+      ...(right ? [] : [" ", html("strong", {}, "The outcome: "), options[outcome]])),
+    ...paragraphs(part.explanation), part.note && html("p", { class: "small muted" }, part.note));
+}
+
+/** Return an exercise with its input and a button that checks the answer, as often as one likes. */
+export function exercisePart(part: Exercise, store: Store): HTMLElement {
+  const { input, check, answer, set } = checkOf(part);
+  const reply = html("p", { class: "reply", role: "status", hidden: true });
+  const tell = (mistake: string | null): void => {
+    reply.hidden = false;
+    reply.dataset["right"] = String(mistake === null);
+    reply.replaceChildren(html("strong", {}, mistake === null ? "✓ Right. " : "✗ Not yet. "), mistake ?? part.explanation);
+  };
+  const form = html("form", { class: "exercise", id: `exercise-${part.exercise}` },
+    html("div", { class: "text" }, html("p", {}, html("strong", {}, "Exercise. "), ...inline(part.question))),
+    part.matrix && tableOf(part.matrix),
+    html("div", { class: "buttons" }, input, html("button", { type: "submit" }, "Check")), reply);
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const mistake = check();
+    if (mistake === null) store.solve(part.exercise, answer());
+    tell(mistake);
+  });
+  const solved = store.solved(part.exercise);
+  if (solved !== undefined) {
+    set(solved);
+    tell(null);
+  }
+  return form;
+}
+
+function tableOf(matrix: readonly (readonly number[])[]): HTMLElement {
+  const names = matrix.map((_, generation) => generation);
+  return html("div", { class: "wide-table", tabindex: 0 }, html("table", { class: "rates numbers" },
+    html("thead", {}, html("tr", {}, html("td"), ...names.map((each) => html("th", { scope: "col" }, `evaders ${each}`)))),
+    html("tbody", {}, ...matrix.map((row, generation) =>
+      html("tr", {}, html("th", { scope: "row" }, `pursuers ${generation}`), ...row.map((rate) => html("td", {}, rate.toFixed(1))))))));
+}
