@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from matrixworld.tutorial import UnansweredError, check, outcome, predict
-from matrixworld.tutorial.course import Exercise, Prediction, exercises
+from matrixworld.tutorial.course import CHAPTERS, Exercise, Prediction, exercises
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from slow import quickly
 
@@ -104,7 +104,7 @@ def test_notebooks_begin_alike() -> None:
     assert len({source(cells(path, "code")[0]) for path in NOTEBOOKS}) == 1
 
 
-@pytest.mark.parametrize("number", range(1, 10))
+@pytest.mark.parametrize("number", CHAPTERS)
 def test_every_exercise_of_a_chapter_is_asked(number: int) -> None:
     parts = [own(path) for path in NOTEBOOKS if chapter(path) == number]
     table = exercises(number)
@@ -143,7 +143,7 @@ def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.Mon
             assert reply.right is True, reply.text
 
 
-@pytest.mark.parametrize("number", range(1, 10))
+@pytest.mark.parametrize("number", CHAPTERS)
 def test_replies_to_predictions(
     number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -10,7 +10,7 @@ import matrixworld as mw
 from matrixworld import analysis, coevolution, plots, toys
 from matrixworld.coevolution import competitive_sharing, reduced_virulence
 from matrixworld.toys import play_episodes
-from matrixworld.tutorial import UnansweredError, check, kept
+from matrixworld.tutorial import UnansweredError, chapter_10, check, kept
 from matrixworld.tutorial.chapter_5 import four_races, noisy_race
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from matrixworld.tutorial.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
@@ -390,6 +390,39 @@ def test_masks_rule_collisions_out(runs: dict[str, np.ndarray]) -> None:
 def test_a_limit_is_kept_at_the_end(runs: dict[str, np.ndarray]) -> None:
     rates = 1000 * runs["limit_faults"].sum(axis=1) / runs["limit_agent_steps"]
     assert (rates < 20).all()
+
+
+# ---- Notebook 10 ---------------------------------------------------------------------------------
+
+
+def test_the_kept_truth_is_that_of_the_results_and_what_the_notebook_says() -> None:
+    """Run ``tutorials/make/chapter_10.py`` and ``tutorials/run.py 10`` if it fails."""
+    stored = kept("chapter_10")
+    derived = runpy.run_path(str(TUTORIALS / "make" / "chapter_10.py"))["derived"]()
+    assert set(stored) == set(derived)
+    assert all(np.array_equal(stored[name], values) for name, values in derived.items())
+    last = {team: stored[f"{team}: truth"][:, :, -1] for team in ("pursuer", "evader")}
+    conv = dict(zip(stored["schedules"], (1 - sum(last.values())).mean(axis=1), strict=True))
+    assert conv["hall-of-fame"] == pytest.approx(chapter_10.HALLS, abs=1e-4)
+    assert conv["generalist-generalist"] == pytest.approx(chapter_10.GENERALISTS, abs=1e-4)
+    # Scores of the race come near the value, in every schedule, and what is guaranteed does not.
+    for race, truth in zip(stored["pursuer: current"], stored["pursuer: truth"], strict=True):
+        assert race[:, -1].mean() > 0.3
+        assert truth[:, -1].max() < 0.2
+
+
+def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() -> None:
+    """In games that the notebook does not play."""
+    names: dict[str, Any] = {"np": np, "analysis": analysis}
+    for text in map(source, cells(NOTEBOOKS[-1], "code")):
+        if text.startswith("def newest"):
+            exec(text, names)
+    for seed in (100, 101):
+        own, other = np.random.default_rng(seed).normal(size=(2, 200, 3))
+        game = 1 / (1 + np.exp(-own @ other.T))
+        newest, nash = (names["respond"](game, names[n], 12)[-1] for n in ("newest", "nash"))
+        assert newest > 0.95
+        assert nash < 0.4
 
 
 EVADERS, PURSUERS, OBSTACLES = range(3)

@@ -304,7 +304,20 @@ WRONG: dict[str, dict[str, Any]] = {
     },
 }  # fmt: skip
 
+WRONG |= {
+    "10.1": {
+        "the best": lambda payoff, mixture: (mixture @ payoff).max(),
+        "the mean": lambda payoff, mixture: (mixture @ payoff).mean(),
+        "an entry": lambda payoff, mixture: payoff.min(),
+        "of the columns": lambda payoff, mixture: payoff.sum(),
+        "all scores": lambda payoff, mixture: mixture @ payoff,
+    },
+    "10.2": {"equal": [1 / 3] * 3, "percent": [25, 50, 25], "rock": [1, 0, 0], "two": [0.5, 0.5]},
+    "10.3": {"generalists": 0.843, "both": 0.17, "one team": 0.325, "ten": 10.0, "text": "0.83"},
+}
+
 RIGHT: dict[str, list[Any]] = {
+    "10.2": [np.array([0.25, 0.5, 0.25]), (0.252, 0.498, 0.25)],
     "1.1": [np.array([2, 2, 3, 3, 2, 2, 3])],
     "1.2": [[EAST, SOUTH, NORTH, WEST], [SOUTH, WEST, EAST, NORTH]],
     "1.4": [student.careless],
@@ -337,7 +350,7 @@ def test_replies_to_wrong_answers(name: str, snapshot: Any) -> None:
     # `None` would be an answer that is not judged.
     assert all(reply.right is False for reply in replies.values())
     told = {
-        mistake: re.fullmatch(r"✗ Not yet\. (.+)  \(hint\('...'\) gives a hint\.\)", reply.text)
+        mistake: re.fullmatch(r"✗ Not yet\. (.+)  \(hint\('[\d.]+'\) gives a hint\.\)", reply.text)
         for mistake, reply in replies.items()
     }
     assert {mistake: found and found[1] for mistake, found in told.items()} == snapshot
@@ -365,7 +378,13 @@ def test_names_are_text() -> None:
 
 
 def test_replies_do_not_give_numbers_away() -> None:
-    answers = {"2.3": "202 ", "7.2": "0.9 ", "9.2": f"{break_even():.1f}", "9.3": "299"}
+    answers = {
+        "2.3": "202 ",
+        "7.2": "0.9 ",
+        "9.2": f"{break_even():.1f}",
+        "9.3": "299",
+        "10.3": "0.83",
+    }
     for name, answer in answers.items():
         assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())
 

@@ -20,7 +20,7 @@ from matrixworld._util.checks import shown
 from matrixworld._util.files import Arrays, DamagedFileError, load_arrays, load_toml
 from matrixworld.tutorial.checks import Check, mistake_of
 
-CHAPTERS = range(1, 10)
+CHAPTERS = range(1, 11)
 """Numbers of the notebooks."""
 WIDEST = 88
 """Characters in a line of a reply: exported notebooks break longer lines inside words."""

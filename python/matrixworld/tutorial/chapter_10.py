@@ -1,0 +1,75 @@
+"""Exercises of notebook 10, "How far from perfect?"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from matrixworld.coevolution.types import FloatArray
+from matrixworld.tutorial.checks import NUMBER, Check, function, number, numbers, value
+
+STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
+"""Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""
+NEAR = 0.005
+"""Exploitability of a mixture that counts as safe."""
+HALLS, GENERALISTS = 0.8305, 0.8431
+"""NashConv of the last generations of the kept races, means over seeds; a test computes them."""
+
+
+def _guaranteed(payoff: FloatArray, mixture: FloatArray) -> float:
+    return float((mixture @ payoff).min())
+
+
+def _games() -> Iterable[tuple[FloatArray, FloatArray]]:
+    rng = np.random.default_rng(101)
+    yield STAKES, np.full(3, 1 / 3)
+    for shape in ((3, 3), (2, 5), (6, 4)):
+        yield rng.random(shape), rng.dirichlet(np.ones(shape[0]))
+
+
+guarantee = function(
+    NUMBER,
+    _guaranteed,
+    _games,
+    clues={
+        "That is the score against the opponent that the mixture likes best.": lambda payoff, p: (
+            float((p @ payoff).max())
+        ),
+        "That is the mean over all opponents. Who knows your mixture does not draw by lot.": (
+            lambda payoff, p: float((p @ payoff).mean())
+        ),
+        "That is the worst single entry: you looked at one row at a time, not at the mixture.": (
+            lambda payoff, p: float(payoff.min())
+        ),
+    },
+    otherwise="Weight the rows by the mixture: that gives one score against each opponent.",
+)
+
+
+def _safe(shares: list[float]) -> str | None:
+    if min(shares) < 0.0 or abs(sum(shares) - 1.0) > 1e-6:
+        return "Three shares are not negative, and their sum is 1."
+    scores = np.array(shares) @ STAKES
+    if scores.min() >= 0.5 - NEAR:
+        return None
+    worst = ("rock", "paper", "scissors")[int(scores.argmin())]
+    return f"Against {worst} this mixture scores {scores.min():.3f}; it has to reach 0.495."
+
+
+nash_conv = number(
+    HALLS,
+    0.001,
+    clues={
+        GENERALISTS: "That is the NashConv of generalists.",
+        1.0 - HALLS: "That is what both teams guarantee together. How much is missing?",
+    },
+    low="Best responses gain more. The exploitabilities of both teams are added.",
+    high="A team falls short of what perfect play guarantees: of the value or of 1 - value.",
+)
+
+CHECKS: dict[str, Check] = {
+    "10.1": guarantee,
+    "10.2": value(numbers("the shares of rock, paper and scissors", 3), _safe),
+    "10.3": nash_conv,
+}
