@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
 from typing import Any
 
@@ -91,6 +91,36 @@ strangers = function(
     },
     otherwise="Row i without its i-th number; then the mean.",
 )
+
+
+# ---- Scores of the schools ------------------------------------------------------------------------
+
+Scores = dict[str, dict[str, FloatArray]]
+"""Of each seed (seeds,), by examiner and school."""
+
+
+def table_of(stored: Mapping[str, Any], team: str) -> Scores:
+    """Return the scores of a team's schools with each single examiner."""
+    schools, scores = stored[f"{team}: kinds"].tolist(), stored[f"{team}: scores"] / 1000
+    return {
+        examiner: dict(zip(schools, scores[..., place], strict=True))
+        for place, examiner in enumerate(stored[f"{team}: opponents"].tolist())
+    }
+
+
+def examined(stored: Mapping[str, Any], team: str, scripts: Sequence[str]) -> Scores:
+    """Return the scores of a team's schools with three sorts of examiners."""
+    single = table_of(stored, team)
+    sorts = {"scripts": scripts, "evolved strangers": ("evolved-1", "evolved-2")}
+    found = {
+        sort: {name: np.mean([single[one][name] for one in of], axis=0) for name in single[of[0]]}
+        for sort, of in sorts.items()
+    }
+    races = zip(stored[f"{team}: kinds"].tolist(), stored[f"{team}: against races"], strict=True)
+    # Own races are left out: who has met these rivals remembers them.
+    return found | {
+        "co-evolved": {name: _without_own(each / 1000).sum(axis=1) / 9 for name, each in races}
+    }
 
 
 # ---- Words ---------------------------------------------------------------------------------------
