@@ -13,7 +13,7 @@ from deap import base, tools
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.learners.toolbox import Individual
 from matrixworld.coevolution.types import FloatArray, Genome, Team
-from matrixworld.play.rollout import Matches, EpisodeStatistics, rollout
+from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.tutorial.checks import NUMBER, Check, function
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
@@ -33,7 +33,7 @@ def play_each(
     network: Network,
     genomes: Sequence[Genome],
     seeds: Any,
-    against: str,
+    against: Any,
     team: Team = "pursuer",
 ) -> EpisodeStatistics:
     """Play each genome of a team on each seed; return the statistics, genome by genome."""
@@ -88,7 +88,8 @@ def best_of_random(
 ) -> tuple[Genome, float]:
     """Return the best of as many random genomes as an evolution tries, and its fitness."""
     rng = np.random.default_rng(seed)
-    genomes, fitness = [], []
+    genomes: list[Genome] = []
+    fitness: list[float] = []
     for _ in range(generations):
         new = [network.initial(rng, weight=0.2, head=0.5) for _ in range(CHILDREN)]
         fitness.extend(score(new, rng.integers(2**63, size=MATCHES)))

@@ -93,7 +93,7 @@ strangers = function(
 )
 
 
-# ---- Scores of the schools ------------------------------------------------------------------------
+# ---- Scores of the schools -----------------------------------------------------------------------
 
 Scores = dict[str, dict[str, FloatArray]]
 """Of each seed (seeds,), by examiner and school."""

@@ -23,15 +23,17 @@ def film(
         return replay.Animation(path.read_bytes(), alt=alt)
 
 
-def print_differences(
+def differences(
     pairs: Mapping[str, tuple[ArrayLike, ArrayLike]],
     words: tuple[str, str] = ("higher", "lower"),
     level: float = 0.95,
-) -> None:
-    """Print the first minus the second of each pair, over runs of the same seeds."""
+) -> str:
+    """Return lines with the first minus the second of each pair, over runs of the same seeds."""
+    lines = []
     for name, (one, other) in pairs.items():
         found = analysis.difference_of_runs(one, other, paired=True, level=level)
         word = "cannot tell"
         if found.low is not None and found.high is not None and found.low * found.high > 0.0:
             word = words[0] if found.low > 0.0 else words[1]
-        print(f"  {name:{max(map(len, pairs))}}  {found:+.3f}  {word}")
+        lines.append(f"  {name:{max(map(len, pairs))}}  {found:+.3f}  {word}")
+    return "\n".join(lines)
