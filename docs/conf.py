@@ -1,23 +1,31 @@
 """The site: pages, notebooks and docstrings of this repository, as Sphinx shows them.
 
     python -m sphinx -W -c docs . build/site
+    python -m sphinx -b linkcheck -c docs . build/linkcheck
 
-The source folder is the repository itself, so links between its files hold in both. No notebook and
-no example is run. What only the site has stands in `docs/site/`.
+The first command checks links and anchors between pages, and that every public name has its place.
+The second one asks the network for all other addresses, and is no part of `.ci/run`. The source
+folder is the repository itself, so links between its files hold in both. No notebook and no
+example is run. What only the site has stands in `docs/site/`.
 """
 
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
 from docutils import nodes
 from sphinx import addnodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.pycode import ModuleAnalyzer
+from sphinx.util.logging import getLogger
 
 import matrixworld
 
+LOGGER = getLogger(__name__)
 REPOSITORY = Path(__file__).resolve().parent.parent
 
 project, author = "matrixworld", "the authors of matrixworld"
@@ -40,7 +48,6 @@ extensions = [
     "myst_nb",
     "numpydoc",
     "sphinx.ext.autosummary",
-    "sphinx.ext.doctest",
 ]
 # Tables of results and the teacher's notebooks are reached from pages, not from the contents.
 suppress_warnings = ["toc.not_included", "myst.header"]
@@ -48,6 +55,8 @@ nb_execution_mode = "off"
 myst_heading_anchors = 4
 myst_enable_extensions = ["dollarmath"]
 
+API = (REPOSITORY / "docs/site/api.md").read_text("utf-8")
+autosummary_context = {"pages": re.findall(r"^   (matrixworld.*)$", API, re.M)}
 autosummary_ignore_module_all = False
 autosummary_imported_members = True
 autodoc_typehints = "none"  # docstrings describe all parameters
@@ -72,7 +81,7 @@ def add_contents(app: Sphinx, document: str, source: list[str]) -> None:
 def link_whole_pages(app: Sphinx, document: str, source: list[str]) -> None:
     """Open pages that work alone, at their place, where Sphinx would offer a copy to download."""
     names = "|".join(Path(page).stem for page in html_extra_path)
-    link = rf"\[([^]]+)\]\((?:[\w./]*/)?((?:{names})\.html(?:#[^)]*)?)\)"
+    link = rf"\[([^][]+)\]\((?:[\w./]*/)?((?:{names})\.html(?:#[^)]*)?)\)"
     up = "../" * document.count("/")
     source[0] = re.sub(link, rf"<a href='{up}\2'>\1</a>", source[0])
 
@@ -116,11 +125,34 @@ def show_markdown(
     lines[:] = shown
 
 
+def describe_data(
+    app: Sphinx, what: str, name: str, it: Any, options: Any, lines: list[str]
+) -> None:
+    """Use the text below a constant in the module that makes it."""
+    place = ("", name.rpartition(".")[2])
+    ours = [module for module in sys.modules if re.match(r"matrixworld(?!\._core)", module)]
+    for module in ours if what == "data" else []:
+        if vars(sys.modules[module]).get(place[1]) is it:
+            texts = ModuleAnalyzer.for_module(module).find_attr_docs()
+            lines[:] = texts.get(place, lines)
+
+
+def find_public_names(app: Sphinx, env: BuildEnvironment) -> None:
+    """Warn of public names that no page describes; the index, one click away, has all others."""
+    python = env.domains.python_domain
+    for module in python.modules:
+        for name in getattr(sys.modules.get(module), "__all__", []):
+            if f"{module}.{name}" not in python.objects:
+                LOGGER.warning("%s.%s is public, and no page describes it", module, name)
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Connect what this site does to the events of Sphinx."""
     app.connect("source-read", add_contents)
     app.connect("source-read", link_whole_pages)
     app.connect("doctree-read", name_anchors)
     app.connect("doctree-read", drop_links_to_folders)
+    app.connect("env-check-consistency", find_public_names)
+    app.connect("autodoc-process-docstring", describe_data, priority=300)
     app.connect("autodoc-process-docstring", show_markdown, priority=400)  # before numpydoc
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -35,7 +35,6 @@ from matrixworld.episodes.render.terminal import play, text_look
 
 __all__ = [
     "Animation",
-    "Episode",
     "animation",
     "contact_sheet",
     "save",
