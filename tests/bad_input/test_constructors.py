@@ -98,7 +98,7 @@ CALLS = [
     partial(coevolution.NoiseTable, rng=RNG, size=4, sigma=1.0),
     partial(
         coevolution.EvolutionStrategy, noise=TABLE, genome=START, samples=4, learning_rate=0.1,
-        anneal_over=None, momentum=0.9,
+        anneal_over=None, momentum=0.9, relative_sigma=0.1,
     ),
     partial(
         coevolution.GeneticAlgorithm, noise=TABLE, population=np.zeros((4, 4)), tournament=2,

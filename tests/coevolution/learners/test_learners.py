@@ -145,6 +145,21 @@ def test_evolution_strategies_follow_the_published_update():
     assert np.allclose(learner.genome, expected, atol=1e-5)
 
 
+def test_samples_spread_with_the_genome_and_the_update_stays_that_of_the_ranks():
+    learner = strategy(relative_sigma=0.5)
+    assert (learner.ask(generator()) == strategy().ask(generator())).all()  # the genome is zero
+    learner.genome = np.linspace(1, 2, SIZE, dtype=np.float32)
+    sigma = 0.5 * math.sqrt((np.linspace(1, 2, SIZE) ** 2).mean())
+    before, candidates = learner.genome, learner.ask(generator(1))
+    noise = np.stack(noise_table().draw(8, generator(1))) / 0.05
+    assert np.allclose(candidates - before, sigma * np.concatenate([noise, -noise]), atol=1e-5)
+    fitness = closeness(candidates)
+    learner.tell(fitness)
+    ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
+    step = 0.05 * np.sign((ranks[:, None] * np.concatenate([noise, -noise])).sum(axis=0))
+    assert np.allclose(learner.genome - before, step, atol=1e-3)
+
+
 @pytest.mark.parametrize("make", [strategy, momentum])
 def test_annealed_strategies_find_the_target_and_their_rate_falls_to_a_tenth(make):
     learner = make(anneal_over=400)
@@ -233,6 +248,7 @@ def test_bad_fitness_is_refused(make, fitness):
     [
         (lambda: strategy(samples=5), "samples: expected an even number.*got 5"),
         (lambda: EvolutionStrategy(np.zeros(SIZE + 1), noise_table()), "genome: expected shape"),
+        (lambda: strategy(relative_sigma=-1), "relative_sigma: expected .*got -1"),
         (lambda: algorithm(truncation=2.0), "truncation: expected a number above 0 and at most 1"),
         (lambda: algorithm(elites=40), "population: expected"),
         (lambda: GeneticAlgorithm(np.zeros((4, 9)), noise_table(3)), "noise: .* 9 genes, .* 3"),

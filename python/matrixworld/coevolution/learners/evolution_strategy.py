@@ -52,8 +52,8 @@ class EvolutionStrategy:
                m = m + step( sum_i (u_i+ - u_i-) e_i / (n s) )
 
     The genome is the mean m. Both candidates of a pair are scored on the same match seed, so that
-    the luck of the match cancels out. One standard deviation s, that of the noise table, serves all
-    genes. There is no weight decay.
+    the luck of the match cancels out. One standard deviation s serves all genes: that of the noise
+    table, or a share of the root mean square of m if that is more. There is no weight decay.
 
     Parameters
     ----------
@@ -71,6 +71,10 @@ class EvolutionStrategy:
     momentum : float, optional
         Share of its last step that classical momentum keeps, in [0, 1). By default a gradient
         becomes a step by Adam (Kingma & Ba 2015).
+    relative_sigma : float, optional
+        This share of the root mean square of m is the least s. In a long race the genome grows with
+        the root of the updates, mostly by chance; a constant s becomes small beside it, and tells
+        less of the candidates than luck does. By default 0.
 
     References
     ----------
@@ -86,10 +90,12 @@ class EvolutionStrategy:
         learning_rate: float = 0.02,
         anneal_over: int | None = None,
         momentum: float | None = None,
+        relative_sigma: float = 0.0,
     ) -> None:
         if check_integer("samples", samples) < 2 or samples % 2:
             raise ValueError(f"samples: expected an even number of at least 2, got {samples}")
         check_number("learning_rate", learning_rate, least=0.0, positive=True)
+        check_number("relative_sigma", relative_sigma, least=0.0)
         if anneal_over is not None:
             check_integer("anneal_over", anneal_over, 1)
         self.genome: Genome = check_floats("genome", genome, np.float32)
@@ -98,6 +104,7 @@ class EvolutionStrategy:
         self.samples: int = samples
         self.learning_rate: float = learning_rate
         self.anneal_over: int | None = anneal_over
+        self.relative_sigma: float = relative_sigma
         self.seed_groups: Indices = np.tile(np.arange(samples // 2), 2)
         self._optimizer = Adam(noise.size) if momentum is None else Momentum(noise.size, momentum)
         self._table = noise
@@ -111,6 +118,14 @@ class EvolutionStrategy:
         done = min(1.0, self._optimizer.updates / self.anneal_over)
         return self.learning_rate * (1.0 - (1.0 - ANNEALED_RATE) * done)
 
+    @property
+    def sigma(self) -> float:
+        """Standard deviation s of the next samples."""
+        if not self.relative_sigma:
+            return self._table.sigma
+        length = np.sqrt(np.mean(np.square(self.genome, dtype=np.float64)))
+        return max(self._table.sigma, self.relative_sigma * float(length))
+
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the samples: half of them, then their mirror images in the same order."""
@@ -119,7 +134,9 @@ class EvolutionStrategy:
         # Both halves are written into one array, which a rollout takes without another copy.
         candidates = np.empty((2, pairs, self._table.size), dtype=np.float32)
         plus, minus = candidates
-        for i, noise in enumerate(self._noise):
+        scale = np.float32(self.sigma / self._table.sigma)
+        for i, each in enumerate(self._noise):
+            noise = each if scale == 1.0 else scale * each
             np.add(self.genome, noise, out=plus[i])
             np.subtract(self.genome, noise, out=minus[i])
         return candidates.reshape(self.samples, -1)
@@ -136,7 +153,8 @@ class EvolutionStrategy:
 
     def _gradient(self, utility: FloatArray) -> Genome:
         plus, minus = utility.reshape(2, -1)
-        # The table's numbers are s e_i, hence the square of sigma.
+        # The table's numbers are e_i times its sigma, hence the square. With a larger s this is s
+        # times the gradient of the fitness: a step of Adam should not shrink as s grows.
         weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)
         gradient = np.zeros(self._table.size, dtype=np.float32)
         term = np.empty_like(gradient)
@@ -174,6 +192,9 @@ class EvolutionStrategySettings(LearnerSettings):
     momentum: float | None = setting(
         None, "coefficient of classical momentum, in [0, 1); default: Adam instead", most=1.0
     )
+    relative_sigma: float = setting(
+        0.0, "least standard deviation, as a share of the root mean square of the genome", least=0.0
+    )
     anneal: bool = setting(
         False, "reduce the learning rate linearly to a tenth over the run", by={"against": True}
     )
@@ -197,4 +218,5 @@ class EvolutionStrategySettings(LearnerSettings):
             learning_rate=self.learning_rate,
             anneal_over=run.schedule.total_epochs(team) if self.anneal else None,
             momentum=self.momentum,
+            relative_sigma=self.relative_sigma,
         )
