@@ -19,6 +19,12 @@ template <typename T>
 using Array = py::array_t<T, py::array::c_style>;
 using Shape = std::vector<py::ssize_t>;
 
+// A shape of sizes of any width: a browser counts in 32 bits.
+template <typename... Sizes>
+Shape shape(Sizes... sizes) {
+    return {static_cast<py::ssize_t>(sizes)...};
+}
+
 // The shape as Python prints a tuple.
 inline std::string text(const Shape& shape) {
     std::string out = "(";

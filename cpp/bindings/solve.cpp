@@ -28,13 +28,13 @@ py::array successors(const py::object& self, int turn) {
     const auto& states = self.cast<const States&>();
     require_turn(states, turn);
     return shown(self, states.successors(turn),
-                 {states.n_states(turn), states.n_joint(turn, Team::Pursuer),
-                  states.n_joint(turn, Team::Evader)});
+                 shape(states.n_states(turn), states.n_joint(turn, Team::Pursuer),
+                       states.n_joint(turn, Team::Evader)));
 }
 
 py::array starts(const py::object& self) {
     const auto& states = self.cast<const States&>();
-    return shown(self, states.starts(), {static_cast<py::ssize_t>(states.starts().size())});
+    return shown(self, states.starts(), shape(states.starts().size()));
 }
 
 // Cells (n, A) int32, as row * cols + col, and captured (n, E) bool, of all states of a turn.
@@ -54,7 +54,7 @@ py::tuple describe(const States& states, int turn) {
 const double* given_by(const char* name, const std::optional<Doubles>& given, const States& states,
                        int turn, Team team) {
     if (!given) return nullptr;
-    require_shape(name, *given, {states.n_states(turn), states.n_joint(turn, team)});
+    require_shape(name, *given, shape(states.n_states(turn), states.n_joint(turn, team)));
     return given->data();
 }
 
@@ -62,7 +62,7 @@ py::tuple backup(const States& states, int turn, const Doubles& next,
                  const std::optional<Doubles>& pursuers, const std::optional<Doubles>& evaders,
                  bool chosen, int n_threads) {
     require_turn(states, turn);
-    require_shape("next", next, {states.n_states((turn + 1) % states.n_turns())});
+    require_shape("next", next, shape(states.n_states((turn + 1) % states.n_turns())));
     Doubles values(states.n_states(turn));
     States::Play play;
     play.given[0] = given_by("pursuers", pursuers, states, turn, Team::Pursuer);
@@ -108,7 +108,7 @@ std::shared_ptr<Tables> make_tables(const std::shared_ptr<States>& states, Team 
         const Array<float>& rows = by_turn[turn];
         const py::ssize_t n_rounds = by_turn[0].ndim() ? by_turn[0].shape(0) : 0;
         require_shape("table", rows,
-                      {n_rounds, states->n_states(turn), states->n_joint(turn, team)});
+                      shape(n_rounds, states->n_states(turn), states->n_joint(turn, team)));
         tables->n_rounds = static_cast<int>(n_rounds);
         tables->by_turn.emplace_back(rows.data(), rows.data() + rows.size());
     }
