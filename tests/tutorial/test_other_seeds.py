@@ -1,0 +1,112 @@
+"""Headline claims of the notebooks hold for seeds that no notebook shows."""
+
+import runpy
+import sys
+from functools import cache
+from typing import Any
+
+import pytest
+
+from matrixworld import analysis
+from matrixworld.tutorial import kept
+from notebooks import TUTORIALS
+
+MORE, LESS = 1, -1
+
+CLAIMS = {
+    # notebook and claim: source, effect, sign
+    "3: a champion loses most of its gain in new matches": (
+        "chase", "lost in new matches, less what is left", MORE,
+    ),
+    "3: so does the best of random genomes": ("chase", "curse of random search", MORE),
+    "3: children only beat parents and children": (
+        "chase", "children only minus parents and children", MORE,
+    ),
+    "3: evolution finds more than random search": (
+        "chase", "children only minus random search", MORE,
+    ),
+    "3: without a penalty evaders overlap": ("crowding", "overlap", MORE),
+    "3: without a penalty a few more escape": ("crowding", "escape rate", MORE),
+    "3: and their matches differ more": ("crowding", "spread of the escape rate", MORE),
+    "4: the scalar game climbs highest": ("numbers games", "scalar minus focusing", MORE),
+    "4: the intransitive game stays lowest": ("numbers games", "focusing minus intransitive", MORE),
+    "4: on average the tournament finds a better generation": (
+        "tournament", "ones of the picked generation", MORE,
+    ),
+    "4: the diagonal falls at first": ("red queen", "diagonal at first", LESS),
+    "4: and rises later": ("red queen", "diagonal later", MORE),
+    "4: pursuers get worse at first": ("red queen", "pursuers at first", LESS),
+    "4: and better later": ("red queen", "pursuers later", MORE),
+    "4: pursuers improve in the whole race": ("red queen", "pursuers, whole race", MORE),
+    "4: evaders improve at first": ("red queen", "evaders at first", MORE),
+    "4: and in the whole race": ("red queen", "evaders, whole race", MORE),
+    "5: specialists forget within five generations": (
+        "paper", "specialists: lag 5 minus lag 1", LESS,
+    ),
+    "5: generalists add to what they know": ("paper", "generalists: lag 5 minus lag 1", MORE),
+    **{
+        f"5: {team} still rise in {name} races": (
+            "paper", f"{name}: rise of {team} in the last half", MORE,
+        )
+        for name, teams in {
+            "specialist-specialist": ("evaders",),
+            "generalist-specialist": ("pursuers", "evaders"),
+            "generalist-generalist": ("pursuers", "evaders"),
+        }.items()
+        for team in teams
+    },
+    "5: fewer checkerboards with generalist pursuers": (
+        "paper", "checkerboards: specialists minus mixed", MORE,
+    ),
+    "5: a simple rule is fooled in far more than one of twenty": (
+        "noise", "false alarm, less one in ten", MORE,
+    ),
+    "5: and in fewer than one of two": ("noise", "four in ten, less it", MORE),
+    "6: one match in a cell makes a share below one half": (
+        "chance", "one half minus the share of one match", MORE,
+    ),
+    "6: and checkerboards": ("chance", "checkerboards of one match", MORE),
+    "6: the correction raises the share": ("chance", "correction of ten matches", MORE),
+    "6: specialists are the least transitive": (
+        "paper", "transitive share: specialists minus mixed", LESS,
+    ),
+    "7: hosts of greedy parasites drift": ("hosts", "60 minus the hosts of greedy ones", MORE),
+    "7: hosts of restrained ones climb": ("hosts", "hosts, restrained minus greedy", MORE),
+    "7: and so do the parasites": ("hosts", "parasites, restrained minus greedy", MORE),
+    "7: a virulence of 0.95 is no restraint": ("hosts", "hosts, 0.85 minus 0.95", MORE),
+    "9: a polite pack is faster": ("polite", "steps, polite minus greedy", LESS),
+}  # fmt: skip
+
+
+@cache
+def sources() -> dict[str, Any]:
+    make = TUTORIALS / "make"
+    sys.path.append(str(make))  # scripts of one directory import each other
+    return runpy.run_path(str(make / "other_seeds.py"))["SOURCES"]
+
+
+@cache
+def effects(name: str) -> dict[str, list[float]]:
+    """Return the effects of a source for all of its seeds: kept ones, or played here."""
+    source, start = sources()[name], f"{name}: "
+    if source.kept:
+        arrays = kept("other_seeds")
+        return {k.removeprefix(start): [*arrays[k]] for k in arrays if k.startswith(start)}
+    rows = [source.effects(seed) for seed in source.others]
+    return {key: [row[key] for row in rows] for key in rows[0]}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("claim", CLAIMS)
+def test_a_claim_holds_for_other_seeds(claim: str) -> None:
+    name, effect, sign = CLAIMS[claim]
+    values = effects(name)[effect]
+    assert len(values) == len(sources()[name].others)
+    low, high = analysis.interval_over_runs(values).ends
+    assert (low if sign == MORE else -high) > 0.0, (low, high)
+
+
+def test_claims_rest_on_seeds_that_no_notebook_shows() -> None:
+    claimed = {name for name, _, _ in CLAIMS.values()}
+    assert claimed == set(sources())
+    assert not [s for s in sources().values() if set(s.shown) & set(s.others)]

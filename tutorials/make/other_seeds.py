@@ -1,0 +1,253 @@
+"""What other seeds say: the headline claims of the notebooks, on seeds that no notebook shows.
+
+    python tutorials/make/other_seeds.py      eight minutes on one core; can be interrupted
+
+A claim names an effect, which has a sign; `SOURCES` measure effects, one number for each seed. What
+takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tutorial/data`` as
+``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
+``tests/tutorial/test_other_seeds.py``, which asks for the sign of each claim.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import chapter_4
+import numpy as np
+from deap import algorithms
+from tqdm import tqdm
+
+import matrixworld as mw
+from matrixworld import analysis, coevolution, toys
+from matrixworld._util.files import load_arrays, save_arrays
+from matrixworld.tutorial.chapter_5 import noisy_race
+from matrixworld.tutorial.chapter_9 import WORLD, pack
+from matrixworld.tutorial.course import DATA
+
+KEPT = DATA / "other_seeds.npz"
+PAPER = Path(__file__).parents[2] / "evolution" / "results" / "paper_claims" / "numbers.npz"
+RUNS = Path("runs/other_seeds")
+Effects = dict[str, float]
+
+
+# ---- Notebook 3 ----------------------------------------------------------------------------------
+
+
+@cache
+def notebook_3() -> SimpleNamespace:
+    """Return what the notebook defines, without what it computes."""
+    path = Path(__file__).parents[1] / "03_can_a_chase_evolve.ipynb"
+    cells = json.loads(path.read_text("utf-8"))["cells"]
+    lines = "".join("".join([*c["source"], "\n"]) for c in cells if c["cell_type"] == "code")
+    code = ast.parse("\n".join(line for line in lines.splitlines() if "%" not in line[:5]))
+    constants = {"world", "network", "crowd", "FOUR", "GENERATIONS", "PENALTY", "NEW"}
+    code.body = [
+        node
+        for node in code.body
+        if isinstance(node, ast.Import | ast.ImportFrom | ast.FunctionDef | ast.ClassDef)
+        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in constants)
+    ]
+    names: dict[str, Any] = {}
+    exec(compile(code, path, "exec"), names)
+    return SimpleNamespace(**names)
+
+
+def chase(seed: int) -> Effects:
+    own = notebook_3()
+    plus, told, _ = own.evolve(algorithms.eaMuPlusLambda, own.score_pursuers, seed)
+    comma, _, _ = own.evolve(algorithms.eaMuCommaLambda, own.score_pursuers, seed)
+    searched, chosen = own.search_at_random(seed)
+    random_genome = own.network.initial(np.random.default_rng(seed), weight=0.2, head=0.5)
+    genomes = [plus, comma, searched, random_genome]
+    of_plus, of_comma, of_search, untrained = own.score_pursuers(genomes, own.NEW)
+    return {
+        "lost in new matches, less what is left": told - of_plus - (of_plus - untrained),
+        "curse of random search": chosen - of_search,
+        "children only minus parents and children": of_comma - of_plus,
+        "children only minus random search": of_comma - of_search,
+    }
+
+
+def crowding(seed: int) -> Effects:
+    """Without a penalty for overlap minus with it."""
+    own, found = notebook_3(), []
+    for score in (own.score_evaders, own.score_apart):
+        champion, _, _ = own.evolve(algorithms.eaMuCommaLambda, score, seed)
+        played = own.play_evaders([champion], own.NEW)
+        escaped = 1 - played.capture_rate
+        found.append((played.evader_overlap.mean(), escaped.mean(), escaped.std()))
+    overlap, escape, spread = np.subtract(*found)
+    return {"overlap": overlap, "escape rate": escape, "spread of the escape rate": spread}
+
+
+# ---- Notebooks 4 and 6: the numbers games --------------------------------------------------------
+
+SHOWN = np.arange(0, 601, 20)
+
+
+def numbers_games(seed: int) -> Effects:
+    scalar, focusing, intransitive = (
+        toys.numbers_game(name, seed).final_objective[0] for name in toys.GAMES
+    )
+    return {
+        "scalar minus focusing": scalar - focusing,
+        "focusing minus both": focusing - intransitive,
+    }
+
+
+def tournament_gain(seed: int) -> Effects:
+    race = toys.numbers_game("intransitive", seed)
+    scores = race.scores(SHOWN, 25, np.random.default_rng(1)).mean(axis=2).mean(axis=1)
+    ones = race.objective[SHOWN, 0].mean(axis=1)
+    return {"ones of the picked generation": ones[scores.argmax()] - ones[-1]}
+
+
+def red_queen(seed: int) -> Effects:
+    """Changes of specialists in the world of notebook 4."""
+    run = coevolution.finish(chapter_4.settings(seed), RUNS / "chapter_4" / str(seed), threads=1)
+    pursuers, evaders = (each[[0, 2, 8]] for each in chapter_4.scores(run, np.arange(0, 25, 3)))
+    diagonal = np.diag(run.payoff().capture_rate)[[0, 6, 24]]
+    return {
+        "diagonal at first": diagonal[1] - diagonal[0],
+        "diagonal later": diagonal[2] - diagonal[1],
+        "pursuers at first": pursuers[1] - pursuers[0],
+        "pursuers later": pursuers[2] - pursuers[1],
+        "pursuers, whole race": pursuers[2] - pursuers[0],
+        "evaders at first": evaders[1] - evaders[0],
+        "evaders, whole race": evaders[2] - evaders[0],
+    }
+
+
+# ---- Notebooks 5 and 6: the paper's races --------------------------------------------------------
+
+
+@cache
+def paper_races() -> dict[str, np.ndarray]:
+    """Return the captured fractions (20 seeds, n, n, episodes) of each schedule."""
+    with np.load(PAPER) as file:
+        return {
+            name.removeprefix("captured "): file[name] / int(file["evaders"])
+            for name in file.files
+            if name.startswith("captured") and len(file[name]) == 20
+        }
+
+
+def paper_race(seed: int) -> Effects:
+    rates = {name: each[seed].mean(axis=2) for name, each in paper_races().items()}
+    special, mixed, general = rates.values()
+    late = {name: analysis.last_half(each) for name, each in rates.items()}
+    rises = {
+        f"{name}: rise of {team} in the last half": curve[-5:].mean() - curve[:5].mean()
+        for name, each in late.items()
+        for team, curve in zip(("pursuers", "evaders"), analysis.generalization(each), strict=True)
+    }
+    share, boards = (analysis.MEASURES[m].of for m in ("transitive_share", "checkerboards"))
+    return rises | {
+        "specialists: lag 5 minus lag 1": _at_lag(special, 5) - _at_lag(special, 1),
+        "generalists: lag 5 minus lag 1": _at_lag(general, 5) - _at_lag(general, 1),
+        "checkerboards: specialists minus mixed": boards(special).value - boards(mixed).value,
+        "transitive share: specialists minus mixed": share(special).value - share(mixed).value,
+    }
+
+
+def _at_lag(rates: np.ndarray, lag: int) -> float:
+    profile = analysis.lag_profile(rates)
+    return float(profile.means[profile.lags == lag][0])
+
+
+def noise(seed: int) -> Effects:
+    """Whether a simple rule of notebook 5 is fooled by a race without change."""
+    curves = analysis.generalization(noisy_race("noise only, .5", seed).mean(axis=2))
+    alarm = all(curve[-1] > curve[0] for curve in curves)
+    return {"false alarm, less one in ten": alarm - 0.1, "four in ten, less it": 0.4 - alarm}
+
+
+def chance(seed: int) -> Effects:
+    """What notebook 6 measures of an ordered race, with 1 and with 10 matches in a cell."""
+    strength = np.linspace(-1, 1, 16)
+    truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
+    one, ten = (toys.play_episodes(truth, n, np.random.default_rng(seed)) for n in (1, 10))
+    boards = analysis.checkerboards(one.mean(axis=2), margin=0.15, level=None).share
+    corrected = analysis.transitive_share_over_episodes(ten).value
+    return {
+        "one half minus the share of one match": 0.5 - analysis.transitive_share(one.mean(axis=2)),
+        "checkerboards of one match": boards,
+        "correction of ten matches": corrected - analysis.transitive_share(ten.mean(axis=2)),
+    }
+
+
+# ---- Notebook 7 ----------------------------------------------------------------------------------
+
+
+def hosts(seed: int) -> Effects:
+    greedy, early, middle, restrained = (
+        toys.hosts_and_parasites(v, seed).final_objective for v in (1.0, 0.95, 0.85, 0.75)
+    )
+    return {
+        "hosts, restrained minus greedy": restrained[0] - greedy[0],
+        "parasites, restrained minus greedy": restrained[1] - greedy[1],
+        "60 minus the hosts of greedy ones": 60 - greedy[0],
+        "hosts, 0.85 minus 0.95": middle[0] - early[0],
+    }
+
+
+# ---- Notebook 9 ----------------------------------------------------------------------------------
+
+
+def polite(seed: int) -> Effects:
+    packs = pack([[6, 20, 0, 0, 0, 0], [6, 20, -10, -10, -2, 0]])
+    matches = mw.Matches.of(range(2), 0, seed)
+    lengths = mw.rollout(WORLD, packs, "random", matches, episodes=40).length
+    return {"steps, polite minus greedy": float(np.subtract(*lengths.mean(axis=1)[::-1]))}
+
+
+# ---- Claims --------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where effects come from: a function of a seed, the notebook's seeds, and those of the test.
+
+    Without `kept` the test plays them itself.
+    """
+
+    effects: Callable[[int], Effects]
+    shown: range
+    others: range
+    kept: bool = False
+
+
+SOURCES = {
+    "crowding": Source(crowding, range(10), range(100, 160), kept=True),
+    "red queen": Source(red_queen, range(10), range(10, 20), kept=True),
+    "chase": Source(chase, range(10), range(100, 106)),
+    "numbers games": Source(numbers_games, range(20), range(200, 205)),
+    "tournament": Source(tournament_gain, range(120), range(120, 200)),
+    "paper": Source(paper_race, range(10), range(10, 20)),
+    "noise": Source(noise, range(200), range(200, 400)),
+    "chance": Source(chance, range(20), range(20, 40)),
+    "hosts": Source(hosts, range(10), range(10, 15)),
+    "polite": Source(polite, range(2), range(2, 12)),
+}
+
+
+def main() -> None:
+    """Play what takes long; each source is kept once all of its seeds are played."""
+    arrays = dict(load_arrays(KEPT)) if KEPT.exists() else {}
+    for name, source in SOURCES.items():
+        if source.kept and not any(key.startswith(f"{name}: ") for key in arrays):
+            rows = [source.effects(seed) for seed in tqdm(source.others, desc=name)]
+            arrays |= {f"{name}: {key}": np.array([row[key] for row in rows]) for key in rows[0]}
+            save_arrays(KEPT, arrays)
+    print(f"{KEPT.name}: {KEPT.stat().st_size / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()
