@@ -68,7 +68,7 @@ export function handsWidget({ memories = [1], memory: first = memories[0]!, gene
   player.addEventListener("step", show);
   change();
   const most = memories.at(-1)!;
-  const memorySlider = slider("remembered hands", memories, first, (each) => (each === most ? "all" : String(each)), (each) => {
+  const memorySlider = slider("memory (hands)", memories, first, (each) => (each === most ? "all" : String(each)), (each) => {
     memory = each;
     change();
   });

@@ -87,7 +87,7 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
   const rows: [number[][], number[][]] = [[], []];
   const triangles = [matrixOf(rows[0], "Score of side 1", GENERATIONS / EVERY + 1),
     matrixOf(rows[1], "Score of side 2", GENERATIONS / EVERY + 1)];
-  triangles.forEach((each) => each.querySelector("p")!.replaceChildren(`↑ its generation, → the opponent's; a cell is ${EVERY}`));
+  triangles.forEach((each) => each.querySelector("p")!.replaceChildren(`↑ generation, → opponent (${EVERY} a cell)`));
   const ones: [number[], number[]] = [[], []];
   const curve = chart("Ones of both sides by generation", (width, height) => {
     const into = frame(width, height, ALONG, { ...ONES, label: "ones" });

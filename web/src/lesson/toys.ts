@@ -76,12 +76,13 @@ type Ones = readonly number[];
 
 /** Return 1 if a beats b, 0 if b beats a, and one half for a draw. The first of equal differences decides. */
 export function score(game: GameName, a: Ones, b: Ones): number {
-  let [decides, size] = [0, GAMES[game].greatest ? -1 : Infinity];
-  a.forEach((ones, dimension) => {
-    const difference = Math.abs(ones - b[dimension]!);
-    if (GAMES[game].greatest ? difference > size : difference < size) [decides, size] = [dimension, difference];
-  });
-  return (1 + Math.sign(a[decides]! - b[decides]!)) / 2;
+  const { greatest } = GAMES[game];
+  let decides = a[0]! - b[0]!;
+  for (let dimension = 1; dimension < a.length; dimension++) {
+    const difference = a[dimension]! - b[dimension]!;
+    if (greatest ? Math.abs(difference) > Math.abs(decides) : Math.abs(difference) < Math.abs(decides)) decides = difference;
+  }
+  return (1 + Math.sign(decides)) / 2;
 }
 
 /** Return the mean score of all individuals of a population against all of another one. */
@@ -135,7 +136,7 @@ export class NumbersGame {
     for (const side of [0, 1] as const) {
       this.#champions[side].push(ones[side][won[side].indexOf(Math.max(...won[side]))]!);
       const parents = this.#parents(won[side]);
-      this.#bits[side] = parents.map((parent) => this.#bits[side][parent]!.map((bit) => bit ^ Number(this.#draw() < this.settings.mutation)));
+      this.#bits[side] = parents.map((parent) => this.#mutant(this.#bits[side][parent]!));
     }
     this.generation++;
   }
@@ -157,6 +158,12 @@ export class NumbersGame {
       }
     }
     return won;
+  }
+
+  #mutant(parent: Uint8Array): Uint8Array {
+    const bits = parent.slice();
+    for (let at = 0; at < bits.length; at++) if (this.#draw() < this.settings.mutation) bits[at]! ^= 1;
+    return bits;
   }
 
   #parents(won: readonly number[]): number[] {
