@@ -1,5 +1,6 @@
 """The course: notebooks run from top to bottom, and their exercises can be solved and failed."""
 
+import ast
 import json
 import os
 import re
@@ -124,6 +125,35 @@ def test_predictions_are_made_before_their_experiments(path: Path) -> None:
     table = own(path)
     names = [name for name, each in table.items() if isinstance(each, Prediction)]
     assert order == [(what, name) for name in names for what in ("predict", "outcome")]
+
+
+MOST_LINES = 120
+LONGER = {"03_can_a_chase_evolve": 216, "09_fast_and_safe": 147}
+"""Notebooks that have to become shorter."""
+
+
+def lines_to_read(code: str) -> int:
+    """Return the lines of a cell to read: no imports, docstrings, comments, questions."""
+    code = re.sub(r"^%.*", "", code, flags=re.MULTILINE)
+    skipped: set[int] = set()
+    for node in ast.walk(ast.parse(code)):
+        asked = ast.unparse(node) if isinstance(node, ast.Expr | ast.Assign) else ""
+        if isinstance(node, ast.Import | ast.ImportFrom) or re.match(QUESTION, asked):
+            skipped |= {*range(node.lineno, node.end_lineno + 1)}
+    lines = [line.strip() for n, line in enumerate(code.splitlines(), 1) if n not in skipped]
+    return sum(bool(line) and not line.startswith("#") for line in lines)
+
+
+QUESTION = r"'|\"|(predict|outcome|check|hint)\(|answer = "
+"""How docstrings begin, and lines that ask and answer."""
+
+
+@each_notebook
+def test_there_is_not_too_much_code_to_read(path: Path) -> None:
+    lines = sum(
+        lines_to_read(source(cell)) for cell in cells(path, "code")[1:]
+    )  # the first installs
+    assert lines <= LONGER.get(path.stem, MOST_LINES)
 
 
 def test_the_page_of_the_course_has_a_row_for_each_notebook() -> None:
