@@ -41,7 +41,7 @@ include_patterns = [
     "tutorials/**",
     "web/README.md",
 ]
-exclude_patterns = ["docs/site/contents.md", "docs/site/templates"]
+exclude_patterns = ["docs/site/contents.md", "docs/site/templates", "docs/class_material"]
 templates_path = [str(REPOSITORY / "docs/site/templates")]
 
 extensions = [
@@ -65,7 +65,7 @@ numpydoc_show_class_members = False  # the template of classes lists them
 
 html_theme = "furo"
 html_title = "matrixworld"
-# Pages that work alone lie beside the first page of the site. Their Markdown has pages here, too.
+# Pages that work alone lie beside the first page of the site.
 DOCS = REPOSITORY / "docs"
 html_extra_path = [
     str(page) for page in sorted({*DOCS.glob("*.html"), *DOCS.glob("class_material/*.html")})
