@@ -20,6 +20,7 @@ import judgement_tables
 import matrixworld as mw
 import paper_claims
 import psro
+import race_budgets
 import safe_learning
 import yoked_races
 from evolution_scripts import DOCS, RESULTS, read, run_quickly, run_script
@@ -47,6 +48,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
         json.loads(read(at / "numbers.json"))
     ),
     "psro/table.md": lambda at: psro.table(json.loads(read(at / "numbers.json"))),
+    "race_budgets/table.md": lambda at: race_budgets.table(json.loads(read(at / "numbers.json"))),
     "safe_learning/table.md": lambda at: safe_learning.table(dict(np.load(at / "numbers.npz"))),
 }
 """Published tables, and how they are made from the other files of their directory."""
@@ -89,6 +91,18 @@ def test_the_page_on_safe_learning_shows_the_published_numbers() -> None:
 
 
 # Halls of fame, archives, held-out opponents
+
+
+@pytest.mark.slow
+def test_race_budgets_compares_races_of_half_the_matches(tmp_path: Path) -> None:
+    printed = run_quickly("race_budgets", tmp_path)
+    numbers = json.loads(read(tmp_path / "race_budgets" / "numbers.json"))
+    for schedule in race_budgets.SCHEDULES:
+        long, half = (numbers[race_budgets.key(name, schedule)] for name in race_budgets.QUICK)
+        cells = 9 * 9 * 10
+        assert long["matches"] - cells == 2 * (half["matches"] - cells)
+        assert f"{np.mean(half['evader']) - np.mean(long['evader']):+.2f} [" in printed
+    assert run_quickly("race_budgets", tmp_path) == printed
 
 
 @pytest.mark.slow
