@@ -258,7 +258,10 @@ class Plan:
             new = path.with_suffix(".new")
             new.write_text(json.dumps(found))
             new.rename(path)
-        return dict(json.loads(path.read_text()))
+        found = json.loads(path.read_text())
+        if found["settings"] != settings:
+            raise click.ClickException(f"{path}: holds a run with other settings; remove it")
+        return dict(found)
 
     def best(self, group: str, name: str) -> dict[str, Any] | None:
         """Return the best settings of the trials, None before they have been played."""
@@ -402,7 +405,8 @@ def print_curves(found: Found, matches: int) -> None:
             curves = [np.interp(at, *np.array(run["curve"]).T) for run in runs[task]]
             cells.append(" ".join(f"{value:.3f}" for value in np.mean(curves, axis=0)))
         every = [run for each in runs.values() for run in each]
-        per, first = (np.median([run[key] for run in every]) for key in ("epoch", "first"))
+        # Only the first run of a process compiles.
+        per, first = np.median([run["epoch"] for run in every]), max(run["first"] for run in every)
         rollouts = np.mean([run["rollouts"] for run in every])
         times = (f"{1e3 * per:.1f}", f"{first:.2f}", f"{rollouts:.2f}")
         rows.append((name, every[0]["version"], *cells, *times))
