@@ -231,7 +231,7 @@ def test_the_text_says_what_the_outputs_show() -> None:
     assert by_number["queue, lower number than the leader"] == "0.000"
     assert float(by_number["queue, higher number than the leader"]) > 0.5
     assert {value for name, value in world.items() if "contest" in name} == {"0.000"}
-    assert "all at once: 0 of 3000 steps change" in printed("all at once: ")
+    assert "all_at_once: 0 steps change" in printed("steps change")
 
 
 def printed(part: str) -> str:

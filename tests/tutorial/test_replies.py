@@ -313,7 +313,7 @@ WRONG |= {
         "all scores": lambda payoff, mixture: mixture @ payoff,
     },
     "10.2": {"equal": [1 / 3] * 3, "percent": [25, 50, 25], "rock": [1, 0, 0], "two": [0.5, 0.5]},
-    "10.3": {"generalists": 0.843, "both": 0.17, "one team": 0.325, "ten": 10.0, "text": "0.83"},
+    "10.3": {"generalists": 0.843, "both": 0.17, "one team": 0.325, "ten": 10.0, "text": "0.9"},
 }
 
 RIGHT: dict[str, list[Any]] = {
