@@ -73,13 +73,14 @@ told
 def write_headers(folder: Path) -> None:
     """Write Python's headers with the ``pyconfig.h`` of Pyodide's Python."""
     shutil.copytree(sysconfig.get_path("include"), folder)
-    own = folder / "pyconfig.h"
-    names = set(re.findall(r"# *(?:define|undef) (\w+)", own.read_text(encoding="utf-8")))
+    own = Path(sysconfig.get_config_h_filename()).read_text(encoding="utf-8")
+    names = set(re.findall(r"# *(?:define|undef) (\w+)", own))
     known: dict[str, Any] = {}
     with ZipFile(PYODIDE / "python_stdlib.zip") as library:
         exec(library.read("_sysconfigdata__emscripten_wasm32-emscripten.py"), known)
     values = {k: v for k, v in known["build_time_vars"].items() if k in names and v not in (0, "")}
-    own.write_text("".join(f"#define {k} {v}\n" for k, v in values.items()), encoding="utf-8")
+    lines = "".join(f"#define {k} {v}\n" for k, v in values.items())
+    (folder / "pyconfig.h").write_text(lines, encoding="utf-8")
 
 
 def compiled(folder: Path) -> Path:
