@@ -1,10 +1,12 @@
 """The slider of the notebooks: a picture for each value, by keyboard, and one without scripts."""
 
+import importlib
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pytest
 
+import matrixworld.tutorial
 from browser import Browser, browser  # noqa: F401  # a fixture
 from matrixworld.tutorial import Slider
 
@@ -34,3 +36,13 @@ def test_one_picture_needs_no_slider() -> None:
     with pytest.raises(ValueError, match="figures: expected two or more, got 1"):
         Slider("seeds", {1: (plt.figure(), "nothing")})
     plt.close("all")
+
+
+def test_small_runs_of_notebooks_say_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for quick in ("1", "0"):
+        monkeypatch.setenv("MATRIXWORLD_QUICK", quick)
+        importlib.reload(matrixworld.tutorial)  # what the first cell of every notebook imports
+        shown = capsys.readouterr().out
+        assert ("The text of this notebook does not apply" in shown) == (quick == "1")
