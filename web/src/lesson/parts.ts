@@ -26,7 +26,7 @@ export function predictionPart(part: Prediction, store: Store): HTMLElement {
     const choice = store.choice(name);
     if (choice === undefined) return;
     for (const radio of radios) [radio.checked, radio.disabled] = [radio.value === choice, true];
-    button.hidden = true;
+    button.hidden = button.disabled = true;
     status.replaceChildren();
     form.append(part.later ? html("p", { class: "reply" }, part.later) : outcomeOf(part, choice));
   };

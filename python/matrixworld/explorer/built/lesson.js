@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7d5aae27ac8a0dad06bfd9afda750ce282e658581263709655ca5839a6a503e2 */
+/* built from web/ by "npm run build"; sources d1e81718e1435d12f7e1325768c7acb9ce171a1805874ce96ae16f515316d6d4 */
 "use strict";(()=>{var $r={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},_r={OCCUPATION:0,SURROUND:1},Lr={FAULT:0,INVOLVED:1};var Nr=["obstacle","teammate","adversary"],Ft=["vertex","edge","chain"],Ir=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],zt=["p\
 ursuer_{number}","evader_{number}"],Fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Pe={"both held":"both bounce","both doomed":"\
@@ -142,16 +142,16 @@ set:l=>{l.split(" ").forEach((u,d)=>e[d]=Number(u)),r.forEach(t)}}}var Sn=e=>e.m
 let{predict:r,options:n}=e,o=c("p",{class:"small muted",role:"status"}),s=c("button",{type:"submit",class:"primary"},"This is my prediction"),a=Object.keys(n).map(
 u=>c("input",{type:"radio",name:`prediction-${r}`,value:u})),i=c("form",{class:"prediction",id:`prediction-${r}`},c("fieldset",{},c("legend",{},c("strong",{},"P\
 redict. "),e.question),...a.map(u=>c("label",{class:"option"},u,c("span",{},n[u.value])))),c("div",{class:"buttons"},s,o)),l=()=>{let u=t.choice(r);if(u!==void 0){
-for(let d of a)[d.checked,d.disabled]=[d.value===u,!0];s.hidden=!0,o.replaceChildren(),i.append(e.later?c("p",{class:"reply"},e.later):Qt(e,u))}};return i.addEventListener(
-"submit",u=>{u.preventDefault();let d=a.find(m=>m.checked);d?(t.choose(r,d.value),l()):o.textContent="Choose one first. Any prediction is a good one."}),l(),i}function Qt(e,t){
-let{options:r,outcome:n}=e,o=t===n;return c("div",{class:"reply",role:"status","data-right":String(o)},c("p",{},c("strong",{},o?"✓ As you predicted: ":"You pr\
-edicted: "),r[t],...o?[]:[" ",c("strong",{},"The outcome: "),r[n]]),...Xt(e.explanation),e.note&&c("p",{class:"small muted"},e.note))}function En(e,t){let{input:r,
-check:n,answer:o,set:s}=Mn(e),a=c("p",{class:"reply",role:"status",hidden:!0}),i=d=>{a.hidden=!1,a.dataset.right=String(d===null),a.replaceChildren(c("strong",{},
-d===null?"✓ Right. ":"✗ Not yet. "),d??e.explanation)},l=c("form",{class:"exercise",id:`exercise-${e.exercise}`},c("div",{class:"text"},c("p",{},c("strong",
-{},"Exercise. "),...ot(e.question))),e.matrix&&ya(e.matrix),c("div",{class:"buttons"},r,c("button",{type:"submit"},"Check")),a);l.addEventListener("submit",d=>{
-d.preventDefault();let m=n();m===null&&t.solve(e.exercise,o()),i(m)});let u=t.solved(e.exercise);return u!==void 0&&(s(u),i(null)),l}function ya(e){let t=e.map(
-(r,n)=>n);return c("div",{class:"wide-table",tabindex:0},c("table",{class:"rates numbers"},c("thead",{},c("tr",{},c("td"),...t.map(r=>c("th",{scope:"col"},`evad\
-ers ${r}`)))),c("tbody",{},...e.map((r,n)=>c("tr",{},c("th",{scope:"row"},`pursuers ${n}`),...r.map(o=>c("td",{},o.toFixed(1))))))))}var va=40;function er(e,t){c("a",{href:URL.createObjectURL(new Blob([t],{type:"text/plain"})),download:e}).click()}function Tn({question:e="",points:t=[]},r){let n=c(
+for(let d of a)[d.checked,d.disabled]=[d.value===u,!0];s.hidden=s.disabled=!0,o.replaceChildren(),i.append(e.later?c("p",{class:"reply"},e.later):Qt(e,u))}};return i.
+addEventListener("submit",u=>{u.preventDefault();let d=a.find(m=>m.checked);d?(t.choose(r,d.value),l()):o.textContent="Choose one first. Any prediction is a goo\
+d one."}),l(),i}function Qt(e,t){let{options:r,outcome:n}=e,o=t===n;return c("div",{class:"reply",role:"status","data-right":String(o)},c("p",{},c("strong",{},o?
+"✓ As you predicted: ":"You predicted: "),r[t],...o?[]:[" ",c("strong",{},"The outcome: "),r[n]]),...Xt(e.explanation),e.note&&c("p",{class:"small muted"},e.note))}
+function En(e,t){let{input:r,check:n,answer:o,set:s}=Mn(e),a=c("p",{class:"reply",role:"status",hidden:!0}),i=d=>{a.hidden=!1,a.dataset.right=String(d===null),a.
+replaceChildren(c("strong",{},d===null?"✓ Right. ":"✗ Not yet. "),d??e.explanation)},l=c("form",{class:"exercise",id:`exercise-${e.exercise}`},c("div",{class:"\
+text"},c("p",{},c("strong",{},"Exercise. "),...ot(e.question))),e.matrix&&ya(e.matrix),c("div",{class:"buttons"},r,c("button",{type:"submit"},"Check")),a);l.addEventListener(
+"submit",d=>{d.preventDefault();let m=n();m===null&&t.solve(e.exercise,o()),i(m)});let u=t.solved(e.exercise);return u!==void 0&&(s(u),i(null)),l}function ya(e){
+let t=e.map((r,n)=>n);return c("div",{class:"wide-table",tabindex:0},c("table",{class:"rates numbers"},c("thead",{},c("tr",{},c("td"),...t.map(r=>c("th",{scope:"\
+col"},`evaders ${r}`)))),c("tbody",{},...e.map((r,n)=>c("tr",{},c("th",{scope:"row"},`pursuers ${n}`),...r.map(o=>c("td",{},o.toFixed(1))))))))}var va=40;function er(e,t){c("a",{href:URL.createObjectURL(new Blob([t],{type:"text/plain"})),download:e}).click()}function Tn({question:e="",points:t=[]},r){let n=c(
 "textarea",{id:"exit-answer",rows:8}),o=c("p",{class:"printed"}),s=c("p",{class:"small muted",role:"status"}),a=c("button",{type:"submit",class:"primary"},"I am\
  done"),i=c("form",{class:"exercise"},c("label",{for:"exit-answer"},c("strong",{},"Exit question. "),e),n,o,c("div",{class:"buttons"},a,c("button",{type:"button",
 onclick:()=>er("exit_answer.txt",`${e}
