@@ -98,7 +98,7 @@ def numbers_games(seed: int) -> Effects:
     )
     return {
         "scalar minus focusing": scalar - focusing,
-        "focusing minus both": focusing - intransitive,
+        "focusing minus intransitive": focusing - intransitive,
     }
 
 
