@@ -40,6 +40,7 @@ NOT_COPIED = {
     "ProgressBar": "it holds a terminal",
     "States": "its states are the engine's, and are computed again in less time",
     "Solution": "it holds `States`",
+    "Slider": "it holds pictures, which the notebook keeps",
 }
 """Public classes without a copy, each with the reason."""
 
