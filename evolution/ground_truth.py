@@ -85,8 +85,6 @@ BUDGETS = (2_000, 5_000, 20_000)
 """Matches of learned responses."""
 RESPONSES_TO = "generalist-generalist"
 """Schedule to whose champions responses are learned."""
-EVERY = 2
-"""What generations guarantee is computed at this distance."""
 HELD_OUT_EPISODES = 100
 RISES, STAYS = 0.02, 0.005
 
@@ -132,7 +130,7 @@ def states_of(world: mw.WorldConfig) -> States:
 
 def numbers_of(run: SavedRun) -> Row:
     """Return truth, measures and verdicts of a race that need no other race."""
-    truth = guarantees(states_of(run.settings.world), compared(run))
+    truth = guarantees(states_of(run.settings.world), run.teams)
     payoff = run.payoff()
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
     rates = {team: each.rates.mean(axis=(1, 2)) for team, each in held_out.items()}
@@ -145,8 +143,7 @@ def numbers_of(run: SavedRun) -> Row:
         "value": truth.value,
         "truth": {"pursuer": truth.pursuers.tolist(), "evader": (1 - truth.evaders).tolist()},
         "measures": {
-            team: measures_of(payoff.capture_rate, team)
-            | {"held_out": rates[team][::EVERY].tolist()}
+            team: measures_of(payoff.capture_rate, team) | {"held_out": rates[team].tolist()}
             for team in TEAMS
         },
         "headline": judgement.window,
@@ -166,12 +163,7 @@ def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, list[float]]:
         "nash": getattr(nash, f"{team}_averages"),
         "elo": getattr(ratings, f"{team}s"),
     }
-    return {name: np.asarray(each)[::EVERY].tolist() for name, each in found.items()}
-
-
-def compared(run: SavedRun) -> dict[Team, mw.Population]:
-    """Return the generations that are compared with the truth."""
-    return {t: mw.Population(p.genomes[::EVERY], p.network) for t, p in run.teams.items()}
+    return {name: np.asarray(each).tolist() for name, each in found.items()}
 
 
 def against_others(runs: Mapping[tuple[str, int], SavedRun], key: tuple[str, int]) -> Row:
@@ -182,7 +174,7 @@ def against_others(runs: Mapping[tuple[str, int], SavedRun], key: tuple[str, int
     for team in TEAMS:
         met = [each.teams[other(team)] for each in strangers]
         champions = mw.Population(np.stack([p.genomes[-1] for p in met]), met[0].network)
-        sides = {team: compared(run)[team], other(team): champions}
+        sides = {team: run.teams[team], other(team): champions}
         rates = tournament(
             run.settings.world, sides["pursuer"], sides["evader"], episodes=10, seed=key[1]
         ).capture_rate
@@ -493,7 +485,7 @@ def draw(rows: Sequence[Row], file: Path) -> None:
                 middle = curves.mean(axis=0)
                 low = [m if e.low is None else e.low for m, e in zip(middle, ends, strict=True)]
                 high = [m if e.high is None else e.high for m, e in zip(middle, ends, strict=True)]
-                at = EVERY * np.arange(len(middle))
+                at = np.arange(len(middle))
                 [drawn] = axis.plot(at, middle, label=schedule)
                 axis.fill_between(at, low, high, color=drawn.get_color(), alpha=0.2)
             axis.set_title(title if team == "pursuer" else "")
