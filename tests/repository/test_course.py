@@ -128,8 +128,6 @@ def test_predictions_are_made_before_their_experiments(path: Path) -> None:
 
 
 MOST_LINES = 120
-LONGER = {"03_can_a_chase_evolve": 216}
-"""A notebook that has to become shorter."""
 
 
 def lines_to_read(code: str) -> int:
@@ -153,7 +151,7 @@ def test_there_is_not_too_much_code_to_read(path: Path) -> None:
     lines = sum(
         lines_to_read(source(cell)) for cell in cells(path, "code")[1:]
     )  # the first installs
-    assert lines <= LONGER.get(path.stem, MOST_LINES)
+    assert lines <= MOST_LINES
 
 
 def test_the_page_of_the_course_has_a_row_for_each_notebook() -> None:

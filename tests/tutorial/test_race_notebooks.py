@@ -1,5 +1,7 @@
 """Notebooks 3 to 9: what their texts say of learning, races and results that are kept is true."""
 
+import ast
+import inspect
 import runpy
 from typing import Any
 
@@ -10,7 +12,7 @@ import matrixworld as mw
 from matrixworld import analysis, coevolution, plots, toys
 from matrixworld.coevolution import competitive_sharing, reduced_virulence
 from matrixworld.toys import play_episodes
-from matrixworld.tutorial import UnansweredError, chapter_10, check, kept
+from matrixworld.tutorial import UnansweredError, chapter_3, chapter_10, check, kept
 from matrixworld.tutorial.chapter_5 import four_races, noisy_race
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from matrixworld.tutorial.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
@@ -27,33 +29,49 @@ from matrixworld.tutorial.chapter_9 import (
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from student_functions import STEPS, gains, last_beats_first
 
-# ---- Notebook 3: its match in plain Python -------------------------------------------------------
+# ---- Notebook 3 ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize(
     "size", [{}, {"rows": 5, "cols": 5, "max_steps": 30}, {"n_pursuers": 1, "n_evaders": 9}]
 )
-def test_the_python_match_is_that_of_rollout(seed: int, size: dict) -> None:
+def test_the_match_step_by_step_is_that_of_rollout(seed: int, size: dict) -> None:
     """For other networks and other worlds than those of the notebook."""
     fields = {"rows": 12, "cols": 12, "n_pursuers": 3, "n_evaders": 6, "fov": 5, "max_steps": 60}
     world = mw.WorldConfig("O", **{**fields, **size})
     network = mw.Network.for_config(world, (8,), sampled=False)
-    names = {"world": world, "network": network, "np": np}
+    names = {"mw": mw, "world": world, "network": network}
     for text in map(source, cells(NOTEBOOKS[2], "code")):
-        if text.startswith(("SIDE", "def play(")):
+        if text.startswith("def play("):
             exec(text, names)
     genome = network.initial(np.random.default_rng(seed), 0.3, 0.5)
     team = mw.Population(genome, network)
     matches = mw.Matches.of(0, 0, np.arange(12))
     statistics = mw.rollout(world, team, "random", matches)
-    captures = np.rint(statistics.capture_rate[:, 0] * world.n_evaders)
     for match in range(12):
-        episode = mw.record(world, team, "random", seed=match)
-        starts = [tuple(cell) for cell in episode.positions[0].tolist()]
-        moves = episode.actions[:, world.n_pursuers :].tolist()
-        found = names["play"](genome, starts, moves)
-        assert found == (captures[match], statistics.length[match, 0])
+        moves = mw.record(world, team, "random", seed=match).actions[:, world.n_pursuers :]
+        found = names["play"](genome, match, moves)
+        assert found == (statistics.capture_rate[match, 0], statistics.length[match, 0])
+
+
+@pytest.mark.parametrize("function", [chapter_3.make_toolbox, chapter_3.evolve])
+def test_the_notebook_shows_what_the_package_does(function: Any) -> None:
+    """Its text has the code of the package, without the types."""
+    begin = f"def {function.__name__}("
+    text = "".join(source(cell) for cell in cells(NOTEBOOKS[2], "markdown"))
+    shown = begin + text.split(begin)[1].split("```")[0]
+    assert without_types(shown) == without_types(inspect.getsource(function))
+
+
+def without_types(code: str) -> str:
+    tree = ast.parse(code)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef):
+            node.returns = None
+        elif isinstance(node, ast.arg):
+            node.annotation = None
+    return ast.unparse(tree)
 
 
 # ---- Notebook 4 ----------------------------------------------------------------------------------

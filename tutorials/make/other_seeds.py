@@ -10,14 +10,10 @@ takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tu
 
 from __future__ import annotations
 
-import ast
-import json
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, replace
+from functools import cache, partial
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any
 
 import chapter_4
 import numpy as np
@@ -27,6 +23,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld import analysis, coevolution, toys
 from matrixworld._util.files import load_arrays, save_arrays
+from matrixworld.tutorial import chapter_3
 from matrixworld.tutorial.chapter_5 import noisy_race
 from matrixworld.tutorial.chapter_9 import WORLD, pack
 from matrixworld.tutorial.course import DATA
@@ -40,35 +37,34 @@ Effects = dict[str, float]
 # ---- Notebook 3 ----------------------------------------------------------------------------------
 
 
-@cache
-def notebook_3() -> SimpleNamespace:
-    """Return what the notebook defines, without what it computes."""
-    path = Path(__file__).parents[1] / "03_can_a_chase_evolve.ipynb"
-    cells = json.loads(path.read_text("utf-8"))["cells"]
-    lines = "".join("".join([*c["source"], "\n"]) for c in cells if c["cell_type"] == "code")
-    code = ast.parse("\n".join(line for line in lines.splitlines() if "%" not in line[:5]))
-    constants = {"world", "network", "crowd", "FOUR", "GENERATIONS", "PENALTY", "NEW"}
-    code.body = [
-        node
-        for node in code.body
-        if isinstance(node, ast.Import | ast.ImportFrom | ast.FunctionDef | ast.ClassDef)
-        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in constants)
-    ]
-    names: dict[str, Any] = {}
-    exec(compile(code, path, "exec"), names)
-    return SimpleNamespace(**names)
+HUNT = mw.WorldConfig("O", rows=12, cols=12, n_pursuers=3, n_evaders=6, fov=5, max_steps=60)
+CROWD = replace(HUNT, n_evaders=10)
+NETWORK = mw.Network.for_config(HUNT, hidden=(8,))
+NEW = np.arange(1_000_000, 1_000_200)
+GENERATIONS = 80
+
+
+def score_pursuers(genomes: list[np.ndarray], seeds: np.ndarray) -> np.ndarray:
+    played = chapter_3.play_each(HUNT, NETWORK, genomes, seeds, "random")
+    return played.captured_fraction.reshape(len(genomes), -1).mean(axis=1)
+
+
+def score_evaders(genomes: list[np.ndarray], seeds: np.ndarray, penalty: float) -> np.ndarray:
+    played = chapter_3.play_each(CROWD, NETWORK, genomes, seeds, "clumsy-chaser", "evader")
+    fitness = 1 - played.captured_fraction - penalty * played.evader_overlap
+    return fitness.reshape(len(genomes), -1).mean(axis=1)
 
 
 def chase(seed: int) -> Effects:
-    own = notebook_3()
-    plus, told, _ = own.evolve(algorithms.eaMuPlusLambda, own.score_pursuers, seed)
-    comma, _, _ = own.evolve(algorithms.eaMuCommaLambda, own.score_pursuers, seed)
-    searched, chosen = own.search_at_random(seed)
-    random_genome = own.network.initial(np.random.default_rng(seed), weight=0.2, head=0.5)
+    setting = NETWORK, score_pursuers, seed, GENERATIONS
+    plus, told = chapter_3.evolve(algorithms.eaMuPlusLambda, *setting)
+    comma, _ = chapter_3.evolve(algorithms.eaMuCommaLambda, *setting)
+    searched, chosen = chapter_3.best_of_random(*setting)
+    random_genome = NETWORK.initial(np.random.default_rng(seed), weight=0.2, head=0.5)
     genomes = [plus, comma, searched, random_genome]
-    of_plus, of_comma, of_search, untrained = own.score_pursuers(genomes, own.NEW)
+    of_plus, of_comma, of_search, untrained = score_pursuers(genomes, NEW)
     return {
-        "lost in new matches, less what is left": told - of_plus - (of_plus - untrained),
+        "lost in new matches, less what is left": told[-1] - of_plus - (of_plus - untrained),
         "curse of random search": chosen - of_search,
         "children only minus parents and children": of_comma - of_plus,
         "children only minus random search": of_comma - of_search,
@@ -77,10 +73,13 @@ def chase(seed: int) -> Effects:
 
 def crowding(seed: int) -> Effects:
     """Without a penalty for overlap minus with it."""
-    own, found = notebook_3(), []
-    for score in (own.score_evaders, own.score_apart):
-        champion, _, _ = own.evolve(algorithms.eaMuCommaLambda, score, seed)
-        played = own.play_evaders([champion], own.NEW)
+    found = []
+    for penalty in (0.0, 0.5):
+        score = partial(score_evaders, penalty=penalty)
+        champion, _ = chapter_3.evolve(
+            algorithms.eaMuCommaLambda, NETWORK, score, seed, GENERATIONS
+        )
+        played = chapter_3.play_each(CROWD, NETWORK, [champion], NEW, "clumsy-chaser", "evader")
         escaped = 1 - played.capture_rate
         found.append((played.evader_overlap.mean(), escaped.mean(), escaped.std()))
     overlap, escape, spread = np.subtract(*found)

@@ -3,13 +3,116 @@
 from __future__ import annotations
 
 import math
+import random
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from deap import base, tools
 
 from matrixworld._util.checks import shown
+from matrixworld.coevolution.learners.toolbox import Individual
+from matrixworld.coevolution.types import FloatArray, Genome, Team
+from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.tutorial.checks import NUMBER, Check, function
-from matrixworld.world.policy import Network
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
+
+# ---- Evolution -----------------------------------------------------------------------------------
+
+Score = Callable[[Sequence[Genome], Any], FloatArray]
+"""Fitness (n,) of n genomes, as the mean over the matches of some seeds."""
+MATCHES = 4
+"""Of each genome in a generation."""
+CHILDREN = 40
+"""In a generation."""
+
+
+def play_each(
+    world: WorldConfig,
+    network: Network,
+    genomes: Sequence[Genome],
+    seeds: Any,
+    against: Any,
+    team: Team = "pursuer",
+) -> EpisodeStatistics:
+    """Play each genome of a team on each seed; return the statistics, genome by genome."""
+    own, who = Population(np.stack(genomes), network), np.repeat(range(len(genomes)), len(seeds))
+    matches = np.tile(seeds, len(genomes))
+    if team == "pursuer":
+        return rollout(world, own, against, Matches.of(who, 0, matches))
+    return rollout(world, against, own, Matches.of(0, who, matches))
+
+
+def make_toolbox(
+    network: Network, score: Score, rng: np.random.Generator, sigma: float = 0.2
+) -> base.Toolbox:
+    """Return a toolbox; all genomes of a generation play the same four matches."""
+
+    def mutate(player: Individual) -> tuple[Individual]:
+        noise = rng.standard_normal(len(player.genome), dtype=np.float32)
+        player.genome = player.genome + np.float32(sigma) * noise
+        return (player,)
+
+    def evaluate_all(evaluate: Score, players: Sequence[Individual]) -> list[tuple[float]]:
+        seeds = rng.integers(2**63, size=MATCHES)
+        return [(value,) for value in evaluate([player.genome for player in players], seeds)]
+
+    toolbox = base.Toolbox()
+    toolbox.register("player", lambda: Individual(network.initial(rng, weight=0.2, head=0.5)))
+    toolbox.register("population", tools.initRepeat, list, toolbox.player)
+    toolbox.register("mutate", mutate)
+    toolbox.register("select", tools.selBest)
+    toolbox.register("evaluate", score)
+    toolbox.register("map", evaluate_all)
+    return toolbox
+
+
+def evolve(
+    loop: Callable[..., Any], network: Network, score: Score, seed: int, generations: int
+) -> tuple[Genome, list[float]]:
+    """Return the champion, and the best fitness in each generation."""
+    random.seed(seed)  # the loops of DEAP use Python's own generator
+    toolbox = make_toolbox(network, score, np.random.default_rng(seed))
+    statistics = tools.Statistics(lambda player: player.fitness.values[0])
+    statistics.register("best", np.max)
+    sizes = {"mu": 8, "lambda_": CHILDREN, "cxpb": 0.0, "mutpb": 1.0, "ngen": generations}
+    population, logbook = loop(
+        toolbox.population(n=8), toolbox, **sizes, stats=statistics, verbose=False
+    )
+    return tools.selBest(population, 1)[0].genome, logbook.select("best")
+
+
+def best_of_random(
+    network: Network, score: Score, seed: int, generations: int
+) -> tuple[Genome, float]:
+    """Return the best of as many random genomes as an evolution tries, and its fitness."""
+    rng = np.random.default_rng(seed)
+    genomes: list[Genome] = []
+    fitness: list[float] = []
+    for _ in range(generations):
+        new = [network.initial(rng, weight=0.2, head=0.5) for _ in range(CHILDREN)]
+        fitness.extend(score(new, rng.integers(2**63, size=MATCHES)))
+        genomes.extend(new)
+    return genomes[int(np.argmax(fitness))], max(fitness)
+
+
+def ask_and_tell(
+    make_learner: Callable[..., Any], network: Network, score: Score, seed: int, generations: int
+) -> Genome:
+    """Return what a learner finds with as many matches as an evolution."""
+    rng, matches_left = np.random.default_rng(seed), CHILDREN * MATCHES * generations
+    learner = make_learner(network.initial(rng), rng)
+    while matches_left > 0:  # whatever the number of candidates
+        candidates = learner.ask(rng)
+        fitness = score(candidates, rng.integers(2**63, size=2))
+        learner.tell(np.asarray(fitness, float))
+        matches_left -= 2 * len(candidates)
+    genome: Genome = learner.genome
+    return genome
+
+
+# ---- Exercises -----------------------------------------------------------------------------------
 
 genome_size = function(
     NUMBER,
