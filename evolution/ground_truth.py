@@ -81,7 +81,7 @@ SCHEDULES = (
     "hall-of-fame",
     "psro",
 )
-BUDGETS = (2_000, 5_000, 20_000)
+BUDGETS = (2_000, 5_000, 20_000, 200_000)
 """Matches of learned responses."""
 RESPONSES_TO = "generalist-generalist"
 """Schedule to whose champions responses are learned."""
