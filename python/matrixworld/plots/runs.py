@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS, Band, Judgement
+from matrixworld.analysis.intervals import UNBOUNDED, Bounds
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.plots import style
@@ -32,6 +33,7 @@ def run_dots(
     levels: Mapping[str, float] | None = None,
     each: str = "one run",
     title: str | None = None,
+    bounds: Bounds = UNBOUNDED,
 ) -> Figure:
     """Draw one number of each run as a dot, and the mean of each group with its 95% interval.
 
@@ -49,12 +51,15 @@ def run_dots(
     each : str, optional
         What a dot stands for.
     title : str, optional
+    bounds : tuple of float, optional
+        Smallest and largest possible number; intervals are clipped to them.
     """
     style.check_some(groups)
     figure = style.new_figure(6.6, 1.5 + 0.5 * len(groups))
     axes = figure.add_subplot()
     for row, values in enumerate(groups.values()):
-        _draw_dots(axes, row, analysis.interval_over_runs(values), np.asarray(values))
+        mean = analysis.interval_over_runs(values, bounds=bounds)
+        _draw_dots(axes, row, mean, np.asarray(values))
     for dashes, (name, level) in zip(
         style.DASHES * len(groups), (levels or {}).items(), strict=False
     ):
