@@ -192,7 +192,8 @@ def test_a_program_that_waits_ends_by_the_clock(tmp_path: Path) -> None:
     limits = Limits(wait=5.0, clock=3.0, clock_in_all=3.5)
     result = play_class(tmp_path, CONFIG, episodes=2, limits=limits, threads=1)
     reasons = {each.name: each.reason for each in result.refusals}
-    assert reasons["match"] == "pursue: more than 3 seconds by the clock in a match"
+    # A slow machine may end the trial in time and the first match not, which the reason says.
+    assert reasons["match"].startswith("pursue: more than 3 seconds by the clock in a match")
     assert reasons["all"].startswith("pursue: more than 3.5 seconds by the clock in all matches")
     assert time.monotonic() - began < 15.0
 
