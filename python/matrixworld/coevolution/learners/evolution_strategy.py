@@ -53,7 +53,8 @@ class EvolutionStrategy:
 
     The genome is the mean m. Both candidates of a pair are scored on the same match seed, so that
     the luck of the match cancels out. One standard deviation s serves all genes: that of the noise
-    table, or a share of the root mean square of m if that is more. There is no weight decay.
+    table, or a share of the root mean square of m if that is more. In that case, too, steps are
+    divided by that of the table. There is no weight decay.
 
     Parameters
     ----------
@@ -153,8 +154,8 @@ class EvolutionStrategy:
 
     def _gradient(self, utility: FloatArray) -> Genome:
         plus, minus = utility.reshape(2, -1)
-        # The table's numbers are e_i times its sigma, hence the square. With a larger s this is s
-        # times the gradient of the fitness: a step of Adam should not shrink as s grows.
+        # The table's numbers are e_i times its sigma, hence the square; with a larger s, too, so
+        # that steps of momentum do not shrink as s grows. Those of Adam hardly change with it.
         weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)
         gradient = np.zeros(self._table.size, dtype=np.float32)
         term = np.empty_like(gradient)
