@@ -24,7 +24,7 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import finish_all, script_parser
+from common import SAME_STEPS, finish_all, script_parser
 from matrixworld import analysis, coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.coevolution.schedules import SAMPLERS
@@ -40,6 +40,7 @@ FULL = RaceSettings.of(
         "schedule.opponents": 2,
         "schedule.pursuer_epochs": 20,
         "schedule.evader_epochs": 30,
+        **SAME_STEPS,
         "learner.population": 24,
         "evaluation_episodes": 5,
     }

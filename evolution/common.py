@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +25,16 @@ from matrixworld.coevolution import (
     open_run,
 )
 from matrixworld.coevolution.jobs.evolve import job_of, play_job
+
+SAME_STEPS = {"learner.relative_sigma": 0.0, "learner.learning_rate": 0.02}
+"""Settings of an evolution strategy whose samples do not spread with the genome."""
+
+
+def long_race(schedule: str) -> dict[str, Any]:
+    """Return the settings of a race with twice the matches of a default one, and `SAME_STEPS`."""
+    in_turns = {"schedule.pursuer_epochs": 60, "schedule.evader_epochs": 120}
+    epochs = {"schedule.joint_epochs": 90} if schedule == "hall-of-fame" else in_turns
+    return {"schedule": schedule, **epochs, **SAME_STEPS}
 
 
 def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argparse.ArgumentParser:

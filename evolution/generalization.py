@@ -30,13 +30,14 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import script_parser
+from common import SAME_STEPS, long_race, script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
 
 FULL = RaceSettings.of(
     {
+        **long_race("generalist-generalist"),
         "world.rows": 30,
         "world.cols": 30,
         "world.n_pursuers": 6,
@@ -50,6 +51,7 @@ QUICK = RaceSettings.of(
         "world.cols": 12,
         "world.n_pursuers": 3,
         "world.n_evaders": 6,
+        **SAME_STEPS,
         "learner.population": 12,
         "schedule.generations": 8,
         "schedule.pursuer_epochs": 10,

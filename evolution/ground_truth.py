@@ -46,7 +46,7 @@ from scipy import stats
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import finish_all, script_parser, written
+from common import finish_all, long_race, script_parser, written
 from judgement_counts import count_verdicts, read_counts
 from judgement_tables import RATE_HEADS, errors_of, table
 from judgement_truths import WINDOWS
@@ -110,7 +110,7 @@ Row = dict[str, Any]
 
 def settings_of(schedule: str, seed: int, quick: bool) -> RaceSettings:
     """Return the settings of a race."""
-    base = RaceSettings.of(SMALL | {"schedule": schedule}).changed(SHORT | {"seed": seed})
+    base = RaceSettings.of(SMALL | long_race(schedule)).changed(SHORT | {"seed": seed})
     epochs = {"pursuer_epochs": 2, "evader_epochs": 2}
     epochs = {"joint_epochs": 2} if schedule == "hall-of-fame" else epochs
     few = {f"schedule.{name}": number for name, number in epochs.items()}

@@ -26,11 +26,20 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
-from common import SIGNIFICANCE, finish_all, holm, p_value, script_parser, shown_p, written
+from common import (
+    SIGNIFICANCE,
+    finish_all,
+    holm,
+    long_race,
+    p_value,
+    script_parser,
+    shown_p,
+    written,
+)
 from matrixworld import analysis, plots
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, open_run, score
 
-FULL = RaceSettings(schedule="hall-of-fame")
+FULL = RaceSettings.of(long_race("hall-of-fame"))
 QUICK = FULL.changed(
     {
         "world.rows": 10,

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from common import SAME_STEPS
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import RACES
 from judgement_truths import (
@@ -64,6 +65,7 @@ REAL = RaceSettings.of(
         "schedule.generations": 14,
         "schedule.pursuer_epochs": 4,
         "schedule.evader_epochs": 4,
+        **SAME_STEPS,
         "learner.population": 8,
         "train_steps": 40,
         "world.max_steps": 60,

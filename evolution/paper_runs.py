@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import finish_all
+from common import SAME_STEPS, finish_all, long_race
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution import (
     Against,
@@ -112,7 +112,7 @@ def plan(
 
 
 FULL = plan(
-    RaceSettings(),
+    RaceSettings.of(long_race("generalist-generalist")),
     RaceSettings.of(
         {
             "schedule": "against",
@@ -138,6 +138,7 @@ QUICK = plan(
             "schedule.generations": 6,
             "schedule.pursuer_epochs": 4,
             "schedule.evader_epochs": 4,
+            **SAME_STEPS,
             **TINY,
         }
     ),

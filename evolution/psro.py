@@ -37,7 +37,16 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import SIGNIFICANCE, finish_all, holm, p_value, script_parser, shown_p, written
+from common import (
+    SAME_STEPS,
+    SIGNIFICANCE,
+    finish_all,
+    holm,
+    p_value,
+    script_parser,
+    shown_p,
+    written,
+)
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.files import load_toml
@@ -46,6 +55,7 @@ from matrixworld.solve import States, guarantees, mixture_bounds, solve
 
 FULL = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed(
     {
+        **SAME_STEPS,
         "policy.hidden": [32],
         "learner.population": 24,
         "schedule.generations": 12,

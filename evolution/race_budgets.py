@@ -1,27 +1,27 @@
-"""Do races need all their matches? Half of them, with other standard deviations of the samples.
+"""Do races need twice the matches of the default ones? Longer ones, with other steps.
 
-    python evolution/race_budgets.py           all kinds and seeds, some hours on two cores
+    python evolution/race_budgets.py           ten seeds of three schedules, 20 minutes on two cores
     python evolution/race_budgets.py --quick   a small world and two seeds, some seconds
 
-Each kind of race of `KINDS` changes the default settings, and plays half of their matches. Races of
-the same schedule and seed are compared by the scores of both last generations against held-out
-opponents, and all seeds together by what the judgement finds in the last half of the race.
-``--kinds``, ``--schedules`` and ``--seeds`` choose which races are played. ``--results`` receives
-the numbers of all races in ``--runs`` that have ended; an interrupted script continues where it
-stopped.
+The samples of default races spread with the genome (`relative_sigma`). The *long* races play twice
+as many matches with the same standard deviation throughout (`common.long_race`). Races of the same
+schedule and seed are compared by the scores of both last generations against held-out opponents,
+and all seeds together by what the judgement finds in the last half of the race. ``--schedules`` and
+``--seeds`` choose which races are played. ``--results`` receives the numbers of all races in
+``--runs`` that have ended; an interrupted script continues where it stopped.
 
-Races with the default settings have been played for other tables, and are read from results/; of
-the hall of fame their scores are kept, not their payoffs. Only ``--quick`` plays them.
+The long races have been played for other tables, and are read from results/; of the hall of fame
+their scores are kept, not their payoffs. Only ``--quick`` plays them.
 
-Look at the differences. An interval that lies below 0 says that half of the matches cost something;
-one around 0 says how much they may cost.
+Look at the differences, default minus long. An interval that lies below 0 says that half of the
+matches cost something; one around 0 says how much they may cost.
 """
 
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import hall_of_fame
-from common import finish_all, script_parser, written
+from common import finish_all, long_race, script_parser, written
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, open_run, score
 
@@ -40,30 +40,10 @@ SPECIALISTS, GENERALISTS, HALL = (
 )
 SCHEDULES = (SPECIALISTS, GENERALISTS, HALL)
 KEPT = Path(__file__).parent / "results"
-LONG = "default: sigma 0.1, rate 0.02"
+LONG, DEFAULT = "long", "default"
 SEEDS, LONG_MATCHES = 10, 268_810
 DONE = "summary.json"
 """The last file of a run."""
-
-
-def kind(pursuers: int, evaders: int, joint: int, **learner: float) -> dict[str, Any]:
-    """Return changes of settings: the epochs of a generation, and those of the learner."""
-    return {
-        "schedule.pursuer_epochs": pursuers,
-        "schedule.evader_epochs": evaders,
-        "schedule.joint_epochs": joint,
-        **{f"learner.{name}": value for name, value in learner.items()},
-    }
-
-
-KINDS = {
-    LONG: kind(60, 120, 90, sigma=0.1, learning_rate=0.02),
-    "half: sigma 0.1, rate 0.02": kind(28, 58, 43, sigma=0.1, learning_rate=0.02),
-    "half: relative sigma 0.4, rate 0.03": kind(
-        28, 58, 43, sigma=0.1, relative_sigma=0.4, learning_rate=0.03
-    ),
-}
-"""Settings by name; the first ones are the default."""
 SMALL = {
     "world.rows": 10,
     "world.cols": 10,
@@ -74,59 +54,39 @@ SMALL = {
     "learner.population": 8,
     "train_steps": 40,
 }
-QUICK = {
-    name: {**SMALL, **changes}
-    for name, changes in {
-        LONG: kind(4, 8, 6, sigma=0.1, learning_rate=0.02),
-        "half: relative sigma 0.4, rate 0.03": kind(
-            2, 4, 3, sigma=0.1, relative_sigma=0.4, learning_rate=0.03
-        ),
-    }.items()
+QUICK_EPOCHS = {
+    LONG: {"pursuer_epochs": 4, "evader_epochs": 8, "joint_epochs": 6},
+    DEFAULT: {"pursuer_epochs": 2, "evader_epochs": 4, "joint_epochs": 3},
 }
+"""The world and the length of the races of ``--quick``, and their epochs in a generation."""
 
 Numbers = dict[str, dict[str, Any]]
 """Kind and schedule -> "seeds", "matches", the scores of each team (seeds,), and "found"."""
 
 
-def settings_of(changes: Mapping[str, Any], schedule: str, seed: int) -> RaceSettings:
-    """Return the settings of a race, by the changes that its schedule has."""
-    idle = "r_epochs" if schedule == HALL else "joint_epochs"
-    fitting = {path: value for path, value in changes.items() if not path.endswith(idle)}
-    return RaceSettings.of({"schedule": schedule, "seed": seed, **fitting})
+def settings_of(kind: str, schedule: str, seed: int, quick: bool) -> RaceSettings:
+    """Return the settings of a race."""
+    settings = RaceSettings.of(long_race(schedule) if kind == LONG else {"schedule": schedule})
+    if quick:
+        known = vars(settings.schedule)
+        few = {f"schedule.{n}": each for n, each in QUICK_EPOCHS[kind].items() if n in known}
+        settings = settings.changed({**SMALL, **few})
+    return replace(settings, seed=seed)
 
 
-def place(name: str, schedule: str, seed: int) -> str:
+def place(kind: str, schedule: str, seed: int) -> str:
     """Return the path of a race in the directory of all runs."""
-    kept_in = re.sub("[ ,:]+", "-", f"{name}-{schedule}")
-    return f"{kept_in}/{seed}"
+    return f"{kind}/{schedule}/{seed}"
 
 
-def key(name: str, schedule: str) -> str:
+def key(kind: str, schedule: str) -> str:
     """Return the name of the races of a kind and a schedule."""
-    return f"{name}; {schedule}"
+    return f"{kind}; {schedule}"
 
 
 def found_in(payoffs: ArrayLike) -> list[str]:
     """Return what the judgement finds in races together: payoffs (seeds, G, H, episodes)."""
     return [*analysis.judge(payoffs, per_episode=True).present()]
-
-
-def play(
-    kinds: Mapping[str, Mapping[str, Any]],
-    chosen: Iterable[str],
-    schedules: Iterable[str],
-    seeds: Iterable[int],
-    root: Path,
-    threads: int | None,
-) -> None:
-    """Play the missing races; all kinds of a seed, then the next seed."""
-    races = {
-        place(name, schedule, seed): settings_of(kinds[name], schedule, seed)
-        for seed in seeds
-        for schedule in schedules
-        for name in chosen
-    }
-    finish_all(races, root, threads=threads)
 
 
 def measured(runs: Mapping[int, SavedRun], threads: int | None) -> dict[str, Any]:
@@ -163,7 +123,7 @@ def kept() -> Numbers:
 
 
 def table(numbers: Numbers) -> str:
-    """Return the comparison of all kinds of races with the first one as a table in Markdown."""
+    """Return the comparison of both kinds of races as a table in Markdown."""
     heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS)]
     heads += [f"difference, {team}s" for team in TEAMS]
     lines = [f"| {' | '.join([*heads, 'found in the last half'])} |", "|---" * 8 + "|"]
@@ -190,23 +150,27 @@ def difference(one: Mapping[str, Any], long: Mapping[str, Any], team: str) -> st
 def main() -> None:
     """Play missing races, and write the numbers of all."""
     parser = script_parser(__doc__, quick="a small world and two seeds")
-    parser.add_argument("--kinds", nargs="+", metavar="NAME", help="default: all")
     parser.add_argument("--schedules", nargs="+", choices=SCHEDULES, default=SCHEDULES)
     parser.add_argument("--seeds", nargs="+", type=int, help=f"default: 0 to {SEEDS - 1}, or 0 1")
     parser.add_argument("--runs", type=Path, default=Path("runs/race_budgets"))
     parser.add_argument("--results", type=Path, default=Path("race_budgets"))
     parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
-    kinds = QUICK if args.quick else {name: KINDS[name] for name in KINDS if name != LONG}
-    seeds = args.seeds or range(2 if args.quick else SEEDS)
-    play(kinds, args.kinds or kinds, args.schedules, seeds, args.runs, args.threads)
+    kinds = (LONG, DEFAULT) if args.quick else (DEFAULT,)
+    races = {
+        place(kind, schedule, seed): settings_of(kind, schedule, seed, args.quick)
+        for seed in args.seeds or range(2 if args.quick else SEEDS)
+        for schedule in args.schedules
+        for kind in kinds
+    }
+    finish_all(races, args.runs, threads=args.threads)
     numbers = {} if args.quick else kept()
-    for name in kinds:
+    for kind in kinds:
         for schedule in SCHEDULES:
-            places = {seed: args.runs / place(name, schedule, seed) for seed in range(SEEDS)}
+            places = {seed: args.runs / place(kind, schedule, seed) for seed in range(SEEDS)}
             runs = {seed: open_run(at) for seed, at in places.items() if (at / DONE).exists()}
             if runs:
-                numbers[key(name, schedule)] = measured(runs, args.threads)
+                numbers[key(kind, schedule)] = measured(runs, args.threads)
     args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "numbers.json").write_text(json.dumps(numbers, indent=1) + "\n", "utf-8")
     text = table(numbers)

@@ -68,6 +68,7 @@ SMALL = RaceSettings.of(
         "world.max_steps": 8,
         "train_steps": 8,
         "match_episodes": 4,
+        "learner.relative_sigma": 0.0,
         "learner.learning_rate": 0.05,
         "schedule.pursuer_epochs": 60,
         "schedule.evader_epochs": 60,
@@ -108,6 +109,7 @@ GENERALISTS = "generalist-generalist"
 TURNS = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed(
     {
         "match_episodes": 8,
+        "learner.relative_sigma": 0.0,
         "learner.learning_rate": 0.05,
         "schedule.pursuer_epochs": 30,
         "schedule.evader_epochs": 30,

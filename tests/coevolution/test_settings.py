@@ -35,17 +35,19 @@ STARTED = {"schedule": "against", "schedule.start": "run"}
 # Defaults
 
 
-ALONE = {"schedule": "against", "learner.population": 128, "learner.anneal": True,
+ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sigma": 0.0,
+         "learner.learning_rate": 0.02, "learner.anneal": True,
          "evaluation_episodes": 200}  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("kinds", "expected"),
     [
-        ({}, {"schedule": "alternating", "schedule.generations": 30, "schedule.pursuer_epochs": 60,
-              "schedule.evader_epochs": 120, "learner": "es", "learner.population": 48,
+        ({}, {"schedule": "alternating", "schedule.generations": 30, "schedule.pursuer_epochs": 28,
+              "schedule.evader_epochs": 58, "learner": "es", "learner.population": 48,
+              "learner.sigma": 0.1, "learner.relative_sigma": 0.4, "learner.learning_rate": 0.03,
               "world.max_steps": 500, "train_steps": 200, "policy.hidden": [32]}),
-        ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 90}),
+        ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 43}),
         ({"schedule": Against(team="pursuer")},
          {**ALONE, "schedule.epochs": 6000, "train_steps": 500, "learner.sigma": 0.15,
           "policy.initial_weight": 0.2, "policy.initial_head": 0.09}),
@@ -68,7 +70,7 @@ def test_defaults_are_those_that_were_seen_to_work(kinds, expected):
 def test_what_follows_from_the_settings():
     settings, alone = RaceSettings(), RaceSettings(schedule=Against(team="evader"))
     assert settings.schedule.name == "generalist-generalist"
-    assert settings.schedule.total_epochs("evader") == 3600
+    assert settings.schedule.total_epochs("evader") == 1740
     assert settings.training_world.max_steps == 200
     assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5  # 363 = 3 x 11 x 11
     assert (settings.is_race, alone.is_race) == (True, False)

@@ -43,6 +43,8 @@ def settings(seed: int) -> RaceSettings:
             "schedule.generations": 24,
             "schedule.pursuer_epochs": 20,
             "schedule.evader_epochs": 50,
+            "learner.relative_sigma": 0.0,
+            "learner.learning_rate": 0.02,
             "learner.population": 32,
             "fitness.overlap_penalty": 0.5,
             "train_steps": 100,

@@ -3,7 +3,7 @@
     python tutorials/make/chapter_5.py                  one hour on two cores; can be interrupted
     python tutorials/make/chapter_5.py --from DIRECTORY seconds, with races that are finished
 
-The races are those of ``matrixworld evolve --schedule ... --seeds 0-9`` with no other option.
+The races have twice the matches of default ones, and samples that do not spread with the genome.
 ``paper_races.npz`` holds ``evaders``, the number of evaders, and for each schedule, with ``_`` for
 ``-``, how many of them were captured in each episode of the payoff matrices: uint8, shape (10
 seeds, 31 pursuer generations, 31 evader generations, 10 episodes).
@@ -31,12 +31,24 @@ WITHOUT_EFFECT = ("joint_epochs", "contemporaries", "hall_sample")
 EVADERS = RaceSettings().world.n_evaders
 
 
+def settings_of(schedule: str, seed: int) -> RaceSettings:
+    """Return the settings of a race."""
+    return RaceSettings.of(
+        {
+            "schedule": schedule,
+            "schedule.pursuer_epochs": 60,
+            "schedule.evader_epochs": 120,
+            "learner.relative_sigma": 0.0,
+            "learner.learning_rate": 0.02,
+            "seed": seed,
+        }
+    )
+
+
 def played(directory: Path, threads: int | None) -> dict[str, list[np.ndarray]]:
     """Return the capture rates of each schedule and seed; play the missing races."""
     settings = {
-        f"{name}/seed-{seed}": RaceSettings(schedule=name, seed=seed)
-        for name in SCHEDULES
-        for seed in SEEDS
+        f"{name}/seed-{seed}": settings_of(name, seed) for name in SCHEDULES for seed in SEEDS
     }
     with ProgressBar() as bars:
         runs = evolve(settings, directory, threads=threads, report=bars)
@@ -57,7 +69,7 @@ def finished(directory: Path) -> dict[str, list[np.ndarray]]:
 def read(directory: Path, schedule: str, seed: int) -> np.ndarray:
     """Return the capture rates of one run; ValueError if its settings are others."""
     found = json.loads((directory / "config.json").read_text("utf-8"))["settings"]
-    wanted = RaceSettings(schedule=schedule, seed=seed)
+    wanted = settings_of(schedule, seed)
     for key, value in found.items():
         expected = getattr(wanted, key, value)
         # JSON has lists only.

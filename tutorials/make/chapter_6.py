@@ -56,6 +56,8 @@ SMALL = RaceSettings.of(
         "schedule.generations": 20,
         "schedule.pursuer_epochs": 20,
         "schedule.evader_epochs": 40,
+        "learner.relative_sigma": 0.0,
+        "learner.learning_rate": 0.02,
         "learner.population": 32,
         "fitness.overlap_penalty": 0.5,
         "train_steps": 100,

@@ -39,6 +39,8 @@ EVEN = RaceSettings.of(
         "schedule.generations": 14,
         "schedule.pursuer_epochs": 20,
         "schedule.evader_epochs": 40,
+        "learner.relative_sigma": 0.0,
+        "learner.learning_rate": 0.02,
         "fitness.overlap_penalty": 0.5,
         "train_steps": 80,
         "world.max_steps": 300,

@@ -35,6 +35,8 @@ RACE = RaceSettings.of(
         "schedule.generations": 20,
         "schedule.pursuer_epochs": 50,
         "schedule.evader_epochs": 50,
+        "learner.relative_sigma": 0.0,
+        "learner.learning_rate": 0.02,
         "train_steps": 100,
         "world.max_steps": 100,
     }

@@ -266,10 +266,10 @@ class Alternating(RaceSchedule):
 
     opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
     pursuer_epochs: int = setting(
-        60, "epochs per generation in which pursuers learn", by={"actor-critic": 400}, least=1
+        28, "epochs per generation in which pursuers learn", by={"actor-critic": 400}, least=1
     )
     evader_epochs: int = setting(
-        120, "epochs per generation in which evaders learn", by={"actor-critic": 400}, least=1
+        58, "epochs per generation in which evaders learn", by={"actor-critic": 400}, least=1
     )
 
     @property
@@ -337,7 +337,7 @@ class HallOfFame(RaceSchedule):
     kind: ClassVar[str] = "hall-of-fame"
 
     joint_epochs: int = setting(
-        90, "epochs per generation, in which both teams learn", by={"actor-critic": 400}, least=1
+        43, "epochs per generation, in which both teams learn", by={"actor-critic": 400}, least=1
     )
     contemporaries: int = setting(2, "living opponents of each individual")
     hall_sample: int = setting(1, "opponents of each individual from the hall of fame")

@@ -189,12 +189,16 @@ class EvolutionStrategySettings(LearnerSettings):
     sigma: float = setting(
         0.1, "standard deviation of the samples", by={"against pursuer": 0.15}, positive=True
     )
-    learning_rate: float = setting(0.02, "learning rate of the optimizer", positive=True)
+    learning_rate: float = setting(
+        0.03, "learning rate of the optimizer", by={"against": 0.02}, positive=True
+    )
     momentum: float | None = setting(
         None, "coefficient of classical momentum, in [0, 1); default: Adam instead", most=1.0
     )
     relative_sigma: float = setting(
-        0.0, "least standard deviation, as a share of the root mean square of the genome", least=0.0
+        0.4,
+        "least standard deviation, as a share of the root mean square of the genome",
+        by={"against": 0.0},
     )
     anneal: bool = setting(
         False, "reduce the learning rate linearly to a tenth over the run", by={"against": True}
