@@ -76,7 +76,7 @@ def settings_of(kind: str, schedule: str, seed: int, quick: bool) -> RaceSetting
 
 def place(kind: str, schedule: str, seed: int) -> str:
     """Return the path of a race in the directory of all runs."""
-    return f"{kind}/{schedule}/{seed}"
+    return f"{kind}-{schedule}/{seed}"
 
 
 def key(kind: str, schedule: str) -> str:
