@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.solve.solution import Champion, _Fixed, _fixed, _induct
+from matrixworld.solve.solution import Champion, Fixed, fixed_play, induct, values_after
 from matrixworld.solve.states import States
 from matrixworld.world.config import WorldConfig
 
@@ -61,13 +61,13 @@ def mixture_bounds(
         As `best_response` does.
     """
     states = States.of(world)
-    parts = [part for part in _fixed(states, mixture, team).parts if part[0] > 0.0]
+    parts = [part for part in fixed_play(states, mixture, team).parts if part[0] > 0.0]
     shares = np.array([share for share, _ in parts])
-    members = [_Fixed(team, ((1.0, play),)) for _, play in parts]
-    told = [_induct(states, steps, "capture-rate", {team: member}) for member in members]
+    members = [Fixed(team, ((1.0, play),)) for _, play in parts]
+    told = [induct(states, steps, "capture-rate", {team: member}) for member in members]
     rounds = told[0].steps
     first = sum(
-        share * _responses(states, member, 0, rounds, best._after(0, rounds))
+        share * _responses(states, member, 0, rounds, values_after(best, 0, rounds))
         for share, member, best in zip(shares, members, told, strict=True)
     )
     better = np.min if team == "pursuer" else np.max
@@ -76,14 +76,14 @@ def mixture_bounds(
     return (informed, forgetful) if team == "pursuer" else (forgetful, informed)
 
 
-def _responses(states: States, member: _Fixed, turn: int, left: int, after: Array) -> Array:
+def _responses(states: States, member: Fixed, turn: int, left: int, after: Array) -> Array:
     """Return the values (S, its joint actions) of the responder's actions against a member."""
     following = after[states.successors(turn)]
     played = "spq,sp->sq" if member.team == "pursuer" else "spq,sq->sp"
     return np.asarray(np.einsum(played, following, member.at(turn, left)))
 
 
-def _forgetful(states: States, shares: Array, members: list[_Fixed], rounds: int) -> float:
+def _forgetful(states: States, shares: Array, members: list[Fixed], rounds: int) -> float:
     """Return what a responder gets that knows the state, but not how it came about."""
     turns = range(states.n_turns)
     moments = [(left, turn) for left in range(rounds, 0, -1) for turn in turns]
@@ -117,7 +117,7 @@ def _forgetful(states: States, shares: Array, members: list[_Fixed], rounds: int
 
 
 def _moved(
-    states: States, member: _Fixed, turn: int, left: int, action: NDArray[np.intp], weights: Array
+    states: States, member: Fixed, turn: int, left: int, action: NDArray[np.intp], weights: Array
 ) -> Array:
     """Return the weights of the next turn's states against a member and the chosen actions."""
     successors, played = states.successors(turn), member.at(turn, left)

@@ -31,7 +31,7 @@ anew, for all its members."""
 
 
 @dataclass(frozen=True, eq=False)
-class _Fixed:
+class Fixed:
     """The play of a team that is known: probabilities (S, joint actions) by turn."""
 
     team: Team
@@ -89,7 +89,7 @@ class Solution(Readable):
     payoff: Payoff
     values: tuple[NDArray[np.float64], ...]
     gap: float
-    fixed: dict[Team, _Fixed]
+    fixed: dict[Team, Fixed]
 
     def _parts(self) -> Parts:
         rows = {
@@ -133,17 +133,12 @@ class Solution(Readable):
         check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
             return self.fixed[team].at(turn, left)
-        found = _backup(self.states, self._after(turn, left), turn, left, self.fixed, chosen=True)
+        found = _backup(
+            self.states, values_after(self, turn, left), turn, left, self.fixed, chosen=True
+        )
         played = found[2] if team == "pursuer" else found[3]
         assert played is not None  # it was asked for
         return played
-
-    def _after(self, turn: int, rounds: int) -> NDArray[np.float64]:
-        """Return the values of the next turn's states."""
-        last = turn + 1 == self.states.n_turns
-        values = self.values[0 if last else turn + 1]
-        row: NDArray[np.float64] = values[min(rounds - last, len(values) - 1)]
-        return row
 
     def policy(self, team: Team) -> TablePolicy:
         """Return a team's play as a policy for rollouts, recordings, environments and scores.
@@ -208,12 +203,20 @@ class Solution(Readable):
         return float(worst.min())
 
 
+def values_after(solution: Solution, turn: int, rounds: int) -> NDArray[np.float64]:
+    """Return the values of the states of the next turn."""
+    last = turn + 1 == solution.states.n_turns
+    values = solution.values[0 if last else turn + 1]
+    row: NDArray[np.float64] = values[min(rounds - last, len(values) - 1)]
+    return row
+
+
 def _backup(
     states: States,
     after: NDArray[np.float64],
     turn: int,
     rounds: int,
-    fixed: dict[Team, _Fixed],
+    fixed: dict[Team, Fixed],
     chosen: bool = False,
 ) -> tuple[NDArray[np.float64], float, NDArray[np.float64] | None, NDArray[np.float64] | None]:
     """Return values, gap, and if wanted the play of both teams in one turn."""
@@ -221,8 +224,8 @@ def _backup(
     return states.core.backup(turn, after, given[0], given[1], chosen, states.threads)
 
 
-def _induct(
-    world: WorldConfig | States, steps: int | None, payoff: Payoff, fixed: dict[Team, _Fixed]
+def induct(
+    world: WorldConfig | States, steps: int | None, payoff: Payoff, fixed: dict[Team, Fixed]
 ) -> Solution:
     """Go back from the last round to the first."""
     check_choice("payoff", payoff, PAYOFFS)
@@ -285,7 +288,7 @@ def solve(
     >>> round(solve(config, steps=5).value, 3)
     0.839
     """
-    return _induct(world, steps, payoff, {})
+    return induct(world, steps, payoff, {})
 
 
 def best_response(
@@ -330,7 +333,7 @@ def best_response(
     0.674
     """
     states = States.of(world)
-    return _induct(states, steps, payoff, {team: _fixed(states, champion, team)})
+    return induct(states, steps, payoff, {team: fixed_play(states, champion, team)})
 
 
 def expected_payoff(
@@ -356,8 +359,8 @@ def expected_payoff(
     """
     states = States.of(world)
     both = dict(zip(TEAMS, (pursuers, evaders), strict=True))
-    fixed = {team: _fixed(states, champion, team) for team, champion in both.items()}
-    return _induct(states, steps, payoff, fixed).value
+    fixed = {team: fixed_play(states, champion, team) for team, champion in both.items()}
+    return induct(states, steps, payoff, fixed).value
 
 
 def exploitability(
@@ -415,16 +418,16 @@ def nash_conv(
     return against_evaders - best_response(states, pursuers, "pursuer", steps=steps).value
 
 
-def _fixed(states: States, champion: Champion, team: Team) -> _Fixed:
+def fixed_play(states: States, champion: Champion, team: Team) -> Fixed:
     """Return the play of a champion; its parts are what a nested mixture comes to."""
     check_choice("team", team, TEAMS)
     if isinstance(champion, Solution):
         if champion.states is not states:
             raise ValueError("champion: expected a solution of the same States, got one of others")
-        return _Fixed(team, ((1.0, champion),))
+        return Fixed(team, ((1.0, champion),))
     if isinstance(champion, str | Population):
         _check_sees(states.config, champion)
-        return _Fixed(team, ((1.0, states.decisions(champion, team)),))
+        return Fixed(team, ((1.0, states.decisions(champion, team)),))
     if not issubclass(type(champion), Sequence):
         expected = "a Population, the name of a script, a Solution, or weights with these"
         raise TypeError(f"champion: expected {expected}, got {shown(champion)}")
@@ -437,9 +440,9 @@ def _fixed(states: States, champion: Champion, team: Team) -> _Fixed:
     parts = [
         (weight * share, part)
         for weight, (_, member) in zip(weights, champion, strict=True)
-        for share, part in _fixed(states, member, team).parts
+        for share, part in fixed_play(states, member, team).parts
     ]
-    return _Fixed(team, tuple(parts))
+    return Fixed(team, tuple(parts))
 
 
 def _check_sees(config: WorldConfig, champion: Population | str) -> None:
