@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
 import matrixworld as mw
+from matrixworld._util.files import load_json, save_json
 from matrixworld.analysis import Estimate
 from matrixworld.cluster import cluster
 from matrixworld.coevolution import (
@@ -131,6 +132,14 @@ def finish_all(
     if failures:
         raise FailedRunsError({root / name: why for name, why in failures.items()})
     return {name: open_run(root / name) for name in settings}
+
+
+def kept(file: Path, measure: Callable[[], Mapping[str, Any]]) -> dict[str, Any]:
+    """Return the numbers that a file keeps; measure and keep them if it is missing."""
+    if not file.exists():
+        file.parent.mkdir(parents=True, exist_ok=True)
+        save_json(file, measure())
+    return load_json(file)
 
 
 def play(

@@ -37,7 +37,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +46,7 @@ from scipy import stats
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import finish_all, long_race, script_parser, written
+from common import finish_all, kept, long_race, script_parser, written
 from judgement_counts import count_verdicts, read_counts
 from judgement_tables import RATE_HEADS, errors_of, table
 from judgement_truths import WINDOWS
@@ -221,10 +221,7 @@ def numbers_of_all(
     found = []
     for (schedule, seed), run in tqdm(runs.items(), unit=" races", disable=None):
         file = root / "numbers" / f"{schedule}-{seed}.json"
-        if not file.exists():
-            file.parent.mkdir(exist_ok=True)
-            file.write_text(json.dumps(numbers_of(run)), encoding="utf-8")
-        row = {"schedule": schedule, "seed": seed, **json.loads(file.read_text(encoding="utf-8"))}
+        row = {"schedule": schedule, "seed": seed, **kept(file, partial(numbers_of, run))}
         for team, scores in against_others(runs, (schedule, seed)).items():
             row["measures"][team]["others"] = scores
         found.append(row)

@@ -33,7 +33,8 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
-from numpy.typing import NDArray
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike, NDArray
 from tqdm import tqdm
 
 import matrixworld as mw
@@ -42,6 +43,7 @@ from common import (
     SIGNIFICANCE,
     finish_all,
     holm,
+    kept,
     p_value,
     script_parser,
     shown_p,
@@ -109,14 +111,16 @@ TABLED = ("newest", "mixture")
 exploitability of 0, whatever the race: it tells in the course of a race only."""
 
 
-def races(base: RaceSettings, seeds: range) -> dict[str, RaceSettings]:
+def races(
+    base: RaceSettings, seeds: range, kinds: Mapping[str, Mapping[str, Any]] = KINDS
+) -> dict[str, RaceSettings]:
     """Return the settings of all races, all kinds of a seed after each other."""
     schedule = base.schedule
     # With two contemporaries and one of the hall, an epoch of both teams is two of each.
     joint = (schedule.pursuer_epochs + schedule.evader_epochs) // 4
     found = {}
     for seed in seeds:
-        for kind, changes in KINDS.items():
+        for kind, changes in kinds.items():
             given = {"seed": seed, **changes}
             if kind == "halls of fame":
                 given |= {
@@ -163,11 +167,7 @@ def numbers_of(run: SavedRun, states: States) -> Row:
 
 def kept_numbers(run: SavedRun, states: States) -> Row:
     """Return the numbers of a race, which a file beside it keeps for the next call."""
-    file = run.files.path.with_suffix(".json")
-    if not file.exists():
-        file.write_text(json.dumps(numbers_of(run, states)), encoding="utf-8")
-    row: Row = json.loads(file.read_text(encoding="utf-8"))
-    return row
+    return kept(run.files.path.with_suffix(".json"), lambda: numbers_of(run, states))
 
 
 def enclosure(run: SavedRun, states: States, k: int) -> float:
@@ -206,11 +206,38 @@ def verdict(p: float, difference: float) -> str:
     return "cannot tell" if p > SIGNIFICANCE else "lower" if difference < 0.0 else "higher"
 
 
+def differences(
+    reached: Mapping[str, Mapping[str, NDArray[Any]]], labels: Mapping[str, str]
+) -> list[str]:
+    """Return the differences of all kinds from generalists as a table in Markdown."""
+    others = [kind for kind in reached if kind != GENERALISTS]
+    lines = ["", "Differences from generalists of the same seed:", ""]
+    lines += [f"| race | {' | '.join(f'{label} | Holm' for label in labels.values())} |"]
+    lines += ["|---" * (1 + 2 * len(labels)) + "|"]
+    # Pairs of the same seed: both races start with the same genomes.
+    found = {
+        (kind, name): reached[kind][name] - reached[GENERALISTS][name]
+        for kind in others
+        for name in labels
+    }
+    adjusted = holm([p_value(each) for each in found.values()])
+    told = dict(zip(found, adjusted, strict=True))
+    for kind in others:
+        cells = [kind]
+        for name in labels:
+            difference, p = found[kind, name], told[kind, name]
+            cells += [
+                written(analysis.interval_over_runs(difference), sign="+"),
+                f"{shown_p(p)}, {verdict(p, difference.mean())}",
+            ]
+        lines.append(f"| {' | '.join(cells)} |")
+    return lines
+
+
 def table(numbers: Mapping[str, Any]) -> str:
     """Return the comparison of all kinds of race as tables in Markdown."""
     found: dict[str, list[Row]] = numbers["races"]
     budget, reached = at_budget(found)
-    others = [kind for kind in reached if kind != GENERALISTS]
     lines = [
         f"After {budget:,} matches; means over {len(found[GENERALISTS])} seeds [95 %]. "
         f"The value is {numbers['value']:.3f}.",
@@ -222,26 +249,7 @@ def table(numbers: Mapping[str, Any]) -> str:
         means = [written(analysis.interval_over_runs(each[name])) for name in TABLED]
         counts = [f"{each['generation'].mean():.1f}", f"{each['agent_steps'].mean():.1f}"]
         lines.append(f"| {' | '.join([kind, *counts, *means])} |")
-    lines += ["", "Differences from generalists of the same seed:", ""]
-    lines += [f"| race | {' | '.join(f'{CURVES[name]} | Holm' for name in TABLED)} |"]
-    lines += ["|---" * (1 + 2 * len(TABLED)) + "|"]
-    # Pairs of the same seed: both races start with the same genomes.
-    differences = {
-        (kind, name): reached[kind][name] - reached[GENERALISTS][name]
-        for kind in others
-        for name in TABLED
-    }
-    adjusted = holm([p_value(each) for each in differences.values()])
-    told = dict(zip(differences, adjusted, strict=True))
-    for kind in others:
-        cells = [kind]
-        for name in TABLED:
-            difference, p = differences[kind, name], told[kind, name]
-            cells += [
-                written(analysis.interval_over_runs(difference), sign="+"),
-                f"{shown_p(p)}, {verdict(p, difference.mean())}",
-            ]
-        lines.append(f"| {' | '.join(cells)} |")
+    lines += differences(reached, {name: CURVES[name] for name in TABLED})
     widths = [
         float(reached[kind]["mixture"][0]) - least for kind, least in numbers["least"].items()
     ]
@@ -267,18 +275,25 @@ COLORS = {
 }
 
 
+def draw_curve(
+    axes: Axes, kind: str, matches: ArrayLike, values: NDArray[np.float64], marker: str = ""
+) -> None:
+    """Draw the mean of values (seeds, points) over the matches; of some kinds the interval, too."""
+    color, style = COLORS.get(kind, colors.MUTED), DASHES.get(kind, "-")
+    mean = values.mean(axis=0)
+    axes.plot(matches, mean, ls=style, marker=marker, ms=4, color=color, label=kind, lw=1.5)
+    if kind in COLORS and len(values) > 1:
+        band = analysis.band_over_runs(values)
+        axes.fill_between(matches, band.low, band.high, color=color, alpha=0.12, lw=0)
+
+
 def draw(found: Mapping[str, Sequence[Row]], path: Path) -> None:
     """Draw the mean curves of all kinds over the matches; of some the interval over seeds."""
     figure, panels = plt.subplots(1, 3, figsize=(11.0, 3.6), layout="constrained", sharex=True)
     for (name, label), axes in zip(CURVES.items(), panels, strict=True):
         for kind, rows in found.items():
             matches = np.mean([row["matches"] for row in rows], axis=0)
-            values = np.array([row[name] for row in rows])
-            color, style = COLORS.get(kind, colors.MUTED), DASHES.get(kind, "-")
-            axes.plot(matches, values.mean(axis=0), ls=style, color=color, label=kind, lw=1.5)
-            if kind in COLORS and len(rows) > 1:
-                band = analysis.band_over_runs(values)
-                axes.fill_between(matches, band.low, band.high, color=color, alpha=0.12, lw=0)
+            draw_curve(axes, kind, matches, np.array([row[name] for row in rows]))
         axes.set(title=label, xlabel="training matches")
     panels[0].set_ylabel("capture rate")
     handles, labels = panels[0].get_legend_handles_labels()

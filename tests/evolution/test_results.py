@@ -17,6 +17,7 @@ import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
+import learned_exploitability as learned
 import matrixworld as mw
 import paper_claims
 import psro
@@ -238,6 +239,42 @@ def test_mixtures_of_a_race_are_equilibria_of_its_generations() -> None:
     first, whole = psro.mixtures(matrix, 1)[0], psro.mixtures(matrix, 2)[0]
     np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
     np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
+
+
+@pytest.mark.slow
+def test_learned_exploitability_is_compared_at_equal_matches(tmp_path: Path) -> None:
+    printed = run_quickly("learned_exploitability", tmp_path)
+    results = tmp_path / "learned_exploitability"
+    assert {path.name for path in results.iterdir()} == {"numbers.json", "table.md", "curves.png"}
+    assert printed.startswith(read(results / "table.md"))
+    numbers = json.loads(read(results / "numbers.json"))
+    assert numbers["points"] == [64, 128, 192]
+    assert (numbers["matches"], numbers["longer_matches"]) == (32, 128)
+    assert list(numbers["races"]) == list(learned.KINDS)
+    assert {row["generation"][-1] for row in numbers["races"]["generalists"]} == {3}
+    # Its matrix has a price.
+    assert all(row["generation"][-1] < 3 for row in numbers["races"]["PSRO, Nash"])
+    for row in [*numbers["races"]["MaxSolve"], *numbers["longer"]["generalists"]]:
+        scores = [*row["newest"].values(), *row["mixture"].values()]
+        assert {len(each) for each in scores} == {len(row["generation"])}
+        assert 0.0 <= np.min(scores) < np.max(scores) <= 1.0
+    # Read from the files: nothing is played again.
+    assert run_quickly("learned_exploitability", tmp_path) == printed
+
+
+def test_members_of_a_mixture_have_shares_next_to_the_weights() -> None:
+    weights = np.array([0.0, 0.53, 0.12, 0.35])
+    shares = np.bincount(learned.members(weights), minlength=4) / learned.PARTS
+    assert shares.sum() == 1.0
+    assert shares[0] == 0.0
+    np.testing.assert_allclose(shares, weights, atol=1 / learned.PARTS)
+
+
+def test_learned_exploitability_is_what_responses_gain() -> None:
+    row = {"newest": {"met": [0.4], "pursuer": [0.7], "evader": [0.8]}}
+    found = learned.gains(row, "newest")
+    # The evaders of the race escape in .6, the response in .8; .3 is gained against evaders.
+    np.testing.assert_allclose([found[side][0] for side in learned.SIDES], [0.2, 0.3, 0.5])
 
 
 @pytest.mark.slow
