@@ -45,6 +45,9 @@ TABLES: dict[str, Callable[[Path], str]] = {
         hall_of_fame.read_races(at / "races.csv")
     ),
     "judgement/errors.md": judgement_tables.report_of,
+    "learned_exploitability/table.md": lambda at: learned.table(
+        json.loads(read(at / "numbers.json"))
+    ),
     "yoked_races/comparison.md": lambda at: yoked_races.report(
         json.loads(read(at / "numbers.json"))
     ),
