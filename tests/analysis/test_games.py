@@ -58,6 +58,25 @@ def test_the_best_generation_of_a_transitive_race_has_all_weight() -> None:
     assert game_value(staircase(9)) == 1.0
 
 
+def test_a_programme_whose_only_solution_is_lost_in_its_preparation_is_solved() -> None:
+    """Capture rates of a race, multiples of 1/160 but for rounding."""
+    matrix = [
+        [0.5375000131316483, 0.26250000577419996, 0.25000000512227416, 0.3187500056810677,
+         0.48750000772997737],
+        [0.5187500123865902, 0.15625000279396772, 0.1625000024214387, 0.1312500019557774,
+         0.15000000316649675],
+        [0.5500000105239451, 0.4062500079162419, 0.4000000092200935, 0.3125000079162419,
+         0.13750000251457095],
+        [0.36250000866129994, 0.6250000144354999, 0.45625000912696123, 0.36250000772997737,
+         0.1437500030733645],
+        [0.27500000642612576, 0.5687500108033419, 0.4937500092200935, 0.3375000078231096,
+         0.20625000400468707],
+    ]  # fmt: skip
+    found = analysis.nash_averaging(matrix)
+    np.testing.assert_allclose(found.pursuers, [35 / 62, 0, 0, 27 / 62, 0], atol=1e-6)
+    np.testing.assert_allclose(found.evaders, [0, 0, 0, 55 / 62, 7 / 62], atol=1e-6)
+
+
 @given(payoffs(parts=8))
 def test_mixtures_are_an_equilibrium(matrix: np.ndarray) -> None:
     found = analysis.nash_averaging(matrix)

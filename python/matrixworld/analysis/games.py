@@ -136,8 +136,9 @@ def _solve(
     """Return the x of least cost within bounds, ``upper @ x <= limits`` and ``equal @ x = 1``."""
     from scipy.optimize import linprog
 
-    # If rounding leaves no solution within the strict tolerances, the default ones (1e-7) serve.
-    for options in (_STRICT, None):
+    # If rounding leaves no solution within the strict tolerances, the default ones (1e-7) serve. To
+    # simplify the programme first, as HiGHS does, can lose its only solution by rounding.
+    for options in (_STRICT, None, {"presolve": False}):
         result = linprog(
             cost, upper, limits, equal[None], [1.0], bounds, method="highs", options=options
         )
