@@ -72,11 +72,16 @@ def es(
     population: int,
     sigma: float,
     rate: float,
+    relative: float = 0.0,
     worlds: str = "pair",
     matches: int = 1,
 ) -> None:
     learner = EvolutionStrategy(
-        game.untrained(1)[0], noise(game, sigma), samples=population, learning_rate=rate
+        game.untrained(1)[0],
+        noise(game, sigma),
+        samples=population,
+        learning_rate=rate,
+        relative_sigma=relative,
     )
     # Who plays in the same worlds: the two candidates of a pair, nobody, or all.
     groups = {

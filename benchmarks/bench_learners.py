@@ -120,8 +120,10 @@ class Entry:
 
 SIZED, FREE = {"population": 48, "sigma": 0.1}, {"sigma": 0.1}
 MOVED = {**SIZED, "rate": 0.02}
+IN_RACES = {**SIZED, "rate": 0.03, "relative": 0.4}
 ENTRIES = {
     "OpenAI-ES": Entry(es, "matrixworld", MOVED),
+    "OpenAI-ES of races": Entry(es, "matrixworld", IN_RACES),
     "GA": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.05}),
     "Open-ES (evosax)": Entry(evosax("Open_ES"), "evosax", MOVED),
     "LM-MA-ES (evosax)": Entry(evosax("LM_MA_ES"), "evosax", SIZED),
@@ -132,10 +134,12 @@ ENTRIES = {
 }
 ON_SMALL = {
     "OpenAI-ES": Entry(es, "matrixworld", MOVED, SMALL),
-    "CMA-ES": Entry(cma_es, "matrixworld", SIZED, SMALL),
+    "CMA-ES": Entry(cma_es, "matrixworld", {"population": 48, "sigma": 0.8}, SMALL),
+    "CMA-ES, narrower": Entry(cma_es, "matrixworld", SIZED, SMALL),
     "CMA-ES (evosax)": Entry(evosax("CMA_ES"), "evosax", SIZED, SMALL),
     "XNES (EvoTorch)": Entry(evotorch("XNES"), "evotorch", FREE, SMALL),
     "CMA-ES (pycma)": Entry(pycma, "cma", FREE, SMALL),
+    "CMA-ES (pycma), wider": Entry(pycma, "cma", {"sigma": 0.8}, SMALL),
 }
 FAST = {"population": 24, "sigma": 0.3, "rate": 0.1}
 SHARED = {

@@ -16,6 +16,7 @@ from matrixworld.coevolution import (
     EvolutionStrategySettings,
     HallOfFame,
     MetaOpponents,
+    PolicySettings,
     RaceSettings,
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES
@@ -54,6 +55,8 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
         ({"schedule": Against(team="evader")},
          {**ALONE, "schedule.epochs": 4000, "train_steps": 300, "learner.sigma": 0.1,
           "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
+        ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": PolicySettings(hidden=())},
+         {"learner.population": 48, "learner.sigma": 0.8}),
         # Those of the published code:
         (GRADIENTS, {"learner.population": 1, "train_steps": 500, "policy.hidden": [400, 300],
                      "schedule.pursuer_epochs": 400, "schedule.evader_epochs": 400}),

@@ -160,12 +160,7 @@ class CmaEsSettings(LearnerSettings):
     kind: ClassVar[str] = "cma"
     rounds_by_processor: ClassVar[bool] = True  # by way of the linear algebra
 
-    sigma: float = setting(
-        0.1,
-        "standard deviation of the first samples",
-        by={"against pursuer": 0.15},
-        positive=True,
-    )
+    sigma: float = setting(0.8, "standard deviation of the first samples", positive=True)
 
     def check_run(self, run: RaceSettings) -> None:
         """Raise ValueError if the network has too many genes."""
