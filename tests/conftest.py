@@ -1,8 +1,6 @@
 """The option for slow tests, settings of random ones, quick jobs, a race, and worlds of cases."""
 
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +9,7 @@ from hypothesis import HealthCheck, settings
 
 import matrixworld as mw
 from drawing import Cells, Start
+from executors import jobs_in_threads
 from matrixworld.coevolution import finish
 from reference import ReferenceWorld
 from tiny_race import tiny_race
@@ -48,10 +47,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture(scope="module")
 def no_processes() -> Iterator[None]:
-    """Play jobs in threads: a worker process takes a second to start, and has tests of its own."""
-    with pytest.MonkeyPatch.context() as patch:
-        module = import_module("matrixworld.coevolution.jobs.evolve")
-        patch.setattr(module, "WorkerProcesses", ThreadPoolExecutor)
+    """Play jobs in threads."""
+    with jobs_in_threads():
         yield
 
 

@@ -4,6 +4,11 @@ import shutil
 from pathlib import Path
 
 import pytest
+from click.testing import Result
+
+from command_line import JOB, matrixworld_command, words
+from executors import jobs_in_threads
+from matrixworld.cli import report
 
 
 @pytest.fixture(autouse=True)
@@ -18,6 +23,23 @@ def quick_jobs(no_processes: None) -> None:
 
 
 @pytest.fixture
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Draw no figures and write no page, in tests of something else."""
+    monkeypatch.setattr(report, "draw", lambda planned: None)
+    monkeypatch.setattr(report, "write_explorer", lambda groups, page: None)
+
+
+@pytest.fixture
 def run(race: Path) -> Path:
     """A copy of the race in the working directory."""
     return Path(shutil.copytree(race, "run"))
+
+
+@pytest.fixture(scope="session")
+def main_job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
+    """A tiny main job, not to be changed: its directory, and what ``evolve`` told of it there."""
+    folder = tmp_path_factory.mktemp("main")
+    with pytest.MonkeyPatch.context() as patch, jobs_in_threads():
+        patch.chdir(folder)
+        told = matrixworld_command("evolve", "--out", "main job", *words(JOB), "--threads", 1)
+    return folder / "main job", told

@@ -126,7 +126,7 @@ def test_programs_play_and_refusals_are_printed(directory: Path, tmp_path: Path)
     assert "bad.py: evade returned a str, expected an action 0 to 4" in run_together(result.output)
 
 
-def test_a_champion_is_exported_and_plays(tmp_path: Path) -> None:
+def test_a_champion_is_exported_and_plays(tmp_path: Path, undrawn: None) -> None:
     run = tmp_path / "run"
     schedule = "generalist-generalist"
     matrixworld_command(

@@ -25,7 +25,6 @@ from command_line import (
     words,
 )
 from matrixworld._util.files import json_digest, load_json, locked, save_json
-from matrixworld.cli import report
 from matrixworld.cli import score as score_module
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.evolve import _default_directory, _live_page, _new_job
@@ -46,23 +45,9 @@ from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
 @pytest.fixture
-def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Draw no figures, in tests of something else."""
-    monkeypatch.setattr(report, "draw", lambda planned: None)
-    monkeypatch.setattr(report, "write_explorer", lambda groups, page: None)
-
-
-@pytest.fixture(scope="module")
-def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
-    """A tiny main job: its directory and its output."""
-    output = tmp_path_factory.mktemp("job") / "main job"
-    return output, matrixworld_command("evolve", "--out", output, *words(JOB), "--threads", 1)
-
-
-@pytest.fixture
-def copy(job: tuple[Path, Result], tmp_path: Path) -> Path:
+def copy(main_job: tuple[Path, Result], tmp_path: Path) -> Path:
     """A copy of the main job, to be changed."""
-    return Path(shutil.copytree(job[0], tmp_path / "copy"))
+    return Path(shutil.copytree(main_job[0], tmp_path / "copy"))
 
 
 # The options
@@ -211,8 +196,8 @@ def test_bad_options_are_refused_before_anything_is_written(options, message, tm
 # evolve
 
 
-def test_the_main_job_writes_figures_and_numbers(job):
-    output, _ = job
+def test_the_main_job_writes_figures_and_numbers(main_job):
+    output, _ = main_job
     names = {path.name for path in output.iterdir()}
     written = {"job.json", ".lock", "comparison.png", "summary.json", "explorer.html"}
     assert names == {*MAIN_JOB, *written}
@@ -259,9 +244,10 @@ def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
     assert counts == {"built": jobs, "read": jobs, "scored": jobs}
 
 
-def test_the_commands_that_it_suggests_work(job, copy):
-    lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
-    seeds, judge = (shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines)
+def test_the_commands_that_it_suggests_work(main_job, copy):
+    told = main_job[1].stdout.splitlines()
+    lines = [line for line in told if line.startswith("  matrixworld ")]
+    seeds, judge = (shlex.split(line.replace("main job", str(copy)))[1:] for line in lines)
     assert matrixworld_command(*judge).stdout
     # Ten seeds of what was typed, in a directory of their own.
     typed = words({name: value for name, value in JOB.items() if name != "seed"})
@@ -329,7 +315,7 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 
 
 @pytest.mark.parametrize("calls", [0, 7])  # before the first epoch, and in the middle
-def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
+def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeypatch, calls):
     play = StopAt(calls)
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
@@ -338,7 +324,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch,
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = matrixworld_command("evolve", "--resume", "out")
     assert "1 race done" in resumed.stdout
-    assert results(Path("out") / PLACES[2]) == results(job[0] / PLACES[2])
+    assert results(Path("out") / PLACES[2]) == results(main_job[0] / PLACES[2])
 
 
 def test_resume_scores_races_that_have_no_scores_of_their_own(copy, undrawn):

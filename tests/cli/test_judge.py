@@ -195,7 +195,7 @@ EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "spe
 
 
 @pytest.fixture
-def run() -> tuple[Path, str]:
+def run(undrawn: None) -> tuple[Path, str]:
     """A race in the working directory, and what `evolve` printed."""
     told = matrixworld_command("evolve", "--out", "run", *words(EVOLVED), "--threads", 1).stdout
     return Path("run/specialist-specialist/seed-5"), told

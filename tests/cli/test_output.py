@@ -1,17 +1,19 @@
 """What commands print, as a whole: numbers are masked, which other tests compare."""
 
 import re
+import shutil
 from pathlib import Path
 
 import pytest
+from click.testing import Result
 from syrupy.assertion import SnapshotAssertion
 
-from command_line import JOB, MAIN_JOB, RACE, WORLD, matrixworld_command, words
+from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
 
 ONE = ["--schedule", MAIN_JOB[2]]
 SEEDS = [*ONE, "--seeds", "5-7", *words({n: v for n, v in RACE.items() if n != "seed"})]
 ALONE = words({"schedule": "against", "epochs": 3, **WORLD})
-JOBS = {"main": words(JOB), "seeds": SEEDS, "alone": ALONE}
+JOBS = {"seeds": SEEDS, "alone": ALONE}
 
 
 def masked(text: str) -> str:
@@ -21,7 +23,9 @@ def masked(text: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def printed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+def printed(
+    tmp_path_factory: pytest.TempPathFactory, main_job: tuple[Path, Result]
+) -> dict[str, str]:
     """What `evolve` prints of some jobs; they lie in the working directory of the module."""
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(tmp_path_factory.mktemp("jobs"))
@@ -29,10 +33,12 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
             name: matrixworld_command("evolve", "--out", name, *options, "--threads", 1).stdout
             for name, options in JOBS.items()
         }
-        return outputs | {"directory": str(Path.cwd())}
+        directory, told = main_job
+        shutil.copytree(directory, directory.name)
+        return outputs | {directory.name: told.stdout, "directory": str(Path.cwd())}
 
 
-@pytest.mark.parametrize("job", JOBS)
+@pytest.mark.parametrize("job", ["main job", *JOBS])
 def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) -> None:
     assert masked(printed[job]) == snapshot
 
@@ -42,10 +48,10 @@ def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) 
     [
         ["evolve", "--variants"],
         ["judge", "seeds", "--explain"],
-        ["score", f"main/{MAIN_JOB[0]}", "--episodes", 4],
+        ["score", f"main job/{MAIN_JOB[0]}", "--episodes", 4],
         ["score", "seeds", "--episodes", 4],
         ["score", "alone", "--episodes", 4, "--generation", "all"],
-        ["tournament", f"main/{MAIN_JOB[0]}", "--episodes", 4, "--force"],
+        ["tournament", f"main job/{MAIN_JOB[0]}", "--episodes", 4, "--force"],
         ["exploit", "seeds", "--champion", "evader", "--matches", 96, "--episodes", 4],
         ["explore", "seeds", "--figures", "--force"],
     ],

@@ -43,6 +43,12 @@ class Learner(HillClimber):
             os.kill(os.getpid(), signal.SIGKILL)
         super().tell(fitness)
 """
+COMMAND = """
+from matrixworld.cli import main, report
+
+report.draw = report.write_explorer = lambda *args: None
+main()
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -81,7 +87,7 @@ def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
     # As pip installs it: Python looks for modules where this file lies. -m would look in `folder`.
     command = folder / "bin" / "matrixworld"
     command.parent.mkdir(exist_ok=True)
-    command.write_text("from matrixworld.cli import main\n\nmain()\n")
+    command.write_text(COMMAND)
     done = subprocess.run(
         [sys.executable, command, "evolve", *map(str, args), "--threads", "1"],
         cwd=folder,

@@ -145,7 +145,7 @@ def test_summary_json_keeps_each_seed_and_the_aggregate(made):
         assert (root / f"{name}.png").read_bytes().startswith(PNG)
 
 
-def test_missing_and_failed_seeds_are_named(job, capsys):
+def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     first, other = (job / FIRST / f"seed-{seed}" for seed in (0, 1))
     asked = job_of([settings_of(FIRST, seed) for seed in ASKED])
     report(asked, [open_result(first)], job, {other: "payoff.npz: cut or altered"}, 1)
@@ -165,7 +165,7 @@ def test_a_job_of_which_nothing_is_finished_says_so(capsys):
     assert not list(Path("none").glob("*.png"))
 
 
-def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsys):
+def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsys, undrawn):
     short, later = tiny_race(generations=1), tiny_race(seed=9)
     runs = {"a/short": short, "a/long": tiny_race(), "a/later": later}
     results = [played(Path("mixed") / name, runs[name]) for name in ("a/short", "a/long")]
@@ -178,7 +178,7 @@ def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsy
     assert "Not finished: seeds 9." in capsys.readouterr().out
 
 
-def test_seeds_of_one_team_have_their_mean(capsys):
+def test_seeds_of_one_team_have_their_mean(capsys, undrawn):
     name = "pursuer-against-random"
     results = [played(Path(f"alone/{name}/seed-{n}"), tiny_single(seed=n)) for n in SEEDS]
     report(job_of([run.settings for run in results]), results, Path("alone"), {}, threads=1)

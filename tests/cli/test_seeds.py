@@ -37,7 +37,7 @@ def test_seeds_that_a_text_names(text, seeds):
     )
 
 
-def test_a_directory_for_each_schedule_and_seed():
+def test_a_directory_for_each_schedule_and_seed(undrawn):
     chosen = ["--schedule", MAIN_JOB[0], "--schedule", MAIN_JOB[2]]
     said = matrixworld_command("evolve", "--out", "out", "--seeds", "2,10", *chosen, *words(ONE))
     names = [f"{name}/seed-{n}" for name in (MAIN_JOB[0], MAIN_JOB[2]) for n in (2, 10)]
@@ -132,7 +132,7 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-def test_ctrl_c_in_a_single_run_leaves_what_its_continuation_needs():
+def test_ctrl_c_in_a_single_run_leaves_what_its_continuation_needs(undrawn):
     # Long enough to be met in its middle: no worker process, whose start would take time, is there.
     longer = {**RACE, "generations": 6, "pursuer_epochs": 40, "evader_epochs": 40}
     process = process_of("--out", "out", "--schedule", MAIN_JOB[0], *words(longer))
@@ -149,7 +149,7 @@ def test_ctrl_c_in_a_single_run_leaves_what_its_continuation_needs():
     assert results(run) == results(Path("straight"))
 
 
-def test_runs_that_were_put_together_by_hand_are_continued(tmp_path):
+def test_runs_that_were_put_together_by_hand_are_continued(undrawn):
     for seed in (0, 1):
         finish(tiny_race(seed=seed), f"mine/{seed}")
     Path("mine/1/summary.json").unlink()

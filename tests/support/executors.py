@@ -1,9 +1,22 @@
-"""Executors that do their work in an order of their own."""
+"""Executors that do their work in an order of their own, and threads in place of processes."""
 
 import threading
-from collections.abc import Callable
-from concurrent.futures import Executor, Future
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from importlib import import_module
 from typing import Any
+
+import pytest
+
+
+@contextmanager
+def jobs_in_threads() -> Iterator[None]:
+    """Play jobs in threads: a worker process takes a second to start, and has tests of its own."""
+    with pytest.MonkeyPatch.context() as patch:
+        module = import_module("matrixworld.coevolution.jobs.evolve")
+        patch.setattr(module, "WorkerProcesses", ThreadPoolExecutor)
+        yield
 
 
 class Reversed(Executor):
