@@ -2,6 +2,7 @@
 
 import json
 import re
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -109,11 +110,12 @@ def test_results_are_json(matrix: np.ndarray) -> None:
     assert not re.search(r"\bnan\b", analysis.report(matrix))
 
 
-def test_longer_runs_are_ranked_by_every_kth_generation() -> None:
-    [run] = analysis.all_results(logistic(61))["runs"]
-    assert run["alpha_rank"]["pursuers"] == run["alpha_rank"]["evaders"] == [*range(0, 61, 2)]
-    [uneven] = analysis.all_results(logistic(66)[:, :33])["runs"]
-    assert (uneven["alpha_rank"]["pursuers"][-1], uneven["alpha_rank"]["evaders"][-1]) == (65, 32)
+def test_longer_runs_are_ranked_by_every_kth_generation(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(import_module("matrixworld.analysis.report"), "RANKED_PAIRS", 64)
+    [run] = analysis.all_results(logistic(15))["runs"]
+    assert run["alpha_rank"]["pursuers"] == run["alpha_rank"]["evaders"] == [*range(0, 15, 2)]
+    [uneven] = analysis.all_results(logistic(18)[:, :9])["runs"]
+    assert (uneven["alpha_rank"]["pursuers"][-1], uneven["alpha_rank"]["evaders"][-1]) == (17, 8)
 
 
 def test_equal_runs_have_no_interval() -> None:

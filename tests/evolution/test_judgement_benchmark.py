@@ -3,6 +3,7 @@
 import json
 import sys
 from collections.abc import Callable
+from functools import cache
 from operator import itemgetter
 from pathlib import Path
 from types import SimpleNamespace
@@ -43,6 +44,12 @@ def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[b
 
 
 T, F, OPEN = {True}, {False}, {None}
+
+
+@cache
+def toy_race(name: str, seed: int) -> Any:
+    """Return a race of a toy game, which takes a while to play."""
+    return RACES[name](seed)
 
 
 @pytest.mark.parametrize(
@@ -166,13 +173,13 @@ def test_averages_are_near_the_equilibrium_from_the_start() -> None:
         for rounds in (100, 250, 400):
             x, y = (np.bincount(hands[team][: rounds + 1]) / (rounds + 1) for team in TEAMS)
             assert analysis.exploitability(ROCK_PAPER_SCISSORS, x, y).total < 0.15
-        truth = RACES["rock-paper-scissors, its averages"](seed).truths["last half"]
+        truth = toy_race("rock-paper-scissors, its averages", seed).truths["last half"]
         assert [name for name, one in truth.items() if one.holds] == ["stagnation"]
 
 
 def test_hands_cycle_without_an_arms_race() -> None:
     for name in ("specialists", "generalists", "fictitious play"):
-        race = RACES[f"rock-paper-scissors, {name}"](1)
+        race = toy_race(f"rock-paper-scissors, {name}", 1)
         for window in WINDOWS:
             truth = held(race.truths[window])
             assert truth["intransitivity"] is True
@@ -226,11 +233,11 @@ def test_a_race_that_one_side_always_wins_is_disengaged() -> None:
 
 @pytest.mark.parametrize("name", RACES)
 def test_labelled_races_name_every_condition(name: str) -> None:
-    for seed in (0, 12):  # one has 10 episodes, the other 40
-        race = RACES[name](seed)
+    for seed in (1, 12):  # one has 10 episodes, the other 40
+        race = toy_race(name, seed)
         assert tuple(race.truths) == tuple(WINDOWS)
         assert all(tuple(found) == CONDITIONS for found in race.truths.values())
-        assert race.scores.shape == (31, 31, 10 if seed == 0 else 40)
+        assert race.scores.shape == (31, 31, 10 if seed == 1 else 40)
         assert set(np.unique(race.scores)) <= {0.0, 0.5, 1.0}
 
 
@@ -257,7 +264,7 @@ def test_labelled_races_follow_from_the_seed() -> None:
 )
 def test_what_is_true_of_toys(name: str, condition: str, holds: bool) -> None:
     for seed in range(2):
-        assert RACES[name](seed).truths["last half"][condition].holds is holds
+        assert toy_race(name, seed).truths["last half"][condition].holds is holds
 
 
 # Counts, tables and files

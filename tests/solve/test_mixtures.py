@@ -38,7 +38,7 @@ def best_of_histories(states: States, mixture: list, team: str, steps: int) -> f
     ("variant", "team", "changes"),
     [
         ("O", "pursuer", {}),
-        ("O", "evader", {}),
+        ("O", "evader", {"max_steps": 2}),
         ("TO", "pursuer", {"max_steps": 2}),
         ("O", "pursuer", {"n_pursuers": 2, "max_steps": 2}),
     ],

@@ -443,9 +443,10 @@ class ReferenceWorld:
         seen = np.zeros((3, fov, fov), np.uint8)
         if a not in self.where:
             return seen
-        corner = add(self.where[a], (-(fov // 2), -(fov // 2)))
+        top, left = add(self.where[a], (-(fov // 2), -(fov // 2)))
         for row, col in np.ndindex(fov, fov):
-            cell = add(corner, (row, col))
-            others = {b in self.evaders for b, at in self.where.items() if at == cell and b != a}
-            seen[:, row, col] = True in others, False in others, self.setting.blocked(cell)
+            seen[2, row, col] = self.setting.blocked((top + row, left + col))
+        for b, (row, col) in self.where.items():
+            if b != a and 0 <= row - top < fov and 0 <= col - left < fov:
+                seen[0 if b in self.evaders else 1, row - top, col - left] = 1
         return seen

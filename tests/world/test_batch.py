@@ -108,12 +108,12 @@ def test_each_world_is_a_single_world(
     worlds = [SingleWorld(config, seed, 2, autoreset) for seed in seeds]
     actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
     for row in [*actions, None]:
-        for w, world in enumerate(worlds):
-            for what, expected in world.arrays.items():
-                got = batch.buffers[what][w]
-                # The batch adds float32 numbers, `total` float64 ones.
-                got = got.round(4) if what == "episode_return" else got
-                np.testing.assert_array_equal(got, expected, f"{what} of {w}")
+        for what in worlds[0].arrays:
+            got = batch.buffers[what]
+            # The batch adds float32 numbers, `total` float64 ones.
+            got = got.round(4) if what == "episode_return" else got
+            expected = np.array([world.arrays[what] for world in worlds])
+            np.testing.assert_array_equal(got, expected, what)
         if row is not None:
             row[[world.ended for world in worlds]] = 99  # ended worlds do not read their actions
             batch.step(row)
