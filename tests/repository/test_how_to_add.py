@@ -149,14 +149,15 @@ def follow(recipes: list[Recipe], root: Path) -> None:
 
 
 def build(root: Path) -> None:
-    """Compile the copy's engine into the copy's package."""
+    """Compile the copy's engine into the copy's package; fast code would take longer."""
     packages = sysconfig.get_path("purelib")
     jobs = os.cpu_count() or 1
     for extension in (root / "python" / "matrixworld").glob("_core.*.so"):
         extension.unlink()
     run(
-        f'cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="{packages};'
-        f'{packages}/pybind11" -DPython_EXECUTABLE="$(command -v python)"',
+        f'cmake -S . -B build -G Ninja -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" '
+        f'-DCMAKE_PREFIX_PATH="{packages};{packages}/pybind11" '
+        f'-DPython_EXECUTABLE="$(command -v python)"',
         root,
     )
     run(f"cmake --build build --target _core --parallel {jobs}", root)
