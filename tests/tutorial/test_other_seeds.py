@@ -70,11 +70,23 @@ CLAIMS = {
     "6: specialists are the least transitive": (
         "paper", "transitive share: specialists minus mixed", LESS,
     ),
+    "6b: answers to the newest hand never become safe": (
+        "toy cures", "latest, less 0.2", MORE,
+    ),
+    "6b: answers to a hall of fame become safer": ("toy cures", "0.2 less hall", MORE),
+    "6b: and those to the Nash mixture safest": ("toy cures", "hall less Nash", MORE),
     "7: hosts of greedy parasites drift": ("hosts", "60 minus the hosts of greedy ones", MORE),
     "7: hosts of restrained ones climb": ("hosts", "hosts, restrained minus greedy", MORE),
     "7: and so do the parasites": ("hosts", "parasites, restrained minus greedy", MORE),
     "7: a virulence of 0.95 is no restraint": ("hosts", "hosts, 0.85 minus 0.95", MORE),
     "9: a polite pack is faster": ("polite", "steps, polite minus greedy", LESS),
+    "9: at the penalty of the paper some packs capture nothing": (
+        "penalty", "captures nothing", MORE,
+    ),
+    "9: others capture": ("penalty", "captures", MORE),
+    "9: and still collide": ("penalty", "captures and collides", MORE),
+    "9: under a mask of free cells collisions are left": ("masked", "left", MORE),
+    "9: fewer than without it": ("masked", "left, minus without a mask", LESS),
 }  # fmt: skip
 
 
