@@ -314,6 +314,13 @@ WRONG |= {
     },
     "10.2": {"equal": [1 / 3] * 3, "percent": [25, 50, 25], "rock": [1, 0, 0], "two": [0.5, 0.5]},
     "10.3": {"generalists": 0.843, "both": 0.17, "one team": 0.325, "ten": 10.0, "text": "0.9"},
+    "10.4": {
+        "always east": lambda west, east, memory: ("east", None),
+        "turns only": lambda west, east, memory: ("west" if east else "east", memory),
+        "no memory": lambda west, east, memory: "east",
+        "a number": lambda west, east, memory: (1, memory),
+        "no function": "east",
+    },
 }
 
 RIGHT: dict[str, list[Any]] = {
@@ -337,6 +344,11 @@ RIGHT: dict[str, list[Any]] = {
     ],
     "9.2": [-break_even(), np.float32(break_even())],
     "9.3": [np.ceil(298.07)],
+    "10.4": [
+        lambda west, east, memory: (
+            ("west", 1) if east or (memory == 1 and not west) else ("east", 0)
+        ),
+    ],
     "9.4": [
         student.with_priority([(0, 1), (1, 0), (0, -1), (-1, 0)]),
         student.with_priority(student.STEPS[1:], for_all=True),

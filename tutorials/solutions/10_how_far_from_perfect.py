@@ -22,3 +22,9 @@ _stored = kept("chapter_10")
 _schedule = list(_stored["schedules"]).index("hall-of-fame")
 _last = [_stored[f"{team}: truth"][_schedule, :, -1] for team in ("pursuer", "evader")]
 exercise_3 = (1 - _last[0] - _last[1]).mean()
+
+
+# 10.4. To one end, and then to the other: remember the way.
+def exercise_4(wall_in_the_west, wall_in_the_east, memory):
+    way = "east" if wall_in_the_west else "west" if wall_in_the_east else memory or "east"
+    return way, way

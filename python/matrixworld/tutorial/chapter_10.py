@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from itertools import permutations
+from typing import Any
 
 import numpy as np
 
+from matrixworld._util.checks import shown
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.checks import NUMBER, Check, function, number, numbers, value
+from matrixworld.tutorial.checks import NUMBER, Check, function, number, numbers, tried, value
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
 """Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""
@@ -68,8 +71,36 @@ nash_conv = number(
     high="A team falls short of what perfect play guarantees: of the value or of 1 - value.",
 )
 
+# ---- A search that remembers ---------------------------------------------------------------------
+
+CELLS, STEPS = 13, 23
+"""Of the corridor; the slowest search that goes to one end and then to the other takes 22 steps."""
+
+
+def _search(search: Callable[[bool, bool, Any], Any]) -> str | None:
+    for start, evader in permutations(range(CELLS), 2):
+        cell, memory, path = start, None, []
+        while abs(cell - evader) > 1 and len(path) < STEPS - 1:  # the last step captures
+            answer = search(cell == 0, cell == CELLS - 1, memory)
+            if not isinstance(answer, tuple) or len(answer) != 2 or answer[0] not in _WAYS:
+                return f'Expected a pair of "west" or "east" and a memory, got {shown(answer)}.'
+            cell = min(max(cell + _WAYS[answer[0]], 0), CELLS - 1)
+            memory = answer[1]
+            path.append(cell)
+        if abs(cell - evader) > 1:
+            return (
+                f"From cell {start} it does not find the evader in cell {evader} (the westernmost "
+                f"cell is 0). These are the cells that it visits: {', '.join(map(str, path))}."
+            )
+    return None
+
+
+_WAYS = {"west": -1, "east": 1}
+
+
 CHECKS: dict[str, Check] = {
     "10.1": guarantee,
     "10.2": value(numbers("the shares of rock, paper and scissors", 3), _safe),
     "10.3": nash_conv,
+    "10.4": tried(_search),
 }
