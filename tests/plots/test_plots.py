@@ -318,7 +318,7 @@ def test_generalization_over_seeds_shows_means_and_intervals() -> None:
     assert (span.get_y(), span.get_y() + span.get_height()) == pytest.approx(
         (level.low, level.high)
     )
-    # A single seed has no interval.
+    # A single run has no interval.
     assert len(two.collections) == 0
     assert [axes.get_title() for axes in figure.axes] == ["one", "two"]
     assert "trained alone" in legend_texts(figure)
@@ -378,7 +378,7 @@ def test_single_seeds_are_thin_lines_if_there_are_few() -> None:
     many = plots.seed_bands({"many": MATRICES})
     assert len(few.axes[1].lines) == 2 + 2 * 10
     assert len(many.axes[1].lines) == 2
-    assert ["single seed" in legend_texts(figure) for figure in (few, many)] == [True, False]
+    assert ["one run" in legend_texts(figure) for figure in (few, many)] == [True, False]
 
 
 def test_a_single_seed_has_no_band_and_runs_may_differ_in_length() -> None:
@@ -494,11 +494,12 @@ def test_a_single_run_has_no_interval() -> None:
 
 def test_curves_have_means_and_bands() -> None:
     groups = {"one": RNG.random((5, 9)), "two": RNG.random((3, 9))}
-    places = np.arange(0, 90, 10)
-    figure = plots.run_curves(groups, label="score", places=places, along="epoch")
+    places, bounds = np.arange(0, 90, 10), (0.0, 0.9)
+    figure = plots.run_curves(groups, label="score", places=places, along="epoch", bounds=bounds)
     (axes,) = figure.axes
+    assert analysis.band_over_runs(groups["two"]).high.max() > 0.9  # of 3 runs, so it is cut
     for (name, curves), filled in zip(groups.items(), axes.collections, strict=False):
-        band = analysis.band_over_runs(curves)
+        band = analysis.band_over_runs(curves, bounds=bounds)
         (mean,) = [line for line in axes.lines if line.get_label() == name]
         np.testing.assert_allclose(mean.get_ydata(), band.mean)
         np.testing.assert_allclose(mean.get_xdata(), places)

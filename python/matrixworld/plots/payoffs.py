@@ -27,7 +27,7 @@ COLORMAP = "viridis"
 FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
 
-COLUMNS = 4
+COLUMNS = 2
 """The most races beside each other in `comparison`; further ones are in rows below."""
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
@@ -135,8 +135,8 @@ def comparison(
     """
     style.check_some(payoffs, "race")
     lines, columns = style.rows_of(len(payoffs), style.beside(COLUMNS))
-    figure = style.new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
-    panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.7, 1.0, 1.0))
+    figure = style.new_figure(1.2 + 2.7 * columns, 0.6 + 7.1 * lines)
+    panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.7, 0.8, 0.8))
     for column, payoff in zip(panels, payoffs.values(), strict=True):
         _draw_race(column, payoff, per_episode)
     means = {name: mean_of(payoff, per_episode) for name, payoff in payoffs.items()}
@@ -174,6 +174,7 @@ def _draw_race(column: Sequence[Axes], payoff: ArrayLike, per_episode: bool) -> 
     draw_generalization(column[2], payoff, per_episode)
     for axes, title in zip(column[1:], ("lag profile", "generalization"), strict=True):
         axes.set_title(title, size="medium")
+    column[1].set_xlabel("lag: pursuer minus\nevader generation")
 
 
 def _write_heads(

@@ -99,6 +99,7 @@ def run_curves(
     places: ArrayLike | None = None,
     along: str = "generation",
     title: str | None = None,
+    bounds: Bounds = UNBOUNDED,
 ) -> Figure:
     """Draw mean curves over runs with their 95% bands.
 
@@ -116,20 +117,22 @@ def run_curves(
     along : str, optional
         Label of the horizontal axis.
     title : str, optional
+    bounds : tuple of float, optional
+        Smallest and largest possible number; bands are clipped to them.
     """
     style.check_some(groups)
     figure = style.new_figure(6.6, 3.6)
     axes = figure.add_subplot()
     for index, (name, curves) in enumerate(groups.items()):
         color, line = style.LINES[index % len(style.LINES)]
-        band = analysis.band_over_runs(curves, places=places)
+        band = analysis.band_over_runs(curves, places=places, bounds=bounds)
         if len(np.asarray(curves)) <= style.MOST_LINES:
             # Smooth edges of many thin lines would make the picture several times as large.
             look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
             axes.plot(band.places, np.asarray(curves).T, color=color, **look)
         style.draw_band(axes, band, color, line, label=name)
     if min(len(np.asarray(curves)) for curves in groups.values()) <= style.MOST_LINES:
-        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single run")
+        axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
     axes.xaxis.set_major_locator(style.whole_numbers())
@@ -231,7 +234,7 @@ def _write_legend(figure: Figure, groups: Iterable[str]) -> None:
     }
     middle = f"interquartile mean, 95% interval from {analysis.fewest_runs()} seeds on"
     entries[middle] = Line2D([], [], color=colors.MUTED, marker="D", linewidth=2.2)
-    entries["mean of one seed"] = Line2D(
+    entries["mean of one run"] = Line2D(
         [], [], color=colors.MUTED, marker="o", markersize=4, linewidth=0, alpha=0.6
     )
     style.legend_below(figure, entries, columns=min(3, len(entries)))
@@ -252,7 +255,7 @@ def seed_bands(
     """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
 
     The rows show generalization (mean score against all opponents, the strength in verdicts), Elo
-    rating and lag profile. Thin lines are single seeds, if there are at most `MOST_LINES`.
+    rating and lag profile. Thin lines are single runs, if there are at most `MOST_LINES`.
 
     Parameters
     ----------
@@ -293,7 +296,7 @@ def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[floa
             _draw_singles(axes, singles, name, color)
         draw_teams(axes, (bands[name] for name in names), OVER_SEEDS)
     if singles:
-        scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single seed")
+        scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
     _draw_singles(lags, singles, "lag_profile", colors.INK)
     style.draw_band(lags, bands["lag_profile"], colors.INK, "-")
     lags.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
