@@ -79,7 +79,8 @@ CELLS, STEPS = 13, 23
 
 def _search(search: Callable[[bool, bool, Any], Any]) -> str | None:
     for start, evader in permutations(range(CELLS), 2):
-        cell, memory, path = start, None, []
+        cell, memory = start, None
+        path: list[int] = []
         while abs(cell - evader) > 1 and len(path) < STEPS - 1:  # the last step captures
             answer = search(cell == 0, cell == CELLS - 1, memory)
             if not isinstance(answer, tuple) or len(answer) != 2 or answer[0] not in _WAYS:
