@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import shown
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.tutorial.checks import NUMBER, Check, function, number, numbers, tried, value
 
@@ -75,6 +76,21 @@ nash_conv = number(
 
 CELLS, STEPS = 13, 23
 """Of the corridor; the slowest search that goes to one end and then to the other takes 22 steps."""
+CORRIDOR = RaceSettings.of(
+    {
+        "world": {"rules": "R", "rows": 1, "cols": CELLS, "fov": 3, "max_steps": STEPS},
+        "world.n_pursuers": 1,
+        "world.n_evaders": 1,
+        "schedule": {"kind": "against", "opponent": "still", "epochs": 300, "archive_every": 300},
+        "fitness.measure": "capture-rate",
+        "learner": {"population": 64, "sigma": 0.2, "relative_sigma": 0.0, "learning_rate": 0.1},
+        "policy.hidden": (16,),
+        "train_steps": STEPS,
+        "match_episodes": 16,
+        "evaluation_episodes": 2000,
+    }
+)
+"""A pursuer that sees one cell to each side evolves there, and an evader stands still."""
 
 
 def _search(search: Callable[[bool, bool, Any], Any]) -> str | None:
