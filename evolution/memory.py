@@ -1,4 +1,4 @@
-"""What does it bring to remember? A corridor that only memory solves, and evaders that flee.
+"""What does it bring to remember? A corridor that only memory solves, evaders that flee, races.
 
     python evolution/memory.py                    hours on two cores; can be interrupted
     python evolution/memory.py --parts corridor   a quarter of an hour
@@ -14,11 +14,19 @@ hide behind obstacles here, because agents see over them; so the evader is hidde
 **Fleers.** Pursuers train against evaders that flee, with and without memory and with equal numbers
 of matches; all else is as in `catching_fleers.py`. Scripts stand beside them.
 
+**Board.** The same on 6 x 6 cells, all of which agents see. This world is solved: what the best
+pursuers capture tells "cannot be caught" from "was not learned".
+
+**Races.** The three default races, with and without memory and with equal numbers of matches, by
+the scores of both last generations against held-out opponents. Differences are those of the same
+seeds.
+
 ``evolution/results/memory`` keeps what was found.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -26,10 +34,15 @@ from numpy.typing import NDArray
 from scipy import optimize
 
 import catching_fleers
-from common import finish_all, script_parser
-from matrixworld.coevolution import RaceSettings, SavedRun
+from catching_fleers import EVADERS, SCRIPTED
+from common import finish_all, script_parser, written
+from matrixworld.analysis import interval_over_runs
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
+from matrixworld.solve import States, best_response, expected_payoff
 from matrixworld.world.policy import GATES
+from race_budgets import SCHEDULES
 
+Settings = dict[str, object]
 CELLS, STEPS, SEEDS = 13, 23, 5  # the slowest search takes 22 steps
 CORRIDOR = {
     "world.rules": "R", "world.rows": 1, "world.cols": CELLS, "world.fov": 3,
@@ -43,6 +56,18 @@ CORRIDOR = {
 QUICK = {
     "schedule.epochs": 2, "schedule.archive_every": 2, "learner.population": 4,
     "evaluation_episodes": 50,
+}  # fmt: skip
+BOARD = {
+    "world.rows": 6, "world.cols": 6, "world.n_pursuers": 2, "world.n_evaders": 1,
+    "world.max_steps": 20, "train_steps": 20, "match_episodes": 16,
+    "schedule": "against", "schedule.epochs": 300, "schedule.archive_every": 300,
+    "learner.population": 48, "learner.sigma": 0.2, "learner.learning_rate": 0.1,
+    "evaluation_episodes": 10_000,
+}  # fmt: skip
+QUICK_RACES = {
+    "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
+    "world.max_steps": 30, "train_steps": 20, "learner.population": 4, "schedule.generations": 2,
+    "evaluation_episodes": 2,
 }  # fmt: skip
 FLEERS = catching_fleers.Plan(
     catching_fleers.FULL.base,
@@ -96,27 +121,59 @@ def without_memory(cells: int = CELLS, steps: int = STEPS) -> float:
 # ---- Runs ----------------------------------------------------------------------------------------
 
 
-def corridor(root: Path, *, quick: bool) -> list[str]:
-    """Train what is missing in the corridor; return a table of capture rates."""
+def trained(
+    bases: Mapping[str, Settings], root: Path, *, quick: bool
+) -> dict[str, dict[str, list[SavedRun]]]:
+    """Train what is missing, with each memory and seed; return the runs by base and memory."""
     settings = {
-        f"{memory}/{seed}": RaceSettings.of(
-            {**CORRIDOR, **(QUICK if quick else {}), "policy.memory": memory, "seed": seed}
-        )
+        f"{name}-{memory}/{seed}": RaceSettings.of({**base, "policy.memory": memory, "seed": seed})
+        for name, base in bases.items()
         for memory in GATES
         for seed in range(1 if quick else SEEDS)
     }
     runs = finish_all(settings, root)
+
+    def of(start: str) -> list[SavedRun]:
+        return [run for name, run in runs.items() if name.startswith(start)]
+
+    return {name: {each: of(f"{name}-{each}/") for each in GATES} for name in bases}
+
+
+def captured(run: SavedRun) -> float:
+    """Return the capture rate of the last pursuers, in episodes that no training has played."""
+    return float(run.files.summary()["capture_rate"])
+
+
+def corridor(root: Path, *, quick: bool) -> list[str]:
+    """Train what is missing in the corridor; return a table of capture rates."""
+    base = {**CORRIDOR, **(QUICK if quick else {})}
     lines = ["| corridor | capture rate | of each seed |", "|---|---|---|"]
-    for memory in GATES:
-        rates = [captured(run) for name, run in runs.items() if name.startswith(memory)]
+    for memory, runs in trained({"corridor": base}, root, quick=quick)["corridor"].items():
+        rates = [captured(run) for run in runs]
         each = ", ".join(f"{rate:.3f}" for rate in rates)
         lines.append(f"| memory: {memory} | {catching_fleers.shown(rates)} | {each} |")
     return [*lines, f"| the best without memory, exactly | {without_memory():.3f} | |"]
 
 
-def captured(run: SavedRun) -> float:
-    """Return the capture rate of the last pursuer, in episodes that no training has played."""
-    return float(run.files.summary()["capture_rate"])
+def board(root: Path, *, quick: bool) -> list[str]:
+    """Train what is missing on the board; return a table of capture rates by evader."""
+    bases = {each: BOARD | {"schedule.opponent": each} for each in EVADERS}
+    if quick:
+        bases = {each: base | QUICK for each, base in bases.items()}
+    states = States(RaceSettings.of(bases[EVADERS[0]]).world)
+    table = {
+        each: [f"{expected_payoff(states, each, evaders):.3f}" for evaders in EVADERS]
+        for each in SCRIPTED
+    }
+    runs = trained(bases, root, quick=quick)
+    for memory in GATES:
+        rates = ([captured(run) for run in runs[evaders][memory]] for evaders in EVADERS)
+        table[f"trained, memory: {memory}"] = [catching_fleers.shown(each) for each in rates]
+    table["the best, exactly"] = [
+        f"{best_response(states, evaders, 'evader').value:.3f}" for evaders in EVADERS
+    ]
+    rows = (f"| {name} | {' | '.join(cells)} |" for name, cells in table.items())
+    return [f"| pursuers | {' | '.join(EVADERS)} |", "|---" * (len(EVADERS) + 1) + "|", *rows]
 
 
 def fleers(root: Path, *, quick: bool) -> list[str]:
@@ -131,7 +188,26 @@ def fleers(root: Path, *, quick: bool) -> list[str]:
     return [*lines, *(catching_fleers.row(plan, name, each, fov) for name, each in teams.items())]
 
 
-PARTS = {"corridor": corridor, "fleers": fleers}
+def races(root: Path, *, quick: bool) -> list[str]:
+    """Play the missing races; return a table of held-out scores by schedule and memory."""
+    bases = {each: {"schedule": each, **(QUICK_RACES if quick else {})} for each in SCHEDULES}
+    heads = ["memory", *(f"{team}s" for team in TEAMS), *(f"difference, {team}s" for team in TEAMS)]
+    lines = [f"| schedule | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
+    for schedule, by_memory in trained(bases, root, quick=quick).items():
+        scores = {
+            memory: np.array([[score(run)[team].means[-1] for run in runs] for team in TEAMS])
+            for memory, runs in by_memory.items()
+        }
+        for memory, each in scores.items():
+            cells = [written(interval_over_runs(team), 2) for team in each]
+            for change in each - scores["none"]:
+                differs = memory != "none"
+                cells.append(written(interval_over_runs(change), 2, "+") if differs else "")
+            lines.append(f"| {schedule} | {memory} | {' | '.join(cells)} |")
+    return lines
+
+
+PARTS = {"corridor": corridor, "fleers": fleers, "board": board, "races": races}
 
 
 def main() -> None:

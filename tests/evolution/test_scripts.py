@@ -16,6 +16,7 @@ import memory
 import safe_coevolution
 from evolution_scripts import DOCS, read, rows, run_quickly, run_script
 from matrixworld import coevolution
+from matrixworld.world.policy import GATES
 
 
 def quick(name: str, place: Path, *options: str) -> str:
@@ -204,11 +205,19 @@ def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(tmp_path
 
 
 @pytest.mark.slow
-def test_memory_prints_both_tables_again(tmp_path: Path) -> None:
+def test_memory_prints_all_tables_again(tmp_path: Path) -> None:
     told = run_quickly("memory", tmp_path)
-    assert "| the best without memory, exactly | 0.617 | |" in told
-    assert [row[0] for row in rows(told)[-3:]] == [
-        f"trained, {each}" for each in ("no memory", "elman", "gru")
+    table = {row[0]: row[1:] for row in rows(told)}
+    assert table["the best without memory, exactly"][0] == "0.617"
+    assert {f"trained, {each}" for each in ("no memory", "elman", "gru")} <= table.keys()
+    best = [float(rate) for rate in table["the best, exactly"]]
+    for name in ("hunter", *(f"trained, memory: {each}" for each in GATES)):
+        assert all(
+            float(rate) <= most + 0.1
+            for rate, most in zip(table[name][-len(best) :], best, strict=True)
+        )
+    assert [(row[0], row[1]) for row in rows(told)[-9:]] == [
+        (schedule, each) for schedule in memory.SCHEDULES for each in GATES
     ]
     assert run_quickly("memory", tmp_path) == told
 
