@@ -43,7 +43,8 @@ from matrixworld.world.policy import GATES
 from race_budgets import SCHEDULES
 
 Settings = dict[str, object]
-CELLS, STEPS, SEEDS = 13, 23, 5  # the slowest search takes 22 steps
+SEEDS, RACE_SEEDS = 5, 3
+CELLS, STEPS = 13, 23  # the slowest search takes 22 steps
 CORRIDOR = {
     "world.rules": "R", "world.rows": 1, "world.cols": CELLS, "world.fov": 3,
     "world.n_pursuers": 1, "world.n_evaders": 1, "world.max_steps": STEPS, "train_steps": STEPS,
@@ -122,14 +123,14 @@ def without_memory(cells: int = CELLS, steps: int = STEPS) -> float:
 
 
 def trained(
-    bases: Mapping[str, Settings], root: Path, *, quick: bool
+    bases: Mapping[str, Settings], root: Path, seeds: int
 ) -> dict[str, dict[str, list[SavedRun]]]:
     """Train what is missing, with each memory and seed; return the runs by base and memory."""
     settings = {
         f"{name}-{memory}/{seed}": RaceSettings.of({**base, "policy.memory": memory, "seed": seed})
         for name, base in bases.items()
         for memory in GATES
-        for seed in range(1 if quick else SEEDS)
+        for seed in range(seeds)
     }
     runs = finish_all(settings, root)
 
@@ -146,9 +147,9 @@ def captured(run: SavedRun) -> float:
 
 def corridor(root: Path, *, quick: bool) -> list[str]:
     """Train what is missing in the corridor; return a table of capture rates."""
-    base = {**CORRIDOR, **(QUICK if quick else {})}
+    base, seeds = (CORRIDOR | QUICK, 1) if quick else (CORRIDOR, SEEDS)
     lines = ["| corridor | capture rate | of each seed |", "|---|---|---|"]
-    for memory, runs in trained({"corridor": base}, root, quick=quick)["corridor"].items():
+    for memory, runs in trained({"corridor": base}, root, seeds)["corridor"].items():
         rates = [captured(run) for run in runs]
         each = ", ".join(f"{rate:.3f}" for rate in rates)
         lines.append(f"| memory: {memory} | {catching_fleers.shown(rates)} | {each} |")
@@ -165,7 +166,7 @@ def board(root: Path, *, quick: bool) -> list[str]:
         each: [f"{expected_payoff(states, each, evaders):.3f}" for evaders in EVADERS]
         for each in SCRIPTED
     }
-    runs = trained(bases, root, quick=quick)
+    runs = trained(bases, root, 1 if quick else SEEDS)
     for memory in GATES:
         rates = ([captured(run) for run in runs[evaders][memory]] for evaders in EVADERS)
         table[f"trained, memory: {memory}"] = [catching_fleers.shown(each) for each in rates]
@@ -193,7 +194,7 @@ def races(root: Path, *, quick: bool) -> list[str]:
     bases = {each: {"schedule": each, **(QUICK_RACES if quick else {})} for each in SCHEDULES}
     heads = ["memory", *(f"{team}s" for team in TEAMS), *(f"difference, {team}s" for team in TEAMS)]
     lines = [f"| schedule | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
-    for schedule, by_memory in trained(bases, root, quick=quick).items():
+    for schedule, by_memory in trained(bases, root, 1 if quick else RACE_SEEDS).items():
         scores = {
             memory: np.array([[score(run)[team].means[-1] for run in runs] for team in TEAMS])
             for memory, runs in by_memory.items()
