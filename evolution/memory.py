@@ -128,9 +128,9 @@ def trained(
     """Train what is missing, with each memory and seed; return the runs by base and memory."""
     settings = {
         f"{name}-{memory}/{seed}": RaceSettings.of({**base, "policy.memory": memory, "seed": seed})
+        for seed in range(seeds)
         for name, base in bases.items()
         for memory in GATES
-        for seed in range(seeds)
     }
     runs = finish_all(settings, root)
 
