@@ -200,7 +200,7 @@ def races(root: Path, *, quick: bool) -> list[str]:
             for memory, runs in by_memory.items()
         }
         for memory, each in scores.items():
-            cells = [written(interval_over_runs(team), 2) for team in each]
+            cells = [written(interval_over_runs(team, bounds=(0.0, 1.0)), 2) for team in each]
             for change in each - scores["none"]:
                 differs = memory != "none"
                 cells.append(written(interval_over_runs(change), 2, "+") if differs else "")
