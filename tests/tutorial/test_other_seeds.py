@@ -75,10 +75,23 @@ CLAIMS = {
     ),
     "6b: answers to a hall of fame become safer": ("toy cures", "0.2 less hall", MORE),
     "6b: and those to the Nash mixture safest": ("toy cures", "hall less Nash", MORE),
+    "6b: races against random earlier opponents are more transitive": (
+        "cures", "transitive share of uniform", MORE,
+    ),
+    "6b: but the evaders of specialists escape more often": (
+        "cures", "escapes of round-robin", LESS,
+    ),
     "7: hosts of greedy parasites drift": ("hosts", "60 minus the hosts of greedy ones", MORE),
     "7: hosts of restrained ones climb": ("hosts", "hosts, restrained minus greedy", MORE),
     "7: and so do the parasites": ("hosts", "parasites, restrained minus greedy", MORE),
     "7: a virulence of 0.95 is no restraint": ("hosts", "hosts, 0.85 minus 0.95", MORE),
+    "7: most races with few evader epochs disengage": (
+        "restraint", "few evader epochs, less one half", MORE,
+    ),
+    "7: and so do many with restrained pursuers": (
+        "restraint", "restrained, less four in ten", MORE,
+    ),
+    "7: but fewer": ("restraint", "few evader epochs minus restrained", MORE),
     "9: a polite pack is faster": ("polite", "steps, polite minus greedy", LESS),
     "9: at the penalty of the paper some packs capture nothing": (
         "penalty", "captures nothing", MORE,
@@ -87,6 +100,10 @@ CLAIMS = {
     "9: and still collide": ("penalty", "captures and collides", MORE),
     "9: under a mask of free cells collisions are left": ("masked", "left", MORE),
     "9: fewer than without it": ("masked", "left, minus without a mask", LESS),
+    "9: packs that evolve under a mask capture more than those that get it later": (
+        "masks", "captures", MORE,
+    ),
+    "9: and faster": ("masks", "steps", LESS),
 }  # fmt: skip
 
 

@@ -1,15 +1,14 @@
 """What other seeds say: the headline claims of the notebooks, on seeds that no notebook shows.
 
-    python tutorials/make/other_seeds.py      eight minutes on one core; can be interrupted
+    python tutorials/make/other_seeds.py      a quarter of an hour on one core; can be interrupted
 
 A claim names an effect, which has a sign; `SOURCES` measure effects, one number for each seed. What
 takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tutorial/data`` as
 ``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
 ``tests/tutorial/test_other_seeds.py``, which asks for the sign of each claim.
 
-Not tested, because new seeds would take longer than all the rest: races of section 4 of notebook 6b
-and its halls of fame, those of section 5 of notebook 7 (7.d), all of notebook 8, and evolution
-under a mask in notebook 9 (9.d).
+Notebook 8 and the halls of fame of notebook 6b are not tested: new seeds would take longer than all
+the rest.
 """
 
 from __future__ import annotations
@@ -22,14 +21,17 @@ from pathlib import Path
 from typing import Any
 
 import chapter_4
+import chapter_6
+import chapter_7
 import numpy as np
-from chapter_9 import EPISODES, evolve
+from chapter_9 import EPISODES, evolve, evolve_masked, tested_masked
 from deap import algorithms
 from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld import analysis, coevolution, toys
 from matrixworld._util.files import load_arrays, save_arrays
+from matrixworld.coevolution import SavedRun
 from matrixworld.tutorial import chapter_3
 from matrixworld.tutorial.chapter_5 import noisy_race
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS
@@ -220,7 +222,70 @@ def defined(notebook: str, starts: tuple[str, ...], names: dict[str, Any]) -> di
     return names
 
 
+CURES = ("latest", "round-robin", "uniform")
+
+
+@cache
+def cure(name: str, seed: int) -> SavedRun:
+    settings = chapter_6.SMALL.changed(
+        {"schedule.pursuers_meet": name, "schedule.evaders_meet": name, "seed": seed}
+    )
+    return coevolution.finish(settings, RUNS / "chapter_6" / name / str(seed), threads=1)
+
+
+def cures(seed: int) -> Effects:
+    """Cures minus specialists. Evaders meet the last pursuers of the other two kinds, all seeds."""
+    of = analysis.MEASURES["transitive_share"].of
+    share = {name: of(cure(name, seed).payoff().capture_rate).value for name in CURES}
+    escape = {}
+    for name in CURES:
+        rivals = [
+            cure(kind, each).teams["pursuer"].genomes[-1]
+            for kind in CURES
+            for each in SOURCES["cures"].others
+            if kind != name
+        ]
+        evaders = cure(name, seed).teams["evader"]
+        last = mw.Population(evaders.genomes[-1:], evaders.network)
+        payoff = coevolution.tournament(
+            chapter_6.SMALL.world,
+            mw.Population(np.stack(rivals), evaders.network),
+            last,
+            seed=0,
+            episodes=chapter_6.CROSS_EPISODES,
+            threads=1,
+        )
+        escape[name] = 1 - payoff.capture_rate.mean()
+    return {
+        "transitive share of round-robin": share["round-robin"] - share["latest"],
+        "transitive share of uniform": share["uniform"] - share["latest"],
+        "escapes of round-robin": escape["round-robin"] - escape["latest"],
+        "escapes of uniform": escape["uniform"] - escape["latest"],
+    }
+
+
 # ---- Notebook 7 ----------------------------------------------------------------------------------
+
+
+def disengaged(name: str, seed: int) -> bool:
+    """Return whether disengagement is present in the last half of a race."""
+    settings = replace(chapter_7.RACES[name], seed=seed)
+    run = coevolution.finish(settings, chapter_7.place(RUNS / "chapter_7", name, seed), threads=1)
+    rates = chapter_7.captures(run) / settings.world.n_evaders
+    judged = analysis.judge(rates, per_episode=True)
+    return judged.windows["last half"]["disengagement"].verdict == "present"
+
+
+def restraint(seed: int) -> Effects:
+    """Return whether races with few evader epochs disengage, in spite of restraint, too."""
+    few, restrained = (
+        disengaged(name, seed) for name in ("few evader epochs", "restrained pursuers")
+    )
+    return {
+        "few evader epochs, less one half": few - 0.5,
+        "restrained, less four in ten": restrained - 0.4,
+        "few evader epochs minus restrained": float(few) - restrained,
+    }
 
 
 def hosts(seed: int) -> Effects:
@@ -246,6 +311,17 @@ def penalty(seed: int) -> Effects:
         "captures nothing": float(captured < 0.05),
         "captures": float(captured > 0.9),
         "captures and collides": float(captured > 0.9) * unsafe,
+    }
+
+
+def masks(seed: int) -> Effects:
+    """Return what a mask from the start changes, against one afterwards."""
+    free = evolve(seed, 0.0)
+    late = tested_masked(free["weights"], seed)
+    start = evolve_masked(seed)
+    return {
+        "captures": (start["captured"] - late["captured"]) / EPISODES,
+        "steps": (start["steps"] - late["steps"]) / EPISODES,
     }
 
 
@@ -287,6 +363,9 @@ SOURCES = {
     "crowding": Source(crowding, range(10), range(100, 160), kept=True),
     "red queen": Source(red_queen, range(10), range(10, 20), kept=True),
     "penalty": Source(penalty, range(20), range(20, 40), kept=True),
+    "masks": Source(masks, range(20), range(20, 30), kept=True),
+    "cures": Source(cures, range(10), range(10, 20), kept=True),
+    "restraint": Source(restraint, range(10), range(10, 50), kept=True),
     "chase": Source(chase, range(10), range(100, 106)),
     "numbers games": Source(numbers_games, range(20), range(200, 205)),
     "tournament": Source(tournament_gain, range(120), range(120, 200)),
