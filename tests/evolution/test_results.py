@@ -73,7 +73,11 @@ def assert_follows(told: str, published: str) -> None:
 
 @pytest.mark.parametrize("name", TABLES)
 def test_a_published_table_follows_from_published_numbers(name: str) -> None:
-    assert_follows(TABLES[name]((RESULTS / name).parent), read(RESULTS / name))
+    told, published = TABLES[name]((RESULTS / name).parent), read(RESULTS / name)
+    if name == "ground_truth/measures.md":  # has correlations of ranks with ties
+        assert_follows(told, published)
+    else:
+        assert told.strip() == published.strip()
 
 
 def test_published_claims_follow_from_published_numbers() -> None:
