@@ -102,8 +102,8 @@ def test_the_drawing_shows_the_resolution() -> None:
 
 
 def test_moves_are_those_of_the_engine() -> None:
-    for action, (down, right) in MOVES.items():
-        world = mw.World(rows=5, cols=5, n_pursuers=1, n_evaders=1)
+    for action, (down, right) in enumerate(MOVES.tolist()):
+        world = mw.World(rows=5, cols=5, n_pursuers=1, n_evaders=1, diagonal=True)
         world.reset(0, pursuers=[[2, 2]], evaders=[[0, 0]])
         world.step([action, mw.Action.STAY])
         assert world.positions[0].tolist() == [2 + down, 2 + right]

@@ -35,6 +35,7 @@ from matplotlib.patheffects import withStroke
 
 from matrixworld._util import colors
 from matrixworld.plots.style import legend_below, new_figure
+from matrixworld.world.arrays import MOVES
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
@@ -237,7 +238,6 @@ def _name(situation: Situation, agent: int) -> str:
 
 RADIUS = 0.33
 """Of an agent that is alone on its cell, in cells."""
-MOVES = {Action.NORTH: (-1, 0), Action.EAST: (0, 1), Action.SOUTH: (1, 0), Action.WEST: (0, -1)}
 
 
 def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int = 1) -> None:
@@ -263,7 +263,7 @@ def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int
 
 def _draw_move(axes: Axes, cell: Cell, action: Action) -> None:
     """Draw the planned move of an agent: an arrow over the edge of its cell."""
-    (row, col), (down, right) = cell, MOVES[action]
+    (row, col), (down, right) = cell, MOVES[action].tolist()
     # On the left of the agent's way, so that the arrows of a swap are beside each other.
     aside = 0.34
     x, y = col + down * aside + right * 0.24, row - right * aside + down * 0.24
@@ -287,7 +287,6 @@ def _draw_removed(axes: Axes, cell: Cell, *, occupied: bool = False) -> None:
 
 
 def _draw_held(axes: Axes, cell: Cell) -> None:
-    """Draw a ring around an agent that had to stay."""
     row, col = cell
     axes.add_patch(
         Circle((col, row), 0.46, fill=False, edgecolor=colors.COLLISION, linewidth=1.8, zorder=2)

@@ -11,24 +11,17 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image, ImageDraw
 
 from matrixworld._util import colors
+from matrixworld._util.checks import check_integer
 from matrixworld.episodes import render
 from matrixworld.episodes.record import Recorder
 from matrixworld.episodes.render.canvas import Layout
-from matrixworld.world.arrays import integers
+from matrixworld.world.arrays import MOVES, integers
 from matrixworld.world.rules import Action, Rules
 from matrixworld.world.world import World
 
 Cell = tuple[int, int]
 Situation = tuple[list[Cell], list[Cell]]
 """Cells of pursuers on a square, all different, and those they mean to enter."""
-MOVES: dict[Action, Cell] = {
-    Action.STAY: (0, 0),
-    Action.NORTH: (-1, 0),
-    Action.EAST: (0, 1),
-    Action.SOUTH: (1, 0),
-    Action.WEST: (0, -1),
-}
-"""What each action adds to row and column."""
 CELL = 40
 """Pixels of a cell in pictures."""
 
@@ -47,7 +40,7 @@ def pack(cells: Sequence[Cell], side: int, rules: Rules | str = "SB") -> World:
 
 def target(cell: Cell, action: Action | int) -> Cell:
     """Return the cell that an agent means to enter."""
-    (row, col), (down, right) = cell, MOVES[Action(action)]
+    (row, col), (down, right) = cell, MOVES[Action(action)].tolist()
     return row + down, col + right
 
 
@@ -78,15 +71,14 @@ def plan(world: World, actions: ArrayLike, title: str = "planned moves") -> Pict
         raise ValueError(
             f"actions: expected {world.config.n_agents} (agents), got shape {chosen.shape}"
         )
-    unknown = set(chosen.tolist()) - set(MOVES)
-    if unknown:
-        raise ValueError(f"actions: expected 0 to 4, got {min(unknown)}")
+    for action in chosen.tolist():
+        check_integer("actions", action, Action.STAY, Action.WEST)
     canvas = Image.fromarray(render.rgb(world.scene(title), cell=CELL, numbers=True))
     layout = Layout.of(world.map.shape, CELL, least=CELL)
     moves = zip(world.positions.tolist(), chosen.tolist(), strict=True)
     for agent, ((row, col), action) in enumerate(moves):
         if world.alive[agent] and action:
-            _draw_arrow(ImageDraw.Draw(canvas), layout.centre(row, col), MOVES[Action(action)])
+            _draw_arrow(ImageDraw.Draw(canvas), layout.centre(row, col), MOVES[action].tolist())
     return Picture(np.asarray(canvas))
 
 
@@ -146,8 +138,5 @@ def after_step(situation: Situation, side: int, rules: Rules | str = "SB") -> Wo
 
 def actions_to(cells: Iterable[Cell], targets: Iterable[Cell]) -> list[Action]:
     """Return the actions that lead from cells to targets on them or beside them."""
-    action_of = {move: action for action, move in MOVES.items()}
-    return [
-        action_of[there[0] - here[0], there[1] - here[1]]
-        for here, there in zip(cells, targets, strict=True)
-    ]
+    moves = np.subtract([*targets], [*cells]).tolist()
+    return [Action(MOVES.tolist().index(move)) for move in moves]

@@ -19,6 +19,7 @@ from matrixworld.envs.vector import VectorEnv
 from matrixworld.episodes.safety import SafetyMonitor
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.tutorial.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
+from matrixworld.world.arrays import MOVES
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
 from matrixworld.world.rules import Rewards
@@ -39,7 +40,6 @@ crowd       for a move: teammates on the other three cells around that cell
 stay        for staying: always 1
 """
 
-_STEPS = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)])  # rows, columns of each `Action`
 _EVADERS, _PURSUERS, _OBSTACLES = range(3)  # channels of views
 
 Mask = Callable[[NDArray[np.uint8]], ArrayLike]
@@ -67,7 +67,7 @@ def _genomes(network: Network) -> NDArray[np.float32]:
     shape = (3, network.fov, network.fov, network.n_actions)
     layers = [network.layers(genome)[0] for genome in genomes]
     approach, hold, wall, teammate, crowd, _ = (inputs.reshape(shape) for inputs, _ in layers)
-    for action, step in enumerate(_STEPS[1:], start=1):
+    for action, step in enumerate(MOVES[1:5], start=1):
         along = np.tensordot(step, cells, axes=1)
         from_target = abs(cells - step[:, None, None]).sum(axis=0)
         approach[_EVADERS, ..., action] = along / np.maximum(distance, 1)
@@ -118,7 +118,7 @@ def play_masked(weights: ArrayLike, mask: Mask, *, episodes: int, seed: int = 0)
 
 def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
     allowed = np.array(mask(views), bool)
-    expected = (len(views), len(_STEPS))
+    expected = len(views), WORLD.n_actions
     if allowed.shape != expected:
         raise ValueError(f"mask: expected shape {expected}, got {allowed.shape}")
     allowed[~allowed.any(axis=1), 0] = True
@@ -127,7 +127,7 @@ def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
 def everything(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
     """Allow every action: the mask that masks nothing."""
-    return np.ones((len(views), len(_STEPS)), bool)
+    return np.ones((len(views), WORLD.n_actions), bool)
 
 
 # ---- Exercises -----------------------------------------------------------------------------------
