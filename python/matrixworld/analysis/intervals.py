@@ -88,6 +88,11 @@ class Estimate(Readable):
             raise ValueError(f"expected an estimate with an interval, got {self}: {self.note}")
         return self.low, self.high
 
+    @property
+    def sign(self) -> int:
+        """1 if the whole interval is above 0, -1 if it is below, 0 if neither can be told."""
+        return 0 if self.low is None else int(self.ends[0] > 0.0) - int(self.ends[1] < 0.0)
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Band(Readable):

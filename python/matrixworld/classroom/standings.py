@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.analysis import (
-    Band,
-    Estimate,
-    difference_over_episodes,
-    generalization_over_episodes,
-    linear_over_episodes,
-)
+from matrixworld.analysis import Estimate, difference_over_episodes, linear_over_episodes
+from matrixworld.analysis.intervals import UNIT
 from matrixworld.classroom.submissions import Entry
 from matrixworld.classroom.tournament import ClassResult
 from matrixworld.coevolution.types import Team
@@ -72,7 +66,6 @@ def standings(result: ClassResult, team: Team) -> list[Standing]:
         The team.
     """
     payoffs = payoffs_of(result, team)
-    band = generalization_over_episodes(result.capture_rates)[team == "evader"]
     entries, means = result.entries[team], payoffs.mean(axis=2)
     students = [number for number, entry in enumerate(entries) if entry.kind != "script"]
     ranks = dict(zip(students, rank_ranges(payoffs[students]), strict=True))
@@ -80,7 +73,9 @@ def standings(result: ClassResult, team: Team) -> list[Standing]:
         Standing(
             entry,
             number,
-            score=_score(band, number, payoffs.shape[2]),
+            score=linear_over_episodes(
+                payoffs[number : number + 1], lambda means: float(means.mean()), bounds=UNIT
+            ),
             ranks=ranks.get(number),
             best=int(means[number].argmax()),
             worst=int(means[number].argmin()),
@@ -88,17 +83,6 @@ def standings(result: ClassResult, team: Team) -> list[Standing]:
         for number, entry in enumerate(entries)
     ]
     return sorted(found, key=lambda each: -each.score.value)
-
-
-def _score(band: Band, number: int, episodes: int) -> Estimate:
-    """Return a point of a band; without an interval if all episodes are equal."""
-    value = float(band.mean[number])
-    low, high = (
-        math.nan if each is None else float(each[number]) for each in (band.low, band.high)
-    )
-    if math.isnan(low):
-        return Estimate(value, None, None, "episodes", episodes, "all episodes are equal")
-    return Estimate(value, low, high, "episodes", episodes)
 
 
 def payoffs_of(result: ClassResult, team: Team) -> NDArray[np.float64]:
@@ -135,9 +119,7 @@ def _surely(one: NDArray[np.float64], other: NDArray[np.float64], level: float) 
     found = linear_over_episodes(
         np.stack([one, other]), lambda means: float(means[0].mean() - means[1].mean()), level=level
     )
-    if found.low is None or found.high is None:
+    if found.low is None:
         # Equal differences in all episodes have no t interval; this one needs no variation.
         found = difference_over_episodes(one.mean(axis=0), other.mean(axis=0), level=level)
-    assert found.low is not None
-    assert found.high is not None
-    return int(found.low > 0.0) - int(found.high < 0.0)
+    return found.sign

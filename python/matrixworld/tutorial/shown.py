@@ -32,8 +32,6 @@ def differences(
     lines = []
     for name, (one, other) in pairs.items():
         found = analysis.difference_of_runs(one, other, paired=True, level=level)
-        word = "cannot tell"
-        if found.low is not None and found.high is not None and found.low * found.high > 0.0:
-            word = words[0] if found.low > 0.0 else words[1]
+        word = ("cannot tell", *words)[found.sign]
         lines.append(f"  {name:{max(map(len, pairs))}}  {found:+.3f}  {word}")
     return "\n".join(lines)
