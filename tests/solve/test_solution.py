@@ -13,8 +13,7 @@ from matrixworld.solve import (
     States,
     best_response,
     expected_payoff,
-    exploitability,
-    nash_conv,
+    guarantees,
     solve,
 )
 from rows import CUSTOM
@@ -86,11 +85,10 @@ def test_no_champion_is_better_than_perfect_play(variant: str) -> None:
     given = [best_response(states, champion, "evader").value for champion in CHAMPIONS]
     assert max(kept) <= value + 1e-12
     assert min(given) >= value - 1e-12
-    both = nash_conv(states, CHAMPIONS[2], CHAMPIONS[3])
-    assert both == pytest.approx(given[3] - kept[2], abs=1e-12)
-    parts = [exploitability(states, CHAMPIONS[2], "pursuer")]
-    parts += [exploitability(states, CHAMPIONS[3], "evader")]
-    assert both == pytest.approx(sum(parts), abs=1e-12)
+    found = guarantees(states, {"pursuer": CHAMPIONS[2], "evader": CHAMPIONS[3]})
+    assert found.nash_conv[0] == pytest.approx(given[3] - kept[2], abs=1e-12)
+    parts = {"pursuer": value - kept[2], "evader": given[3] - value}
+    assert {team: each[0] for team, each in found.exploitability.items()} == pytest.approx(parts)
 
 
 @pytest.mark.parametrize("variant", ["O", "TO"])
@@ -100,7 +98,8 @@ def test_nothing_is_better_against_perfect_play_than_perfect_play(variant: str) 
     for team in ("pursuer", "evader"):
         response = best_response(states, solution, team)
         assert response.value == pytest.approx(solution.value, abs=1e-9)
-    assert nash_conv(states, solution, solution) == pytest.approx(0.0, abs=1e-9)
+    found = guarantees(states, {"pursuer": solution, "evader": solution})
+    assert found.nash_conv[0] == pytest.approx(0.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ROWS)

@@ -24,8 +24,6 @@ from matrixworld.solve.solution import (
     Solution,
     best_response,
     expected_payoff,
-    exploitability,
-    nash_conv,
     solve,
 )
 from matrixworld.solve.states import States
@@ -37,9 +35,7 @@ __all__ = [
     "States",
     "best_response",
     "expected_payoff",
-    "exploitability",
     "guarantees",
     "mixture_bounds",
-    "nash_conv",
     "solve",
 ]

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.readable import Readable
-from matrixworld.solve.solution import best_response, solve
+from matrixworld.solve.solution import Champion, best_response, solve
 from matrixworld.solve.states import TEAMS, States
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import Population
 
 if TYPE_CHECKING:
     from matrixworld.coevolution import Team
@@ -44,12 +44,16 @@ class Guarantees(Readable):
 
     @property
     def nash_conv(self) -> NDArray[np.float64]:
-        """The NashConv (n,) of the pair of each generation; ValueError if n and m differ."""
+        """The NashConv (n,) of the pair of each generation; ValueError if n and m differ.
+
+        The sum of what both teams gain by a best response (Lanctot et al. 2017, "A unified
+        game-theoretic approach to multiagent reinforcement learning"); 0 in a Nash equilibrium.
+        """
         return self.evaders - self.pursuers
 
 
 def guarantees(
-    world: WorldConfig | States, teams: Mapping[Team, TeamPolicy], *, steps: int | None = None
+    world: WorldConfig | States, teams: Mapping[Team, Champion], *, steps: int | None = None
 ) -> Guarantees:
     """Return what each generation of both teams guarantees against any opponent.
 
@@ -57,9 +61,9 @@ def guarantees(
     ----------
     world : WorldConfig or States
         The world, or its states.
-    teams : mapping of str to Population or str
+    teams : mapping of str to Population or Champion
         What each team plays, such as ``open_run("my-race").teams``: one genome for each generation,
-        or the name of a script, which is one generation.
+        or another champion, such as the name of a script, which is one generation.
     steps : int, optional
         As in `solve`.
 
@@ -76,8 +80,7 @@ def guarantees(
     return Guarantees(solve(states, steps=steps).value, np.array(pursuers), np.array(evaders))
 
 
-def _generations(team: TeamPolicy) -> list[TeamPolicy]:
-    """Return each genome of a team as a champion, or the script."""
+def _generations(team: Champion) -> list[Champion]:
     if not isinstance(team, Population):
         return [team]
     return [Population(genome[None], team.network) for genome in team.genomes]

@@ -363,61 +363,6 @@ def expected_payoff(
     return induct(states, steps, payoff, fixed).value
 
 
-def exploitability(
-    world: WorldConfig | States, champion: Champion, team: Team, *, steps: int | None = None
-) -> float:
-    """Return by how much a champion's guaranteed capture or escape rate falls short of the value.
-
-    0 for perfect play, up to rounding. Raises as `best_response` does.
-
-    Parameters
-    ----------
-    world : WorldConfig or States
-        The world, or its states.
-    champion : Champion
-        What the champion plays.
-    team : {"pursuer", "evader"}
-        The champion's team.
-    steps : int, optional
-        As in `solve`.
-    """
-    states = States.of(world)
-    met = best_response(states, champion, team, steps=steps).value
-    short = solve(states, steps=steps).value - met
-    return short if team == "pursuer" else -short
-
-
-def nash_conv(
-    world: WorldConfig | States,
-    pursuers: Champion,
-    evaders: Champion,
-    *,
-    steps: int | None = None,
-) -> float:
-    """Return the NashConv of a pair: the sum of what both teams gain by a best response.
-
-    It is the sum of the exploitabilities of both teams, and 0 in a Nash equilibrium. Raises as
-    `best_response` does.
-
-    Parameters
-    ----------
-    world : WorldConfig or States
-        The world, or its states.
-    pursuers, evaders : Champion
-        What the teams play.
-    steps : int, optional
-        As in `solve`.
-
-    References
-    ----------
-    Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
-    NeurIPS 30.
-    """
-    states = States.of(world)
-    against_evaders = best_response(states, evaders, "evader", steps=steps).value
-    return against_evaders - best_response(states, pursuers, "pursuer", steps=steps).value
-
-
 def fixed_play(states: States, champion: Champion, team: Team) -> Fixed:
     """Return the play of a champion; its parts are what a nested mixture comes to."""
     check_choice("team", team, TEAMS)
