@@ -145,8 +145,7 @@ def main() -> None:
         payoffs[name] = played.capture_rate
         judgements[name] = analysis.judge(played.capture_rates, per_episode=True)
         print(f"\n{name}: {analysis.headline(judgements[name])}")
-        print(analysis.explain(judgements[name]))
-        print(f"{analysis.describe(payoffs[name])}\n")
+        print(f"{analysis.explain(judgements[name])}\n")
     plots.comparison(payoffs, judgements).savefig(args.figure)
     print(f"Drawn: {args.figure}")
 

@@ -1,4 +1,4 @@
-"""Reports: all measures of one run or several, as text and as JSON; races in sentences."""
+"""Reports: all measures of one run or several, as text and as JSON."""
 
 import json
 import re
@@ -139,38 +139,3 @@ def test_any_matrix_is_analysed_and_swapping_the_teams_swaps_the_numbers(
         other = {"pursuer": f"evader_{measure}", "evader": f"pursuer_{measure}"}.get(team, name)
         expected = 1 - value if name in ("capture_rate", "game_value") else value
         np.testing.assert_allclose(swapped[other].value, expected, atol=1e-6, err_msg=name)
-
-
-# ---- A race in sentences -------------------------------------------------------------------------
-
-
-def test_the_description_quotes_the_numbers() -> None:
-    matrix = circular(31)
-    text, late = analysis.describe(matrix), analysis.last_half(matrix)
-    boards = analysis.checkerboards(late, margin=MARGIN, level=None)
-    assert f"{boards.count:,} of 14,400" in text
-    assert f"{analysis.transitive_share(late):.2f}" in text
-    assert "From generation 15 on" in text
-    assert "Warning" not in text
-
-
-def test_the_description_warns_of_disengagement() -> None:
-    matrix = logistic(31)
-    matrix[20:, :] = 0.99
-    text = analysis.describe(matrix)
-    assert "Warning: disengagement in generations 20 to 30: the pursuers win" in text
-
-
-def test_a_short_race_has_one_window() -> None:
-    text = analysis.describe(logistic(4))
-    assert "evaders that are 1 generation older, capture rates differ by +0.07 from" in text
-    assert text.startswith("From generation 0 on")
-
-
-def test_sides_of_different_length_are_described_too() -> None:
-    assert "From generation 10 / 7 on" in analysis.describe(additive(20, 14))
-
-
-@given(small_payoffs)
-def test_every_matrix_has_a_description(matrix: np.ndarray) -> None:
-    assert "nan" not in analysis.describe(matrix)

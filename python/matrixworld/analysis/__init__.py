@@ -64,7 +64,6 @@ from matrixworld.analysis.progress import (
 from matrixworld.analysis.ratings import ELO_POINTS, elo, elo_over_episodes, log_loss
 from matrixworld.analysis.report import (
     all_results,
-    describe,
     explain,
     headline,
     judgement_table,
@@ -94,7 +93,6 @@ __all__ = [
     "check_payoff",
     "checkerboards",
     "ciao",
-    "describe",
     "difference_of_runs",
     "difference_over_episodes",
     "disengagements",

@@ -83,7 +83,6 @@ class Judgement(Readable):
     windows: Mapping[str, Findings]
 
     def _parts(self) -> Parts:
-        """Return the table that ``matrixworld judge`` prints."""
         from matrixworld.analysis.report import judgement_cells
 
         return [judgement_cells(self)]

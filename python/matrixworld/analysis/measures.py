@@ -206,7 +206,6 @@ def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimat
 
 
 def _dominant(team: str) -> Estimator:
-    """Return how the number of dominant generations of a team is estimated."""
 
     def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         if payoffs.scores is None or payoffs.scores.shape[3] < 2:
@@ -219,7 +218,6 @@ def _dominant(team: str) -> Estimator:
 
 
 def _global(team: str) -> Estimator:
-    """Return how the progress of a team against opponents of other runs is estimated."""
 
     def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
         if payoffs.cross is None:
@@ -404,7 +402,6 @@ GAIN: Bounds = (-1.0, 1.0)
 def _of_teams(
     name: str, label: str, estimator: Callable[[str], Estimator], **look: Any
 ) -> list[Measure]:
-    """Return the rows of a measure that each team has."""
     return [
         Measure(f"{team}_{name}", label.format(team=team), estimator(f"{team}s"), **look)
         for team in ("pursuer", "evader")
@@ -416,7 +413,6 @@ def _mean_gain(kind: Callable[[Rates], ByTeam[TeamProgress]]) -> Callable[[str],
 
 
 def _rating(team: str) -> Estimator:
-    """Return how the Elo points of the last generation of a team are estimated."""
 
     def number(matrix: Rates) -> float:
         return ELO_POINTS * float(getattr(elo(matrix), team)[-1])

@@ -183,18 +183,13 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
 def lag_rise(matrix: Rates) -> float:
     """Return how much better later pursuers do than earlier ones, in [-1, 1].
 
-    Lag profile at ``+rise_lag`` minus lag profile at ``-rise_lag``, for at least 2 x 2 generations.
-    Swapping the teams gives the same number.
+    Lag profile at a third of the generations, rounded down, minus that at minus as much, for at
+    least 2 x 2 generations. Swapping the teams gives the same number.
     """
-    # Both lags have the same number of cells in a square matrix, so both means are equally noisy.
-    profile, lag = lag_profile(matrix), rise_lag(min(matrix.shape))
+    # Long enough for strength to grow by more than noise, short enough to leave many cells. Both
+    # lags have the same number of cells in a square matrix, so both means are equally noisy.
+    profile, lag = lag_profile(matrix), max(1, min(matrix.shape) // 3)
     return profile.at(lag) - profile.at(-lag)
-
-
-# Long enough for strength to grow by more than noise, short enough to leave many cells.
-def rise_lag(generations: int) -> int:
-    """Return a third of the generations, rounded down, at least 1."""
-    return max(1, generations // 3)
 
 
 def team_phase_rates(payoff: ArrayLike) -> Rates:

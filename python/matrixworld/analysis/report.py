@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -10,14 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis import progress
-from matrixworld.analysis.cycles import (
-    MARGIN,
-    clear_checkerboards,
-    spinning_top,
-    transitive_share,
-)
+from matrixworld.analysis.cycles import spinning_top
 from matrixworld.analysis.dynamics import replicator_dynamics
-from matrixworld.analysis.engagement import disengagements
 from matrixworld.analysis.games import alpha_rank, nash_averaging
 from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, SINGLE_RUN, Estimate, few_runs
 from matrixworld.analysis.judge import (
@@ -30,11 +23,11 @@ from matrixworld.analysis.judge import (
     judge,
 )
 from matrixworld.analysis.measures import MEASURES, measure_all
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, read_payoffs, require
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, read_payoffs
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.ratings import elo, elo_over_episodes
 from matrixworld.analysis.runs import race_bands
-from matrixworld.analysis.strength import forgetting, late_forgetting
+from matrixworld.analysis.strength import forgetting
 
 SHORT = {
     f"{team}_{number}": f"{team}s"
@@ -345,73 +338,3 @@ CURVES: Mapping[str, Callable[[Rates], Any]] = {
     "alpha_rank": _ranked,
     "replicator_dynamics": lambda matrix: replicator_dynamics(matrix, points=51),
 }
-
-
-# ---- A race in sentences -------------------------------------------------------------------------
-
-
-def describe(payoff: ArrayLike) -> str:
-    """Describe the numbers of a race in plain English, one statement on each line.
-
-    `judge` tells which of the numbers exceed noise.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        At least 2 x 2 generations; row and column 0 are generation 0.
-    """
-    matrix = check_payoff(payoff)
-    require(min(matrix.shape) >= 2, "at least 2 x 2 generations", matrix.shape)
-    window = Payoffs(matrix[None]).late
-    first, other = window.pursuers[0], window.evaders[0]
-    # The last half of a matrix that is not square starts at two different generations.
-    when = f"From generation {first if first == other else f'{first} / {other}'} on"
-    late, scores = matrix[window.cells], progress.generalization(matrix)
-    stretches = disengagements(progress.team_phase_rates(matrix))
-    return "\n".join(
-        [
-            f"{when}, {_transitivity(late)}",
-            f"{when}, {_checkerboards(late)}",
-            _lags(matrix),
-            _team("Pursuers", "capture", scores.pursuers, matrix),
-            _team("Evaders", "escape", scores.evaders, 1.0 - matrix.T),
-            *(f"Warning: disengagement in {stretch}." for stretch in stretches),
-        ]
-    )
-
-
-def _transitivity(late: Rates) -> str:
-    share = transitive_share(late)
-    if math.isnan(share):
-        return "all capture rates are equal, so there is no variance to explain."
-    return (
-        f"the strength of each generation explains {share:.0%} of the variance of the capture rate "
-        f"(transitive share {share:.2f}; {transitive_share(late, logits=True):.2f} on logits); "
-        "the rest depends on the pairing or is noise."
-    )
-
-
-def _checkerboards(late: Rates) -> str:
-    boards = clear_checkerboards(late)
-    return (
-        f"{boards.count:,} of {boards.possible:,} possible checkerboards ({boards.share:.1%}): "
-        "two pursuer generations and two evader generations, each better against one opponent and "
-        f"worse against the other, by more than {MARGIN}."
-    )
-
-
-def _lags(matrix: Rates) -> str:
-    lag = progress.rise_lag(min(matrix.shape))
-    return (
-        f"Against evaders that are {lag} generation{'s' * (lag > 1)} older, capture rates differ "
-        f"by {progress.lag_rise(matrix):+.2f} from those against evaders that are as much newer."
-    )
-
-
-def _team(name: str, score: str, scores: Rates, payoff: Rates) -> str:
-    forgotten = late_forgetting(payoff, slice(0, len(payoff)))
-    return (
-        f"{name}' mean {score} rate against all opponents: {scores[0]:.2f} at generation 0, "
-        f"{scores[-1]:.2f} at generation {len(scores) - 1}, best {scores.max():.2f} at generation "
-        f"{int(scores.argmax())}; forgetting in the last half {forgotten:.2f}."
-    )

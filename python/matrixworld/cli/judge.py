@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from matrixworld._util.checks import INT_MAX
-from matrixworld.analysis import all_results, describe, explain
+from matrixworld.analysis import all_results, explain
 from matrixworld.analysis.report import measure_table
 from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
@@ -25,7 +25,7 @@ SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ
 @runs_argument(files=True)
 @click.option("--all", "everything", is_flag=True, help="all measures, after the judgement")
 @click.option("--each", is_flag=True, help="judge each run and each file by itself")
-@click.option("--explain", "explained", is_flag=True, help="reasons and numbers in sentences, too")
+@click.option("--explain", "explained", is_flag=True, help="the reasons in sentences, too")
 @click.option(
     "--episodes",
     type=click.IntRange(1, INT_MAX),
@@ -91,10 +91,6 @@ def _print(group: Group, everything: bool, explained: bool) -> None:
     if explained:
         say()
         print_wrapped(explain(judgement))
-        matrices = group.payoffs.matrices
-        # The numbers of several runs differ.
-        if len(matrices) == 1 and min(matrices.shape[1:]) > 1:
-            print_wrapped(describe(matrices[0]))
     if everything:
         say(f"\n{measure_table(group.payoffs)}")
     lines = advice(judgement, group.settings)
