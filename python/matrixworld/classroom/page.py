@@ -33,7 +33,6 @@ def class_json(result: ClassResult, tables: Tables) -> dict[str, Any]:
 
 
 def _summary(result: ClassResult, tables: Tables) -> dict[str, Any]:
-    """Return settings, standings and refusals as plain values."""
     return {
         "matrixworld": __version__,
         "world": result.config.to_json(),

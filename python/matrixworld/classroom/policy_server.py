@@ -225,7 +225,6 @@ def _import(name: str, *others: Any, **named: Any) -> ModuleType:
 
 
 def _names(code: bytes, seed: int, importing: Callable[..., ModuleType]) -> dict[str, Any]:
-    """Run a program and return its names."""
     # Programs that use the global generators are reproducible, too.
     random.seed(seed)
     np.random.seed(seed % 2**32)  # noqa: NPY002
@@ -236,7 +235,6 @@ def _names(code: bytes, seed: int, importing: Callable[..., ModuleType]) -> dict
 
 
 def _answer_views(settings: Mapping[str, Any], names: Mapping[str, Any]) -> None:
-    """Answer every message of views with actions."""
     function = FUNCTIONS[settings["team"]]
     act = None
     while True:
@@ -290,7 +288,6 @@ def _required(function: Callable[..., Any]) -> list[str]:
 
 
 def _action(name: str, value: Any, n_actions: int) -> int:
-    """Return an action as an int; PolicyError if it is none."""
     expected = f"expected an action 0 to {n_actions - 1}"
     if isinstance(value, np.ndarray) and value.shape == ():
         value = value.item()

@@ -330,7 +330,6 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
 
 
 def _arrays(content: bytes) -> dict[str, NDArray[Any]]:
-    """Return the arrays of a genome in the content of an npz file."""
     if content.count(_ENTRY) > MOST_MEMBERS:
         raise ValueError(f"expected at most {MOST_MEMBERS} arrays, got more")
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
@@ -364,7 +363,6 @@ def _array(archive: zipfile.ZipFile, name: str, kinds: str, ndim: int) -> NDArra
 
 
 def _header(file: IO[bytes]) -> tuple[tuple[int, ...], np.dtype[Any]]:
-    """Return shape and dtype of an array from its header."""
     version = np.lib.format.read_magic(file)
     if version not in _HEADERS:
         raise ValueError(f"expected an array of version 1.0 or 2.0, got {version}")

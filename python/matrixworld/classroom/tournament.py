@@ -359,7 +359,6 @@ def admit(submissions: Sequence[Submission], pool: MatchPool, report: Report) ->
 
 
 def _entries_of(submission: Submission, pool: MatchPool) -> Admitted:
-    """Return the entries of one submission, or why it is refused."""
     try:
         if submission.kind == "genome":
             return [_genome(submission, pool.config)], []

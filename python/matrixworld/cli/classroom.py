@@ -163,7 +163,6 @@ def play_command(
 
 
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
-    """Return the world and the limits that the options ask for."""
     limits = {each.name: options.pop(each.name) for each in fields(Limits)}
     given = {name: value for name, value in options.items() if value is not None}
     size = {} if isinstance(given.get("obstacles"), str) else SIZE

@@ -327,7 +327,6 @@ def _live_page(job: Job, root: Path) -> LivePage:
 
 
 def _check_new(root: Path) -> None:
-    """Refuse a directory that holds something already."""
     if root.exists():
         try:
             RunDirectory(root).check_empty()

@@ -108,7 +108,6 @@ def _figures_of(run: Group, selection: Selection) -> tuple[str, ...]:
 def _together(
     races: Sequence[Group], seeds: Sequence[Group], selection: Selection
 ) -> tuple[str, ...]:
-    """Return the names of the figures that show several runs."""
     of_seeds = selection.name == "generalization" or selection.baselines
     if selection.name in OF_GROUPS and selection.name not in OF_RUN:
         return (selection.name,)

@@ -224,7 +224,6 @@ def on_cluster(
 
 
 def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
-    """Return a density, or the path of a map."""
     if value is None:
         return None
     # A file that is named like a number can be given as ./0.1.

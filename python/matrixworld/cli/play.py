@@ -26,7 +26,6 @@ Examples:
 
 
 def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
-    """Return the directory of a run, or the rules of a variant."""
     if Path(value).is_file():
         raise click.BadParameter(
             f"expected the directory of a run, or a variant, got a file: {value}; "

@@ -201,7 +201,6 @@ def _check_pictures(
 
 
 def _explanation(played: Episode, step: int | None) -> list[str]:
-    """Return a line for each conflict of a step, or of all steps."""
     steps = range(1, played.length + 1) if step is None else [step]
     lines = [f"step {now}  {conflict}" for now in steps for conflict in played.explain(now)]
     return lines or ["no conflicts" if step is None else f"step {step}  no conflicts"]

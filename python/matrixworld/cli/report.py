@@ -101,7 +101,6 @@ def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
 
 
 def _print_groups(groups: Sequence[Group]) -> None:
-    """Print headline and numbers of each group beside its name."""
     width = max([len(each.name) for each in groups if len(each.name) <= WIDEST_NAME], default=0)
     for group in groups:
         lines = [part for line in _lines(group) for part in textwrap.wrap(line, WIDEST - width - 2)]
@@ -175,7 +174,6 @@ def _inside(root: Path, path: Path) -> str:
 
 
 def _plain(group: Group) -> dict[str, Any]:
-    """Return a group as plain values: its seeds, numbers and judgement."""
     plain: dict[str, Any] = {"finished": list(group.seeds), "missing": list(group.missing)}
     if not group.runs:
         return plain

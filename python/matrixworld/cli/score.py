@@ -57,7 +57,6 @@ SEEDS_LEGEND = (
 
 
 def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int | None:
-    """Return the number of a generation, or None for all."""
     if value == ALL:
         return None
     try:
@@ -150,7 +149,6 @@ def _print(group: Group, teams: Sequence[TeamScores]) -> None:
 
 
 def _plain(group: Group, teams: Sequence[TeamScores]) -> dict[str, Any]:
-    """Return the scores of a group as plain values: by generation, and of each seed."""
     return {
         "seeds": list(group.seeds),
         "missing": list(group.missing),

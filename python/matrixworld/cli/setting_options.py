@@ -62,7 +62,6 @@ def parsed(text: str) -> Any:
 def _pairs(
     ctx: click.Context, param: click.Parameter, texts: Sequence[str]
 ) -> list[tuple[str, Any]]:
-    """Return paths of settings with their values."""
     pairs = []
     for text in texts:
         path, equals, value = text.partition("=")
@@ -75,7 +74,6 @@ def _pairs(
 
 
 def _configured(ctx: click.Context, param: click.Parameter, path: Path | None) -> dict[str, Any]:
-    """Return the settings in a file."""
     if path is None:
         return {}
     check_regular(path, path.stat().st_mode)  # a device may have no end
@@ -240,7 +238,6 @@ def _help_sections() -> dict[str, Rows]:
 
 
 def _sections_of(cls: type[Section], path: str, title: str) -> Iterator[tuple[str, Rows]]:
-    """Yield a section and those in it: title and rows."""
     rows: Rows = []
     yield title, rows
     for item in fields(cls):

@@ -33,7 +33,6 @@ def over_seeds(values: Any) -> Estimate | None:
 
 
 def _limits(judgement: Judgement) -> Iterator[str]:
-    """Yield what limits a judgement."""
     if judgement.episodes is None:
         yield (
             "The payoffs do not say how many episodes are behind each cell, and without their "

@@ -84,7 +84,6 @@ def _one(
     steps: int | None,
     **runner: Any,
 ) -> None:
-    """Play the tournament of one race, or of one against another, and print it."""
     ours = open_run(run)
     theirs = ours if other is None else open_run(other)
     _check_worlds(ours, theirs)

@@ -114,7 +114,6 @@ def check_where(where: str) -> None:
 
 @contextmanager
 def _connected(where: str) -> Iterator[Any]:
-    """Yield a client of a cluster; see `cluster`."""
     check_where(where)
     try:
         from distributed import Client, LocalCluster
@@ -138,7 +137,6 @@ def _connected(where: str) -> Iterator[Any]:
 
 
 def _address_in(file: Path) -> str:
-    """Return the address in a scheduler file."""
     address = read_json(file).get("address")
     if not isinstance(address, str):
         raise DamagedFileError(file, "expected a scheduler file of Dask, got no address in it")
@@ -183,7 +181,6 @@ def _quiet() -> Iterator[None]:
 
 
 def _local() -> dict[str, Any]:
-    """Return the options of a cluster on this machine."""
     return {
         "n_workers": usable_cores(),
         "threads_per_worker": 1,

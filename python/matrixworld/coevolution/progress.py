@@ -170,7 +170,6 @@ class ProgressBar:
 
 
 def _in_words(progress: Progress) -> str:
-    """Return what is done, with the runs in work."""
     runs = [f"{name} {each.share:.0%}" for name, each in progress.runs.items()]
     more = ["..."] if len(runs) > MOST_RUNS else []
     return ", ".join([progress.what, *runs[:MOST_RUNS], *more])

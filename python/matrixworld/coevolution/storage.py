@@ -261,7 +261,6 @@ class RunDirectory:
         return max(self._numbers("stage"), default=0)
 
     def _numbers(self, kind: str) -> list[int]:
-        """Return the numbers of the files of a kind that are there."""
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
 
@@ -400,7 +399,6 @@ def _archive_of(stages: Sequence[Arrays]) -> Archive:
 
 
 def _log_of(stages: Sequence[Arrays]) -> str:
-    """Return the log of stages as CSV, with a header."""
     return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
 
 

@@ -493,7 +493,6 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._deads_step_first()
 
     def _play_turn(self) -> None:
-        """Play a turn and pay it."""
         # Rewards accumulate over a round in the world; an AEC step pays the difference of its turn.
         before = self.world.rewards.astype(float) if self.world.turn else 0.0
         self._decide(self._actions, self.world.actors)

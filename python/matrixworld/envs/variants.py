@@ -217,6 +217,5 @@ def _rules(rules: Rules) -> str:
 
 
 def _table(rows: dict[str, str], head: str = "") -> str:
-    """Return a Markdown table of two columns."""
     first = f"| {head} | |" if head else "| | |"
     return "\n".join([first, "|---|---|", *(f"| {key} | {value} |" for key, value in rows.items())])

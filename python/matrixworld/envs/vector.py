@@ -638,7 +638,6 @@ def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
 
 
 def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
-    """Return the dtype of views; raise ValueError unless it is uint8 or float32."""
     chosen = np.dtype(dtype)
     if chosen not in (np.uint8, np.float32):
         raise ValueError(f"dtype: expected uint8 or float32, got {chosen}")

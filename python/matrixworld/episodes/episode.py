@@ -274,7 +274,6 @@ def step_number(step: int, length: int) -> int:
 def _check_conflicts(
     table: NDArray[np.int32], steps: int, shape: tuple[int, ...], agents: int
 ) -> None:
-    """Raise ValueError unless every number of the table is in its range."""
     last, (rows, cols) = agents - 1, shape
     ranges = {"step": (1, steps), "turn": (0, last), "first": (0, last), "second": (-1, last)}
     ranges |= {"row": (-1, rows), "col": (-1, cols)}

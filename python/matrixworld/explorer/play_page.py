@@ -99,6 +99,5 @@ def _text(name: str, player: TeamPolicy) -> str:
 
 
 def _genomes(players: Mapping[str, TeamPolicy]) -> bytes:
-    """Return the genomes of a team, packed."""
     genomes = [each.genomes[0] for each in players.values() if isinstance(each, Population)]
     return packed(np.stack(genomes)) if genomes else b""

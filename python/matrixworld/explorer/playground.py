@@ -144,7 +144,6 @@ class Playground:
         return f"<Playground: {self.scene or 'the first example'}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """Return the frame, and the picture for places that show no frame."""
         return mime_bundle(self.html(), "playground", self.picture)
 
 
@@ -165,7 +164,6 @@ def page_data(scene: str = "") -> dict[str, Any]:
 
 
 def _plain(row: Rules | Rewards) -> dict[str, Any]:
-    """Return fields as values that JSON can hold."""
     return {
         name: value.name if isinstance(value, Enum) else value
         for name, value in asdict(row).items()

@@ -68,7 +68,6 @@ class Explorer:
         return f"<Explorer: {self.path}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """Return the frame, and the picture for places that show no frame."""
         return mime_bundle(self.path.read_text(encoding="utf-8"), self.path.name, self.picture)
 
 

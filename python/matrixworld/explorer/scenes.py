@@ -99,7 +99,6 @@ def _check_size(world: World) -> None:
 
 
 def _agents_text(world: World) -> dict[str, str]:
-    """Return the cells of both teams."""
     texts = [f"{row}.{col}" for row, col in world.last_positions.tolist()]
     first = world.config.n_pursuers
     for evader, (now, ever) in enumerate(zip(world.captured, world.ever_captured, strict=True)):

@@ -133,7 +133,6 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
 
 
 def _shades(learners: ArrayLike | None, length: int) -> list[str]:
-    """Return the colour of each point: that of the team that learns."""
     if learners is None:
         return [colors.INK] * length
     teams = np.asarray(learners)

@@ -96,7 +96,6 @@ def _agents(value: Any) -> set[int]:
 
 
 def _difference(found: set[int], expected: set[int], cells: list[Cell], targets: list[Cell]) -> str:
-    """Say in which situation a function is wrong, and about which agent."""
     missed, wrong = sorted(expected - found), sorted(found - expected)
     told = (
         f"agent {missed[0]} is in a conflict, and your function does not find it"

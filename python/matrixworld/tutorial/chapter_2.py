@@ -120,7 +120,6 @@ def _cells(value: Any) -> list[Cell]:
 def _difference(
     found: list[Cell], expected: list[Cell], cells: list[Cell], targets: list[Cell]
 ) -> str:
-    """Say in which situation a resolver is wrong, and about which agent."""
     if len(found) != len(cells):
         return f"Expected a list of {len(cells)} cells, got {found}."
     agent = next(a for a in range(len(cells)) if found[a] != expected[a])

@@ -312,7 +312,6 @@ def score(
 
 
 def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
-    """Return the genomes to score, and their generations."""
     archive = cast(Population, run.teams[team])  # never a script, because the team learned
     numbers = list(range(len(archive.genomes)))
     if generation is not None:

@@ -531,7 +531,6 @@ class JobPlay:
         return {n: each for n, each in told.items() if n in self._job and not self._ended(n)}
 
     def _tell(self, told: Mapping[str, Progress]) -> None:
-        """Report the progress of the job, from what runs have told."""
         work = {name: each for name, each in self._in_work(told).items() if each.total}
         for name, each in work.items():
             self._before.setdefault(name, each.before)

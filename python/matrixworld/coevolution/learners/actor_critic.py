@@ -374,7 +374,6 @@ class ActorCritic:
         self.multiplier = max(0.0, self.multiplier + (self.chosen.cost_rate or COST_RATE) * excess)
 
     def _improve(self, experience: Experience, advantage: Reals) -> None:
-        """Update the actor."""
         torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
         actions = torch.from_numpy(experience.actions).to(self._device)
         weight = torch.from_numpy(advantage).to(self._device)
@@ -397,7 +396,6 @@ class ActorCritic:
             self._actor.ascend(self._gradient(self._actor, len(advantage), objective))
 
     def _fit(self, critic: Perceptron, inputs: NDArray[np.uint8], returns: Reals) -> None:
-        """Update a critic."""
         target = self._torch.from_numpy(returns.astype(np.float32)).to(self._device)
 
         def objective(weights: Tensor, part: slice, number: int) -> Tensor:

@@ -365,7 +365,6 @@ class TeamPhase:
         return fitness
 
     def _matchups(self, epochs: range) -> Iterable[Matchup]:
-        """Return the matchups of all epochs, in order."""
         matchups = map(self._matchup, epochs)
         # A sampler without state can choose for all epochs ahead. Between matches, which fill the
         # caches with other data, the same work takes several times as long.

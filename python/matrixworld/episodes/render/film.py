@@ -66,7 +66,6 @@ def check_timing(*, fps: float, hold: float) -> None:
 
 
 def _indices(picture: NDArray[np.uint8], palette: Image.Image) -> NDArray[np.uint8]:
-    """Return the picture as numbers of the palette."""
     quantized = Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE)
     numbers = np.array(quantized)
     numbers[numbers >= PALETTE_COLORS] = 0  # unused entries of the palette repeat the first colour

@@ -138,7 +138,6 @@ class Scene:
         return f"<Scene: {rows} x {cols} cells, {pursuers} pursuers, {evaders} evaders>"
 
     def _repr_png_(self) -> bytes:
-        """Return the picture that a notebook shows."""
         return png(self)
 
     def agent(self, who: int | str) -> int:
@@ -452,7 +451,6 @@ def _badge_text(agents: list[int], numbers: bool) -> str:
 
 
 def _shortened(title: str, room: int, size: int) -> str:
-    """Return the title, cut to a width in pixels."""
     text = font(size)
     if text.getlength(title) <= room:
         return title
