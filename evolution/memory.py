@@ -39,32 +39,24 @@ from common import finish_all, script_parser, written
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 from matrixworld.solve import States, best_response, expected_payoff
+from matrixworld.tutorial import chapter_10
+from matrixworld.tutorial.chapter_10 import CELLS, STEPS
 from matrixworld.world.policy import GATES
 from race_budgets import SCHEDULES
 
-Settings = dict[str, object]
 SEEDS, RACE_SEEDS = 5, 3
-CELLS, STEPS = 13, 23  # the slowest search takes 22 steps
-CORRIDOR = {
-    "world.rules": "R", "world.rows": 1, "world.cols": CELLS, "world.fov": 3,
-    "world.n_pursuers": 1, "world.n_evaders": 1, "world.max_steps": STEPS, "train_steps": STEPS,
-    "schedule": "against", "schedule.opponent": "still", "fitness.measure": "capture-rate",
-    "schedule.epochs": 300, "schedule.archive_every": 300, "match_episodes": 16,
-    # Larger steps than the defaults, with which seed 0 captures in 0.76 (gru) and 0.95 (elman).
-    "learner.population": 64, "learner.sigma": 0.2, "learner.learning_rate": 0.1,
-    "policy.hidden": (16,), "evaluation_episodes": 10_000,
-}  # fmt: skip
+CORRIDOR = chapter_10.CORRIDOR.changed({"evaluation_episodes": 10_000})
 QUICK = {
     "schedule.epochs": 2, "schedule.archive_every": 2, "learner.population": 4,
     "evaluation_episodes": 50,
 }  # fmt: skip
-BOARD = {
+BOARD = RaceSettings.of({
     "world.rows": 6, "world.cols": 6, "world.n_pursuers": 2, "world.n_evaders": 1,
     "world.max_steps": 20, "train_steps": 20, "match_episodes": 16,
     "schedule": "against", "schedule.epochs": 300, "schedule.archive_every": 300,
     "learner.population": 48, "learner.sigma": 0.2, "learner.learning_rate": 0.1,
     "evaluation_episodes": 10_000,
-}  # fmt: skip
+})  # fmt: skip
 QUICK_RACES = {
     "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
     "world.max_steps": 30, "train_steps": 20, "learner.population": 4, "schedule.generations": 2,
@@ -123,11 +115,11 @@ def without_memory(cells: int = CELLS, steps: int = STEPS) -> float:
 
 
 def trained(
-    bases: Mapping[str, Settings], root: Path, seeds: int
+    bases: Mapping[str, RaceSettings], root: Path, seeds: int
 ) -> dict[str, dict[str, list[SavedRun]]]:
     """Train what is missing, with each memory and seed; return the runs by base and memory."""
     settings = {
-        f"{name}-{memory}/{seed}": RaceSettings.of({**base, "policy.memory": memory, "seed": seed})
+        f"{name}-{memory}/{seed}": base.changed({"policy.memory": memory, "seed": seed})
         for seed in range(seeds)
         for name, base in bases.items()
         for memory in GATES
@@ -147,7 +139,7 @@ def captured(run: SavedRun) -> float:
 
 def corridor(root: Path, *, quick: bool) -> list[str]:
     """Train what is missing in the corridor; return a table of capture rates."""
-    base, seeds = (CORRIDOR | QUICK, 1) if quick else (CORRIDOR, SEEDS)
+    base, seeds = (CORRIDOR.changed(QUICK), 1) if quick else (CORRIDOR, SEEDS)
     lines = ["| corridor | capture rate | of each seed |", "|---|---|---|"]
     for memory, runs in trained({"corridor": base}, root, seeds)["corridor"].items():
         rates = [captured(run) for run in runs]
@@ -158,10 +150,9 @@ def corridor(root: Path, *, quick: bool) -> list[str]:
 
 def board(root: Path, *, quick: bool) -> list[str]:
     """Train what is missing on the board; return a table of capture rates by evader."""
-    bases = {each: BOARD | {"schedule.opponent": each} for each in EVADERS}
-    if quick:
-        bases = {each: base | QUICK for each, base in bases.items()}
-    states = States(RaceSettings.of(bases[EVADERS[0]]).world)
+    base = BOARD.changed(QUICK) if quick else BOARD
+    bases = {each: base.changed({"schedule.opponent": each}) for each in EVADERS}
+    states = States(base.world)
     table = {
         each: [f"{expected_payoff(states, each, evaders):.3f}" for evaders in EVADERS]
         for each in SCRIPTED
@@ -191,7 +182,8 @@ def fleers(root: Path, *, quick: bool) -> list[str]:
 
 def races(root: Path, *, quick: bool) -> list[str]:
     """Play the missing races; return a table of held-out scores by schedule and memory."""
-    bases = {each: {"schedule": each, **(QUICK_RACES if quick else {})} for each in SCHEDULES}
+    changes = QUICK_RACES if quick else {}
+    bases = {each: RaceSettings.of({"schedule": each, **changes}) for each in SCHEDULES}
     heads = ["memory", *(f"{team}s" for team in TEAMS), *(f"difference, {team}s" for team in TEAMS)]
     lines = [f"| schedule | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
     for schedule, by_memory in trained(bases, root, 1 if quick else RACE_SEEDS).items():

@@ -236,7 +236,7 @@ def test_the_corridor_without_memory_is_what_is_played_there() -> None:
         moves = rng.random(len(views)) < east
         return np.where(moves, mw.Action.EAST, mw.Action.WEST)
 
-    world = coevolution.RaceSettings.of(memory.CORRIDOR).world
+    world = memory.CORRIDOR.world
     played = mw.score_policy(choose, "pursuer", world, opponents={"still": "still"}, episodes=400)
     # Three deviations of 400 episodes.
     assert played.mean().value == pytest.approx(memory.capture_rate(policy), abs=0.075)
