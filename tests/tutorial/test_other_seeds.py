@@ -12,6 +12,8 @@ from matrixworld.tutorial import kept
 from notebooks import TUTORIALS
 
 MORE, LESS = 1, -1
+EXAMINERS = ("scripts", "evolved strangers", "co-evolved")
+"""Of notebook 8."""
 
 CLAIMS = {
     # notebook and claim: source, effect, sign
@@ -92,6 +94,36 @@ CLAIMS = {
         "restraint", "restrained, less four in ten", MORE,
     ),
     "7: but fewer": ("restraint", "few evader epochs minus restrained", MORE),
+    "8: who met hunters only escapes best from hunters": (
+        "schools", "evaders, hunter: hardest only minus easy to hard", MORE,
+    ),
+    "8: and less often from random walkers": (
+        "schools", "evaders, random: hardest only minus easy to hard", LESS,
+    ),
+    **{
+        f"8: easy to hard against hard to easy, {script}": (
+            "schools", f"evaders, {script}: easy to hard minus hard to easy", sign,
+        )
+        for script, sign in {"random": LESS, "clumsy-chaser": MORE, "chaser": MORE}.items()
+    },
+    "8: on their ladder pursuers lose what they had": (
+        "schools", "pursuers, random: last stage minus first", LESS,
+    ),
+    **{
+        f"8: {one} against {other}, {team}, {examiner}": (
+            "schools", f"{team}, {examiner}: {one} minus {other}", sign,
+        )
+        for team, one, other, signs in (
+            ("evaders", "co-evolution", "easy to hard", (LESS, LESS, MORE)),
+            ("evaders", "easy to hard", "random only", (MORE, MORE)),
+            ("pursuers", "co-evolution", "easy to hard", (MORE, MORE, MORE)),
+            ("pursuers", "easy to hard", "random only", (LESS, LESS, LESS)),
+        )
+        for examiner, sign in zip(EXAMINERS, signs, strict=False)
+    },
+    "8: co-evolved pursuers catch more evolved strangers than those of random opponents": (
+        "schools", "pursuers, evolved strangers: co-evolution minus random only", MORE,
+    ),
     "9: a polite pack is faster": ("polite", "steps, polite minus greedy", LESS),
     "9: at the penalty of the paper some packs capture nothing": (
         "penalty", "captures nothing", MORE,

@@ -68,15 +68,16 @@ CROSS_EPISODES = 5
 HALLS = Path(__file__).parents[2] / "evolution/results/hall_of_fame/races.csv"
 
 
+def race(sampler: str, seed: int) -> RaceSettings:
+    """Return the settings of a race whose teams meet opponents that a sampler chooses."""
+    return SMALL.changed(
+        {"schedule.pursuers_meet": sampler, "schedule.evaders_meet": sampler, "seed": seed}
+    )
+
+
 def races(directory: Path, threads: int | None) -> list[SavedRun]:
     """Return the finished races, sampler by sampler; play the missing ones."""
-    settings = {
-        f"{name}/seed-{seed}": SMALL.changed(
-            {"schedule.pursuers_meet": name, "schedule.evaders_meet": name, "seed": seed}
-        )
-        for name in SAMPLERS
-        for seed in SEEDS
-    }
+    settings = {f"{name}/seed-{seed}": race(name, seed) for name in SAMPLERS for seed in SEEDS}
     with ProgressBar() as bars:
         return evolve(settings, directory, threads=threads, report=bars)
 

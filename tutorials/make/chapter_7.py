@@ -58,9 +58,10 @@ RACES = {
 """Settings of the races by name, without their seeds."""
 
 
-def place(runs: Path, name: str, seed: int) -> Path:
-    """Return the directory of a run."""
-    return runs / name.replace(" ", "-") / str(seed)
+def race(name: str, seed: int, runs: Path) -> SavedRun:
+    """Return one of `RACES`; play it if it is missing in the directory `runs`."""
+    settings = replace(RACES[name], seed=seed)
+    return finish(settings, runs / name.replace(" ", "-") / str(seed), threads=1)
 
 
 def spread(run: SavedRun) -> np.ndarray:
@@ -94,11 +95,8 @@ def false_alarms() -> dict[str, np.ndarray]:
 
 def main(runs: Path) -> None:
     arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.world.n_evaders)}
-    for name, settings in RACES.items():
-        played = [
-            finish(replace(settings, seed=seed), place(runs, name, seed), threads=1)
-            for seed in tqdm(SEEDS, desc=name)
-        ]
+    for name in RACES:
+        played = [race(name, seed, runs) for seed in tqdm(SEEDS, desc=name)]
         arrays[f"captured: {name}"] = np.stack([captures(run) for run in played])
         arrays[f"spread of fitness: {name}"] = np.stack([spread(run) for run in played])
     save_arrays(DATA / "chapter_7.npz", arrays | false_alarms())

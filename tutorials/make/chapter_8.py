@@ -135,7 +135,7 @@ def examined(
     fixed = held_out(other(team), "O")
     rivals = [race.teams[other(team)] for race in races]
     teams = [mw.Population(each.genomes[-1:], each.network) for each in rivals]
-    shape = len(last), len(SEEDS), -1
+    shape = len(last), len(genomes) // len(last), -1
     return {
         f"{team}s: kinds": np.array([*last]),
         f"{team}s: opponents": np.array([*fixed]),

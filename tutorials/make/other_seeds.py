@@ -7,8 +7,6 @@ takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tu
 ``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
 ``tests/tutorial/test_other_seeds.py``, which asks for the sign of each claim.
 
-Notebook 8 and the halls of fame of notebook 6b are not tested: new seeds would take longer than all
-the rest.
 """
 
 from __future__ import annotations
@@ -17,12 +15,14 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, partial
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 import chapter_4
 import chapter_6
 import chapter_7
+import chapter_8
 import numpy as np
 from chapter_9 import EPISODES, evolve, evolve_masked, tested_masked
 from deap import algorithms
@@ -35,6 +35,7 @@ from matrixworld.coevolution import SavedRun
 from matrixworld.tutorial import chapter_3
 from matrixworld.tutorial.chapter_5 import noisy_race
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS
+from matrixworld.tutorial.chapter_8 import table_of
 from matrixworld.tutorial.chapter_9 import WORLD, pack, play_masked
 from matrixworld.tutorial.course import DATA
 
@@ -227,10 +228,8 @@ CURES = ("latest", "round-robin", "uniform")
 
 @cache
 def cure(name: str, seed: int) -> SavedRun:
-    settings = chapter_6.SMALL.changed(
-        {"schedule.pursuers_meet": name, "schedule.evaders_meet": name, "seed": seed}
-    )
-    return coevolution.finish(settings, RUNS / "chapter_6" / name / str(seed), threads=1)
+    place = RUNS / "chapter_6" / name / str(seed)
+    return coevolution.finish(chapter_6.race(name, seed), place, threads=1)
 
 
 def cures(seed: int) -> Effects:
@@ -269,9 +268,8 @@ def cures(seed: int) -> Effects:
 
 def disengaged(name: str, seed: int) -> bool:
     """Return whether disengagement is present in the last half of a race."""
-    settings = replace(chapter_7.RACES[name], seed=seed)
-    run = coevolution.finish(settings, chapter_7.place(RUNS / "chapter_7", name, seed), threads=1)
-    rates = chapter_7.captures(run) / settings.world.n_evaders
+    captured = chapter_7.captures(chapter_7.race(name, seed, RUNS / "chapter_7"))
+    rates = captured / chapter_7.EVEN.world.n_evaders
     judged = analysis.judge(rates, per_episode=True)
     return judged.windows["last half"]["disengagement"].verdict == "present"
 
@@ -297,6 +295,62 @@ def hosts(seed: int) -> Effects:
         "parasites, restrained minus greedy": restrained[1] - greedy[1],
         "60 minus the hosts of greedy ones": 60 - greedy[0],
         "hosts, 0.85 minus 0.95": middle[0] - early[0],
+    }
+
+
+# ---- Notebook 8 ----------------------------------------------------------------------------------
+
+
+def schools(seed: int) -> Effects:
+    """Return differences between schools. Races of all other seeds are the co-evolved examiners."""
+    runs = RUNS / "chapter_8"
+    races = {
+        each: coevolution.finish(
+            replace(chapter_8.RACE, seed=each), runs / "races" / str(each), threads=1
+        )
+        for each in SOURCES["schools"].others
+    }
+    own, effects = races.pop(seed), {}
+    for team, ladder in chapter_8.LADDERS.items():
+        learned = {
+            name: chapter_8.taught(team, name, seed, runs) for name in chapter_8.orders(team)
+        }
+        last = {name: genomes[-1:] for name, genomes in learned.items()}
+        last["co-evolution"] = own.teams[team].genomes[-1:]
+        stored = chapter_8.examined(team, last, [*races.values()])
+        by_script = {
+            script: {school: float(score[0]) for school, score in scores.items()}
+            for script, scores in table_of(stored, f"{team}s").items()
+        }
+        rivals = stored[f"{team}s: against races"].mean(axis=(1, 2)) / 1000
+        sorts = {
+            "scripts": _mean([by_script[script] for script in ladder]),
+            "evolved strangers": _mean([by_script["evolved-1"], by_script["evolved-2"]]),
+            "co-evolved": dict(zip(last, rivals, strict=True)),
+        }
+        pairs = list(combinations(("co-evolution", "easy to hard", "random only"), 2))
+        effects |= _differences(f"{team}s", sorts, pairs)
+        if team == "evader":
+            pairs = [("easy to hard", "hard to easy"), ("hardest only", "easy to hard")]
+            effects |= _differences("evaders", {name: by_script[name] for name in ladder}, pairs)
+        climbed = chapter_8.tested(team, learned["easy to hard"], ladder[0], chapter_8.EPISODES)
+        effects[f"{team}s, random: last stage minus first"] = (
+            float(climbed[-1]) - climbed[1]
+        ) / 1000
+    return effects
+
+
+def _mean(scores: list[dict[str, float]]) -> dict[str, float]:
+    return {school: float(np.mean([each[school] for each in scores])) for school in scores[0]}
+
+
+def _differences(
+    team: str, scores: dict[str, dict[str, float]], pairs: list[tuple[str, str]]
+) -> Effects:
+    return {
+        f"{team}, {examiner}: {one} minus {other}": each[one] - each[other]
+        for examiner, each in scores.items()
+        for one, other in pairs
     }
 
 
@@ -366,6 +420,7 @@ SOURCES = {
     "masks": Source(masks, range(20), range(20, 30), kept=True),
     "cures": Source(cures, range(10), range(10, 20), kept=True),
     "restraint": Source(restraint, range(10), range(10, 50), kept=True),
+    "schools": Source(schools, range(10), range(10, 20), kept=True),
     "chase": Source(chase, range(10), range(100, 106)),
     "numbers games": Source(numbers_games, range(20), range(200, 205)),
     "tournament": Source(tournament_gain, range(120), range(120, 200)),
