@@ -27,7 +27,7 @@ COLORMAP = "viridis"
 FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
 
-COLUMNS = 2
+COLUMNS = 3
 """The most races beside each other in `comparison`; further ones are in rows below."""
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
