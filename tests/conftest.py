@@ -1,5 +1,6 @@
 """The option for slow tests, settings of random ones, quick jobs, a race, and worlds of cases."""
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from drawing import Cells, Start
 from executors import jobs_in_threads
 from matrixworld.coevolution import finish
 from reference import ReferenceWorld
-from tiny_race import tiny_race
+from tiny_race import MEMORY, tiny_race
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
@@ -43,6 +44,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_configure(config: pytest.Config) -> None:
     if not config.getoption("--hypothesis-profile"):
         settings.load_profile("ci")
+    # The root of all `tmp_path`: files of runs are synced, which takes milliseconds on a disk.
+    if MEMORY:
+        os.environ.setdefault("PYTEST_DEBUG_TEMPROOT", MEMORY)
 
 
 @pytest.fixture(scope="module")

@@ -33,6 +33,8 @@ TINY: dict[str, Any] = {
     "seed": 5,
 }
 
+MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+"""A directory in memory; Linux only."""
 GENOMES = ("pursuers.npy", "evaders.npy")
 RESULTS = (
     "config.json",
@@ -106,9 +108,7 @@ def results(directory: Path) -> dict[str, bytes]:
 @contextmanager
 def directory_in_memory() -> Iterator[Path]:
     """Yield a temporary directory, in memory if possible, where syncing costs nothing."""
-    memory = Path("/dev/shm")
-    usable = memory.is_dir() and os.access(memory, os.W_OK)  # Linux only
-    with tempfile.TemporaryDirectory(dir=memory if usable else None) as directory:
+    with tempfile.TemporaryDirectory(dir=MEMORY) as directory:
         yield Path(directory)
 
 
