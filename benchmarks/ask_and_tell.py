@@ -21,8 +21,13 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld.coevolution import Against, RaceSettings, Team
 from matrixworld.coevolution.learners.cma_es import CmaEs
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy, centred_ranks
+from matrixworld.coevolution.learners.evolution_strategy import (
+    EvolutionStrategy,
+    EvolutionStrategySettings,
+    centred_ranks,
+)
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.learners.learner import Adam, Learner, NoiseTable
 
@@ -35,6 +40,7 @@ class Game(Protocol):
 
     seed: int
     matches: int
+    team: Team
 
     def untrained(self, count: int) -> Genomes:
         """Return the first `count` untrained genomes, (count, genes)."""
@@ -90,6 +96,21 @@ def es(
         "one": 0 * learner.seed_groups,
     }
     drive(game, learner, groups[worlds], matches)
+
+
+def default_es(game: Game) -> None:
+    """Play the evolution strategy with the defaults of a team that learns alone."""
+    settings = RaceSettings(schedule=Against(team=game.team)).learner
+    assert isinstance(settings, EvolutionStrategySettings)
+    learner = EvolutionStrategy(
+        game.untrained(1)[0],
+        noise(game, settings.sigma),
+        samples=settings.population,
+        learning_rate=settings.learning_rate,
+        anneal_over=max(1, game.matches // settings.population) if settings.anneal else None,
+        relative_sigma=settings.relative_sigma,
+    )
+    drive(game, learner)
 
 
 def unpaired_es(game: Game, *, population: int, sigma: float, rate: float) -> None:

@@ -33,9 +33,20 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import trapezoid
 
 import matrixworld as mw
-from ask_and_tell import Algorithm, cma_es, es, evosax, evotorch, ga, nevergrad, pycma, unpaired_es
+from ask_and_tell import (
+    Algorithm,
+    cma_es,
+    default_es,
+    es,
+    evosax,
+    evotorch,
+    ga,
+    nevergrad,
+    pycma,
+    unpaired_es,
+)
 from matrixworld.analysis.runs import expanded_tail
-from matrixworld.coevolution import held_out
+from matrixworld.coevolution import Team, held_out
 from matrixworld.coevolution.fitness import fitness
 from timing import print_table
 
@@ -67,7 +78,7 @@ class Task:
     """
 
     world: mw.WorldConfig
-    team: str
+    team: Team
     opponent: str
     span: tuple[float, float]
     hidden: tuple[int, ...] = (32,)
@@ -124,7 +135,10 @@ IN_RACES = {**SIZED, "rate": 0.03, "relative": 0.4}
 ENTRIES = {
     "OpenAI-ES": Entry(es, "matrixworld", MOVED),
     "OpenAI-ES of races": Entry(es, "matrixworld", IN_RACES),
+    "OpenAI-ES of a team alone": Entry(default_es, "matrixworld", {}),
+    "OpenAI-ES, larger steps": Entry(es, "matrixworld", {**SIZED, "sigma": 0.4, "rate": 0.1}),
     "GA": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.05}),
+    "GA, larger mutations": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.2}),
     "Open-ES (evosax)": Entry(evosax("Open_ES"), "evosax", MOVED),
     "LM-MA-ES (evosax)": Entry(evosax("LM_MA_ES"), "evosax", SIZED),
     "PGPE (EvoTorch)": Entry(evotorch("PGPE"), "evotorch", {**SIZED, "rate": 0.1 / 30}),
@@ -161,7 +175,7 @@ class Run:
     """The matches of one run, its curve, and processor time without that of rollouts."""
 
     def __init__(self, task: Task, seed: int, matches: int, parts: int, fresh: int) -> None:
-        self.task, self.seed, self.matches = task, seed, matches
+        self.task, self.team, self.seed, self.matches = task, task.team, seed, matches
         self.played, self.epochs = 0, 0
         self.curve: list[tuple[int, float]] = []
         self.due, self.fresh = list(np.linspace(0, matches, parts + 1)), fresh
