@@ -51,7 +51,7 @@ def test_learning_is_refused_with_the_command_that_installs_it(
     monkeypatch.chdir(runs)
     before = files(runs)
     told = matrixworld_command("evolve", *arguments, code=1).output
-    assert told.strip() == f"Error: The learner actor-critic needs PyTorch: {HINT}"
+    assert told.strip() == f"Error: expected the module torch, which is not installed: {HINT}"
     assert files(runs) == before
     assert not (runs / "new").exists()
 

@@ -78,7 +78,7 @@ def test_the_package_knows_the_name_and_the_extras_of_its_distribution() -> None
     assert PROJECT["project"]["name"] == DISTRIBUTION
     assert install_hint("video") == "pip install 'matrixworld-pursuit[video]'"
     source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "python").rglob("*.py"))
-    named = set(re.findall(r"install_hint\(['\"](\w+)['\"]\)", source))
+    named = set(re.findall(r'imported\("[\w.]+", "([\w-]+)"\)', source))
     assert named
     assert named <= set(PROJECT["project"]["optional-dependencies"])
 

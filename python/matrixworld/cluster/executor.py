@@ -28,7 +28,7 @@ from matrixworld._util.checks import usable_cores
 from matrixworld._util.files import DamagedFileError, read_json
 from matrixworld.cluster.probe import Probe, posted
 from matrixworld.coevolution.jobs.worker import WorkerDiedError, without_interrupts
-from matrixworld.version import install_hint
+from matrixworld.version import imported
 
 AUTO = "auto"
 """Name of a cluster of this machine's cores."""
@@ -115,24 +115,17 @@ def check_where(where: str) -> None:
 @contextmanager
 def _connected(where: str) -> Iterator[Any]:
     check_where(where)
-    try:
-        from distributed import Client, LocalCluster
-    except ImportError as error:
-        hint = install_hint("cluster")
-        raise ImportError(f"A cluster needs the extra 'cluster': {hint}") from error
-    # Dask has no types.
-    connect: Any = Client
-    local: Any = LocalCluster
+    dask = imported("distributed", "cluster")
     with ExitStack() as stack:
         if where == AUTO:
             with without_interrupts():
-                address: Any = stack.enter_context(local(**_local()))
+                address: Any = stack.enter_context(dask.LocalCluster(**_local()))
         else:
             address = where if "://" in where else _address_in(Path(where))
         stack.enter_context(_quiet())
         if where != AUTO:
             _check_answer(address)
-        with connect(address, timeout=CONNECT_SECONDS, set_as_default=False) as client:
+        with dask.Client(address, timeout=CONNECT_SECONDS, set_as_default=False) as client:
             yield client
 
 

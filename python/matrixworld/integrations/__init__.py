@@ -15,26 +15,14 @@ MissingExtraError, which names the extra of this package that installs it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib import import_module
 from typing import Any
 
 from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
-from matrixworld.version import MissingExtraError, install_hint
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import Rules
 
 EASY = "clumsy-fleer"
 """What plays the evaders if no team is named: an opponent against which first attempts learn."""
-
-
-def imported(module: str, extra: str) -> Any:
-    """Return a module of another library; MissingExtraError if it is not installed."""
-    try:
-        return import_module(module)
-    except ModuleNotFoundError as error:
-        raise MissingExtraError(
-            f"expected the module {error.name}, which is not installed: {install_hint(extra)}"
-        ) from error
 
 
 def opponents(settings: dict[str, Any]) -> dict[str, Any]:

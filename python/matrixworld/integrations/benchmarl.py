@@ -7,8 +7,9 @@ from functools import partial
 from typing import Any
 
 from matrixworld.envs import parallel_env
-from matrixworld.integrations import imported, opponents
+from matrixworld.integrations import opponents
 from matrixworld.integrations.torchrl import env
+from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import Rules
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.envs.vector import AgentVectorEnv
-from matrixworld.integrations import agents, imported
+from matrixworld.integrations import agents
+from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import Rules
 

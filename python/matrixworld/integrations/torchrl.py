@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from matrixworld.envs import parallel_env
-from matrixworld.integrations import imported, opponents
+from matrixworld.integrations import opponents
+from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import Rules
 

@@ -8,7 +8,8 @@ from functools import cache
 from typing import Any
 
 from matrixworld.coevolution.progress import OnEpoch
-from matrixworld.integrations import imported, scalars
+from matrixworld.integrations import scalars
+from matrixworld.version import imported
 
 __all__ = ["epoch_writer"]
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool
-from matrixworld.version import __version__
+from matrixworld.version import __version__, imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, Network, Population
 
@@ -196,12 +196,7 @@ class NetworkPolicy:
         states (n, state_size) to logits and next states, by an RNNCell or GRUCell. Raises
         ImportError without PyTorch.
         """
-        try:
-            import torch
-        except ImportError as error:
-            raise ImportError(
-                "to_torch: expected PyTorch, install it: pip install torch"
-            ) from error
+        torch = imported("torch", "torch")
         activation = torch.nn.ReLU if self.network.activation == "relu" else torch.nn.Tanh
         size, modules = self.network.state_size, [torch.nn.Flatten()]
         for number, (weights, bias) in enumerate(self.layers()):
@@ -227,12 +222,7 @@ class NetworkPolicy:
         third output ``next_states``, float32 (n, state_size). Raises ImportError without the
         package onnx.
         """
-        try:
-            import onnx
-        except ImportError as error:
-            raise ImportError(
-                "to_onnx: expected the package onnx, install it: pip install onnx"
-            ) from error
+        onnx = imported("onnx", "onnx")
         model = onnx.helper.make_model(
             _onnx_graph(self.network, self.layers()),
             opset_imports=[onnx.helper.make_opsetid("", _OPSET)],

@@ -29,7 +29,7 @@ from matrixworld._util.checks import check_floats, shown
 from matrixworld.coevolution.learners.learner import Adam, LearnerSettings
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State, Team
-from matrixworld.version import MissingExtraError, install_hint
+from matrixworld.version import imported
 from matrixworld.world.policy import CHANNELS, Network
 from matrixworld.world.rules import Interaction
 
@@ -302,12 +302,7 @@ class ActorCritic:
     @property
     def _torch(self) -> Any:
         # Not an attribute: a module cannot be pickled.
-        try:
-            import torch
-        except ImportError as error:
-            needed = "The learner actor-critic needs PyTorch"
-            raise MissingExtraError(f"{needed}: {install_hint('torch')}") from error
-        return torch
+        return imported("torch", "torch")
 
     @property
     def genome(self) -> Genome:

@@ -12,7 +12,7 @@ from PIL import Image, ImageColor
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_real
-from matrixworld.version import install_hint
+from matrixworld.version import imported
 
 Draw = Callable[[int], NDArray[np.uint8]]
 """Takes a time and returns a frame, uint8 (height, width, 3); all have the same, even sides."""
@@ -120,12 +120,9 @@ def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
 def write_mp4(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
     """Write a film (H.264, yuv420p) as `write_gif` does, into an open file that has a name.
 
-    Raises ImportError without imageio-ffmpeg.
+    Raises MissingExtraError without imageio-ffmpeg.
     """
-    try:
-        import imageio_ffmpeg
-    except ImportError as error:
-        raise ImportError(f"MP4 needs the extra 'video': {install_hint('video')}") from error
+    imageio_ffmpeg = imported("imageio_ffmpeg", "video")
     last = draw(times[-1])
     height, width, _ = last.shape
     writer = imageio_ffmpeg.write_frames(
