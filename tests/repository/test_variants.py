@@ -22,7 +22,7 @@ OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "reaches the cell", "BOUNCE": "b
 MOVES = {
     "SIMULTANEOUS": "all at once",
     "SWARM_TURNS": "team by team",
-    "AGENT_TURNS": "one after the other",
+    "AGENT_TURNS": "one at a time",
 }
 CAPTURES = {
     "OCCUPATION": "a pursuer reaches it",

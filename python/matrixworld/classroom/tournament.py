@@ -48,7 +48,7 @@ from matrixworld.classroom.submissions import (
 )
 from matrixworld.classroom.votes import Votes, count_votes
 from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.play.matches import Chooser, play_episodes
 from matrixworld.play.network_policy import check_fits
 from matrixworld.world.config import WorldConfig
@@ -82,9 +82,8 @@ class ClassResult(Readable):
 
         parts: list[str | Table] = []
         for team in TEAMS:
-            score = "capture rate" if team == "pursuer" else "escape rate"
             rows = ((e.rank or "-", e.entry.name, str(e.score)) for e in standings(self, team))
-            parts += [f"The {team}s:", [("rank", "name", f"mean {score}"), *rows]]
+            parts += [f"The {team}s:", [("rank", "name", f"mean {SCORE[team]}"), *rows]]
         return [*parts, f"Refused: {len(self.refusals)}"]
 
     @property

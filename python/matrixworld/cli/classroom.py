@@ -32,7 +32,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.explorer.page import write_page
 from matrixworld.world.config import WorldConfig
 
@@ -176,9 +176,8 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
 
 def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
     for team in TEAMS:
-        payoff = "capture rate" if team == "pursuer" else "escape rate"
         opponents = len(result.entries[other(team)])
-        say(f"\nThe {team}s: mean {payoff} against all {opponents} opponents")
+        say(f"\nThe {team}s: mean {SCORE[team]} against all {opponents} opponents")
         rows = [("rank", "name", "", "mean and 95 % interval")]
         rows += [
             (each.rank or "-", each.entry.name, each.entry.kind, str(each.score))

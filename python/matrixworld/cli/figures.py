@@ -24,17 +24,13 @@ from matrixworld.cli.score import play_held_out
 from matrixworld.cli.tables import held_out
 from matrixworld.coevolution import Against, SavedRun, open_run, open_runs
 from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
-from matrixworld.coevolution.schedules import HallOfFame
+from matrixworld.coevolution.schedules import HallOfFame, curve_window
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Payoff, Team
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-WINDOWS = 4
-"""Windows of the moving average of a training curve in the shorter team phase of a generation."""
-LONGEST = 100
-"""Windows of the moving average in the run of one team alone."""
 FORMATS = ("png", "pdf", "svg")
 """As in `matrixworld.plots.style`."""
 
@@ -185,12 +181,10 @@ def _training(run: Result, title: Callable[[str], str]) -> Figure:
 
     log, schedule = run.files.log(), run.settings.schedule
     rates, learners = log["capture_rate"], log["team"] == "evader"
+    window = curve_window(schedule)
     if isinstance(schedule, Against):
-        window = max(1, schedule.epochs // LONGEST)
         shown = title(f"Capture rate while {schedule.team}s learn")
         return plots.training_curve(rates, learners, window=window, title=shown)
-    # The same window for both teams, so it must fit into the shorter team phase.
-    window = max(1, min(schedule.epochs(team) for team in TEAMS) // WINDOWS)
     generations = log["generation"]
     if isinstance(schedule, HallOfFame):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.

@@ -52,7 +52,7 @@ class Result:
     @cached_property
     def payoff(self) -> Payoff:
         """The content of payoff.npz."""
-        return Payoff.from_arrays(self.files.payoff())
+        return self.files.payoff()
 
     @cached_property
     def numbers(self) -> dict[str, Any]:

@@ -423,6 +423,13 @@ ALL_SCHEDULES = (*SCHEDULES, PSRO, ALTERNATING, HALL_OF_FAME)
 """Names of all schedules of races."""
 
 
+def curve_window(schedule: Schedule) -> int:
+    """Return the epochs of the moving average of a training curve, the same for both teams."""
+    if isinstance(schedule, RaceSchedule):
+        return max(1, min(schedule.epochs(team) for team in TEAMS) // 4)
+    return max(1, schedule.total_epochs("pursuer") // 100)
+
+
 def available(team: Team, k: int) -> int:
     """Return how many generations of the other team are archived when a team learns, in turns.
 

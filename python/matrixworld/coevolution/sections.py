@@ -36,12 +36,9 @@ from matrixworld.coevolution.own_code import (
     own_settings,
 )
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import VARIANTS, Rewards, Rules
+from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
 AnySection = TypeVar("AnySection", bound="Section")
-
-REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
-"""Rewards by the names that files and options take."""
 
 WORLD_HELP = {
     "rules": "game variant, a name such as O, or its rules one by one",

@@ -48,7 +48,7 @@ from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import GATES, Network
-from matrixworld.world.rules import VARIANTS, Capture, Outcome, Rewards
+from matrixworld.world.rules import Capture, Outcome, Rewards, variant_name
 
 LEAST_MASKED_FOV = 3
 """A smaller view shows no cell to move to."""
@@ -301,8 +301,7 @@ class RaceSettings(Section):
     @property
     def variant(self) -> str:
         """Name of the variant whose rules these are, or "own-rules"."""
-        names = (name for name, rules in VARIANTS.items() if rules == self.world.rules)
-        return next(names, "own-rules")
+        return variant_name(self.world.rules) or "own-rules"
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:

@@ -230,9 +230,9 @@ class RunDirectory:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
         return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
 
-    def payoff(self) -> Arrays:
-        """Return the arrays of payoff.npz; FileNotFoundError while the run is not finished."""
-        return self._load(PAYOFF)
+    def payoff(self) -> Payoff:
+        """Return payoff.npz; FileNotFoundError while the run is not finished."""
+        return Payoff.from_arrays(self._load(PAYOFF))
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
@@ -481,7 +481,12 @@ class SavedRun:
 
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
-        return Payoff.from_arrays(self.files.payoff())
+        return self.files.payoff()
+
+    def last(self, team: Team) -> TeamPolicy:
+        """Return the last generation of a team, as a population of one genome, or its script."""
+        each = self.teams[team]
+        return each if isinstance(each, str) else Population(each.genomes[-1:], each.network)
 
     def generation_at(self, team: Team, matches: int) -> int:
         """Return the newest generation of `team` after a number of training matches.

@@ -13,6 +13,8 @@ from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Team = Literal["pursuer", "evader"]
 TEAMS: tuple[Team, Team] = ("pursuer", "evader")
+SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
+"""What the score of a team is called."""
 
 Genome = NDArray[np.float32]
 """Weights of one policy network, shape (genes,)."""

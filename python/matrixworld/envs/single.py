@@ -25,7 +25,7 @@ from matrixworld.world.arrays import (
     python_value,
 )
 from matrixworld.world.config import WorldConfig, WorldSettings
-from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Rules
+from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
 
 
@@ -146,9 +146,8 @@ class MatrixWorldBase(HasOpponents):
             check_maskable(self.config)
         self.world = World(self.config)
         self.render_mode = render_mode
-        names = [name.lower() for name, rules in VARIANTS.items() if rules == self.config.rules]
         self.metadata: dict[str, Any] = {
-            "name": f"pursuit_evasion_{names[0] if names else 'custom'}_v0",
+            "name": f"pursuit_evasion_{variant_name(self.config.rules).lower() or 'custom'}_v0",
             "render_modes": list(RENDER_MODES),
             "render_fps": 10,
             "is_parallelizable": True,

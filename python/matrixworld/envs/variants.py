@@ -24,15 +24,10 @@ from matrixworld.envs.agent import AgentEnv
 from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldParallel
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
+from matrixworld.world.rules import INTERACTION_TEXTS, OUTCOME_TEXTS, Capture, Rules
 
 AECWrapper: TypeAlias = OrderEnforcingWrapper
 
-_MOVES = {
-    Interaction.SIMULTANEOUS: "all at once",
-    Interaction.SWARM_TURNS: "team by team",
-    Interaction.AGENT_TURNS: "one after the other",
-}
 _CAPTURES = {
     Capture.OCCUPATION: "a pursuer reaches it",
     Capture.SURROUND: "pursuers, obstacles or the border are on its four sides",
@@ -205,7 +200,7 @@ def _rules(rules: Rules) -> str:
     else:
         captured = "stays and moves on"
     rows = {
-        "agents move": _MOVES[rules.interaction],
+        "agents move": INTERACTION_TEXTS[rules.interaction],
         "an agent that runs into an obstacle or the border": OUTCOME_TEXTS[rules.obstacle],
         "an agent that collides with a teammate": OUTCOME_TEXTS[rules.teammate],
         "an evader that collides with a pursuer": OUTCOME_TEXTS[rules.evader],

@@ -23,12 +23,13 @@ from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes.render import png
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer.page import mime_bundle, render_page, write_page
-from matrixworld.explorer.scenes import GALLERY, REWARDS, Command, drawn_world, scene_link
+from matrixworld.explorer.scenes import GALLERY, Command, drawn_world, scene_link
 from matrixworld.world.policy import SCRIPT_TEXTS
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
     OUTCOME_TEXTS,
+    REWARDS,
     VARIANTS,
     Capture,
     Interaction,

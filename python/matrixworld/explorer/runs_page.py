@@ -13,7 +13,7 @@ import io
 import json
 import os
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -26,7 +26,7 @@ from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.report import headline_numbers
-from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked
+from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked, curve_window
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -39,7 +39,7 @@ from matrixworld.explorer.page import mime_bundle, render_page, without_engine, 
 from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.version import __version__
 from matrixworld.world.policy import Population, TeamPolicy
-from matrixworld.world.rules import VARIANTS
+from matrixworld.world.rules import variant_name
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
@@ -173,10 +173,7 @@ def heading(runs: Sequence[SavedRun]) -> str:
     """Return what a page shows in words, such as "Three races: predators and prey"."""
     kind = "race" if all(run.settings.is_race for run in runs) else "run"
     words = f"{NUMBERS[len(runs) - 1]} {kind}{'s' if len(runs) > 1 else ''}"
-    games = {
-        next((name for name, rules in VARIANTS.items() if rules == run.settings.world.rules), "")
-        for run in runs
-    }
+    games = {variant_name(run.settings.world.rules) for run in runs}
     if len(games) > 1 or not games <= VARIANT_TEXTS.keys():
         return words
     title = VARIANT_TEXTS[games.pop()].title.partition(":")[0]
@@ -187,8 +184,6 @@ def heading(runs: Sequence[SavedRun]) -> str:
 
 MOST_POINTS = 6000
 """The most points of a training curve; a longer one has means of neighbouring epochs."""
-WINDOWS, LONGEST = 4, 100
-"""As in the figures: windows of the moving average in a team phase, and in a run of one team."""
 
 
 def run_data(
@@ -261,9 +256,6 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
-    phases = [schedule.total_epochs(team) for team in settings.learning_teams]
-    windows = WINDOWS * (schedule.entries - 1) if settings.is_race else LONGEST
-    window = max(1, min(phases) // windows)
     every = -(-len(learner) // MOST_POINTS)
     starts = np.arange(0, len(learner), every)
     counts = np.diff([*starts, len(learner)])
@@ -272,7 +264,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
         "generation": log["generation"][starts].tolist(),
         "learner": learner[starts].tolist(),
         "epochs": every,
-        "window": max(1, round(window / every)),
+        "window": max(1, round(curve_window(schedule) / every)),
         "matches": int(log["matches"][-1]) if len(learner) else 0,
     }
 
@@ -362,11 +354,14 @@ def game_numbers(payoff: Payoff) -> list[str]:
 def curves(payoff: Payoff) -> dict[str, Any]:
     """Return what is drawn of a race and claims nothing."""
     matrix, several = payoff.capture_rate, payoff.capture_rates.shape[2] >= 2
+    ratings = analysis.elo(matrix)
     return {
         "spinning_top": plain_values(analysis.spinning_top(payoff.capture_rates))
         if several
         else None,
-        "generalization": _generalization(payoff),
+        "generalization": _with_bands(
+            analysis.generalization(matrix), analysis.generalization_over_episodes, payoff
+        ),
         # The triangles are the two halves of the payoff, which the page has.
         "ciao": {
             team: {
@@ -376,42 +371,27 @@ def curves(payoff: Payoff) -> dict[str, Any]:
             }
             for team, triangle in zip(("pursuers", "evaders"), analysis.ciao(matrix), strict=True)
         },
-        "ratings": _ratings(payoff),
+        "ratings": {
+            "offset": ratings.offset * analysis.ELO_POINTS,
+            **_with_bands(ratings, analysis.elo_over_episodes, payoff, analysis.ELO_POINTS),
+        },
     }
 
 
-def _ratings(payoff: Payoff) -> dict[str, Any]:
-    """Return the Elo points of each generation, with intervals where episodes allow them."""
-    found = analysis.elo(payoff.capture_rate)
-    curves: dict[str, Any] = {"offset": found.offset * analysis.ELO_POINTS}
-    for team in ("pursuers", "evaders"):
-        mean = plain_values(getattr(found, team) * analysis.ELO_POINTS)
-        curves[team] = {"mean": mean, "low": None, "high": None}
-    if payoff.capture_rates.shape[2] >= 2:
-        bands = analysis.elo_over_episodes(payoff.capture_rates)
-        for team, band in zip(("pursuers", "evaders"), bands, strict=True):
-            _set_band(curves[team], band)
-    return curves
-
-
-def _set_band(curve: dict[str, Any], band: Any) -> None:
-    """Add the ends of a band; where it has no interval, it is as thin as the line."""
-    mean, low, high = (np.ravel(ends) for ends in (band.mean, band.low, band.high))
-    ends = np.fmin(low, mean), np.fmax(high, mean)
-    curve |= dict(zip(("low", "high"), map(plain_values, ends), strict=True))
-
-
-def _generalization(payoff: Payoff) -> dict[str, Any]:
-    """Return the mean score of each generation, with intervals where episodes allow them."""
-    means = analysis.generalization(payoff.capture_rate)
+def _with_bands(
+    means: Any, over_episodes: Callable[..., Any], payoff: Payoff, unit: float = 1.0
+) -> dict[str, Any]:
+    """Return means of both teams in a unit, with intervals where episodes allow them."""
     curves: dict[str, Any] = {
-        team: {"mean": plain_values(getattr(means, team)), "low": None, "high": None}
+        team: {"mean": plain_values(getattr(means, team) * unit), "low": None, "high": None}
         for team in ("pursuers", "evaders")
     }
     if payoff.capture_rates.shape[2] >= 2:
-        bands = analysis.generalization_over_episodes(payoff.capture_rates)
-        for team, band in zip(curves, bands, strict=True):
-            _set_band(curves[team], band)
+        for curve, band in zip(curves.values(), over_episodes(payoff.capture_rates), strict=True):
+            mean, low, high = (np.ravel(ends) for ends in (band.mean, band.low, band.high))
+            # Where a band has no interval, it is as thin as the line.
+            curve["low"] = plain_values(np.fmin(low, mean))
+            curve["high"] = plain_values(np.fmax(high, mean))
     return curves
 
 

@@ -31,7 +31,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import astuple, dataclass
 from enum import Enum
 from pathlib import Path
@@ -42,14 +42,13 @@ from matrixworld._util.checks import check_choice, check_instance, check_integer
 from matrixworld._util.files import load_toml
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
-from matrixworld.world.rules import VARIANTS, Action, Rewards, Rules, rules_of
+from matrixworld.world.rules import REWARDS, Action, Rewards, Rules, rules_of, variant_name
 from matrixworld.world.world import World
 
 MOST_SIDE = 64
 """The most rows and columns of a scene."""
 MOST_AGENTS = 100
 """The most agents of a team."""
-REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
 DEFAULTS = {"diagonal": "0", "fov": "11", "limit": "500", "seed": "0.0.0", "rewards": "paper"}
 
 Command = int | str
@@ -122,16 +121,12 @@ def _command_text(config: WorldConfig, action: Command) -> str:
 
 
 def _rules_text(rules: Rules) -> str:
-    fields = ".".join(map(_field_text, astuple(rules)))
-    return _name_of(rules, VARIANTS) or fields.lower()
+    return variant_name(rules) or ".".join(map(_field_text, astuple(rules))).lower()
 
 
 def _rewards_text(rewards: Rewards) -> str:
-    return _name_of(rewards, REWARDS) or "_".join(map(_field_text, astuple(rewards)))
-
-
-def _name_of(row: object, known: Mapping[str, object]) -> str:
-    return next((name for name, each in known.items() if each == row), "")
+    known = (name for name, each in REWARDS.items() if each == rewards)
+    return next(known, "_".join(map(_field_text, astuple(rewards))))
 
 
 def _field_text(value: object) -> str:

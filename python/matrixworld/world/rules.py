@@ -256,6 +256,15 @@ def _reward(name: str, value: object) -> float:
     return number
 
 
+REWARDS = {"paper": Rewards.paper(), "published": Rewards.published()}
+"""Rewards by the names that files and options take."""
+
+
+def variant_name(rules: Rules) -> str:
+    """Return the name of the variant with these rules; empty for other rules."""
+    return next((name for name, each in VARIANTS.items() if each == rules), "")
+
+
 def rules_of(variant: Rules | str) -> Rules:
     """Return rules as they are, or those of a name such as ``"O"`` or ``"pursuit-evasion-o"``."""
     if isinstance(variant, Rules):

@@ -63,7 +63,6 @@ def test_these_variants_have_scripts_and_genomes(team, variant):
 def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
     row = replace(mw.VARIANTS["SB"], interaction=mw.Interaction.SWARM_TURNS)
     monkeypatch.setattr("matrixworld.world.rules.VARIANTS", {**mw.VARIANTS, "X": row})
-    monkeypatch.setattr("matrixworld.coevolution.evaluation.scores.VARIANTS", {"X": row})
     rules = replace(row, captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
     for variant in ("X", rules):
         assert list(held_out("pursuer", variant)) == [*SCRIPTED["pursuer"], "surrounder"]

@@ -33,14 +33,14 @@ from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.network_policy import fits
 from matrixworld.play.rollout import match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TablePolicy, TeamPolicy
-from matrixworld.world.rules import VARIANTS, Capture, Rules, rules_of
+from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"
 NETWORK = Network()
@@ -49,7 +49,6 @@ NETWORK = Network()
 OCCUPIERS: tuple[Script, ...] = ("random", "clumsy-chaser", "chaser", "hunter")
 SURROUNDERS: tuple[Script, ...] = (*OCCUPIERS, "surrounder")
 ESCAPERS: tuple[Script, ...] = ("random", "still", "clumsy-fleer", "fleer", "dodger")
-SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 RATE = 8
 """Bytes of a float64."""
 
@@ -87,7 +86,7 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
         If there is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
-    genomes = _shipped().get(f"{_variant_name(rules_of(variant))}.{team}s", ())
+    genomes = _shipped().get(f"{variant_name(rules_of(variant))}.{team}s", ())
     for number, genome in enumerate(genomes, start=1):
         opponents[f"evolved-{number}"] = Population(genome.astype(np.float32), NETWORK)
     return opponents
@@ -100,16 +99,12 @@ def _shipped() -> dict[str, NDArray[np.float16]]:
         return load_arrays(path)
 
 
-def _variant_name(rules: Rules) -> str | None:
-    return next((name for name, row in VARIANTS.items() if row == rules), None)
-
-
 def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
     """Return the held-out opponents of a team that fit a world, and in words which do not."""
     every = held_out(other(team), config.rules)
     fitting = {n: p for n, p in every.items() if isinstance(p, str) or fits(p.network, config)}
-    name = _variant_name(config.rules)
-    if name is None:
+    name = variant_name(config.rules)
+    if not name:
         return fitting, "no evolved opponents: they exist for the variants of the package only"
     if f"{name}.{other(team)}s" not in _shipped():
         return fitting, f"no evolved opponents: none are shipped for variant {name}"
@@ -481,7 +476,6 @@ def trained_team(run: SavedRun) -> tuple[Team, Population]:
     schedule = run.settings.schedule
     if not isinstance(schedule, Against):
         raise ValueError(f"{run.files.path}: expected a run of one team, got a race")
-    team = schedule.team
-    policy = run.teams[team]
-    assert isinstance(policy, Population)  # the team that learned has genomes
-    return team, Population(policy.genomes[-1:], policy.network)
+    last = run.last(schedule.team)
+    assert isinstance(last, Population)  # the team that learned has genomes
+    return schedule.team, last

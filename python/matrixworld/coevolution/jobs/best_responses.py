@@ -23,7 +23,7 @@ from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import TeamPolicy
 from matrixworld.world.rules import Rewards
 
 RESPONSE = "best_response.json"
@@ -116,14 +116,13 @@ def best_responses(
 def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None) -> BestResponse:
     """Return the gain of a finished response to the last genome of `team` in a run."""
     settings = response.settings
-    last = {name: _last(policy) for name, policy in run.teams.items()}
     # The run may have gone on, or been made anew in the same place.
-    if not np.array_equal(_genomes(response.teams[team]), _genomes(last[team])):
+    if not np.array_equal(_genomes(response.teams[team]), _genomes(run.last(team))):
         raise ValueError(f"{response.files.path}: holds a run against another champion")
     before = tournament(
         settings.world,
-        last["pursuer"],
-        last["evader"],
+        run.last("pursuer"),
+        run.last("evader"),
         seed=settings.seed,
         episodes=settings.evaluation_episodes,
         threads=threads,
@@ -164,11 +163,6 @@ def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -
     if matches < one_epoch:
         raise ValueError(f"matches: expected at least {one_epoch} (one epoch), got {matches}")
     return replace(settings, schedule=replace(schedule, epochs=matches // one_epoch))
-
-
-def _last(team: TeamPolicy) -> TeamPolicy:
-    """Return the last genome of a team, or its script."""
-    return team if isinstance(team, str) else Population(team.genomes[-1:], team.network)
 
 
 def _genomes(team: TeamPolicy) -> Any:

@@ -210,7 +210,7 @@ class Run(ABC):
                 self.files.save_results(payoff.arrays(), self.summary(payoff))
                 return payoff
             self.files.summary()  # only to raise an error if it is damaged
-            return self.payoff()
+            return self.files.payoff()
 
     def evaluate(self) -> Payoff:
         """Play the finalists of one team against those of the other, on episodes of their own."""
@@ -227,10 +227,6 @@ class Run(ABC):
             first=(g, h),
             on_row=lambda played: self.report("tournament", played),
         )
-
-    def payoff(self) -> Payoff:
-        """Return the saved payoff; FileNotFoundError before the run has finished."""
-        return Payoff.from_arrays(self.files.payoff())
 
     def genomes(self, team: Team) -> Genomes:
         """Return a team's archive as one array (generations, genes) float32."""
