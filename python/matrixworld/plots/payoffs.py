@@ -31,7 +31,7 @@ COLUMNS = 3
 """The most races beside each other in `comparison`; further ones are in rows below."""
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 
-_SCALE = "capture rate (0 all escape, 1 all caught)"
+_SCALE = "capture rate\n(0 all escape, 1 all caught)"
 _LAG = "lag: pursuer minus evader generation"
 
 

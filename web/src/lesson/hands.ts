@@ -35,7 +35,7 @@ export function handsWidget({ memories = [1], memory: first = memories[0]!, gene
   const triangle = svg("svg", { viewBox: "0 0 300 270", class: "hands-triangle", role: "img", "aria-label": "The shares of rock, paper and scissors among the remembered hands of both teams" },
     svg("polygon", { class: "frame", points: CORNERS.map((each) => each.join()).join(" ") }),
     svg("circle", { class: "middle", cx: 150, cy: 168.7, r: 4 }),
-    svg("text", { x: 158, y: 188 }, "one third each"),
+    svg("text", { x: 150, y: 192, "text-anchor": "middle" }, "one third each"),
     svg("text", { class: "label", x: 150, y: 18, "text-anchor": "middle" }, "rock"),
     svg("text", { class: "label", x: 266, y: 262, "text-anchor": "middle" }, "paper"),
     svg("text", { class: "label", x: 34, y: 262, "text-anchor": "middle" }, "scissors"),

@@ -48,8 +48,8 @@ export function outcomeOf(part: Prediction, choice: string): HTMLElement {
   const { options, outcome } = part;
   const right = choice === outcome;
   return html("div", { class: "reply", role: "status", "data-right": String(right) },
-    html("p", {}, html("strong", {}, right ? "✓ As you predicted: " : "You predicted: "), options[choice],
-      ...(right ? [] : [" ", html("strong", {}, "The outcome: "), options[outcome]])),
+    html("p", {}, html("strong", {}, right ? "✓ As you predicted: " : "You predicted: "), options[choice]),
+    right ? null : html("p", {}, html("strong", {}, "The outcome: "), options[outcome]),
     ...paragraphs(part.explanation), part.note && html("p", { class: "small muted" }, part.note));
 }
 

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources c62d205d6fbd86d31ba20a671c3739a2e364b8f41a7006c75fdf9baa7e527836 */
+/* built from web/ by "npm run build"; sources b162a9b667c09198dcfe1b3e178c17156e0e3e0180bb21b8e509913ec36ce266 */
 "use strict";(()=>{var $r={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Re={DISAPPEAR:0,REACH:1,BOUNCE:2},_r={OCCUPATION:0,SURROUND:1},Lr={FAULT:0,INVOLVED:1};var Nr=["obstacle","teammate","adversary"],Ft=["vertex","edge","chain"],Ir=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],zt=["p\
 ursuer_{number}","evader_{number}"],Fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Pe={"both held":"both bounce","both doomed":"\
@@ -145,13 +145,13 @@ redict. "),e.question),...a.map(u=>c("label",{class:"option"},u,c("span",{},n[u.
 for(let d of a)[d.checked,d.disabled]=[d.value===u,!0];s.hidden=s.disabled=!0,o.replaceChildren(),i.append(e.later?c("p",{class:"reply"},e.later):Qt(e,u))}};return i.
 addEventListener("submit",u=>{u.preventDefault();let d=a.find(m=>m.checked);d?(t.choose(r,d.value),l()):o.textContent="Choose one first. Any prediction is a goo\
 d one."}),l(),i}function Qt(e,t){let{options:r,outcome:n}=e,o=t===n;return c("div",{class:"reply",role:"status","data-right":String(o)},c("p",{},c("strong",{},o?
-"✓ As you predicted: ":"You predicted: "),r[t],...o?[]:[" ",c("strong",{},"The outcome: "),r[n]]),...Xt(e.explanation),e.note&&c("p",{class:"small muted"},e.note))}
-function En(e,t){let{input:r,check:n,answer:o,set:s}=Mn(e),a=c("p",{class:"reply",role:"status",hidden:!0}),i=d=>{a.hidden=!1,a.dataset.right=String(d===null),a.
-replaceChildren(c("strong",{},d===null?"✓ Right. ":"✗ Not yet. "),d??e.explanation)},l=c("form",{class:"exercise",id:`exercise-${e.exercise}`},c("div",{class:"\
-text"},c("p",{},c("strong",{},"Exercise. "),...ot(e.question))),e.matrix&&ya(e.matrix),c("div",{class:"buttons"},r,c("button",{type:"submit"},"Check")),a);l.addEventListener(
-"submit",d=>{d.preventDefault();let m=n();m===null&&t.solve(e.exercise,o()),i(m)});let u=t.solved(e.exercise);return u!==void 0&&(s(u),i(null)),l}function ya(e){
-let t=e.map((r,n)=>n);return c("div",{class:"wide-table",tabindex:0},c("table",{class:"rates numbers"},c("thead",{},c("tr",{},c("td"),...t.map(r=>c("th",{scope:"\
-col"},`evaders ${r}`)))),c("tbody",{},...e.map((r,n)=>c("tr",{},c("th",{scope:"row"},`pursuers ${n}`),...r.map(o=>c("td",{},o.toFixed(1))))))))}var va=40;function er(e,t){c("a",{href:URL.createObjectURL(new Blob([t],{type:"text/plain"})),download:e}).click()}function Tn({question:e="",points:t=[]},r){let n=c(
+"✓ As you predicted: ":"You predicted: "),r[t]),o?null:c("p",{},c("strong",{},"The outcome: "),r[n]),...Xt(e.explanation),e.note&&c("p",{class:"small muted"},
+e.note))}function En(e,t){let{input:r,check:n,answer:o,set:s}=Mn(e),a=c("p",{class:"reply",role:"status",hidden:!0}),i=d=>{a.hidden=!1,a.dataset.right=String(d===
+null),a.replaceChildren(c("strong",{},d===null?"✓ Right. ":"✗ Not yet. "),d??e.explanation)},l=c("form",{class:"exercise",id:`exercise-${e.exercise}`},c("di\
+v",{class:"text"},c("p",{},c("strong",{},"Exercise. "),...ot(e.question))),e.matrix&&ya(e.matrix),c("div",{class:"buttons"},r,c("button",{type:"submit"},"Check")),
+a);l.addEventListener("submit",d=>{d.preventDefault();let m=n();m===null&&t.solve(e.exercise,o()),i(m)});let u=t.solved(e.exercise);return u!==void 0&&(s(u),i(null)),
+l}function ya(e){let t=e.map((r,n)=>n);return c("div",{class:"wide-table",tabindex:0},c("table",{class:"rates numbers"},c("thead",{},c("tr",{},c("td"),...t.map(
+r=>c("th",{scope:"col"},`evaders ${r}`)))),c("tbody",{},...e.map((r,n)=>c("tr",{},c("th",{scope:"row"},`pursuers ${n}`),...r.map(o=>c("td",{},o.toFixed(1))))))))}var va=40;function er(e,t){c("a",{href:URL.createObjectURL(new Blob([t],{type:"text/plain"})),download:e}).click()}function Tn({question:e="",points:t=[]},r){let n=c(
 "textarea",{id:"exit-answer",rows:8}),o=c("p",{class:"printed"}),s=c("p",{class:"small muted",role:"status"}),a=c("button",{type:"submit",class:"primary"},"I am\
  done"),i=c("form",{class:"exercise"},c("label",{for:"exit-answer"},c("strong",{},"Exit question. "),e),n,o,c("div",{class:"buttons"},a,c("button",{type:"button",
 onclick:()=>er("exit_answer.txt",`${e}
@@ -314,18 +314,18 @@ map((r,n)=>ur(e.slice(0,n+1),t));function Co({memories:e=[1],memory:t=e[0],gener
 pursuers:[],evaders:[]},i={pursuers:g("polyline",{class:"way of-pursuers"}),evaders:g("polyline",{class:"way of-evaders"})},l={pursuers:g("path",{class:"filled-\
 pursuer",d:"M0 -11 11 9H-11z"}),evaders:g("circle",{class:"filled-evader",r:9})},u=g("svg",{viewBox:"0 0 300 270",class:"hands-triangle",role:"img","aria-label":"\
 The shares of rock, paper and scissors among the remembered hands of both teams"},g("polygon",{class:"frame",points:To.map(b=>b.join()).join(" ")}),g("circle",{
-class:"middle",cx:150,cy:168.7,r:4}),g("text",{x:158,y:188},"one third each"),g("text",{class:"label",x:150,y:18,"text-anchor":"middle"},"rock"),g("text",{class:"\
-label",x:266,y:262,"text-anchor":"middle"},"paper"),g("text",{class:"label",x:34,y:262,"text-anchor":"middle"},"scissors"),...xt.map(b=>i[b]),...xt.map(b=>l[b])),
-d=c("p",{class:"numbers"}),m=J("What the best answer wins against the remembered hands, by generation",(b,A)=>{let y=Y(b,A,{low:0,high:r,label:"generation",whole:!0},
-{low:.4,high:1,label:"best answer wins"});Z(y,[0,r],[.5,.5],"half");for(let x of xt)Z(y,s[x].map((S,M)=>M),a[x].map(dr),`of-${x}`);return y},b=>ho(b,n.step,"of-\
-both"),b=>n.jump(b)),p=()=>{let b=n.step;for(let y of xt){i[y].setAttribute("points",a[y].slice(0,b+1).map(M=>Ao(M).map(k=>k.toFixed(1)).join()).join(" "));let[
-x,S]=Ao(a[y][b]);l[y].setAttribute("transform",`translate(${x+Xa[y]} ${S})`)}let A=y=>c("span",{class:y.slice(0,-1)},`${y} show ${lr[s[y][b]]}`);d.replaceChildren(
-`Generation ${b}: `,A("pursuers"),", ",A("evaders"),".",...e.length>1?[` The best answer to the remembered hands of the pursuers wins ${C(dr(a.pursuers[b]))}.`]:
-[]),m.update()},h=()=>{s=vt(r,o,Q(pr)),a={pursuers:Eo(s.pursuers,o),evaders:Eo(s.evaders,o)},m.redraw(),p()};n.addEventListener("step",p),h();let v=e.at(-1),f=ae(
-"memory (hands)",e,t,b=>b===v?"all":String(b),b=>{o=b,h()});return c("div",{class:"widget"},e.length>1&&f,c("div",{class:"two"},c("div",{},u),e.length>1&&c("div",
-{},ft(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,Me(n))}function ko({generations:e=30}){let{pursuers:t,evaders:r}=vt(e,1,Q(
-pr)),n=t.map(s=>r.map(a=>cr[s][a])),o=n.at(-1);return c("div",{class:"widget"},c("div",{class:"matrices"},se(n,`The last pursuers score ${C(o.reduce((s,a)=>s+a,
-0)/o.length)} against all evaders.`)),X("0 loses","1 wins"))}var je=600,Ce=20,hr=5,Oo=10,fr={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},$o={low:0,high:je,label:"generation",whole:!0},_o={low:0,high:Ge,
+class:"middle",cx:150,cy:168.7,r:4}),g("text",{x:150,y:192,"text-anchor":"middle"},"one third each"),g("text",{class:"label",x:150,y:18,"text-anchor":"middle"},
+"rock"),g("text",{class:"label",x:266,y:262,"text-anchor":"middle"},"paper"),g("text",{class:"label",x:34,y:262,"text-anchor":"middle"},"scissors"),...xt.map(b=>i[b]),
+...xt.map(b=>l[b])),d=c("p",{class:"numbers"}),m=J("What the best answer wins against the remembered hands, by generation",(b,A)=>{let y=Y(b,A,{low:0,high:r,label:"\
+generation",whole:!0},{low:.4,high:1,label:"best answer wins"});Z(y,[0,r],[.5,.5],"half");for(let x of xt)Z(y,s[x].map((S,M)=>M),a[x].map(dr),`of-${x}`);return y},
+b=>ho(b,n.step,"of-both"),b=>n.jump(b)),p=()=>{let b=n.step;for(let y of xt){i[y].setAttribute("points",a[y].slice(0,b+1).map(M=>Ao(M).map(k=>k.toFixed(1)).join()).
+join(" "));let[x,S]=Ao(a[y][b]);l[y].setAttribute("transform",`translate(${x+Xa[y]} ${S})`)}let A=y=>c("span",{class:y.slice(0,-1)},`${y} show ${lr[s[y][b]]}`);
+d.replaceChildren(`Generation ${b}: `,A("pursuers"),", ",A("evaders"),".",...e.length>1?[` The best answer to the remembered hands of the pursuers wins ${C(dr(a.
+pursuers[b]))}.`]:[]),m.update()},h=()=>{s=vt(r,o,Q(pr)),a={pursuers:Eo(s.pursuers,o),evaders:Eo(s.evaders,o)},m.redraw(),p()};n.addEventListener("step",p),h();
+let v=e.at(-1),f=ae("memory (hands)",e,t,b=>b===v?"all":String(b),b=>{o=b,h()});return c("div",{class:"widget"},e.length>1&&f,c("div",{class:"two"},c("div",{},u),
+e.length>1&&c("div",{},ft(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,Me(n))}function ko({generations:e=30}){let{pursuers:t,
+evaders:r}=vt(e,1,Q(pr)),n=t.map(s=>r.map(a=>cr[s][a])),o=n.at(-1);return c("div",{class:"widget"},c("div",{class:"matrices"},se(n,`The last pursuers score ${C(
+o.reduce((s,a)=>s+a,0)/o.length)} against all evaders.`)),X("0 loses","1 wins"))}var je=600,Ce=20,hr=5,Oo=10,fr={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},$o={low:0,high:je,label:"generation",whole:!0},_o={low:0,high:Ge,
 label:"ones of side 1"},ie=()=>{},Qa=()=>new Promise(e=>setTimeout(e));async function gr(e,t,r){for(t();e.generation<je&&r();t()){for(let n=0;n<Ce;n++)e.step();
 await Qa()}}var wt=new Map,Lo=[];async function ei(){for(let e of Object.keys(fr))wt.set(e,[]);for(let e=0;e<hr;e++)for(let[t,r]of Object.entries(fr)){let n={score:[],
 ones:[]};wt.get(t).push(n);let o=new Ee(r,Te,Q(e));await gr(o,()=>{n.score.push(mr(r,o.ones(0),o.ones(1))),n.ones.push(o.objective(0))},()=>!0),Lo.forEach(s=>s())}}
