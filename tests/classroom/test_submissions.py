@@ -169,7 +169,7 @@ ARCHIVES: dict[str, tuple[bytes, str]] = {
     "dates": (npz({"genome": npy((1,), "<M8[s]", bytes(8))}), "got dtype datetime64"),
     "not an array": (npz({"genome": b"text"}), "not an npz file"),
     "lzma": (npz({"genome": npy((2,), data=bytes(8))}, zipfile.ZIP_LZMA), "no compression"),
-    "20,000 members": (npz({str(n): b"" for n in range(20_000)}), "expected at most 100 arrays"),
+    "2,000 members": (npz({str(n): b"" for n in range(2_000)}), "expected at most 100 arrays"),
     "no members": (npz({}), "expected an array 'genome'"),
 }
 
@@ -183,17 +183,24 @@ def test_archives_that_hold_no_genome(name: str, tmp_path: Path) -> None:
     assert len(str(caught.value).splitlines()) == 1
 
 
+@pytest.fixture(scope="module")
+def genome(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """A file that holds a genome."""
+    path, network = tmp_path_factory.mktemp("genome") / "a.npz", Network((2,), fov=1)
+    policy = NetworkPolicy(network, np.zeros(network.genome_size, "f4"))
+    save_genome(path, "pursuer", policy)
+    return path.read_bytes()
+
+
 @pytest.mark.parametrize("seed", range(200))
-def test_a_genome_with_altered_bytes_is_read_or_refused(seed: int, tmp_path: Path) -> None:
+def test_a_genome_with_altered_bytes_is_read_or_refused(
+    genome: bytes, seed: int, tmp_path: Path
+) -> None:
     """Also in headers and in the directory of the archive."""
-    network, rng = Network((2,), fov=1), np.random.default_rng(seed)
-    save_genome(
-        tmp_path / "a.npz", "pursuer", NetworkPolicy(network, np.zeros(network.genome_size, "f4"))
-    )
-    content = bytearray((tmp_path / "a.npz").read_bytes())
+    rng, content = np.random.default_rng(seed), bytearray(genome)
     for place in rng.integers(len(content), size=rng.integers(1, 4)):
         content[place] = rng.integers(256)
-    (tmp_path / "a.npz").write_bytes(bytes(content))
+    (tmp_path / "a.npz").write_bytes(content)
     with suppress(DamagedFileError):  # any other error fails
         load(tmp_path / "a.npz")
 

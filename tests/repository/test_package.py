@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from numpydoc.docscrape import FunctionDoc
 
 import matrixworld
 from matrixworld.version import DISTRIBUTION, __version__, install_hint
@@ -190,7 +189,11 @@ PUBLIC = (
     "matrixworld.solve",
     "matrixworld.toys",
 )
-SECTIONS = ("Parameters", "Other Parameters", "Attributes")
+SECTION = re.compile(
+    r"^(?:Parameters|Other Parameters|Attributes)\n-{3,}\n(.*?)(?=^\w[^\n]*\n-{3,}$|\Z)",
+    re.M | re.S,
+)
+"""A section of a docstring in numpydoc's form; each of its lines at the margin begins an entry."""
 
 
 def public_objects() -> Iterator[Any]:
@@ -223,13 +226,9 @@ def parameters_of(found: Callable[..., Any]) -> set[str]:
 
 def documented_by(found: Callable[..., Any]) -> set[str]:
     """Return the parameters and attributes that one docstring describes."""
-    doc = FunctionDoc(found, doc=inspect.getdoc(found))
-    return {
-        name.strip().lstrip("*")
-        for section in SECTIONS
-        for entry in doc[section]
-        for name in entry.name.split(",")
-    }
+    entries = re.findall(r"^\S.*", "".join(SECTION.findall(inspect.getdoc(found) or "")), re.M)
+    names = ",".join(entry.partition(" :")[0] for entry in entries).split(",")
+    return {name.strip().lstrip("*") for name in names}
 
 
 @pytest.mark.parametrize("found", list(public_objects()))
