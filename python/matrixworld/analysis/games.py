@@ -24,6 +24,8 @@ from matrixworld.analysis.payoffs import Mask, Rates, check_payoff, check_rates,
 _TIE = 1e-7
 # Weights below this count as 0, by the same tolerance.
 _NOTHING = 1e-7
+# A row that gets so much less than the value has no weight, for all tolerances of the solver.
+_LESS = 1e-3
 _RANK = 1e-9  # singular values below this share of the largest are 0
 _STRICT = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
 _MOST_STEPS = 200
@@ -76,7 +78,7 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
     # The payoffs that both mixtures guarantee; the two bounds are equal but for rounding.
     low, high = float((p @ matrix).min()), 1.0 - float((q @ swapped).min())
     # The largest support is needed because entropy has no finite slope at a weight of 0.
-    inner_p, inner_q = _inner(matrix, low, p), _inner(swapped, 1.0 - high, q)
+    inner_p, inner_q = _inner(matrix, low, p, q), _inner(swapped, 1.0 - high, q, p)
     p = _max_entropy(matrix, low, inner_p, inner_q > 0.0)
     q = _max_entropy(swapped, 1.0 - high, inner_q, inner_p > 0.0)
     return Nash((low + high) / 2.0, p, q, matrix @ q, 1.0 - p @ matrix)
@@ -100,11 +102,12 @@ def _optimal(matrix: Rates) -> Rates:
     return _mixture(_solve(cost, upper, np.zeros(columns), equal, bounds)[:rows])
 
 
-def _inner(matrix: Rates, value: float, start: Rates) -> Rates:
+def _inner(matrix: Rates, value: float, start: Rates, answer: Rates) -> Rates:
     """Return an optimal mixture of all rows that have a weight in any optimal mixture.
 
     It is the mean of ``start``, which is optimal, and of further optimal mixtures. Each of these
     maximises the weights, up to ``1 / rows`` each, of the rows that no mixture has used so far.
+    Rows that get less than the value against ``answer``, an optimal mixture of columns, have none.
     """
     rows, columns = matrix.shape
     kept = np.vstack(
@@ -116,14 +119,15 @@ def _inner(matrix: Rates, value: float, start: Rates) -> Rates:
     limits = np.append(np.full(columns, -value), np.zeros(rows))
     equal = np.repeat([1.0, 0.0], rows)
     found = [np.where(start > _NOTHING, start, 0.0)]
-    while True:
-        unused = ~np.any(found, axis=0)
+    possible = matrix @ answer > value - _LESS
+    while (possible & (unused := ~np.any(found, axis=0))).any():
         ends = np.where(unused, 1.0 / rows, 0.0)
         bounds = [(0.0, None)] * rows + [(0.0, float(end)) for end in ends]
         mixture = _solve(np.repeat([0.0, -1.0], rows), kept, limits, equal, bounds)[:rows]
         if not (mixture[unused] > _NOTHING).any():
-            return _mixture(np.mean(found, axis=0))
+            break
         found.append(np.where(mixture > _NOTHING, mixture, 0.0))
+    return _mixture(np.mean(found, axis=0))
 
 
 def _solve(
