@@ -1,12 +1,14 @@
 """What other seeds say: the headline claims of the notebooks, on seeds that no notebook shows.
 
-    python tutorials/make/other_seeds.py      a quarter of an hour on one core; can be interrupted
+    python tutorials/make/other_seeds.py      20 minutes on one core; can be interrupted
 
 A claim names an effect, which has a sign; `SOURCES` measure effects, one number for each seed. What
 takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tutorial/data`` as
 ``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
 ``tests/tutorial/test_other_seeds.py``, which asks for the sign of each claim.
 
+The halls of fame of notebook 6b are not tested, nor are the paper's larger races of notebook 8: new
+seeds would take longer than all the rest.
 """
 
 from __future__ import annotations
