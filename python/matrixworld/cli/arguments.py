@@ -13,7 +13,8 @@ import click
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.memory import OutOfMemoryError
 from matrixworld.cli.console import command
-from matrixworld.coevolution.jobs.evolve import JOB
+from matrixworld.cluster import UnfitWorkerError
+from matrixworld.coevolution.jobs.evolve import JOB, FailedRunsError
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.own_code import ExitError
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
@@ -131,18 +132,20 @@ FAILURES = (
     DamagedFileError,
     DivergedError,
     ExitError,
+    FailedRunsError,
     LockedError,
     MissingExtraError,
     OSError,
     OtherVersionError,
     OutOfMemoryError,
+    UnfitWorkerError,
 )
 """Errors whose message says all that a user can do; any other one is a mistake in the program."""
 
 
 @contextmanager
 def failures() -> Iterator[None]:
-    """End the command with a message, not a traceback, on errors of files and memory."""
+    """End any command with a message, not a traceback, on errors of files and memory."""
     try:
         yield
     # Any other error is a mistake in the program, and its traceback is wanted.

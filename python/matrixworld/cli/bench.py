@@ -24,7 +24,6 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import check_threads, processor_name, usable_cores
-from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import in_words, print_table, print_wrapped, progress, say
 from matrixworld.cli.options import (
     VARIANT,
@@ -291,22 +290,21 @@ def bench_command(
     races = list(dict.fromkeys(first for first, *_ in jobs))
     world, threads = races[0].world, check_threads(threads)
     machine = print_head(variant, world)
-    with failures():
-        timings = timings_of_worlds(world, threads)
-        of_matches = [each for race in races for each in timings_of_matches(race, threads)]
-        timings += of_matches
-        _measure(timings, seconds / REPEATS)
-        lines = lines_of(timings)
-        print_lines(lines)
-        # Of the first network, with the most threads.
-        one = [each for each in of_matches if each.what == of_matches[0].what][-1]
-        took = _seconds(jobs[0], one)
-        print_wrapped(
-            f"The matches of matrixworld evolve in this world ({one.what}) take about "
-            f"{in_words(took)} with --threads {threads}. The time of the learners is not included."
-        )
-        found = {"machine": machine, "world": world.to_json(), "lines": lines}
-        write_json(json_file, {**found, "evolve_seconds": took})
+    timings = timings_of_worlds(world, threads)
+    of_matches = [each for race in races for each in timings_of_matches(race, threads)]
+    timings += of_matches
+    _measure(timings, seconds / REPEATS)
+    lines = lines_of(timings)
+    print_lines(lines)
+    # Of the first network, with the most threads.
+    one = [each for each in of_matches if each.what == of_matches[0].what][-1]
+    took = _seconds(jobs[0], one)
+    print_wrapped(
+        f"The matches of matrixworld evolve in this world ({one.what}) take about "
+        f"{in_words(took)} with --threads {threads}. The time of the learners is not included."
+    )
+    found = {"machine": machine, "world": world.to_json(), "lines": lines}
+    write_json(json_file, {**found, "evolve_seconds": took})
 
 
 def _measure(timings: Sequence[Timing], seconds: float) -> None:

@@ -16,7 +16,7 @@ from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.standings import Standing, standings
 from matrixworld.classroom.submissions import save_genome
 from matrixworld.classroom.tournament import ClassResult, play_class
-from matrixworld.cli.arguments import failures, race_option, run_of
+from matrixworld.cli.arguments import race_option, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
@@ -133,33 +133,32 @@ def play_command(
     By default 4 pursuers play against 4 evaders in -O, on 16 x 16 cells or a map, for at most 100
     steps.
     """
-    with failures():
-        page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
-        # The page is the only record of a tournament whose files may have changed.
-        refuse_existing(page, json_file, force=force, redraws=False)
-        config, limits = _checked(options)
-        if trust:
-            note("Programs run with the rights of your own (--trust).")
-        try:
-            result = play_class(
-                directory,
-                config,
-                seed=seed,
-                episodes=episodes,
-                limits=limits,
-                trust=trust,
-                threads=threads,
-                progress=lambda unit: progress(unit=unit),
-            )
-        except ValueError as error:
-            raise click.ClickException(str(error)) from error
-        tables = {team: standings(result, team) for team in TEAMS}
-        _print(result, tables)  # first: a page that cannot be written must not lose the results
-        write_page(page, class_page(result, tables, title=one_line(directory.absolute().name)))
-        say(f"\nWritten: {page}")
-        write_json(json_file, class_json(result, tables))
-        if opens:
-            open_page(page)
+    page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
+    # The page is the only record of a tournament whose files may have changed.
+    refuse_existing(page, json_file, force=force, redraws=False)
+    config, limits = _checked(options)
+    if trust:
+        note("Programs run with the rights of your own (--trust).")
+    try:
+        result = play_class(
+            directory,
+            config,
+            seed=seed,
+            episodes=episodes,
+            limits=limits,
+            trust=trust,
+            threads=threads,
+            progress=lambda unit: progress(unit=unit),
+        )
+    except ValueError as error:
+        raise click.ClickException(str(error)) from error
+    tables = {team: standings(result, team) for team in TEAMS}
+    _print(result, tables)  # first: a page that cannot be written must not lose the results
+    write_page(page, class_page(result, tables, title=one_line(directory.absolute().name)))
+    say(f"\nWritten: {page}")
+    write_json(json_file, class_json(result, tables))
+    if opens:
+        open_page(page)
 
 
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
@@ -219,8 +218,7 @@ def export_command(run: Path, team: Team, generation: int, out: Path, force: boo
     if out.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {out}")
     refuse_existing(out, force=force)
-    with failures():
-        with usage_errors():
-            policy = open_run(run).policy(team, generation)
-        save_genome(out, team, policy)
-        say(out)
+    with usage_errors():
+        policy = open_run(run).policy(team, generation)
+    save_genome(out, team, policy)
+    say(out)

@@ -14,7 +14,7 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import can_resume, failures, find_runs, place_in_job, resume_command
+from matrixworld.cli.arguments import can_resume, find_runs, place_in_job, resume_command
 from matrixworld.cli.bench import seconds_of
 from matrixworld.cli.console import (
     INTERRUPTED,
@@ -247,7 +247,7 @@ def evolve_command(
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
     given = given_options(options)
-    with failures(), warnings_as_notes():
+    with warnings_as_notes():
         if resumed is None:
             job = _new_job(given)
             root = output or _default_directory(job)

@@ -11,7 +11,6 @@ from typing import TypeVar
 
 import click
 
-from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import note, print_wrapped, say
 from matrixworld.cli.figures import (
     FORMATS,
@@ -102,24 +101,23 @@ def explore_command(
     engine makes of the same moves under each outcome) and interaction (who acts together).
     """
     given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
-    with failures():
-        if figures or figure:
-            suffix = _format(out, suffix)
-            selection = Selection(figure, suffix, open_baselines(baselines), each, width)
-            _draw(runs, selection, out, force)
-            return
-        for option, value in given.items():
-            if value:
-                raise click.UsageError(f"{option}: expected --figures or --figure beside it")
-        if not runs:
-            raise click.UsageError("expected RUN...")
-        groups = groups_of(runs)
-        page = out or place_of(runs) / PAGE
-        refuse_existing(page, force=force)
-        write_explorer(groups, page)
-        say(page)
-        if opens:
-            open_page(page)
+    if figures or figure:
+        suffix = _format(out, suffix)
+        selection = Selection(figure, suffix, open_baselines(baselines), each, width)
+        _draw(runs, selection, out, force)
+        return
+    for option, value in given.items():
+        if value:
+            raise click.UsageError(f"{option}: expected --figures or --figure beside it")
+    if not runs:
+        raise click.UsageError("expected RUN...")
+    groups = groups_of(runs)
+    page = out or place_of(runs) / PAGE
+    refuse_existing(page, force=force)
+    write_explorer(groups, page)
+    say(page)
+    if opens:
+        open_page(page)
 
 
 def write_explorer(groups: Sequence[Group], page: Path) -> None:
@@ -220,12 +218,11 @@ def playground_command(out: Path, opens: bool, force: bool) -> None:
     script, and read every conflict of a step in words. The page is a single file that needs no
     network and no installation; it holds the engine.
     """
-    with failures():
-        html = Playground().html()
-        # A file that is this very page already need not be replaced.
-        if not (out.is_file() and out.read_bytes() == html.encode()):
-            refuse_existing(out, force=force)
-            write_page(out, html)
-        say(out)
-        if opens:
-            open_page(out)
+    html = Playground().html()
+    # A file that is this very page already need not be replaced.
+    if not (out.is_file() and out.read_bytes() == html.encode()):
+        refuse_existing(out, force=force)
+        write_page(out, html)
+    say(out)
+    if opens:
+        open_page(out)

@@ -11,7 +11,6 @@ from matrixworld._util.checks import INT_MAX
 from matrixworld.analysis import all_results, explain
 from matrixworld.analysis.report import measure_table
 from matrixworld.cli.advice import advice
-from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, print_wrapped, say
 from matrixworld.cli.groups import Group, groups_of, runs_argument
 from matrixworld.cli.options import force_option, json_option, refuse_existing, write_json
@@ -55,16 +54,15 @@ def judge_command(
     together, as runs of one race.
     """
     refuse_existing(json_file, force=force)
-    with failures():
-        groups = groups_of(runs, episodes=episodes)
-        if each:
-            groups = [single for group in groups for single in group.singles]
-        for group in groups:
-            _check(group, everything)
-        for group in groups:
-            _print(group, everything, explained)
-        say(f"\n{TERMS}")
-        write_json(json_file, {"groups": {g.name: _plain(g, everything) for g in groups}})
+    groups = groups_of(runs, episodes=episodes)
+    if each:
+        groups = [single for group in groups for single in group.singles]
+    for group in groups:
+        _check(group, everything)
+    for group in groups:
+        _print(group, everything, explained)
+    say(f"\n{TERMS}")
+    write_json(json_file, {"groups": {g.name: _plain(g, everything) for g in groups}})
 
 
 def _check(group: Group, everything: bool) -> None:

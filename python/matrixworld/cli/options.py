@@ -25,7 +25,7 @@ from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, printable, save_json
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say, say_to_stdout
-from matrixworld.cluster import UnfitWorkerError, check_where, cluster
+from matrixworld.cluster import check_where, cluster
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP
 from matrixworld.coevolution.settings import MOST_SEED
@@ -213,11 +213,8 @@ def on_cluster(
     if threads is not None:
         raise click.UsageError("--threads: expected it without --cluster, got both")
     alike = any(each.learner.rounds_by_processor for each in settings)
-    try:
-        with cluster(where, directory=directory, same_processors=alike, tell=note) as executor:
-            yield executor
-    except (ImportError, UnfitWorkerError) as error:
-        raise click.ClickException(str(error)) from error
+    with cluster(where, directory=directory, same_processors=alike, tell=note) as executor:
+        yield executor
 
 
 # Worlds:
@@ -362,7 +359,7 @@ class Commands(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; after Ctrl-C, print the command that starts it again."""
         try:
-            with failures():  # options are read here, too, and name files
+            with failures():  # of all commands, and of options, which name files, too
                 check_environment()
                 return super().invoke(ctx)
         except click.ClickException as error:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from matrixworld.cli.arguments import failures, race_option
+from matrixworld.cli.arguments import race_option
 from matrixworld.cli.console import say
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import force_option, out_option, refuse_existing
@@ -51,13 +51,12 @@ def play_command(source: Path | Rules, out: Path | None, opens: bool, force: boo
     The page keeps a played match as a file; matrixworld replay FILE shows it, and --out of that
     command makes a GIF of it.
     """
-    with failures():
-        page = out or (Path(PAGE) if isinstance(source, Rules) else source / PAGE)
-        refuse_existing(page, force=force)
-        write_page(page, _page(source))
-        say(page)
-        if opens:
-            open_page(page)
+    page = out or (Path(PAGE) if isinstance(source, Rules) else source / PAGE)
+    refuse_existing(page, force=force)
+    write_page(page, _page(source))
+    say(page)
+    if opens:
+        open_page(page)
 
 
 def _page(source: Path | Rules) -> str:

@@ -11,7 +11,7 @@ import click
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld._util.files import read_content
 from matrixworld.classroom.submissions import read_genome
-from matrixworld.cli.arguments import failures, find_runs, race_option, run_of
+from matrixworld.cli.arguments import find_runs, race_option, run_of
 from matrixworld.cli.console import say
 from matrixworld.cli.options import (
     FiniteRange,
@@ -170,12 +170,11 @@ def replay_command(
     """
     _check_pictures(out, step=step, numbers=numbers, view=view)
     refuse_existing(*out, force=force)
-    with failures():
-        with usage_errors():
-            played = _episode(source, given_options(options))
-            step = None if step is None else step_number(step, played.length)
-            explanation = _explanation(played, step) if explained else []
-        _write(played, out, fps=fps, every=every, step=step, numbers=numbers, viewers=view)
+    with usage_errors():
+        played = _episode(source, given_options(options))
+        step = None if step is None else step_number(step, played.length)
+        explanation = _explanation(played, step) if explained else []
+    _write(played, out, fps=fps, every=every, step=step, numbers=numbers, viewers=view)
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explained):
@@ -226,8 +225,7 @@ def _write(
             continue
         try:
             replay.save(played, path, step=-1 if step is None else step, **look)
-        except (ImportError, ValueError) as error:
-            # ImportError: MP4 needs an optional package, and the message says how to install it.
+        except ValueError as error:
             raise click.ClickException(str(error)) from error
 
 

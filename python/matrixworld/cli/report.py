@@ -163,14 +163,10 @@ def _save(
     singles = [single for group in groups if group.runs for single in group.singles]
     values = {
         "groups": {group.name: _plain(group) for group in groups},
-        "runs": {_inside(root, one.runs[0].path): _plain_run(one) for one in singles},
-        "failed": {_inside(root, path): problem for path, problem in failed.items()},
+        "runs": {one.runs[0].path.relative_to(root).as_posix(): _plain_run(one) for one in singles},
+        "failed": {path.relative_to(root).as_posix(): problem for path, problem in failed.items()},
     }
     save_json(root / SUMMARY, values)
-
-
-def _inside(root: Path, path: Path) -> str:
-    return path.relative_to(root).as_posix()
 
 
 def _plain(group: Group) -> dict[str, Any]:

@@ -13,7 +13,6 @@ import numpy as np
 from matrixworld._util.files import save_json
 from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import print_wrapped, progress, say
 from matrixworld.cli.groups import (
     SCORED_EPISODES,
@@ -102,7 +101,7 @@ def score_command(
     --generation all and many episodes. The workers need not see RUN.
     """
     refuse_existing(json_file, force=force)
-    with failures(), on_cluster(where, threads) as executor:
+    with on_cluster(where, threads) as executor:
         groups = groups_of(runs, unfinished=True)
         paths = [run.path for group in groups for run in group.runs]
         with usage_errors():

@@ -11,7 +11,6 @@ from typing import Any
 import click
 
 from matrixworld._util.checks import INT_MAX
-from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import print_wrapped, say
 from matrixworld.cli.options import (
     AnyFunction,
@@ -76,7 +75,7 @@ def solve_command(
     given = {name: value for name, value in world.items() if value is not None}
     board = {} if "obstacles" in given else {"rows": 6, "cols": 6}
     small = {"n_pursuers": 2, "n_evaders": 1, "max_steps": steps or 20}
-    with failures(), usage_errors():
+    with usage_errors():
         config = WorldConfig(variant or "O", **board | small | given)
         began = time.perf_counter()
         solution = solve(States(config, threads=threads))

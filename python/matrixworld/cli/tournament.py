@@ -10,7 +10,7 @@ import click
 
 from matrixworld._util.files import save_arrays
 from matrixworld.analysis import generalization, headline, judge
-from matrixworld.cli.arguments import RACE, failures, find_runs, race_option, run_in, run_of
+from matrixworld.cli.arguments import RACE, find_runs, race_option, run_in, run_of
 from matrixworld.cli.console import TERMS, progress, say
 from matrixworld.cli.figures import draw, run_title
 from matrixworld.cli.options import (
@@ -63,14 +63,13 @@ def tournament_command(
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
-    with failures():
-        for option, given in (("RUN2", other), ("--out", out)):
-            if given is not None and len(run) > 1:
-                raise click.UsageError(
-                    f"{option}: expected one race in RUN, got {len(run)}; --race NAME chooses one"
-                )
-        for each in run:
-            _one(each, other, out, force, **chosen)
+    for option, given in (("RUN2", other), ("--out", out)):
+        if given is not None and len(run) > 1:
+            raise click.UsageError(
+                f"{option}: expected one race in RUN, got {len(run)}; --race NAME chooses one"
+            )
+    for each in run:
+        _one(each, other, out, force, **chosen)
 
 
 def _one(

@@ -13,11 +13,11 @@ from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.tutorial.checks import NUMBER, Check, array, function, tried, value
 
-ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 WELL = np.array(
     [[0.5, 0.0, 1.0, 0.0], [1.0, 0.5, 0.0, 1.0], [0.0, 1.0, 0.5, 0.0], [1.0, 0.0, 1.0, 0.5]]
 )
 """Rock, paper, scissors, well."""
+ROCK_PAPER_SCISSORS = WELL[:3, :3]
 OF_A_MATRIX = "For a matrix of {matrix.shape[0]} x {matrix.shape[1]}"
 
 

@@ -159,10 +159,7 @@ def verdict_on(one: Any, other: Any) -> str:
 
     Entry i of both lists of scores has the same seed.
     """
-    found = analysis.difference_of_runs(one, other, paired=True)
-    if found.low is None or found.high is None:
-        return OPEN
-    return BETTER if found.low > 0.0 else WORSE if found.high < 0.0 else OPEN
+    return (OPEN, BETTER, WORSE)[analysis.difference_of_runs(one, other, paired=True).sign]
 
 
 def _scores() -> Iterable[tuple[FloatArray, FloatArray]]:
