@@ -27,6 +27,7 @@ from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
 from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.envs import INFO_KEYS
 from matrixworld.tutorial.course import Exercise, exercises
+from slow import quickly
 from tiny_race import path_of, tiny_race
 
 ROOT = Path(__file__).parents[2]
@@ -124,7 +125,8 @@ def test_every_page_with_examples_is_tested() -> None:
     assert {page for page in pages if "```python\n" in read(page)} <= {*RUN, *ELSEWHERE}
 
 
-@pytest.mark.parametrize("page", RUN)
+# That page has races of several seconds.
+@quickly("page", RUN, lambda page: page != "docs/coevolution.md")
 def test_examples_run_and_print_what_is_shown(page: str, tmp_path: Path) -> None:
     # The warnings of other libraries are not ours.
     strict = () if page == "docs/integrations.md" else ("-W", "error")
