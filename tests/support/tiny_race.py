@@ -1,6 +1,7 @@
 """Runs that take a fraction of a second, and a way to interrupt them."""
 
 import os
+import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -33,8 +34,12 @@ TINY: dict[str, Any] = {
     "seed": 5,
 }
 
-MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-"""A directory in memory; Linux only."""
+SHARED = "/dev/shm"
+LEAST_FREE = 2**30
+MEMORY = (
+    SHARED if os.access(SHARED, os.W_OK) and shutil.disk_usage(SHARED).free >= LEAST_FREE else None
+)
+"""A directory in memory where there is one (Linux) with room; containers often give it 64 MB."""
 GENOMES = ("pursuers.npy", "evaders.npy")
 RESULTS = (
     "config.json",
