@@ -83,6 +83,7 @@ CLAIMS = {
     "6b: but the evaders of specialists escape more often": (
         "cures", "escapes of round-robin", LESS,
     ),
+    "6b: pursuers with halls of fame forget less": ("halls", "pursuers forget", LESS),
     "7: hosts of greedy parasites drift": ("hosts", "60 minus the hosts of greedy ones", MORE),
     "7: hosts of restrained ones climb": ("hosts", "hosts, restrained minus greedy", MORE),
     "7: and so do the parasites": ("hosts", "parasites, restrained minus greedy", MORE),

@@ -1,19 +1,20 @@
 """What other seeds say: the headline claims of the notebooks, on seeds that no notebook shows.
 
-    python tutorials/make/other_seeds.py      20 minutes on one core; can be interrupted
+    python tutorials/make/other_seeds.py      an hour on one core; can be interrupted
 
 A claim names an effect, which has a sign; `SOURCES` measure effects, one number for each seed. What
 takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tutorial/data`` as
 ``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
 ``tests/tutorial/test_other_seeds.py``, which asks for the sign of each claim.
 
-The halls of fame of notebook 6b are not tested, nor are the paper's larger races of notebook 8: new
-seeds would take longer than all the rest.
+The paper's larger races of notebook 8 are not tested: new seeds would take longer than all the
+rest.
 """
 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -265,6 +266,21 @@ def cures(seed: int) -> Effects:
     }
 
 
+def halls(seed: int) -> Effects:
+    """Return what halls of fame change in the races of ``evolution/hall_of_fame.py``."""
+    # Scripts of one directory import each other by their plain names.
+    sys.path.append(str(NOTEBOOKS.parent / "evolution"))
+    from hall_of_fame import FULL, kinds, place
+
+    forgetting, found = analysis.MEASURES["pursuer_forgetting"], []
+    for name, settings in kinds(FULL).items():
+        folder = RUNS / "hall_of_fame" / place(name, seed)
+        run = coevolution.finish(replace(settings, seed=seed), folder, threads=1)
+        found.append(forgetting.of(run.payoff().capture_rate, "whole").value)
+    without, with_halls = found
+    return {"pursuers forget": with_halls - without}
+
+
 # ---- Notebook 7 ----------------------------------------------------------------------------------
 
 
@@ -421,6 +437,7 @@ SOURCES = {
     "penalty": Source(penalty, range(20), range(20, 40), kept=True),
     "masks": Source(masks, range(20), range(20, 30), kept=True),
     "cures": Source(cures, range(10), range(10, 20), kept=True),
+    "halls": Source(halls, range(10), range(10, 20), kept=True),
     "restraint": Source(restraint, range(10), range(10, 50), kept=True),
     "schools": Source(schools, range(10), range(10, 20), kept=True),
     "chase": Source(chase, range(10), range(100, 106)),
