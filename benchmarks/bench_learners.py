@@ -146,7 +146,7 @@ ENTRIES = {
 }
 LARGER = {
     "OpenAI-ES, larger steps": Entry(es, "matrixworld", {**SIZED, "sigma": 0.4, "rate": 0.1}),
-    "GA, larger mutations": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.2}),
+    "GA, mutations of a team alone": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.2}),
 }
 """What learns faster from scratch than the defaults."""
 ON_SMALL = {

@@ -224,7 +224,9 @@ class GeneticAlgorithmSettings(LearnerSettings):
     keeps_fixed_genes: ClassVar[bool] = True
     steps: ClassVar[tuple[str, ...]] = ("mutation",)
 
-    mutation: float = setting(MUTATION, "standard deviation of a mutation", positive=True)
+    mutation: float = setting(
+        MUTATION, "standard deviation of a mutation", by={"against": 0.2}, positive=True
+    )
     crossover: float = setting(0.0, "probability that a child has two parents", most=1.0)
     tournament: int | None = setting(
         None, "individuals in a tournament that selects a parent; default: 5", least=1
