@@ -11,7 +11,8 @@ Method: Sun et al. (2023), "MatrixWorld", arXiv:2307.14854, for the schedules; S
 (2017), "Evolution strategies as a scalable alternative to reinforcement learning", for the learner.
 
 Look at the payoff matrices: specialists show stripes (who wins depends on the pairing), generalists
-a gradient (later generations beat all earlier ones). The printed summary says the same in numbers.
+a gradient (later generations beat all earlier ones). The printed judgement says what the
+data can tell.
 """
 
 from __future__ import annotations

@@ -32,7 +32,6 @@ def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
     for schedule in ("specialist-specialist", "generalist-generalist"):
         assert re.search(rf"^{schedule}: ([A-Z]|cannot tell)", told, re.M)
     assert told.count("Cycling: ") == 2
-    assert "at generation 12" in told
     assert [path.name for path in tmp_path.iterdir()] == ["arms_race.png"]
 
 

@@ -433,11 +433,10 @@ def test_readers_with_disabilities_are_not_hindered(browser: Browser, tmp_path: 
 
 
 @pytest.fixture(scope="module")
-def still(opened: PlaygroundPage) -> PlaygroundPage:
+def still(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> PlaygroundPage:
     """The page without motion, whose pictures take time."""
-    opened.browser.prefer(prefers_reduced_motion="reduce")
-    opened.browser.reload()
-    return opened
+    browser.prefer(prefers_reduced_motion="reduce")
+    return PlaygroundPage(browser, tmp_path_factory.mktemp("still") / "playground.html")
 
 
 def play(
