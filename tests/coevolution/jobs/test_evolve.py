@@ -280,8 +280,9 @@ def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
     failures, finished = failures_of(settings, tmp_path / "job", threads=2)
     assert {*failures} == {"bad"}
     assert isinstance(failures["bad"], WorkerDiedError)
-    # Tried again, because another run may have been the cause.
-    assert "lost 3" in str(failures["bad"])
+    # Tried again, because another run may have been the cause. "once" may lose two workers to
+    # "bad" and then, alone, one to itself.
+    assert "lost 4" in str(failures["bad"])
     assert finished == ["once", "good"]
     assert (tmp_path / "dead").exists()
     for name in finished:

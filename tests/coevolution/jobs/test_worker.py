@@ -138,7 +138,7 @@ def test_calls_fail_if_the_thread_that_hands_them_out_dies(monkeypatch, capfd):
 
 def test_workers_that_cannot_start_are_tried_some_times(monkeypatch, tmp_path, capfd):
     monkeypatch.setattr(worker, "_begin", dying.begin_without_threads)
-    with pytest.raises(BrokenExecutor, match="expected some that start, lost 3; memory or the num"):
+    with pytest.raises(BrokenExecutor, match="expected some that start, lost 4; memory or the num"):
         evolve([tiny_race(seed=seed) for seed in range(2)], tmp_path / "job", threads=2)
     assert {path.name for path in (tmp_path / "job").iterdir()} == {".lock", "job.json"}
     assert not capfd.readouterr().err

@@ -75,8 +75,10 @@ ITSELF = "."
 """Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
 STOP_WAIT = 3.0
 """Seconds for which stopped tasks are waited for."""
-TRIES = 3
+TRIES = 4
 """Worker processes that a run may lose before it fails."""
+BESIDE_OTHERS = 2
+"""Losses after which a run is played alone: until then another run may be the cause."""
 BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
 """Errors of a run directory, which concern one run and no other."""
 
@@ -458,9 +460,8 @@ class JobPlay:
         """Play all unfinished runs, so many at one time; workers that die are replaced."""
         starts_lost = 0
         while left := self.unfinished():
-            # A dead worker breaks its pool, with all runs in it. Those that were in work twice are
-            # played alone, which shows whether they kill workers themselves.
-            together = [name for name in left if self._losses[name] < TRIES - 1]
+            # A dead worker breaks its pool, with all runs in it.
+            together = [name for name in left if self._losses[name] < BESIDE_OTHERS]
             names = together or left[:1]
             try:
                 with WorkerProcesses(min(workers, len(names))) as processes:
