@@ -98,16 +98,21 @@ def es(
     drive(game, learner, groups[worlds], matches)
 
 
-def default_es(game: Game) -> None:
-    """Play the evolution strategy with the defaults of a team that learns alone."""
-    settings = RaceSettings(schedule=Against(team=game.team)).learner
+def default_es(game: Game, *, times: float = 1.0) -> None:
+    """Play the evolution strategy with the defaults of a team that learns alone.
+
+    The learning rate is so many times as high, and the standard deviation follows.
+    """
+    usual = RaceSettings(schedule=Against(team=game.team)).learner
+    epochs = max(1, game.matches // usual.population)
+    settings = RaceSettings(schedule=Against(team=game.team, epochs=epochs)).learner
     assert isinstance(settings, EvolutionStrategySettings)
     learner = EvolutionStrategy(
         game.untrained(1)[0],
-        noise(game, settings.sigma),
+        noise(game, settings.sigma * times**0.5),
         samples=settings.population,
-        learning_rate=settings.learning_rate,
-        anneal_over=max(1, game.matches // settings.population) if settings.anneal else None,
+        learning_rate=settings.learning_rate * times,
+        anneal_over=epochs if settings.anneal else None,
         relative_sigma=settings.relative_sigma,
     )
     drive(game, learner)

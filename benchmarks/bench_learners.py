@@ -136,7 +136,8 @@ ENTRIES = {
     "OpenAI-ES": Entry(es, "matrixworld", MOVED),
     "OpenAI-ES of races": Entry(es, "matrixworld", IN_RACES),
     "OpenAI-ES of a team alone": Entry(default_es, "matrixworld", {}),
-    "GA": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.05}),
+    "GA of races": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.05}),
+    "GA of a team alone": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.2}),
     "Open-ES (evosax)": Entry(evosax("Open_ES"), "evosax", MOVED),
     "LM-MA-ES (evosax)": Entry(evosax("LM_MA_ES"), "evosax", SIZED),
     "PGPE (EvoTorch)": Entry(evotorch("PGPE"), "evotorch", {**SIZED, "rate": 0.1 / 30}),
@@ -144,11 +145,6 @@ ENTRIES = {
     "Sep-CMA-ES (pycma)": Entry(pycma, "cma", FREE),
     "TBPSA (nevergrad)": Entry(nevergrad("TBPSA"), "nevergrad", SIZED),
 }
-LARGER = {
-    "OpenAI-ES, larger steps": Entry(es, "matrixworld", {**SIZED, "sigma": 0.4, "rate": 0.1}),
-    "GA, mutations of a team alone": Entry(ga, "matrixworld", {"population": 48, "sigma": 0.2}),
-}
-"""What learns faster from scratch than the defaults."""
 ON_SMALL = {
     "OpenAI-ES": Entry(es, "matrixworld", MOVED, SMALL),
     "CMA-ES": Entry(cma_es, "matrixworld", {"population": 48, "sigma": 0.8}, SMALL),
@@ -168,7 +164,12 @@ SHARED = {
     "4 matches each": Entry(es, "matrixworld", {**FAST, "population": 6, "matches": 4}),
 }
 """What candidates share, one change at a time, with steps from which they learn fast."""
-GROUPS = {"large": ENTRIES, "larger": LARGER, "small": ON_SMALL, "shared": SHARED}
+STEPS = {
+    f"{times:g} times the steps": Entry(default_es, "matrixworld", {"times": times})
+    for times in (1, 0.25, 0.5, 2, 4)
+}
+"""Rates of a team that learns alone."""
+GROUPS = {"large": ENTRIES, "steps": STEPS, "small": ON_SMALL, "shared": SHARED}
 
 
 # ---- A run -----------------------------------------------------------------------------------

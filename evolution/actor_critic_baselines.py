@@ -40,7 +40,7 @@ import numpy as np
 from scipy.stats import t
 from tqdm import tqdm
 
-from common import script_parser, written
+from common import SMALL_STEPS, script_parser, written
 from matrixworld.analysis import Estimate, interval_over_runs, mean_over_episodes
 from matrixworld.coevolution import RaceSettings, Team, finish, open_run
 
@@ -140,6 +140,7 @@ class Plan:
                 "schedule.archive_every": epochs,
                 "seed": seed,
                 **self.world,
+                **({} if learner == GRADIENTS else SMALL_STEPS[game.team]),
                 **self.learners[learner],
                 **self.changes.get((game.name, learner), {}),
             }

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import matrixworld as mw
-from common import finish_all, script_parser
+from common import SMALL_STEPS, finish_all, script_parser
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import RaceSettings
 
@@ -74,6 +74,7 @@ FULL = plan(
             "schedule.opponent": "fleer",
             "learner.population": 48,
             "schedule.epochs": 300,
+            **SMALL_STEPS["pursuer"],
             "schedule.archive_every": 300,
             "evaluation_episodes": 50,
         }

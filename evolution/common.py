@@ -30,6 +30,12 @@ from matrixworld.coevolution.jobs.evolve import job_of, play_job
 SAME_STEPS = {"learner.relative_sigma": 0.0, "learner.learning_rate": 0.02}
 """Settings of an evolution strategy whose samples do not spread with the genome."""
 
+SMALL_STEPS: Mapping[Team, Mapping[str, float]] = {
+    "pursuer": {"learner.sigma": 0.15, "learner.learning_rate": 0.02},
+    "evader": {"learner.sigma": 0.1, "learner.learning_rate": 0.02},
+}
+"""Steps of a team that learns alone that do not follow from its epochs, by team."""
+
 
 def long_race(schedule: str) -> dict[str, Any]:
     """Return the settings of a race with twice the matches of a default one, and `SAME_STEPS`."""

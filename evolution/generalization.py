@@ -30,7 +30,7 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, long_race, script_parser
+from common import SAME_STEPS, SMALL_STEPS, long_race, script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
@@ -92,6 +92,7 @@ def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings]:
             "schedule": "against",
             "schedule.team": "pursuer",
             "schedule.epochs": race.schedule.total_epochs("pursuer"),
+            **SMALL_STEPS["pursuer"],
             **same,
         }
     )
@@ -100,6 +101,7 @@ def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings]:
             "schedule": "against",
             "schedule.team": "evader",
             "schedule.epochs": race.schedule.total_epochs("evader"),
+            **SMALL_STEPS["evader"],
             **same,
         }
     )

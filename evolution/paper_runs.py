@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, finish_all, long_race
+from common import SAME_STEPS, SMALL_STEPS, finish_all, long_race
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution import (
     Against,
@@ -120,6 +120,7 @@ FULL = plan(
             "learner.population": 48,
             "schedule.epochs": 1200,
             "schedule.archive_every": 200,
+            **SMALL_STEPS["pursuer"],
         }
     ),
     long=100,

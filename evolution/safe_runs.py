@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import finish_all
+from common import SMALL_STEPS, finish_all
 from matrixworld.coevolution import Against, RaceSettings, SavedRun
 
 LIMIT = 20.0
@@ -119,6 +119,7 @@ FULL = Plan(
             **WORLD,
             "learner.population": 32,
             "schedule.epochs": 1500,
+            **SMALL_STEPS["pursuer"],
             "schedule.archive_every": 50,
         }
     ),

@@ -37,8 +37,7 @@ STARTED = {"schedule": "against", "schedule.start": "run"}
 
 
 ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sigma": 0.0,
-         "learner.learning_rate": 0.02, "learner.anneal": True,
-         "evaluation_episodes": 200}  # fmt: skip
+         "learner.anneal": True, "evaluation_episodes": 200}  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -50,10 +49,10 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
               "world.max_steps": 500, "train_steps": 200, "policy.hidden": [32]}),
         ({"schedule": "hall-of-fame"}, {"learner.population": 24, "schedule.joint_epochs": 43}),
         ({"schedule": Against(team="pursuer")},
-         {**ALONE, "schedule.epochs": 6000, "train_steps": 500, "learner.sigma": 0.15,
+         {**ALONE, "schedule.epochs": 6000, "train_steps": 500,
           "policy.initial_weight": 0.2, "policy.initial_head": 0.09}),
         ({"schedule": Against(team="evader")},
-         {**ALONE, "schedule.epochs": 4000, "train_steps": 300, "learner.sigma": 0.1,
+         {**ALONE, "schedule.epochs": 4000, "train_steps": 300,
           "policy.initial_weight": 0.05, "policy.initial_head": 0.1}),
         ({"learner": "cma", "world": mw.WorldConfig(fov=5), "policy": PolicySettings(hidden=())},
          {"learner.population": 48, "learner.sigma": 0.8}),
@@ -68,6 +67,16 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
 def test_defaults_are_those_that_were_seen_to_work(kinds, expected):
     found = {leaf.path: leaf.value for leaf in leaves(RaceSettings(**kinds))}
     assert {path: found[path] for path in expected} == expected
+
+
+@pytest.mark.parametrize(
+    ("epochs", "rate", "sigma"), [(6000, 0.0161, 0.0898), (4000, 0.0198, 0.0994), (1, 1.25, 0.791)]
+)
+def test_steps_of_a_team_alone_follow_from_its_epochs(epochs, rate, sigma):
+    learner = RaceSettings.of({"schedule": "against", "schedule.epochs": epochs}).learner
+    assert (learner.learning_rate, learner.sigma) == pytest.approx((rate, sigma), rel=0.003)
+    chosen = settings_of(schedule="against", epochs=epochs, sigma=0.3).learner
+    assert (chosen.learning_rate, chosen.sigma) == (learner.learning_rate, 0.3)
 
 
 def test_what_follows_from_the_settings():

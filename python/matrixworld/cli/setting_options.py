@@ -267,6 +267,8 @@ def _text(item: Field[Any]) -> str:
 
 
 def _shown(value: Any) -> str:
+    if callable(value):
+        return str(value.__doc__).removesuffix(".")
     if isinstance(value, tuple):
         return ",".join(map(str, value))
     if isinstance(value, bool):

@@ -208,7 +208,8 @@ class RaceSettings(Section):
 
     def check(self) -> None:
         """Fill in defaults, and raise ValueError unless all sections fit together."""
-        for item in fields(self):
+        # First the schedule: the steps of a learner may follow from its epochs.
+        for item in sorted(fields(self), key=lambda each: each.name != "schedule"):
             value = getattr(self, item.name)
             if isinstance(value, Section):
                 unfilled = {
@@ -227,7 +228,8 @@ class RaceSettings(Section):
         """Return the default of a field with this learner and this schedule."""
         by: Mapping[str, Any] = item.metadata["by"]
         conditions = (self.learner.kind, *self.schedule.conditions)
-        return next((by[each] for each in conditions if each in by), item.metadata["default"])
+        usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
+        return usual(self) if callable(usual) else usual
 
     def _check_mask(self) -> None:
         mask = self.policy.mask

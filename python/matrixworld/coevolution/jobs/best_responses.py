@@ -155,14 +155,14 @@ def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -
         **changes,
     }
     alone: Any = chosen.pop("schedule", Against())
-    schedule = replace(alone, team=other(team), opponent=str(path.absolute()), epochs=None)
-    usual = RaceSettings(schedule=schedule, learner=chosen["learner"]).train_steps
-    chosen.setdefault("train_steps", min(usual, chosen["world"].max_steps))
-    settings = RaceSettings(schedule=schedule, **chosen)
-    one_epoch = settings.learner.population * settings.match_episodes
+    schedule = replace(alone, team=other(team), opponent=str(path.absolute()), epochs=1)
+    one = RaceSettings(schedule=schedule, **chosen)
+    chosen.setdefault("train_steps", min(one.train_steps, one.world.max_steps))
+    one_epoch = one.learner.population * one.match_episodes
     if matches < one_epoch:
         raise ValueError(f"matches: expected at least {one_epoch} (one epoch), got {matches}")
-    return replace(settings, schedule=replace(schedule, epochs=matches // one_epoch))
+    # Made anew: the steps of a learner follow from the epochs.
+    return RaceSettings(schedule=replace(schedule, epochs=matches // one_epoch), **chosen)
 
 
 def _genomes(team: TeamPolicy) -> Any:

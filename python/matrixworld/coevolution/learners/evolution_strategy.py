@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
@@ -177,6 +178,23 @@ class EvolutionStrategy:
         self._optimizer.restore(state)
 
 
+# Steps of a team that learns alone. Updates by Adam have about the length of the rate in each gene,
+# and mostly random directions: n of them lead a root of n as far as one. So a rate in proportion to
+# 1 / root(n) lets a genome go equally far in short runs and in long ones. The factors are chosen by
+# trial: docs/coevolution.md, "Steps of a team that learns alone".
+
+
+def rate_alone(run: RaceSettings) -> float:
+    """1.25 / sqrt(epochs)."""
+    (team,) = run.schedule.learning_teams
+    return 1.25 / math.sqrt(run.schedule.total_epochs(team))
+
+
+def sigma_alone(run: RaceSettings) -> float:
+    """sqrt(1.25 / sqrt(epochs) / 2)."""
+    return math.sqrt(rate_alone(run) / 2.0)
+
+
 @documented
 @dataclass(frozen=True)
 class EvolutionStrategySettings(LearnerSettings):
@@ -187,10 +205,10 @@ class EvolutionStrategySettings(LearnerSettings):
     steps: ClassVar[tuple[str, ...]] = ("learning_rate", "sigma")
 
     sigma: float = setting(
-        0.1, "standard deviation of the samples", by={"against pursuer": 0.15}, positive=True
+        0.1, "standard deviation of the samples", by={"against": sigma_alone}, positive=True
     )
     learning_rate: float = setting(
-        0.03, "learning rate of the optimizer", by={"against": 0.02}, positive=True
+        0.03, "learning rate of the optimizer", by={"against": rate_alone}, positive=True
     )
     momentum: float | None = setting(
         None, "coefficient of classical momentum, in [0, 1); default: Adam instead", most=1.0
