@@ -46,7 +46,7 @@ from scipy import stats
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import finish_all, kept, long_race, script_parser, written
+from common import SMALL_STEPS, finish_all, kept, long_race, script_parser, written
 from judgement_counts import count_verdicts, read_counts
 from judgement_tables import RATE_HEADS, errors_of, table
 from judgement_truths import WINDOWS
@@ -194,7 +194,11 @@ def responses_of(
     for team in TEAMS:
         for budget in budgets:
             where = root / f"responses-to-{team}s-{budget}"
-            for name, each in best_responses(runs, team, budget, where, threads=1).items():
+            learner = RaceSettings.of(
+                {"learner.population": 48, **SMALL_STEPS[other(team)]}
+            ).learner
+            responses = best_responses(runs, team, budget, where, learner=learner, threads=1)
+            for name, each in responses.items():
                 states = states_of(runs[name].settings.world)
                 teams = {t: last(p) for t, p in runs[name].teams.items()}
                 learned = last(mw.coevolution.open_run(each.directory).teams[other(team)])
