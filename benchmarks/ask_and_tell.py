@@ -98,20 +98,17 @@ def es(
     drive(game, learner, groups[worlds], matches)
 
 
-def default_es(game: Game, *, times: float = 1.0) -> None:
-    """Play the evolution strategy with the defaults of a team that learns alone.
-
-    The learning rate is so many times as high, and the standard deviation follows.
-    """
+def default_es(game: Game) -> None:
+    """Play the evolution strategy with the defaults of a team that learns alone."""
     usual = RaceSettings(schedule=Against(team=game.team)).learner
     epochs = max(1, game.matches // usual.population)
     settings = RaceSettings(schedule=Against(team=game.team, epochs=epochs)).learner
     assert isinstance(settings, EvolutionStrategySettings)
     learner = EvolutionStrategy(
         game.untrained(1)[0],
-        noise(game, settings.sigma * times**0.5),
+        noise(game, settings.sigma),
         samples=settings.population,
-        learning_rate=settings.learning_rate * times,
+        learning_rate=settings.learning_rate,
         anneal_over=epochs if settings.anneal else None,
         relative_sigma=settings.relative_sigma,
     )

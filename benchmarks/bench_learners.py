@@ -164,12 +164,7 @@ SHARED = {
     "4 matches each": Entry(es, "matrixworld", {**FAST, "population": 6, "matches": 4}),
 }
 """What candidates share, one change at a time, with steps from which they learn fast."""
-STEPS = {
-    f"{times:g} times the steps": Entry(default_es, "matrixworld", {"times": times})
-    for times in (1, 0.25, 0.5, 2, 4)
-}
-"""Rates of a team that learns alone."""
-GROUPS = {"large": ENTRIES, "steps": STEPS, "small": ON_SMALL, "shared": SHARED}
+GROUPS = {"large": ENTRIES, "small": ON_SMALL, "shared": SHARED}
 
 
 # ---- A run -----------------------------------------------------------------------------------
