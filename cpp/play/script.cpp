@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <climits>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "observe/observe.hpp"
+#include "observe/right_of_way.hpp"
 
 namespace matrixworld {
 
@@ -106,10 +108,21 @@ constexpr int kNever = 0;
 constexpr int kHalf = kSlipSteps / 2;
 constexpr int kStride = 12;  // steps; crosses a usual field of view
 
+std::vector<Script> with_careful_ones(std::vector<Script> all) {
+    const std::vector<Script> plain = all;
+    for (Script script : plain) {
+        if (!script.goals && script.slips == kNever) continue;  // it never moves
+        script.name = "careful-" + script.name;
+        script.careful = true;
+        all.push_back(script);
+    }
+    return all;
+}
+
 }  // namespace
 
 const std::vector<Script>& scripts() {
-    static const std::vector<Script> all = {
+    static const std::vector<Script> all = with_careful_ones({
         {"random", nullptr, nullptr, kSlipSteps, 0},
         {"still", nullptr, nullptr, kNever, 0},
         {"chaser", adversaries, near, kNever, 0},
@@ -119,7 +132,7 @@ const std::vector<Script>& scripts() {
         {"surrounder", open_sides, near, kNever, kStride},
         {"clumsy-fleer", adversaries, far, kHalf, 0},
         {"dodger", adversaries, far_from_all, kNever, 0},
-    };
+    });
     return all;
 }
 
@@ -128,6 +141,13 @@ const Script* find_script(const std::string& name) {
         if (name == script.name) return &script;
     }
     return nullptr;
+}
+
+void require_sight(const std::string& player, const Script& script, const Config& config) {
+    if (!script.careful || config.fov >= RightOfWay::kLeastFov) return;
+    throw std::invalid_argument(player + ": expected a fov of at least " +
+                                std::to_string(RightOfWay::kLeastFov) + " for " + script.name +
+                                ", got " + std::to_string(config.fov));
 }
 
 }  // namespace matrixworld

@@ -52,17 +52,21 @@ struct Script {
     using Goals = void (*)(const Sight& sight, Offsets& goals);
     using Worth = int (*)(const Sight& sight, const Offsets& goals, Offset there);
 
-    const char* name;
+    std::string name;
     Goals goals;  // lists its goals; null: the script stays where it is
     Worth worth;  // what it is worth to be `there`
     int slips;    // in this many of kSlipSteps steps it takes any action, all equally likely
     int stride;   // steps in one direction while it has no goal; 0: a direction for each step
+    bool careful = false;  // takes only moves that right of way allows
 };
 
 constexpr int kSlipSteps = 256;  // a power of two: see ScriptedPolicy::choose
 
+// All scripts, then each but "still" once more, with "careful-" before its name.
 const std::vector<Script>& scripts();
 // The script of this name, or null.
 const Script* find_script(const std::string& name);
+// Throws std::invalid_argument if agents do not see enough for a careful script.
+void require_sight(const std::string& player, const Script& script, const Config& config);
 
 }  // namespace matrixworld
