@@ -1,6 +1,6 @@
 """Do pursuers learn to capture, and safely, at the paper's size? -S as published, and masked.
 
-    python evolution/paper_surrounding.py             ten runs: about four hours of one core
+    python evolution/paper_surrounding.py             ten runs: some hours of one core
     python evolution/paper_surrounding.py --quick     a small world: some seconds
 
 Twenty pursuers learn by actor-critic to surround five evaders that move at random, on 40 x 40 cells,

@@ -1,9 +1,9 @@
-"""What does it cost both teams to avoid collisions? Co-evolution with a price on collisions.
+"""What does it cost both teams to avoid collisions? Races with a price on them, or with a mask.
 
-    python evolution/safe_coevolution.py             four prices, five seeds: some minutes
-    python evolution/safe_coevolution.py --quick     two prices, a small world: some seconds
+    python evolution/safe_coevolution.py             prices and masks: half an hour of two cores
+    python evolution/safe_coevolution.py --quick     a small world: some seconds
 
-In variant B an agent that runs into a border or a teammate bounces; there is no other consequence.
+**Prices.** In variant B an agent that runs into a border or a teammate bounces; there is no other consequence.
 In each race the fitness of a team is
 
     capture (pursuers) or escape (evaders)  -  price * own collisions at fault per agent-step
@@ -11,18 +11,23 @@ In each race the fitness of a team is
 Afterwards each team plays against all opponents of all races, so that prices are compared on the
 same opponents. The script prints and draws the score of each team and how often it is at fault.
 
+**Masks.** Default races of generalists, and the same with right of way for both teams
+(`policy.mask=right-of-way`), ten seeds each: scores against held-out opponents, and collisions.
+
 Method: evolution strategies (Salimans et al., 2017) against random opponents of the past. The price
 is the fixed weight of a constraint; see Altman (1999), "Constrained Markov decision processes".
 
 Look at three things. How many collisions are there at price 0? Running into a wall is as good as
 standing still there, so selection does not remove it. Does a small price lower the capture rate or
-raise it? At which price does a team prefer not to move, so that it cannot collide?
+raise it? At which price does a team prefer not to move, so that it cannot collide? In the second
+table, look at the differences: an interval around 0 says how much the mask may cost.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -30,10 +35,10 @@ from matplotlib.figure import Figure
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import play, script_parser
+from common import finish_all, play, script_parser, written
 from matrixworld import analysis, coevolution
 from matrixworld._util import colors
-from matrixworld.coevolution import EvolutionStrategy, NoiseTable, Team
+from matrixworld.coevolution import EvolutionStrategy, NoiseTable, RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
 
 SIGMA = 0.1  # standard deviation of the evolution strategy's samples
@@ -201,10 +206,74 @@ def figure(evaluations: Mapping[Team, Evaluation], budget: Budget) -> Figure:
     return drawn
 
 
+MASKS = ("none", "right-of-way")
+MASK_SEEDS = 10
+TINY_RACE = {
+    "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
+    "world.max_steps": 60, "schedule.generations": 4, "schedule.pursuer_epochs": 2,
+    "schedule.evader_epochs": 2, "learner.population": 8, "train_steps": 40,
+}  # fmt: skip
+
+
+def masked_races(*, quick: bool, root: Path) -> dict[str, list[SavedRun]]:
+    """Return default races with each of `MASKS`, by seed; play the missing ones."""
+    seeds = range(2 if quick else MASK_SEEDS)
+    settings = {
+        f"{mask}/{seed}": RaceSettings.of(
+            {**(TINY_RACE if quick else {}), "policy.mask": mask, "seed": seed}
+        )
+        for seed in seeds
+        for mask in MASKS
+    }
+    runs = finish_all(settings, root)
+    return {mask: [runs[f"{mask}/{seed}"] for seed in seeds] for mask in MASKS}
+
+
+def mask_table(races: Mapping[str, list[SavedRun]]) -> str:
+    """Return what the masks change, in Markdown: means over seeds, and differences of seeds."""
+    found = {mask: np.array([of_race(run) for run in runs]) for mask, runs in races.items()}
+    rows = {
+        **found,
+        "right of way, minus none": np.subtract(*(found[mask] for mask in MASKS[::-1])),
+    }
+    heads = [
+        "mask", "score, pursuers", "score, evaders", "collisions, pursuers", "evaders",
+        "in all of training",
+    ]  # fmt: skip
+    lines = [
+        "Scores of the last generations against held-out opponents; collisions: agent-steps at "
+        "fault in an episode\nof the last generation's training, and in all of training. "
+        "[95% over seeds]\n",
+        f"| {' | '.join(heads)} |",
+        "|---" * len(heads) + "|",
+    ]
+    for label, numbers in rows.items():
+        sign = "+" if "minus" in label else ""
+        means = [analysis.interval_over_runs(column) for column in numbers.T]
+        cells = [*(written(each, 2, sign) for each in means[:2])]
+        cells += [written(each, 1, sign) for each in means[2:4]]
+        lines.append(f"| {' | '.join([label, *cells, format(means[4].value, f'{sign},.0f')])} |")
+    return "\n".join(lines)
+
+
+def of_race(run: SavedRun) -> list[float]:
+    """Return scores of both teams and collisions: late ones of both teams, and all of training."""
+    scores, log = coevolution.score(run), run.files.log()
+    late = log["generation"] == log["generation"].max()
+    episodes = np.diff(log["matches"], prepend=0)
+    collisions = [log[f"{team}_faults"] for team in coevolution.TEAMS]
+    return [
+        *(float(scores[team].means[-1]) for team in coevolution.TEAMS),
+        *(float(each[late].mean()) for each in collisions),
+        float(sum(each @ episodes for each in collisions)),
+    ]
+
+
 def main() -> None:
     """Run a race for each price and seed; print and draw the evaluation."""
     parser = script_parser(__doc__, quick="two prices and a small world")
     parser.add_argument("--figure", default="safe_coevolution.png", help="file to draw to")
+    parser.add_argument("--runs", type=Path, default=Path("runs/safe_coevolution"))
     args = parser.parse_args()
     budget = QUICK if args.quick else FULL
     races = [(price, seed) for price in budget.prices for seed in range(budget.seeds)]
@@ -214,6 +283,7 @@ def main() -> None:
     evaluations = evaluate(champions, budget)
     print(table(evaluations, budget))
     figure(evaluations, budget).savefig(args.figure)
+    print(f"\n{mask_table(masked_races(quick=args.quick, root=args.runs))}")
     print(f"\nDrawn: {args.figure}")
 
 

@@ -1,6 +1,6 @@
 """Which pursuers capture without collisions? Prices, limits and masks, by gradients and evolution.
 
-    python evolution/safe_learning.py             two variants, five seeds: an hour of one core
+    python evolution/safe_learning.py             two variants, ten seeds: 80 minutes of one core
     python evolution/safe_learning.py --quick     a small world, two seeds: some seconds
 
 Pursuers learn to surround an evader that moves at random, in -S (teammates may share a cell) and in
@@ -32,50 +32,49 @@ from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.world.rules import COLLISION_KINDS
-from safe_runs import FULL, LIMIT, QUICK, measured, play
+from safe_runs import FULL, LIMIT, QUICK, long_test, measured, play
 
 Numbers = Mapping[str, NDArray[Any]]
 """The arrays that `safe_runs.measured` returns."""
 
 EVOLVED = " evolution: "
+LONG_TEST = 1e7
+"""Steps of pursuers with right of way in the test of all their last generations."""
 HEAD = " | ".join(
-    ["capture rate", "collisions", *COLLISION_KINDS, "while training", "million steps"]
+    ["capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps"]
 )
-NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
+NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS = (
     colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
-    colors.MUTED, colors.ORANGE,
 )  # fmt: skip
+FREELY, LIMIT_ALONE = "gradients: no penalty", "gradients: limit, by a multiplier"
+WALLED, MASKED = "gradients: mask of obstacles", "gradients: right of way"
 DRAWN = {
-    "gradients: no penalty": NOTHING,
+    FREELY: NOTHING,
     "gradients: penalty 12, as in the paper": TWELVE,
-    "gradients: limit, by a multiplier": LIMITED,
-    "gradients: mask of occupied cells, limit": BOTH,
+    LIMIT_ALONE: LIMITED,
+    MASKED: WAYS,
 }
 """Methods whose training is drawn, and their colours."""
-LIMIT_ALONE, MASKED = "gradients: limit, by a multiplier", "gradients: mask of occupied cells"
-FREELY, BOTH_MEANS = "gradients: no penalty", "gradients: mask of occupied cells, limit"
 COMPARED = (
     ("capture rate", LIMIT_ALONE, FREELY),
-    ("capture rate", BOTH_MEANS, FREELY),
-    ("capture rate", BOTH_MEANS, LIMIT_ALONE),
-    ("all", MASKED, FREELY),
-    ("training", "gradients: mask of obstacles", FREELY),
-    ("training", BOTH_MEANS, LIMIT_ALONE),
+    ("capture rate", MASKED, FREELY),
+    ("capture rate", MASKED, LIMIT_ALONE),
+    ("length", MASKED, FREELY),
+    ("length", MASKED, WALLED),
+    ("training", WALLED, FREELY),
 )
 """A number of `judged` and two methods: the first one minus the second one is tested."""
 NUMBERS = {
     "capture rate": "capture rate",
+    "length": "steps",
     "all": "collisions",
     "training": "collisions while training",
 }
 STYLES = [
-    *(
-        {"color": color, "marker": "o"}
-        for color in (NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH)
-    ),
+    *({"color": color, "marker": "o"} for color in (NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS)),
     *(
         {"color": color, "marker": "s", "fillstyle": "none"}
-        for color in (NOTHING, ONE, LIMITED, OCCUPIED, BOTH)
+        for color in (NOTHING, ONE, LIMITED, WAYS)
     ),
 ]
 """Marks of the methods: filled for gradients, hollow for evolution."""
@@ -104,6 +103,7 @@ def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[A
     faults = numbers[f"{name} / fault"][seeds, last]
     return {
         "capture rate": numbers[f"{name} / capture rate"][seeds, last],
+        "length": numbers[f"{name} / length"][seeds, last],
         "all": faults.sum(axis=1),
         **{kind: faults[:, k] for k, kind in enumerate(COLLISION_KINDS)},
         "training": 1000 * numbers[f"{name} / collisions"][seeds, last] / steps[seeds, last],
@@ -128,8 +128,13 @@ def table(numbers: Numbers) -> str:
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
               for name in late),
         ]  # fmt: skip
-        parts.append("\n".join([f"| -{variant} | {HEAD} |", "|---" * 8 + "|", *rows]))
-    return "\n\n".join([*parts, comparisons(numbers)])
+        parts.append("\n".join([f"| -{variant} | {HEAD} |", "|---" * 9 + "|", *rows]))
+    steps, faults = numbers["long test"]
+    tested = (
+        f"With right of way, pursuers were at fault {faults:,} times in {steps:,} agent-steps of "
+        "the last generations of all seeds."
+    )
+    return "\n\n".join([*parts, comparisons(numbers), tested])
 
 
 def comparisons(numbers: Numbers) -> str:
@@ -167,7 +172,8 @@ def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
     """Return a line of the table."""
     found = judged(numbers, name, budget=budget)
     cells = [
-        written(interval_over_runs(found["capture rate"], bounds=(0.0, 1.0)), 2),
+        written(interval_over_runs(found["capture rate"], bounds=(0.0, 1.0)), 3),
+        written(interval_over_runs(found["length"], bounds=(0.0, np.inf)), 1),
         written(interval_over_runs(found["all"], bounds=(0.0, np.inf)), 1),
         *(f"{found[kind].mean():.1f}" for kind in COLLISION_KINDS),
         written(interval_over_runs(found["training"], bounds=(0.0, np.inf)), 1),
@@ -259,6 +265,9 @@ def main() -> None:
     plan = QUICK if args.quick else FULL
     runs = play(plan, range(args.seeds or plan.seeds), args.runs, args.cluster)
     numbers = {"budget": np.array(plan.budget), **measured(runs, plan.episodes)}
+    masked = [run for name, each in runs.items() if name.endswith("right of way") for run in each]
+    share = (LONG_TEST if not args.quick else 1e4) / len(masked)
+    numbers["long test"] = np.sum([long_test(run, share) for run in masked], axis=0)
     text = table(numbers)
     print(text)
     args.results.mkdir(parents=True, exist_ok=True)

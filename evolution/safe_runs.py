@@ -36,16 +36,13 @@ GRADIENTS: dict[str, Changes] = {
     "penalty 1": _penalty(1.0),
     "limit, by a multiplier": {**FREE, LEARNER_LIMIT: LIMIT},
     "mask of obstacles": {**FREE, MASK: "obstacles"},
-    "mask of occupied cells": {**FREE, MASK: "occupied"},
-    "mask of occupied cells, penalty 1": {MASK: "occupied", **_penalty(1.0)},
-    "mask of occupied cells, limit": {**FREE, MASK: "occupied", LEARNER_LIMIT: LIMIT},
+    "right of way": {**FREE, MASK: "right-of-way"},
 }
 EVOLUTION: dict[str, Changes] = {
     "captures": {},
     "rewards with penalty 1": {"fitness.measure": "rewards", **_penalty(1.0)},
     "captures within a limit": {FITNESS_LIMIT: LIMIT},
-    "captures, mask of occupied cells": {MASK: "occupied"},
-    "captures within a limit, mask of occupied cells": {MASK: "occupied", FITNESS_LIMIT: LIMIT},
+    "captures, right of way": {MASK: "right-of-way"},
 }
 
 
@@ -103,8 +100,8 @@ FULL = Plan(
             **WORLD,
             "learner": "actor-critic",
             "learner.population": 16,
-            "schedule.epochs": 400,
-            "schedule.archive_every": 20,
+            "schedule.epochs": 1200,
+            "schedule.archive_every": 60,
             "learner.clip": 0.2,
             "learner.actor_updates": 4,
             "learner.critic_updates": 4,
@@ -124,7 +121,7 @@ FULL = Plan(
         }
     ),
     variants=("S", "SB"),
-    seeds=5,
+    seeds=10,
     episodes=200,
 )
 TINY: Changes = {
@@ -178,8 +175,9 @@ def measured(runs: Mapping[str, list[SavedRun]], episodes: int) -> dict[str, NDA
     dict of str to ndarray
         By ``"<variant> <method> / <number>"``, arrays over seeds and archived generations:
         ``agent-steps`` and ``collisions`` of the pursuers in training until then, (seeds,
-        generations), the ``capture rate`` in the test, (seeds, generations), and agent-steps at
-        ``fault`` per 1000 in the test, (seeds, generations, kinds).
+        generations), the ``capture rate`` and the mean ``length`` in the test, (seeds,
+        generations), and agent-steps at ``fault`` per 1000 in the test, (seeds, generations,
+        kinds).
     """
     return {
         f"{name} / {key}": np.stack([each[key] for each in of_seeds])
@@ -203,17 +201,18 @@ def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
     ends = np.minimum(
         np.arange(len(run.teams["pursuer"].genomes)) * schedule.archive_every, schedule.epochs
     )
-    captures, faults = tested(run, episodes)
+    captures, lengths, faults = tested(run, episodes)
     return {
         "agent-steps": steps[ends],
         "collisions": collisions[ends],
         "capture rate": captures,
+        "length": lengths,
         "fault": faults,
     }
 
 
-def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return capture rates and faults by kind of all generations, in the same new episodes."""
+def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Return capture rates, lengths and faults by kind of all generations, in the same episodes."""
     settings, own = run.settings, run.teams["pursuer"]
     generations = np.arange(len(own.genomes))
     played = mw.rollout(
@@ -229,4 +228,21 @@ def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any]]:
         monitor.add(*(each[generation] for each in fields))
     summaries = [monitor.summary() for monitor in monitors]
     captures = np.array([summary.capture_rate for summary in summaries])
-    return captures, np.array([summary.fault_rate[0] for summary in summaries])
+    faults = np.array([summary.fault_rate[0] for summary in summaries])
+    return captures, played.length.mean(axis=1), faults
+
+
+def long_test(run: SavedRun, agent_steps: float) -> tuple[int, int]:
+    """Return steps of pursuers, and how many of them were at fault, of the last generation.
+
+    At least so many steps are played, in new episodes.
+    """
+    own, steps, faults, seed = run.teams["pursuer"], 0, 0, FIRST_TEST_SEED
+    while steps < agent_steps:
+        seed += 1
+        match = mw.Matches.of(len(own.genomes) - 1, 0, seed)
+        settings = run.settings
+        played = mw.rollout(settings.world, own, settings.schedule.opponent, match, episodes=1000)
+        steps += int(played.agent_steps[..., 0].sum())
+        faults += int(played.faults[:, :, 0].sum())
+    return steps, faults

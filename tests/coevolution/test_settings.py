@@ -158,8 +158,14 @@ def test_a_text_stands_for_a_section():
         ({"policy": "obstacles"}, TypeError, "policy: expected PolicySettings, got 'obstacles'"),
         ({"policy.mask": "walls"}, ValueError, "policy.mask: expected one of none, obstacles, rig"),
         (
-            {"world.fov": 3, "policy.mask": "right-of-way"}, ValueError,
+            {"world.fov": 3, "policy.mask": "right-of-way"},
+            ValueError,
             "policy.mask: expected a fov of at least 5 for the mask right-of-way, got 3",
+        ),
+        (
+            {"world.rules": mw.Rules(pursuer=mw.Outcome.BOUNCE), "policy.mask": "right-of-way"},
+            ValueError,
+            r"policy.mask: expected none or obstacles .*\(capture OCCUPATION, evader D",
         ),
         ({"seed": -1}, ValueError, "seed: expected 0 to 9223372036854775807, got -1"),
         ({"seed": MOST_SEED + 1}, ValueError, "seed"),

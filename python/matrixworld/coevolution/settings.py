@@ -46,7 +46,7 @@ from matrixworld.coevolution.sections import (
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import MASKS, check_mask, forbidding_cells
+from matrixworld.world.masks import MASKS, check_mask, forbidding_cells, leaves_captures
 from matrixworld.world.policy import GATES, Network
 from matrixworld.world.rules import Outcome, Rewards, variant_name
 
@@ -219,7 +219,7 @@ class RaceSettings(Section):
                 with inside(f"{item.name}."):
                     value = replace(value, **unfilled)
             object.__setattr__(self, item.name, self._usual(item) if value is None else value)
-        check_mask("policy.mask", self.policy.mask, self.world)
+        self._check_mask()
         self._check_idle()
         self.learner.check_run(self)
 
@@ -229,6 +229,17 @@ class RaceSettings(Section):
         conditions = (self.learner.kind, *self.schedule.conditions)
         usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
         return usual(self) if callable(usual) else usual
+
+    def _check_mask(self) -> None:
+        mask, rules = self.policy.mask, self.world.rules
+        check_mask("policy.mask", mask, self.world)
+        masked = mask == "right-of-way" and "pursuer" in self.learning_teams
+        if masked and rules.captures and not leaves_captures(self.world):
+            raise ValueError(
+                f"policy.mask: expected none or obstacles for pursuers whose captures are "
+                f"collisions at fault (capture {rules.capture.name}, evader {rules.evader.name}, "
+                f"pursuer {rules.pursuer.name}), got {mask!r}"
+            )
 
     def _check_idle(self) -> None:
         """Raise ValueError for a value without effect where another section is the reason."""

@@ -12,7 +12,7 @@ from matrixworld import _core
 from matrixworld._util.checks import check_choice, shown
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import Action
+from matrixworld.world.rules import Action, Capture
 
 Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
 
@@ -95,3 +95,16 @@ def action_masks(views: NDArray[Any], cells: NDArray[np.intp]) -> NDArray[np.int
     masks = np.ones((*flat.shape[:-1], 1 + len(cells)), np.int8)
     masks[..., Action.STAY + 1 :] = ~(flat[..., cells] != 0).any(axis=-1)
     return masks
+
+
+def leaves_captures(config: WorldConfig) -> bool:
+    """Return whether pursuers with right of way can capture by a move of their own.
+
+    Where contact captures, they must be allowed to enter the cell of an evader; otherwise a cell
+    beside an evader, which the evader could enter, too.
+    """
+    _, *moves = _core.right_of_way(config.setup, False)
+    evaders = [(row, col) for channel, row, col in moves[0] if channel == CHANNEL["evader"]]
+    if config.rules.capture is Capture.OCCUPATION:
+        return not evaders
+    return len(evaders) == 1

@@ -98,3 +98,14 @@ def test_a_run_with_a_mask_starts_from_one_with_another_mask(tmp_path: Path) -> 
     weights, genomes = second.mask_weights("pursuer"), run.teams["pursuer"].genomes
     assert weights is not None
     np.testing.assert_array_equal(weights.write(genomes), genomes)
+
+
+def test_nobody_is_at_fault_in_training_by_any_learner(tmp_path: Path) -> None:
+    for learner in ("es", "ga"):
+        settings = tiny_race(mask="right-of-way", learner=learner, fov=5, rules="S")
+        if learner == "es":  # samples that spread with the genome must not spread with the mask
+            settings = settings.changed({"learner.relative_sigma": 0.4})
+        log = coevolution.finish(settings, tmp_path / learner, threads=1).files.log()
+        assert log["matches"][-1] > 0
+        assert not log["pursuer_faults"].any()
+        assert not log["evader_faults"].any()

@@ -74,7 +74,7 @@ class EvolutionStrategy:
         Share of its last step that classical momentum keeps, in [0, 1). By default a gradient
         becomes a step by Adam (Kingma & Ba 2015).
     relative_sigma : float, optional
-        This share of the root mean square of m is the least s. In a long race the genome grows with
+        This share of the root mean square of m, without fixed genes, is the least s. In a long race the genome grows with
         the root of the updates, mostly by chance; a constant s becomes small beside it, and tells
         less of the candidates than luck does. By default 0.
 
@@ -125,7 +125,9 @@ class EvolutionStrategy:
         """Standard deviation s of the next samples."""
         if not self.relative_sigma:
             return self._table.sigma
-        length = np.sqrt(np.mean(np.square(self.genome, dtype=np.float64)))
+        # Genes without noise do not count: those of a mask are larger than all others by far.
+        free = self.genome if self._table.fixed is None else self.genome[~self._table.fixed]
+        length = np.sqrt(np.mean(np.square(free, dtype=np.float64)))
         return max(self._table.sigma, self.relative_sigma * float(length))
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite

@@ -209,7 +209,7 @@ class NoiseTable:
         check_number("sigma", sigma, least=0.0, positive=True)
         self.size: int = size
         self.sigma: float = sigma
-        self._fixed = fixed
+        self.fixed: BoolArray | None = fixed
         numbers = size + min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
         self._numbers = rng.standard_normal(numbers, dtype=np.float32)
         with np.errstate(over="ignore"):
@@ -222,9 +222,9 @@ class NoiseTable:
         # The last window may end with the table, hence the endpoint.
         starts = rng.integers(0, len(self._numbers) - self.size, size=count, endpoint=True)
         windows = [self._numbers[start : start + self.size] for start in starts]
-        if self._fixed is None:
+        if self.fixed is None:
             return windows
-        return [np.where(self._fixed, np.float32(0.0), window) for window in windows]
+        return [np.where(self.fixed, np.float32(0.0), window) for window in windows]
 
 
 class Adam(Saved):
