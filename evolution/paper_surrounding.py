@@ -3,8 +3,8 @@
     python evolution/paper_surrounding.py             ten runs: some hours of one core
     python evolution/paper_surrounding.py --quick     a small world: some seconds
 
-Twenty pursuers learn by actor-critic to surround five evaders that move at random, on 40 x 40 cells,
-in episodes of 500 steps (-S). Three kinds of training:
+Twenty pursuers learn by actor-critic to surround five evaders that move at random, on 40 x 40
+cells, in episodes of 500 steps (-S). Three kinds of training:
 
 published     settings and rewards of the code that the paper's authors published, 5,000 epochs
 no mask       other settings, no penalty for collisions, 2,500 epochs

@@ -3,8 +3,8 @@
     python evolution/safe_coevolution.py             prices and masks: half an hour of two cores
     python evolution/safe_coevolution.py --quick     a small world: some seconds
 
-**Prices.** In variant B an agent that runs into a border or a teammate bounces; there is no other consequence.
-In each race the fitness of a team is
+**Prices.** In variant B an agent that runs into a border or a teammate bounces; there is no other
+consequence. In each race the fitness of a team is
 
     capture (pursuers) or escape (evaders)  -  price * own collisions at fault per agent-step
 

@@ -10,6 +10,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import open_run, start
+from right_of_way import forbidden_in_s, random_teams
 from tiny_race import tiny_single
 
 # About as many cells are taken as in play.
@@ -160,6 +161,21 @@ def test_libraries_have_the_same_memory(hidden: tuple[int, ...], memory: str) ->
     for logits, following in answers:
         assert np.abs(logits - expected[0]).max() < 1e-5
         assert np.abs(following - expected[1]).max() < 1e-6
+
+
+@pytest.mark.parametrize("hidden", [(), (8,), (8, 6)])
+def test_an_exported_network_keeps_the_right_of_way(hidden: tuple[int, ...]) -> None:
+    torch = pytest.importorskip("torch", reason="PyTorch is not installed")
+    config = mw.WorldConfig("S", rows=8, cols=8, n_pursuers=9, n_evaders=9, fov=5)
+    pursuers, _ = random_teams(config, np.random.default_rng(0), 1, hidden=hidden)
+    world = mw.World(config)
+    views = np.concatenate([(world.reset(seed=seed), world.views()[:9])[1] for seed in range(9)])
+    module = mw.NetworkPolicy(pursuers.network, pursuers.genomes[0]).to_torch()
+    chances = module(torch.from_numpy(views).float()).softmax(dim=1).detach().numpy()
+    refused = np.array([forbidden_in_s(view, "pursuer", 5) for view in views])
+    assert refused.any(axis=0)[1:].all()
+    assert (chances[refused] == 0).all()
+    assert (chances[~refused] > 0).all()
 
 
 @pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])

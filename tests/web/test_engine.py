@@ -20,6 +20,7 @@ from matrixworld.world.arrays import WORLD_FIELDS
 from matrixworld.world.conflicts import conflict_of
 from node import Commands, policy_json, run_node
 from perfect_play import solved_moment
+from right_of_way import random_teams
 from rows import NAMES, config_of, random_actions, random_genome
 
 ROOT = Path(__file__).parents[2]
@@ -189,6 +190,16 @@ def test_every_script_plays_as_in_the_extension(run_command: Commands, script: s
     wanted = mw.record(config, script, "dodger", seed=5)
     got = run_command(do="match", **asked(config, script, "dodger", 5, episode=0, seek=[]))
     assert got["positions"] == wanted.positions.ravel().tolist()
+
+
+def test_masked_networks_keep_the_right_of_way_in_a_page(run_command: Commands) -> None:
+    config = config_of("S", rows=9, cols=9, n_pursuers=9, n_evaders=6, max_steps=40, fov=5)
+    pursuers, evaders = random_teams(config, np.random.default_rng(4), 1, hidden=(8,))
+    got = run_command(do="rollout", **asked(config, pursuers, evaders, 9, episodes=6))
+    assert [np.sum(statistics["faults"]) for statistics in got] == [0] * 6
+    wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), episodes=6, threads=1)
+    steps = [np.ravel(statistics["agent_steps"]).tolist() for statistics in got]
+    assert steps == wanted.agent_steps[0].tolist()
 
 
 def test_statistics_of_episodes_are_those_of_a_rollout(run_command: Commands) -> None:

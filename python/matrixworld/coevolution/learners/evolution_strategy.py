@@ -74,9 +74,9 @@ class EvolutionStrategy:
         Share of its last step that classical momentum keeps, in [0, 1). By default a gradient
         becomes a step by Adam (Kingma & Ba 2015).
     relative_sigma : float, optional
-        This share of the root mean square of m, without fixed genes, is the least s. In a long race the genome grows with
-        the root of the updates, mostly by chance; a constant s becomes small beside it, and tells
-        less of the candidates than luck does. By default 0.
+        This share of the root mean square of m, without fixed genes, is the least s. In a long race
+        the genome grows with the root of the updates, mostly by chance; a constant s becomes small
+        beside it, and tells less of the candidates than luck does. By default 0.
 
     References
     ----------
