@@ -20,6 +20,7 @@ import judgement_tables
 import learned_exploitability as learned
 import matrixworld as mw
 import paper_claims
+import paper_surrounding
 import psro
 import race_budgets
 import safe_learning
@@ -100,7 +101,7 @@ def test_the_page_on_safe_learning_shows_the_published_numbers() -> None:
         return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
 
     in_s, in_sb = (rows(part) for part in table.split("| -SB | capture"))
-    expected = [[*one[:3], *other[1:3]] for one, other in zip(in_s, in_sb, strict=True)]
+    expected = [[*one[:4], *other[1:4]] for one, other in zip(in_s, in_sb, strict=True)]
     assert [row[0] for row in in_s] == [row[0] for row in in_sb]
     assert rows(page) == expected
     assert table[table.index("| difference of") :] in page
@@ -544,21 +545,23 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     table = read(results / "table.md")
     assert printed.startswith(table)
     rows = [line for line in table.splitlines() if line.startswith(("| gradients", "| evolution"))]
-    assert len(rows) == 8 + 5 + 5
+    assert len(rows) == 6 + 4 + 4
     for row in rows:
         cells = [cell.strip() for cell in row.strip("|").split("|")]
-        if "mask" in cells[0]:
-            assert cells[3] == "0.0"  # no collision with an obstacle
-        if "occupied" in cells[0]:
-            assert cells[5] == "0.0"  # nor with an evader that moves in other cells
+        if "mask of obstacles" in cells[0]:
+            assert cells[4] == "0.0"
+        if "right of way" in cells[0]:
+            assert cells[3:8] == ["0.0"] * 5  # of all kinds, in the test and while training
+    assert "pursuers were at fault 0 times in " in table
     with np.load(results / "numbers.npz") as numbers:
-        name = "SB gradients: mask of occupied cells"
+        name = "SB gradients: right of way"
         assert numbers[f"{name} / fault"].shape == (2, 3, 3)
-        assert not numbers[f"{name} / fault"][..., 0].any()
+        assert not numbers[f"{name} / fault"].any()
+        assert numbers["long test"][0] >= 1e4
         steps = numbers[f"{name} / agent-steps"]
         captures = numbers[f"{name} / capture rate"]
     # The numbers are those of the runs.
-    run = open_run(tmp_path / "runs/safe_learning/SB-gradients-mask-of-occupied-cells/1")
+    run = open_run(tmp_path / "runs/safe_learning/SB-gradients-right-of-way/1")
     assert steps[1, -1] == 3 * run.files.log()["steps"][-1]
     settings, own = run.settings, run.teams["pursuer"]
     last = mw.Population(own.genomes[-1:], own.network)
@@ -576,13 +579,61 @@ def test_methods_are_compared_at_the_last_generation_within_the_budget() -> None
         numbers[f"{name} / agent-steps"] = np.array(of_seeds)
         numbers[f"{name} / collisions"] = np.array(of_seeds) / 10
         numbers[f"{name} / capture rate"] = np.arange(6).reshape(2, 3) / 10
+        numbers[f"{name} / length"] = np.arange(6).reshape(2, 3)
         numbers[f"{name} / fault"] = np.arange(18.0).reshape(2, 3, 3)
     found = safe_learning.judged(numbers, "S a", budget=90)
     np.testing.assert_allclose(found["capture rate"], [0.1, 0.5])
     np.testing.assert_allclose(found["all"], [3 + 4 + 5, 15 + 16 + 17])
+    np.testing.assert_allclose(found["length"], [1, 5])
     np.testing.assert_allclose(found["teammate"], [4, 16])
     np.testing.assert_allclose(found["training"], [100, 100])
     np.testing.assert_allclose(found["agent-steps"], [50e-6, 90e-6])
     np.testing.assert_allclose(
         safe_learning.judged(numbers, "S b", budget=95)["capture rate"], [0.2, 0.4]
     )
+
+
+# Surrounding at the paper's size
+
+
+def test_surrounding_is_played_and_measured_by_one_command(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    printed = run_quickly("paper_surrounding", tmp_path)
+    results = tmp_path / "paper_surrounding"
+    assert {path.name for path in results.iterdir()} == {
+        "table.md", "numbers.npz", "training.png",
+    }  # fmt: skip
+    assert printed.startswith(read(results / "table.md"))
+    with np.load(results / "numbers.npz") as numbers:
+        assert numbers["published / fault"].shape == (2, 4)
+        assert not numbers["right of way / fault"].any()
+        assert not numbers["right of way / last fault"].any()
+        assert numbers["no mask / fault"].any()
+        captured = numbers["right of way / last captured"]
+    run = open_run(tmp_path / "runs/paper_surrounding/right-of-way/1")
+    own = run.teams["pursuer"]
+    last = mw.Population(own.genomes[-1:], own.network)
+    matches = mw.Matches.of(0, 0, 10**6 + 1)
+    played = mw.rollout(run.settings.world, last, "random", matches, episodes=400)
+    assert captured[1] == pytest.approx(played.capture_rate.mean())
+    assert run_quickly("paper_surrounding", tmp_path) == printed
+
+
+def test_the_authors_log_has_each_tenth_epoch() -> None:
+    log = paper_surrounding.published_log()
+    np.testing.assert_array_equal(log["epoch"], np.arange(0, 5000, 10))
+    assert ((log["captured"] >= 0) & (log["captured"] <= 1)).all()
+    # Captures of five evaders; collisions are counts.
+    np.testing.assert_allclose(log["captured"] * 5, np.round(log["captured"] * 5), atol=1e-9)
+    # Without captures the reward follows from the collisions and 500 steps, but for neighbours.
+    early = log["epoch"] < 900
+    collided = sum(log[kind] for kind in ("obstacle", "teammate", "adversary"))
+    left = log["reward"] + 12 * collided / 20 + 0.05 * 500
+    assert (left[early] > -0.5).all()
+    assert (left[early] < 15).all()
+
+
+def test_windows_are_means_of_epochs() -> None:
+    values = np.arange(12.0).reshape(2, 6)
+    np.testing.assert_allclose(paper_surrounding.windows(values, 2)[1], [6.5, 8.5, 10.5])
+    np.testing.assert_allclose(paper_surrounding.windows(values, 4), [[1.5], [7.5]])

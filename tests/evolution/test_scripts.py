@@ -125,9 +125,13 @@ def test_the_deap_example_evolves_a_response_that_wins() -> None:
 
 
 @pytest.mark.slow
-def test_safe_coevolution_prices_collisions(tmp_path: Path) -> None:
-    table = rows(quick("safe_coevolution", tmp_path))
-    assert [path.name for path in tmp_path.iterdir()] == ["safe_coevolution.png"]
+def test_safe_coevolution_prices_and_forbids_collisions(tmp_path: Path) -> None:
+    *table, _, free_race, masked, change = rows(quick("safe_coevolution", tmp_path))
+    assert {path.name for path in tmp_path.iterdir()} == {"safe_coevolution.png", "runs"}
+    # Right of way: nobody is at fault in the last generation, nor in all of training.
+    assert [free_race[0], masked[0]] == ["none", "right-of-way"]
+    assert masked[3:] == ["0.0", "0.0", "0"]
+    assert int(change[5].replace(",", "")) == -int(free_race[5].replace(",", "")) < 0
     assert [row[:2] for row in table] == [
         ["pursuers", "0"], ["pursuers", "1"], ["evaders", "0"], ["evaders", "1"],
     ]  # fmt: skip

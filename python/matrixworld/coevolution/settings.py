@@ -83,9 +83,9 @@ class PolicySettings(Section):
     )
     mask: str = setting(
         "none",
-        "moves that a policy never chooses: obstacles (into an obstacle or the border), "
-        "right-of-way (besides these, moves that could put it at fault; needs a world.fov of at "
-        "least 5), or none",
+        "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
+        "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
+        "rules under which pursuers that learn can capture so), or none; not with cma",
         choices=MASKS,
     )
 

@@ -116,7 +116,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
     seen = played(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
     given: list[np.ndarray] = []  # instead of a step of Adam, which would hide the gradient
-    one._actor.ascend = given.append  # type: ignore[method-assign]
+    one._actor.ascend = lambda gradient, _: given.append(gradient)  # type: ignore[method-assign]
     one._improve(one._parts(seen.views), seen.actions, weight)
     taken = np.arange(len(seen)), seen.actions
 
@@ -141,7 +141,7 @@ def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
     seen = played(one)
     target = rng().normal(size=len(seen)).astype(np.float32)
     critic, given = one._critics["critic"], []
-    critic.ascend = given.append  # type: ignore[method-assign]
+    critic.ascend = lambda gradient, _: given.append(gradient)  # type: ignore[method-assign]
     one._fit(critic, one._parts(seen.views), target)
     assert len(given) == 5
 
@@ -303,3 +303,35 @@ def test_it_learns_where_a_caller_has_switched_gradients_off(torch, switch, tmp_
     with getattr(torch, switch)():
         within.run()
     np.testing.assert_array_equal(within.genomes("pursuer"), plain.genomes("pursuer"))
+
+
+def test_rates_fall_to_a_tenth(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("torch")
+    genome = orthogonal(NETWORK.sizes, rng())
+    chosen = ActorCriticSettings(actor_updates=2, anneal=True)
+    one = ActorCritic(genome, NETWORK, rng(), chosen, anneal_over=4)
+    shares = []
+    monkeypatch.setattr(one._actor, "ascend", lambda _, share: shares.append(share))
+    for updates in (0, 2, 4, 8, 20):
+        one._actor.updates = updates
+        one.learn(played(one))
+    np.testing.assert_allclose(shares[::2], [1.0, 0.775, 0.55, 0.1, 0.1])
+
+
+def test_minibatches_divide_the_transitions() -> None:
+    pytest.importorskip("torch")
+    one = learner(minibatches=3, actor_updates=3)
+    seen = played(one)
+    places = [place for part in one._parts(seen.views) for _, place in part]
+    numbers = np.arange(len(seen))
+    divided = np.concatenate([numbers[place] for place in places])
+    np.testing.assert_array_equal(np.sort(divided), numbers)
+    sums = [inputs(torch_ones(seen.views.shape[1])).sum() for part in one._parts(seen.views)
+            for inputs, _ in part]  # fmt: skip
+    assert sum(map(float, sums)) == seen.views.sum()
+
+
+def torch_ones(n: int) -> Any:
+    import torch
+
+    return torch.ones(n, 1)

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats, shown
-from matrixworld.coevolution.learners.learner import Adam, LearnerSettings
+from matrixworld.coevolution.learners.learner import Adam, LearnerSettings, annealed
 from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State, Team
 from matrixworld.version import imported
@@ -215,12 +215,12 @@ class Perceptron(Adam):
             start = end
         return rows
 
-    def ascend(self, gradient: Genome) -> None:
-        """Make one step of Adam."""
+    def ascend(self, gradient: Genome, share: float = 1.0) -> None:
+        """Make one step of Adam, at a share of the learning rate."""
         if self.fixed is not None:
             gradient = np.where(self.fixed, np.float32(0.0), gradient)
         # A new array: archives keep a reference to the genome of their generation.
-        self.weights = self.weights + self.step(gradient, self.rate)
+        self.weights = self.weights + self.step(gradient, share * self.rate)
 
 
 def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
@@ -263,6 +263,7 @@ class ActorCriticSettings(LearnerSettings):
     )
     clip: float = setting(0.0, "clip range of PPO; 0: plain policy gradient")
     entropy: float = setting(0.0, "weight of the entropy bonus")
+    anneal: bool = setting(False, "reduce the learning rates linearly to a tenth over the run")
     central_critic: bool = setting(False, "let the critic see the whole world")
     cost_limit: float | None = setting(
         None,
@@ -305,6 +306,7 @@ class ActorCriticSettings(LearnerSettings):
             rng,
             self,
             state_size=CHANNELS * run.world.rows * run.world.cols,
+            anneal_over=run.schedule.total_epochs(team) if self.anneal else None,
             fixed=run.fixed_genes(team),
         )
 
@@ -324,8 +326,9 @@ class ActorCritic:
     m >= 0 rises while there are more collisions than the limit.
 
     `genome` and `network` are the actor to start from, and `rng` draws the first weights of the
-    critics. A central critic sees states of `state_size` numbers. Weights of the actor that are
-    `fixed` (genes,), such as those of a mask, do not change.
+    critics. A central critic sees states of `state_size` numbers. Learning rates fall over
+    `anneal_over` epochs; by default they are constant. Weights of the actor that are `fixed`
+    (genes,), such as those of a mask, do not change.
     """
 
     def __init__(
@@ -335,9 +338,11 @@ class ActorCritic:
         rng: np.random.Generator,
         chosen: ActorCriticSettings,
         state_size: int = 0,
+        anneal_over: int | None = None,
         fixed: BoolArray | None = None,
     ) -> None:
         self.chosen = chosen
+        self.anneal_over = anneal_over
         self._device = _usable_device(self._torch, chosen.device)
         weights, shape = check_floats("genome", genome, np.float32), network.sizes
         self._actor = Perceptron(weights, shape, network.activation, chosen.actor_rate, fixed)
@@ -348,6 +353,7 @@ class ActorCritic:
             for name in names
         }
         self.multiplier = 0.0
+        self._share = 1.0  # of the learning rates, in this epoch
 
     @property
     def _torch(self) -> Any:
@@ -391,6 +397,8 @@ class ActorCritic:
 
     def _learn(self, experience: Experience) -> None:
         chosen, acted = self.chosen, experience.acted
+        epochs = self._actor.updates // chosen.actor_updates
+        self._share = annealed(epochs, self.anneal_over)
         before, after = critic_rows(experience)
         known = self._parts(before)
         views = known if experience.states is None else self._parts(experience.views)
@@ -464,7 +472,7 @@ class ActorCritic:
             n = sum(inputs.rows for inputs, _ in part)
             for inputs, place in part:
                 (objective(weights, inputs, place) / n).backward()
-            network.ascend(weights.grad.cpu().numpy())
+            network.ascend(weights.grad.cpu().numpy(), self._share)
 
     def _values(self, critic: Perceptron, parts: list[Part]) -> Reals:
         found = np.empty(sum(inputs.rows for inputs, _ in chain.from_iterable(parts)), np.float32)

@@ -18,6 +18,7 @@ from matrixworld.coevolution.learners.learner import (
     LearnerSettings,
     Momentum,
     NoiseTable,
+    annealed,
     check_momentum,
     checked_fitness,
 )
@@ -26,9 +27,6 @@ from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, 
 
 if TYPE_CHECKING:
     from matrixworld.coevolution.settings import RaceSettings
-
-ANNEALED_RATE = 0.1
-"""Share of the starting learning rate that is left after annealing."""
 
 
 def centred_ranks(fitness: FloatArray) -> FloatArray:
@@ -115,10 +113,7 @@ class EvolutionStrategy:
     @property
     def rate(self) -> float:
         """Learning rate of the next update."""
-        if self.anneal_over is None:
-            return self.learning_rate
-        done = min(1.0, self._optimizer.updates / self.anneal_over)
-        return self.learning_rate * (1.0 - (1.0 - ANNEALED_RATE) * done)
+        return self.learning_rate * annealed(self._optimizer.updates, self.anneal_over)
 
     @property
     def sigma(self) -> float:

@@ -227,6 +227,15 @@ class NoiseTable:
         return [np.where(self.fixed, np.float32(0.0), window) for window in windows]
 
 
+ANNEALED = 0.1
+"""Share of a learning rate that is left after annealing."""
+
+
+def annealed(updates: int, over: int | None) -> float:
+    """Return the share of a rate after some updates, if it falls linearly `over` so many."""
+    return 1.0 if over is None else 1.0 - (1.0 - ANNEALED) * min(1.0, updates / over)
+
+
 class Adam(Saved):
     """Steps of Adam, in ascent (Kingma & Ba 2015, algorithm 1)."""
 
