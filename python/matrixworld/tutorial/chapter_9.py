@@ -21,6 +21,7 @@ from matrixworld.play.rollout import Matches, rollout
 from matrixworld.tutorial.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import action_masks, forbidding_cells
 from matrixworld.world.policy import Network, Population
 from matrixworld.world.rules import Rewards
 
@@ -128,6 +129,11 @@ def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
 def everything(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
     """Allow every action: the mask that masks nothing."""
     return np.ones((len(views), WORLD.n_actions), bool)
+
+
+def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Allow the moves that the mask right-of-way allows: those that put no pursuer at fault."""
+    return action_masks(views, forbidding_cells(WORLD, "right-of-way", "pursuer")).astype(bool)
 
 
 # ---- Exercises -----------------------------------------------------------------------------------
