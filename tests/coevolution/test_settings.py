@@ -158,7 +158,8 @@ def test_a_text_stands_for_a_section():
         ({"policy": "obstacles"}, TypeError, "policy: expected PolicySettings, got 'obstacles'"),
         ({"policy.mask": "walls"}, ValueError, "policy.mask: expected one of none, obstacles, rig"),
         (
-            {"world.fov": 3, "policy.mask": "right-of-way"}, ValueError,
+            {"world.fov": 3, "policy.mask": "right-of-way"},
+            ValueError,
             "policy.mask: expected a fov of at least 5 for the mask right-of-way, got 3",
         ),
         ({"seed": -1}, ValueError, "seed: expected 0 to 9223372036854775807, got -1"),
