@@ -17,8 +17,10 @@ from matrixworld.coevolution.storage import open_runs
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data
 from matrixworld.explorer.runs_page import archives_of, run_data
+from matrixworld.plots.game import CROSSINGS, may_go
 from matrixworld.tutorial.course import Prediction, exercises
 from matrixworld.version import __version__
+from matrixworld.world.arrays import MOVES
 
 PAGE = Path(__file__).with_name("lesson.html")
 LESSON: dict[str, Any] = load_toml(Path(__file__).with_name("lesson.toml"))
@@ -79,7 +81,9 @@ def lesson_page(races: Races) -> str:
 
 
 def _filled(part: dict[str, Any], races: Races) -> dict[str, Any]:
-    """Return a part with what the course says of the same question, and what the races say."""
+    """Return a part with what course, races and engine say of it."""
+    if part.get("widget") == "right-of-way":
+        return {**part, "crossings": crossings()}
     name = part.get("predict") or part.get("exercise")
     if name is None:
         return part
@@ -95,6 +99,21 @@ def _filled(part: dict[str, Any], races: Races) -> dict[str, Any]:
     if isinstance(course, Prediction):
         known["outcome"] = course.outcome
     return {**known, **part}
+
+
+def crossings() -> list[dict[str, Any]]:
+    """Return the panels of the figure `right_of_way`: pursuers' moves, and whether each may go."""
+    return [
+        {
+            "title": title,
+            "text": text,
+            "ways": [
+                [*MOVES[move].tolist(), goes]
+                for move, goes in zip(moves, may_go(moves), strict=True)
+            ],
+        }
+        for title, text, moves in CROSSINGS
+    ]
 
 
 _ARMS_RACE = ["arms race", "last half"]

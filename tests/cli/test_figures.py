@@ -83,7 +83,7 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ([], "expected RUN..., or --figure rules or conflicts or interaction"),
+        ([], "expected RUN..., or --figure rules or conflicts or interaction or right_of_way"),
         (["--figure", "payoff"], "expected RUN..., or --figure rules"),
         (["{job}", "--figure", "rules"], "--figure rules: expected no RUN, got "),
         (["{job}", "--out", "x.svg"], "--out: expected one --figure of one run, got no --fi"),

@@ -5,16 +5,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.patches import Circle, Rectangle, RegularPolygon
-from matplotlib.text import Text
+from matplotlib.text import Annotation, Text
 
 import matrixworld as mw
 from matrixworld import plots
 from matrixworld.plots.game import (
+    CROSSINGS,
     MOVES,
     PER_TEAM,
     SITUATIONS,
     Situation,
     actions_in,
+    may_go,
     resolve,
     turns_of,
     world_of,
@@ -22,6 +24,7 @@ from matrixworld.plots.game import (
 from matrixworld.plots.style import FORMATS
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
 from reference import ReferenceWorld, records
+from right_of_way import from_the_right
 
 PANELS = [
     pytest.param(situation, outcome, id=f"{situation.name}-{outcome.name}")
@@ -109,6 +112,31 @@ def test_moves_are_those_of_the_engine() -> None:
         assert world.positions[0].tolist() == [2 + down, 2 + right]
 
 
+@pytest.mark.parametrize("moves", [moves for *_, moves in CROSSINGS], ids=len)
+def test_who_may_go_is_read_from_the_moves(moves: tuple[int, ...]) -> None:
+    ways = {move: tuple(MOVES[move]) for move in moves}
+
+    def first(one: int, other: int) -> bool:
+        faces = np.add(ways[one], ways[other]).any() == 0
+        return one < other if faces else from_the_right(ways[other], ways[one])
+
+    assert may_go(moves) == [all(first(m, o) for o in moves if o != m) for m in moves]
+
+
+def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
+    for axes, (title, text, moves) in zip(plots.right_of_way().axes, CROSSINGS, strict=True):
+        assert (axes.get_title(), axes.get_xlabel()) == (title, text)
+        ways = [each for each in axes.texts if isinstance(each, Annotation)]
+        arrows = [each.arrowprops["arrowstyle"] == "-|>" for each in ways]
+        assert arrows == may_go(moves)
+        for way, move in zip(ways, moves, strict=True):
+            # Both cross, or end at, the border over which the move leads.
+            (x, y), (down, right) = np.mean([way.xy, way.xyann], axis=0), MOVES[move]
+            along = (1 - x) * right + (1 - y) * down
+            assert along == pytest.approx(0.35 if arrows[ways.index(way)] else 0.5)
+            assert (1 - x) * down + (1 - y) * right == pytest.approx(0)
+
+
 def test_the_table_shows_the_rules() -> None:
     own = mw.Rules(mw.Interaction.SWARM_TURNS, teammate=mw.Outcome.DISAPPEAR)
     figure = plots.rules_table({**mw.VARIANTS, "mine": own})
@@ -149,6 +177,7 @@ def test_the_turns_are_those_of_the_engine() -> None:
         *((plots.rules_table, suffix) for suffix in FORMATS),
         (plots.conflict_outcomes, "pdf"),
         (plots.interaction_models, "svg"),
+        (plots.right_of_way, "svg"),
     ],
 )
 def test_figures_are_files_of_their_suffix(draw, suffix: str, tmp_path: Path) -> None:
@@ -168,7 +197,8 @@ def test_another_suffix_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_text_of_a_figure_is_inside_of_it(tmp_path: Path) -> None:
-    for draw in (plots.rules_table, plots.conflict_outcomes, plots.interaction_models):
+    drawn = plots.rules_table, plots.conflict_outcomes, plots.interaction_models, plots.right_of_way
+    for draw in drawn:
         figure = draw()
         plots.save_figure(figure, tmp_path / "figure.png")  # which lays it out
         box = figure.bbox

@@ -3,6 +3,7 @@
 import ast
 import inspect
 import runpy
+from itertools import combinations, permutations, product
 from typing import Any
 
 import numpy as np
@@ -22,12 +23,14 @@ from matrixworld.tutorial.chapter_9 import (
     WEIGHTS,
     WORLD,
     break_even,
-    everything,
+    mask_of,
     pack,
     play_masked,
+    right_of_way,
 )
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
-from student_functions import STEPS, gains, last_beats_first
+from student_functions import STEPS, gains, last_beats_first, left_waits
+from student_functions import right_of_way as as_on_a_road
 
 # ---- Notebook 3 ----------------------------------------------------------------------------------
 
@@ -361,11 +364,46 @@ def test_the_concepts_are_drawn() -> None:
 # ---- Notebook 9: safety --------------------------------------------------------------------------
 
 
+def everything(views: np.ndarray) -> np.ndarray:
+    return np.ones((len(views), WORLD.n_actions), bool)
+
+
 def test_the_brisk_pack_captures_and_is_safe_in_most_episodes() -> None:
     played = play_masked(BRISK, everything, episodes=300, seed=5)
     assert played.captured.mean() > 0.95
     assert (played.safety.summary().safe_share[0] > 0.6).all()
     assert 8 < break_even() < 12
+
+
+def test_conventions_that_stop_no_group_are_the_orders_of_the_moves() -> None:
+    """Of the 64 in which exactly one of two goes first."""
+    moves = range(1, 5)
+    pairs = [*combinations(moves, 2)]
+    orders = {tuple(o.index(a) < o.index(b) for a, b in pairs) for o in permutations(moves)}
+    for firsts in product((True, False), repeat=len(pairs)):
+        table = dict(zip(pairs, firsts, strict=True))
+        table |= {(b, a): not first for (a, b), first in table.items()}
+        reply = check("9.4", lambda own, other, table=table: table[own, other])
+        assert reply.right is (firsts in orders)
+        assert reply.right or "exactly one goes first, so nobody collides" in reply.text
+
+
+def test_the_mask_of_the_package_is_that_of_right_before_left() -> None:
+    views = (np.random.default_rng(0).random((2000, 3, 11, 11)) < 0.1).astype(np.uint8)
+    np.testing.assert_array_equal(right_of_way(views), mask_of(as_on_a_road)(views))
+
+
+def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
+    greedy = [6, 20, 0, 0, 0, 0]
+    for convention in (
+        as_on_a_road,
+        lambda own, other: own < other,
+        lambda own, other: own > other,
+    ):
+        masked = play_masked(greedy, mask_of(convention), episodes=100, seed=92)
+        assert not masked.safety.summary().fault_rate[0].any()
+    both_go = play_masked(greedy, mask_of(left_waits), episodes=100, seed=92)
+    assert both_go.safety.summary().fault_rate[0, 1] > 0
 
 
 @pytest.fixture(scope="module")

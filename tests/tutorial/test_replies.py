@@ -22,7 +22,7 @@ from matrixworld.tutorial.chapter_2 import JAM_ACTIONS
 from matrixworld.tutorial.chapter_5 import ENDINGS
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from matrixworld.tutorial.chapter_8 import CASES, verdict_on
-from matrixworld.tutorial.chapter_9 import GREEDY, break_even, everything
+from matrixworld.tutorial.chapter_9 import break_even
 from matrixworld.tutorial.course import Prediction, exercises
 from notebooks import NOTEBOOKS, cells, source
 
@@ -287,7 +287,7 @@ WRONG: dict[str, dict[str, Any]] = {
         "swapped": lambda one, other: verdict_on(other, one),
     },
     "9.1": {
-        "greedy": GREEDY,
+        "greedy": [6, 20, 0, 0, 0, 0],
         "fast": [6, 20, -10, -10, -2, 0],
         "careful": [3, 10, -10, -10, -6, 0],
     },
@@ -295,12 +295,15 @@ WRONG: dict[str, dict[str, Any]] = {
     "9.3": {"few": 100, "one less": 298, "one more": 300, "a float": 298.07, "none": 0},
     "9.4": {
         "True": True,
-        "of one view": lambda views: np.ones(5, bool),
-        "nothing": lambda views: np.zeros((len(views), 5), bool),
-        "everything": everything,
-        "no walls": lambda views: student.free_cells(views, slice(1, 2)),
-        "free cells": student.free_cells,
-        "no moves": student.still,
+        "nothing": lambda own, other: None,
+        "a move": min,
+        "a coin": student.coin(),
+        "always": lambda own, other: True,
+        "never": lambda own, other: False,
+        "right before left": student.right_before_left,
+        "the left waits": student.left_waits,
+        "right of way": student.right_of_way,
+        "left before right": lambda own, other: student.right_of_way(other, own),
     },
 }  # fmt: skip
 
@@ -350,8 +353,9 @@ RIGHT: dict[str, list[Any]] = {
         ),
     ],
     "9.4": [
-        student.with_priority([(0, 1), (1, 0), (0, -1), (-1, 0)]),
-        student.with_priority(student.STEPS[1:], for_all=True),
+        lambda own, other: own > other,
+        lambda own, other: "nesw".index("wnse"[own - 1]) <= "nesw".index("wnse"[other - 1]),
+        lambda own, other: np.bool_([3, 1, 4, 2][own - 1] < [3, 1, 4, 2][other - 1]),
     ],
 }
 

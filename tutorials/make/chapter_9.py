@@ -7,7 +7,7 @@ the same number of matches in the same world (`matrixworld.tutorial.chapter_9`):
 
 - penalties: a fixed penalty for each collision at fault, with the paper's other rewards;
 - limit: the penalty rises while a pack collides more often than a limit, and falls below it;
-- mask: no penalty at all, but a mask of the moves that might end in a collision with a teammate.
+- mask: no penalty at all, but the mask right-of-way.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable
-from matrixworld.tutorial.chapter_9 import WEIGHTS, WORLD, pack, play_masked
+from matrixworld.tutorial.chapter_9 import WEIGHTS, WORLD, pack, play_masked, right_of_way
 from matrixworld.tutorial.course import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
@@ -91,25 +91,6 @@ def tested(weights: NDArray[np.float32], seed: int) -> Row:
         "agent_steps": played.agent_steps[:, :, 0].sum(),
         "safe": (played.faults[:, :, 0].sum(axis=2) == 0).sum(),
     }
-
-
-def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Return the moves, (n, 5), to free cells that no teammate with right of way can enter.
-
-    Of the agents around a free cell the one in the north goes first, then east, south, west.
-    """
-    centre = views.shape[-1] // 2
-    steps = np.array([(-1, 0), (0, 1), (1, 0), (0, -1)])
-    allowed = np.ones((len(views), 5), bool)
-    for action, step in enumerate(steps, start=1):
-        row, col = centre + step
-        allowed[:, action] = ~views[:, :, row, col].any(axis=1)
-        for side in steps:
-            if (side == -step).all():  # here comes the agent itself
-                break
-            row, col = centre + step + side
-            allowed[:, action] &= views[:, 1, row, col] == 0
-    return allowed
 
 
 def evolve_masked(seed: int) -> Row:

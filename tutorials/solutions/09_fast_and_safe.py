@@ -36,27 +36,14 @@ exercise_2 = (gain[0] - gain[1]) / (collisions[0] - collisions[1])
 
 exercise_3 = int(np.ceil(np.log(0.05) / np.log(0.99)))
 
-# 9.4  A mask with right of way.
+# 9.4  A convention that never stops all pursuers around a cell.
 #
-# A pursuer may enter a free cell if no teammate stands on a side of this cell that comes before its
-# own side in the order north, east, south, west. Two pursuers beside the same free cell are on two
-# of its sides, and one side comes first: only that pursuer may go. They cannot swap cells either,
-# since neither cell is free.
-
-STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]  # stay, north, east, south, west
-MIDDLE = 5
+# The moves are put in a row: north, east, south, west. Of any pursuers around a cell, the one whose
+# move stands furthest to the left goes before all others. Each of the 24 rows is right. In all
+# other conventions three pursuers can wait in a circle. Under the mask right-of-way these are the
+# ones that move north, east and west, and those that move north, south and west.
 
 
-def exercise_4(views):
-    """Return which actions are allowed, (n, 5), from n views, (n, 3, 11, 11)."""
-    allowed = np.ones((len(views), 5), bool)
-    for action in range(1, 5):
-        row, col = STEPS[action]
-        target = views[:, :, MIDDLE + row, MIDDLE + col]
-        allowed[:, action] = ~target.any(axis=1)
-        for down, right in STEPS[1:]:
-            if (down, right) == (-row, -col):  # this side of the target is my own cell
-                break
-            teammate = views[:, 1, MIDDLE + row + down, MIDDLE + col + right]
-            allowed[:, action] &= teammate == 0
-    return allowed
+def exercise_4(own, other):
+    """Return whether a pursuer that enters a cell by `own` goes before one that does by `other`."""
+    return own < other

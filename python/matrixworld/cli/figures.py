@@ -44,6 +44,7 @@ OF_GAME = {
     "rules": "rules_table",
     "conflicts": "conflict_outcomes",
     "interaction": "interaction_models",
+    "right_of_way": "right_of_way",
 }
 """Figures of the game, which need no run: the functions of `matrixworld.plots` that draw them."""
 

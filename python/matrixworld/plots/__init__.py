@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from matrixworld.plots.concepts import learning_concepts
 from matrixworld.plots.dynamics import replicator_trajectories, spinning_top
-from matrixworld.plots.game import conflict_outcomes, interaction_models, rules_table
+from matrixworld.plots.game import conflict_outcomes, interaction_models, right_of_way, rules_table
 from matrixworld.plots.generalization import generalization_curves, generalization_over_seeds
 from matrixworld.plots.payoffs import ciao_triangles, comparison, lag_profile_curve, payoff_heatmap
 from matrixworld.plots.runs import run_curves, run_dots, seed_bands, seed_scores, verdict_strip
@@ -31,6 +31,7 @@ __all__ = [
     "learning_concepts",
     "payoff_heatmap",
     "replicator_trajectories",
+    "right_of_way",
     "rules_table",
     "run_curves",
     "run_dots",

@@ -1,4 +1,4 @@
-"""Figures of the game: conflicts and their outcomes, rules as a table, and interaction models.
+"""Figures of the game: conflicts and their outcomes, right of way, rules, interaction models.
 
 What happens in a conflict is not drawn by hand: a `World` with these rules plays one step. The
 paper's figure shows four forms of conflict (vertex, edge, following, cycle), three kinds of
@@ -15,7 +15,7 @@ J. K. Terry et al. (2021). PettingZoo: Gym for multi-agent reinforcement learnin
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,6 +36,7 @@ from matplotlib.patheffects import withStroke
 from matrixworld._util import colors
 from matrixworld.plots.style import legend_below, new_figure
 from matrixworld.world.arrays import MOVES
+from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
@@ -291,6 +292,52 @@ def _draw_held(axes: Axes, cell: Cell) -> None:
     axes.add_patch(
         Circle((col, row), 0.46, fill=False, edgecolor=colors.COLLISION, linewidth=1.8, zorder=2)
     )
+
+
+# ---- Right of way --------------------------------------------------------------------------------
+
+CROSSINGS = (
+    ("right before left", "P1 has P0 on its right", (N, E)),
+    ("face to face", "east before west", (E, W)),
+    ("three", "P0 goes before both", (N, E, S)),
+    ("four", "each waits for another", (N, E, S, W)),
+)
+"""Panels: title, text, and the moves by which pursuers mean to enter the free cell."""
+
+
+def may_go(moves: Sequence[Action]) -> list[bool]:
+    """Return which of several pursuers around a free cell the mask right-of-way lets enter it."""
+    around = tuple(((1 - row, 1 - col), move) for move in moves for row, col in [MOVES[move]])
+    world = world_of(Situation("", "", 3, 3, around), Outcome.BOUNCE)
+    masks = ActionMasks("right-of-way", world.config).of(world.views())
+    return [bool(mask[move]) for mask, move in zip(masks, moves, strict=False)]
+
+
+def right_of_way() -> Figure:
+    """Draw which of several pursuers may enter a free cell, as the mask right-of-way says.
+
+    Right before left, as on a road; of two that face each other, the one that moves north or east.
+    """
+    look = {"color": colors.INK, "linewidth": 2.5, "shrinkA": 0, "shrinkB": 0}
+    figure = new_figure(8.0, 2.9, shrinks=False)
+    panels = figure.subplots(1, len(CROSSINGS))
+    for axes, (title, text, moves) in zip(panels, CROSSINGS, strict=True):
+        _draw_world(axes, Situation(title, text, 3, 3, ()))
+        for agent, (move, goes) in enumerate(zip(moves, may_go(moves), strict=True)):
+            down, right = MOVES[move]
+            _draw_agent(axes, (1 - down, 1 - right), f"P{agent}")
+            x, y = 1 - right / 2, 1 - down / 2  # on the border of the free cell
+            # An arrow into the cell, or a bar on its border.
+            style, begin, dx, dy = ("-|>", -0.1, right, down) if goes else ("-", -0.4, down, right)
+            ends = [(x + far * dx, y + far * dy) for far in (0.4, begin)]
+            axes.annotate("", *ends, arrowprops={"arrowstyle": style, **look})
+        axes.set_title(title, fontweight="bold")
+        axes.set_xlabel(text, size="small", color=colors.MUTED)
+    key: dict[str, Any] = {"linestyle": "", "color": colors.INK, "markersize": 9}
+    arrow = Line2D([], [], marker=r"$\rightarrow$", **key)
+    waits = Line2D([], [], marker="|", markeredgewidth=3, **key)
+    legend_below(figure, {"may go": arrow, "waits": waits})
+    return figure
 
 
 # ---- Rules as a table ----------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from itertools import combinations, permutations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ from matrixworld.play.rollout import Matches, rollout
 from matrixworld.tutorial.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import action_masks, forbidding_cells
 from matrixworld.world.policy import Network, Population
 from matrixworld.world.rules import Rewards
 
@@ -41,6 +43,7 @@ stay        for staying: always 1
 """
 
 _EVADERS, _PURSUERS, _OBSTACLES = range(3)  # channels of views
+MOVE = {1: "north", 2: "east", 3: "south", 4: "west"}
 
 Mask = Callable[[NDArray[np.uint8]], ArrayLike]
 """Takes views, (n, 3, fov, fov), and returns which actions are allowed, (n, n_actions)."""
@@ -125,9 +128,29 @@ def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
     return allowed
 
 
-def everything(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Allow every action: the mask that masks nothing."""
-    return np.ones((len(views), WORLD.n_actions), bool)
+def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Allow the moves that the mask right-of-way of the package allows."""
+    return action_masks(views, forbidding_cells(WORLD, "right-of-way", "pursuer")).astype(bool)
+
+
+def mask_of(goes_first: Callable[[int, int], bool]) -> Mask:
+    """Return the mask of a convention: moves to free cells before all teammates that could enter.
+
+    `goes_first` takes the moves, 1 to 4, by which a pursuer and a teammate can enter one cell.
+    """
+
+    def mask(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
+        allowed, middle = np.ones((len(views), WORLD.n_actions), bool), views.shape[-1] // 2
+        for own in MOVE:
+            row, col = middle + MOVES[own]
+            allowed[:, own] = ~views[:, :, row, col].any(axis=1)
+            for other in MOVE:
+                if other != own and not goes_first(own, other):
+                    row, col = middle + MOVES[own] - MOVES[other]
+                    allowed[:, own] &= views[:, _PURSUERS, row, col] == 0
+        return allowed
+
+    return mask
 
 
 # ---- Exercises -----------------------------------------------------------------------------------
@@ -136,9 +159,7 @@ MOST_FAULTS, MOST_STEPS = 10.0, 15.0
 TRIALS = 4000
 """Episodes that judge the answer: their mean number of steps has a standard error of 0.15."""
 BRISK, IDLE = (4, 10, -10, -8, -2, 0), (0, 0, 0, 0, 0, 20)
-GREEDY = (6, 20, 0, 0, 0, 0)
 FEWEST_EPISODES = 299  # 0.99^299 = 0.0495, and 0.99^298 = 0.05004
-FEWEST_CAPTURES = 0.5
 
 
 def _weights(weights: list[float]) -> str | None:
@@ -198,35 +219,30 @@ episodes_needed = number(
 )
 
 
-def _mask(answer: Any) -> str | None:
-    allowed = answer(np.zeros((2, 3, WORLD.fov, WORLD.fov), np.uint8))
-    if np.shape(allowed) != (2, 5):
-        return f"For n views it returns (n, 5) values; for 2 views it gave {np.shape(allowed)}."
-    if not np.asarray(allowed, bool).all():
-        return "On an empty grid, with nothing in view, it forbids an action. Nothing can happen."
-    played = (play_masked(weights, answer, episodes=200, seed=92) for weights in (GREEDY, BRISK))
-    return next(filter(None, map(_collided, played)), None)
-
-
-def _collided(played: MaskedEpisodes) -> str | None:
-    """Return what is wrong with a mask, from episodes under it."""
-    walls, teammates = played.safety.summary().fault_rate[0][:2]
-    if walls:
-        return (
-            f"Pursuers still run into walls ({walls:.1f} of 1000 agent-steps). Views show the "
-            "cells outside the grid as obstacles."
-        )
-    if teammates:
-        return (
-            f"Pursuers still collide with teammates ({teammates:.1f} of 1000 agent-steps). Is "
-            "there a cell to which two of them may go at once, or one with a teammate on it?"
-        )
-    if played.captured.mean() < FEWEST_CAPTURES:
-        return (
-            f"No collision, but the evader is captured in {played.captured.mean():.0%} of the "
-            "episodes only. The mask forbids too much: of several pursuers around a cell, one may "
-            "go."
-        )
+def _convention(answer: Any) -> str | None:
+    """Judge who goes first in all pairs, and then in all groups, of pursuers around a cell."""
+    first: dict[tuple[int, int], bool] = {}
+    for pair in permutations(MOVE, 2):
+        found = [answer(*pair) for _ in range(9)]
+        where = "For own = {} and other = {} it returns".format(*pair)
+        if not all(isinstance(each, bool | np.bool_) for each in found):
+            return f"{where} {found[0]!r}; expected True or False."
+        if len({*found}) > 1:
+            return f"{where} now True, now False. Both pursuers must come to the same decision."
+        first[pair] = bool(found[0])
+    for one, other in combinations(MOVE, 2):
+        if first[one, other] == first[other, one]:
+            both = "both go first, and collide" if first[one, other] else "neither goes first"
+            return (
+                f"One moves {MOVE[one]} into a cell, the other {MOVE[other]} into the same: {both}."
+            )
+    for group in (*combinations(MOVE, 3), tuple(MOVE)):
+        if not any(all(first[one, other] for other in group if other != one) for one in group):
+            *moves, last = (MOVE[move] for move in group)
+            return (
+                "Of any two exactly one goes first, so nobody collides. But where pursuers move "
+                f"{', '.join(moves)} and {last} into one cell, each waits for another one."
+            )
     return None
 
 
@@ -236,5 +252,5 @@ CHECKS: dict[str, Check] = {
     ),
     "9.2": _penalty,
     "9.3": episodes_needed,
-    "9.4": tried(_mask),
+    "9.4": tried(_convention),
 }

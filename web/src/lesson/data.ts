@@ -41,6 +41,14 @@ export interface WidgetPart {
   readonly hall?: boolean;
   readonly question?: string;
   readonly points?: readonly string[];
+  readonly crossings?: readonly Crossing[];
+}
+
+/** Pursuers that mean to enter one free cell: rows down and columns to the right, and whether each may go. */
+export interface Crossing {
+  readonly title: string;
+  readonly text: string;
+  readonly ways: readonly (readonly [down: number, right: number, goes: boolean])[];
 }
 
 /** The outcome of an earlier prediction. */

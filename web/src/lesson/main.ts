@@ -13,6 +13,7 @@ import { flatCurve, racesToGuess, sameDiagonals } from "./matrices.ts";
 import { gamesWidget, numbersWidget } from "./numbers.ts";
 import { exercisePart, outcomeOf, paragraphs, predictionPart } from "./parts.ts";
 import { chase, explorer, judgement } from "./races.ts";
+import { rightOfWay } from "./right_of_way.ts";
 import { Store } from "./store.ts";
 
 const isPrediction = (part: Part | undefined): part is Prediction => part !== undefined && "predict" in part;
@@ -24,6 +25,7 @@ const predictions = new Map(lesson.sections.flatMap(({ parts }) => parts.filter(
 
 const WIDGETS: Readonly<Record<string, (part: WidgetPart) => HTMLElement>> = {
   chase: () => chase(lesson, engine),
+  "right-of-way": rightOfWay,
   flat: flatCurve,
   hands: handsWidget,
   "hands-matrix": handsMatrix,

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources b162a9b667c09198dcfe1b3e178c17156e0e3e0180bb21b8e509913ec36ce266 */
+/* built from web/ by "npm run build"; sources 3711280ab2b0f4245f4ed3c261f1d58edc6debabaf122c4b6951510ac39d2996 */
 "use strict";(()=>{var Ma=Object.create;var yr=Object.defineProperty;var Aa=Object.getOwnPropertyDescriptor;var Ea=Object.getOwnPropertyNames;var Ta=Object.getPrototypeOf,Ca=Object.prototype.hasOwnProperty;var ka=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var Ra=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ea(e))!Ca.call(t,o)&&o!==n&&yr(t,o,{get:()=>e[o],enumerable:!(r=Aa(e,o))||r.enumerable});
 return t};var _a=(t,e,n)=>(n=t!=null?Ma(Ta(t)):{},Ra(e||!t||!t.__esModule?yr(n,"default",{value:t,enumerable:!0}):n,t));var Qs=ka(ur=>{var js=Object.defineProperty,Wl=t=>js(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var n in e)js(t,n,{get:e[n],enumerable:!0})};Wl(ur);Hl(ur,{GIFEncoder:()=>Js,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>nc,nearestColorIndex:()=>Ys,nearestColorIndexWithDistance:()=>Zs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources b162a9b667c09198dcfe1b3e178c17156e0e3e0180bb21b8e509913ec36ce266 */
+/* built from web/ by "npm run build"; sources 3711280ab2b0f4245f4ed3c261f1d58edc6debabaf122c4b6951510ac39d2996 */
 "use strict";(()=>{var ar={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},ir={OCCUPATION:0,SURROUND:1},lr={FAULT:0,INVOLVED:1};var bt=["obstacle","teammate","adversary"],wt=["vertex","edge","chain"],ur=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xt=["p\
 ursuer_{number}","evader_{number}"],cr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Le={"both held":"both bounce","both doomed":"\
