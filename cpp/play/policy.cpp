@@ -98,30 +98,39 @@ void ScriptedPolicy::look(const World& world, const Occupancy& occupancy, int ag
 
 int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, int agent,
                               std::uint32_t draw) {
+    const int n_actions = world.config().n_actions();
+    int moves[kDiagonalMoves];
+    if (script_.rate) {
+        int worth[kDiagonalMoves];
+        sight_.look(world, occupancy, agent);
+        script_.rate(world, sight_, agent, draw, worth);
+        return moves[below(draw, find_best(n_actions, worth, moves))];
+    }
     if (!script_.goals) return 0;
     look(world, occupancy, agent);
     if (walks()) {
         const int move = walk_on(world, agent);
         if (sight_.is_free({kRowStep[move], kColStep[move]})) return move;
     }
-    int moves[kDiagonalMoves];
-    const int n_best = find_best(world.config().n_actions(), moves);
-    return moves[below(draw, n_best)];
+    return moves[below(draw, find_best(n_actions, moves))];
+}
+
+int ScriptedPolicy::find_best(int n_actions, int* moves) const {
+    int worth[kDiagonalMoves];
+    for (int move = 0; move < n_actions; ++move) {
+        worth[move] = script_.worth(sight_, goals_, {kRowStep[move], kColStep[move]});
+    }
+    return find_best(n_actions, worth, moves);
 }
 
 // Lists the moves of the highest worth, and returns how many there are.
-int ScriptedPolicy::find_best(int n_actions, int* moves) const {
-    int best = 0;
+int ScriptedPolicy::find_best(int n_actions, const int* worth, int* moves) const {
     int n_best = 0;
     for (int move = 0; move < n_actions; ++move) {
-        const Offset there{kRowStep[move], kColStep[move]};
-        if (move != 0 && !sight_.is_free(there)) continue;
-        const int worth = script_.worth(sight_, goals_, there);
-        if (n_best == 0 || worth > best) {  // the first move, or one better than all before it
-            best = worth;
-            n_best = 0;
-        }
-        if (worth == best) moves[n_best++] = move;
+        if (move != 0 && !sight_.is_free({kRowStep[move], kColStep[move]})) continue;
+        if (n_best > 0 && worth[move] < worth[moves[0]]) continue;
+        if (n_best > 0 && worth[move] > worth[moves[0]]) n_best = 0;
+        moves[n_best++] = move;
     }
     return n_best;
 }
@@ -129,6 +138,11 @@ int ScriptedPolicy::find_best(int n_actions, int* moves) const {
 void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
     const int n_actions = world.config().n_actions();
     const double slips = static_cast<double>(script_.slips) / kSlipSteps;
+    if (script_.rate) {
+        throw std::invalid_argument(std::string(script_.name) +
+                                    ": expected a script that decides by the present state alone, "
+                                    "got one that counts steps");
+    }
     for (int agent : agents_) {
         std::fill_n(out, n_actions, slips / n_actions);
         int moves[kDiagonalMoves] = {0};

@@ -73,6 +73,7 @@ class ScriptedPolicy : public Policy {
     void look(const World& world, const Occupancy& occupancy, int agent);
     bool walks() const { return goals_.empty() && script_.stride > 0; }
     int find_best(int n_actions, int* moves) const;
+    int find_best(int n_actions, const int* worth, int* moves) const;
     int best_move(const World& world, const Occupancy& occupancy, int agent, std::uint32_t draw);
     int walk_on(const World& world, int agent) const;
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "observe/observe.hpp"
+#include "play/team_surrounder.hpp"
 
 namespace matrixworld {
 
@@ -28,6 +29,10 @@ void Sight::look(const World& world, const Occupancy& occupancy, int agent) {
 bool Sight::is_free(Offset cell) const {
     const int number = world_->grid().cell(own_.row + cell.row, own_.col + cell.col);
     return world_->terrain().kind[number] == kFree;
+}
+
+bool Sight::is_blocked(Offset cell) const {
+    return *world_->terrain().blocked.window(own_.row + cell.row, own_.col + cell.col);
 }
 
 int Sight::moves(Offset from, Offset to) const {
@@ -119,6 +124,7 @@ const std::vector<Script>& scripts() {
         {"surrounder", open_sides, near, kNever, kStride},
         {"clumsy-fleer", adversaries, far, kHalf, 0},
         {"dodger", adversaries, far_from_all, kNever, 0},
+        {"team-surrounder", nullptr, nullptr, kNever, 0, rate_for_team},
     };
     return all;
 }
