@@ -15,6 +15,7 @@
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
 #include "kernels/kernels.hpp"
+#include "observe/right_of_way.hpp"
 #include "play/batch.hpp"
 
 namespace py = pybind11;
@@ -93,6 +94,20 @@ py::dict axis_sizes(const Setup& setup) {
     return sizes;
 }
 
+// What forbids each move by the right of way: (channel, row, column) from the agent.
+py::list right_of_way(const Setup& setup, bool evaders) {
+    const RightOfWay ways(setup.config, evaders ? Team::Evader : Team::Pursuer);
+    py::list moves;
+    for (int move = 0; move < setup.config.n_actions(); ++move) {
+        py::list cells;
+        for (const RightOfWay::Cell& cell : ways.forbidding(move)) {
+            cells.append(py::make_tuple(cell.channel, cell.row, cell.col));
+        }
+        moves.append(cells);
+    }
+    return moves;
+}
+
 // For draws that belong to no world, such as the choice of an opponent, with purposes of their own.
 std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
                                           std::array<std::uint64_t, 2> key) {
@@ -169,6 +184,7 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
 
     m.def("world_fields", [] { return to_list(world_fields()); });
     m.def("batch_fields", [] { return to_list(batch_fields()); });
+    m.def("right_of_way", &right_of_way, py::arg("setup"), py::arg("evaders"));
     bind_worlds(m);
     bind_rollouts(m);
     bind_solve(m);

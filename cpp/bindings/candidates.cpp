@@ -10,8 +10,7 @@ namespace {
 
 std::string script_names() {
     std::string names;
-    for (const Script& script : scripts())
-        names += (names.empty() ? "" : ", ") + std::string(script.name);
+    for (const Script& script : scripts()) names += (names.empty() ? "" : ", ") + script.name;
     return names;
 }
 
@@ -27,6 +26,7 @@ HeldCandidates to_candidates(const std::string& name, const py::object& given,
             throw py::value_error(name + ": expected one of " + script_names() + ", got '" +
                                   script + "'");
         }
+        require_sight(name, *held.candidates.script, config);
         return held;
     }
     if (py::isinstance<Tables>(given)) {

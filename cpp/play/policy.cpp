@@ -79,58 +79,81 @@ void NetworkPolicy::weigh(const World& world, const Occupancy& occupancy, double
     }
 }
 
+ScriptedPolicy::ScriptedPolicy(const Script& script, const Config& config)
+    : script_(script), sight_(config.fov) {
+    if (!script.careful) return;
+    for (const Team team : {Team::Pursuer, Team::Evader}) ways_.emplace_back(config, team);
+}
+
 void ScriptedPolicy::choose(World& world, const Occupancy& occupancy) {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
         // One draw serves two independent decisions: `kSlipSteps` is a power of two, so the lowest
         // bits decide whether the agent slips, and `below` uses the highest for the move.
         const bool slips = static_cast<int>(draws_[i] % kSlipSteps) < script_.slips;
-        chosen_[i] =
-            static_cast<std::uint8_t>(slips ? below(draws_[i], world.config().n_actions())
-                                            : best_move(world, occupancy, agents_[i], draws_[i]));
+        int moves[kDiagonalMoves];
+        chosen_[i] = static_cast<std::uint8_t>(
+            slips ? moves[below(draws_[i], list_slips(world, occupancy, agents_[i], moves))]
+                  : best_move(world, occupancy, agents_[i], draws_[i]));
     }
 }
 
 void ScriptedPolicy::look(const World& world, const Occupancy& occupancy, int agent) {
     sight_.look(world, occupancy, agent);
     goals_.clear();
-    script_.goals(sight_, goals_);
+    if (script_.goals) script_.goals(sight_, goals_);
+}
+
+// Does the script consider a move? A careful one asks who has the right of way, the others avoid
+// obstacles alone.
+bool ScriptedPolicy::allows(const World& world, const Occupancy& occupancy, int agent,
+                            int move) const {
+    if (script_.careful) {
+        const int team = static_cast<int>(world.team(agent));
+        return ways_[team].allows(world, occupancy, agent, move);
+    }
+    return move == 0 || sight_.is_free({kRowStep[move], kColStep[move]});
+}
+
+// Lists the moves that the script makes when it errs, and returns how many there are.
+int ScriptedPolicy::list_slips(const World& world, const Occupancy& occupancy, int agent,
+                               int* moves) const {
+    int n = 0;
+    for (int move = 0; move < world.config().n_actions(); ++move) {
+        if (!script_.careful || allows(world, occupancy, agent, move)) moves[n++] = move;
+    }
+    return n;
 }
 
 int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, int agent,
                               std::uint32_t draw) {
-    const int n_actions = world.config().n_actions();
-    int moves[kDiagonalMoves];
-    if (script_.rate) {
-        int worth[kDiagonalMoves];
-        sight_.look(world, occupancy, agent);
-        script_.rate(world, sight_, agent, draw, worth);
-        return moves[below(draw, find_best(n_actions, worth, moves))];
-    }
-    if (!script_.goals) return 0;
+    if (!script_.goals && !script_.rate) return 0;
     look(world, occupancy, agent);
-    if (walks()) {
+    if (script_.rate) {
+        script_.rate(world, sight_, agent, draw, rates_);
+    } else if (walks()) {
         const int move = walk_on(world, agent);
-        if (sight_.is_free({kRowStep[move], kColStep[move]})) return move;
+        if (allows(world, occupancy, agent, move)) return move;
     }
-    return moves[below(draw, find_best(n_actions, moves))];
-}
-
-int ScriptedPolicy::find_best(int n_actions, int* moves) const {
-    int worth[kDiagonalMoves];
-    for (int move = 0; move < n_actions; ++move) {
-        worth[move] = script_.worth(sight_, goals_, {kRowStep[move], kColStep[move]});
-    }
-    return find_best(n_actions, worth, moves);
+    int moves[kDiagonalMoves];
+    const int n_best = find_best(world, occupancy, agent, moves);
+    return moves[below(draw, n_best)];
 }
 
 // Lists the moves of the highest worth, and returns how many there are.
-int ScriptedPolicy::find_best(int n_actions, const int* worth, int* moves) const {
+int ScriptedPolicy::find_best(const World& world, const Occupancy& occupancy, int agent,
+                              int* moves) const {
+    int best = 0;
     int n_best = 0;
-    for (int move = 0; move < n_actions; ++move) {
-        if (move != 0 && !sight_.is_free({kRowStep[move], kColStep[move]})) continue;
-        if (n_best > 0 && worth[move] < worth[moves[0]]) continue;
-        if (n_best > 0 && worth[move] > worth[moves[0]]) n_best = 0;
-        moves[n_best++] = move;
+    for (int move = 0; move < world.config().n_actions(); ++move) {
+        if (!allows(world, occupancy, agent, move)) continue;
+        const int worth = script_.rate ? rates_[move]
+                                       : script_.worth(sight_, goals_,
+                                                       {kRowStep[move], kColStep[move]});
+        if (n_best == 0 || worth > best) {  // the first move, or one better than all before it
+            best = worth;
+            n_best = 0;
+        }
+        if (worth == best) moves[n_best++] = move;
     }
     return n_best;
 }
@@ -139,22 +162,25 @@ void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, doubl
     const int n_actions = world.config().n_actions();
     const double slips = static_cast<double>(script_.slips) / kSlipSteps;
     if (script_.rate) {
-        throw std::invalid_argument(std::string(script_.name) +
-                                    ": expected a script that decides by the present state alone, "
-                                    "got one that counts steps");
+        throw std::invalid_argument(script_.name +
+                                    ": expected a script that decides by what it sees alone, got "
+                                    "one that counts steps");
     }
     for (int agent : agents_) {
-        std::fill_n(out, n_actions, slips / n_actions);
+        std::fill_n(out, n_actions, 0.0);
         int moves[kDiagonalMoves] = {0};
+        const int n_slips = list_slips(world, occupancy, agent, moves);
+        for (int i = 0; i < n_slips; ++i) out[moves[i]] = slips / n_slips;
         int n_best = 1;
+        moves[0] = 0;
         if (script_.goals) {
             look(world, occupancy, agent);
             if (walks()) {
-                throw std::invalid_argument(std::string(script_.name) +
+                throw std::invalid_argument(script_.name +
                                             ": expected a script that sees what it looks for in "
                                             "every state, got one that walks on in some");
             }
-            n_best = find_best(n_actions, moves);
+            n_best = find_best(world, occupancy, agent, moves);
         }
         for (int i = 0; i < n_best; ++i) out[moves[i]] += (1 - slips) / n_best;
         out += n_actions;
@@ -178,7 +204,7 @@ LoadedPolicy::LoadedPolicy(const Candidates& candidates, const Setup& setup)
     } else if (candidates.make) {
         policy_ = candidates.make();
     } else {
-        policy_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
+        policy_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config);
     }
 }
 

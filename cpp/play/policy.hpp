@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/world.hpp"
+#include "observe/right_of_way.hpp"
 #include "play/mlp.hpp"
 #include "play/script.hpp"
 
@@ -65,21 +66,24 @@ class NetworkPolicy : public Policy {
 
 class ScriptedPolicy : public Policy {
   public:
-    ScriptedPolicy(const Script& script, int fov) : script_(script), sight_(fov) {}
+    ScriptedPolicy(const Script& script, const Config& config);
 
   private:
     void choose(World& world, const Occupancy& occupancy) override;
     void weigh(const World& world, const Occupancy& occupancy, double* out) override;
     void look(const World& world, const Occupancy& occupancy, int agent);
     bool walks() const { return goals_.empty() && script_.stride > 0; }
-    int find_best(int n_actions, int* moves) const;
-    int find_best(int n_actions, const int* worth, int* moves) const;
+    bool allows(const World& world, const Occupancy& occupancy, int agent, int move) const;
+    int find_best(const World& world, const Occupancy& occupancy, int agent, int* moves) const;
     int best_move(const World& world, const Occupancy& occupancy, int agent, std::uint32_t draw);
     int walk_on(const World& world, int agent) const;
+    int list_slips(const World& world, const Occupancy& occupancy, int agent, int* moves) const;
 
     const Script& script_;
     Sight sight_;
-    Offsets goals_;  // of the agent that decides
+    std::vector<RightOfWay> ways_;  // by team; empty unless the script is careful
+    Offsets goals_;                 // of the agent that decides
+    int rates_[kDiagonalMoves];     // of the moves of the agent that decides, if the script rates
 };
 
 // One team's candidates: n genomes of one network, one script, or any other policy.

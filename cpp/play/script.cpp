@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <climits>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "observe/observe.hpp"
+#include "observe/right_of_way.hpp"
 #include "play/team_surrounder.hpp"
 
 namespace matrixworld {
@@ -111,10 +113,21 @@ constexpr int kNever = 0;
 constexpr int kHalf = kSlipSteps / 2;
 constexpr int kStride = 12;  // steps; crosses a usual field of view
 
+std::vector<Script> with_careful_ones(std::vector<Script> all) {
+    const std::vector<Script> plain = all;
+    for (Script script : plain) {
+        if (!script.goals && !script.rate && script.slips == kNever) continue;  // it never moves
+        script.name = "careful-" + script.name;
+        script.careful = true;
+        all.push_back(script);
+    }
+    return all;
+}
+
 }  // namespace
 
 const std::vector<Script>& scripts() {
-    static const std::vector<Script> all = {
+    static const std::vector<Script> all = with_careful_ones({
         {"random", nullptr, nullptr, kSlipSteps, 0},
         {"still", nullptr, nullptr, kNever, 0},
         {"chaser", adversaries, near, kNever, 0},
@@ -125,7 +138,7 @@ const std::vector<Script>& scripts() {
         {"clumsy-fleer", adversaries, far, kHalf, 0},
         {"dodger", adversaries, far_from_all, kNever, 0},
         {"team-surrounder", nullptr, nullptr, kNever, 0, rate_for_team},
-    };
+    });
     return all;
 }
 
@@ -134,6 +147,13 @@ const Script* find_script(const std::string& name) {
         if (name == script.name) return &script;
     }
     return nullptr;
+}
+
+void require_sight(const std::string& player, const Script& script, const Config& config) {
+    if (!script.careful || config.fov >= RightOfWay::kLeastFov) return;
+    throw std::invalid_argument(player + ": expected a fov of at least " +
+                                std::to_string(RightOfWay::kLeastFov) + " for " + script.name +
+                                ", got " + std::to_string(config.fov));
 }
 
 }  // namespace matrixworld

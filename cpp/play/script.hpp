@@ -56,18 +56,22 @@ struct Script {
     using Rate = void (*)(const World& world, const Sight& sight, int agent, std::uint32_t draw,
                           int* worth);
 
-    const char* name;
+    std::string name;
     Goals goals;  // lists its goals; null: the script stays where it is
     Worth worth;  // what it is worth to be `there`
     int slips;    // in this many of kSlipSteps steps it takes any action, all equally likely
     int stride;   // steps in one direction while it has no goal; 0: a direction for each step
-    Rate rate = nullptr;  // instead of goals, worth and stride: writes what each move is worth
+    Rate rate = nullptr;  // instead of goals and worth: writes what each move is worth
+    bool careful = false;  // takes only moves that right of way allows
 };
 
 constexpr int kSlipSteps = 256;  // a power of two: see ScriptedPolicy::choose
 
+// All scripts, then each but "still" once more, with "careful-" before its name.
 const std::vector<Script>& scripts();
 // The script of this name, or null.
 const Script* find_script(const std::string& name);
+// Throws std::invalid_argument if agents do not see enough for a careful script.
+void require_sight(const std::string& player, const Script& script, const Config& config);
 
 }  // namespace matrixworld

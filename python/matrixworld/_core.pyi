@@ -287,6 +287,9 @@ def world_fields() -> list[_OutputField]:
 def batch_fields() -> list[_OutputField]:
     """The arrays that only batches write."""
 
+def right_of_way(setup: Setup, evaders: bool) -> list[list[tuple[int, int, int]]]:
+    """What forbids each move by the right of way: (channel, row, column) from the agent."""
+
 def philox(counter: Sequence[int], key: Sequence[int]) -> list[int]:
     """Four random 64-bit numbers of Philox4x64-10, from a counter (4,) and a key (2,)."""
 

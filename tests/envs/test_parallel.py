@@ -187,7 +187,16 @@ def test_calls_that_are_refused() -> None:
         ({"render_mode": "png"}, ValueError, "render_mode: expected None or one of .*got 'png'"),
         ({"fields_of_view": ["evader_30"]}, ValueError, r"fields_of_view: .*got \['evader_30'\]"),
         ({"fov": 1, "action_mask": True}, ValueError, "action_mask: expected a fov .* got 1"),
-        ({"action_mask": "yes"}, TypeError, "action_mask: expected True or False, got 'yes'"),
+        (
+            {"action_mask": "yes"},
+            ValueError,
+            "action_mask: expected one of none, obstacles, right-of-way, got 'yes'",
+        ),
+        (
+            {"action_mask": 1},
+            TypeError,
+            "action_mask: expected a bool or one of none, obstacles, right-of-way, got 1",
+        ),
     ],
 )
 def test_settings_that_are_refused(

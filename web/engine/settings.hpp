@@ -84,9 +84,12 @@ struct Player {
     Player(const Inputs& in, const Config& config) {
         if (in.has("script")) {
             candidates.script = find_script(in.text("script"));
-            if (candidates.script) return;
-            throw std::invalid_argument("script: expected the name of a script, got '" +
-                                        in.text("script") + "'");
+            if (!candidates.script) {
+                throw std::invalid_argument("script: expected the name of a script, got '" +
+                                            in.text("script") + "'");
+            }
+            require_sight("script", *candidates.script, config);
+            return;
         }
         const auto activation =
             in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;

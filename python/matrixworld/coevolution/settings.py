@@ -20,7 +20,6 @@ from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrateg
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
 from matrixworld.coevolution.learners.masked_network import (
-    MASKS,
     FixedWeights,
     mask_weights,
     masked_network,
@@ -47,11 +46,10 @@ from matrixworld.coevolution.sections import (
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import MASKS, check_mask, forbidding_cells
 from matrixworld.world.policy import GATES, Network
-from matrixworld.world.rules import Capture, Outcome, Rewards, variant_name
+from matrixworld.world.rules import Outcome, Rewards, variant_name
 
-LEAST_MASKED_FOV = 3
-"""A smaller view shows no cell to move to."""
 OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5
 """Default overlap penalties where teammates may share a cell: in general, and of evaders that learn
 alone and from untrained genomes."""
@@ -85,8 +83,9 @@ class PolicySettings(Section):
     )
     mask: str = setting(
         "none",
-        "moves that a policy never chooses: obstacles (into an obstacle or the border), occupied "
-        "(also to a cell on which it sees an agent), or none",
+        "moves that a policy never chooses: obstacles (into an obstacle or the border), "
+        "right-of-way (besides these, moves that could put it at fault; needs a world.fov of at "
+        "least 5), or none",
         choices=MASKS,
     )
 
@@ -220,7 +219,7 @@ class RaceSettings(Section):
                 with inside(f"{item.name}."):
                     value = replace(value, **unfilled)
             object.__setattr__(self, item.name, self._usual(item) if value is None else value)
-        self._check_mask()
+        check_mask("policy.mask", self.policy.mask, self.world)
         self._check_idle()
         self.learner.check_run(self)
 
@@ -230,20 +229,6 @@ class RaceSettings(Section):
         conditions = (self.learner.kind, *self.schedule.conditions)
         usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
         return usual(self) if callable(usual) else usual
-
-    def _check_mask(self) -> None:
-        mask = self.policy.mask
-        if mask != "none" and self.world.fov < LEAST_MASKED_FOV:
-            raise ValueError(
-                f"world.fov: expected at least {LEAST_MASKED_FOV} with the mask {mask}, got "
-                f"{self.world.fov}"
-            )
-        occupation = self.world.rules.capture is Capture.OCCUPATION
-        if "adversary" in MASKS[mask] and occupation and "pursuer" in self.learning_teams:
-            raise ValueError(
-                f"policy.mask: expected obstacles or none where pursuers capture by entering cells "
-                f"of evaders, got {mask!r}"
-            )
 
     def _check_idle(self) -> None:
         """Raise ValueError for a value without effect where another section is the reason."""
@@ -320,7 +305,8 @@ class RaceSettings(Section):
         """The policy network of a learning team, with its mask."""
         policy = self.policy
         shape = {"activation": policy.activation, "memory": policy.memory}
-        return masked_network(Network.for_config(self.world, policy.hidden, **shape), policy.mask)
+        network = Network.for_config(self.world, policy.hidden, **shape)
+        return network if policy.mask == "none" else masked_network(network)
 
     @property
     def overlap_penalty(self) -> float:
@@ -335,7 +321,9 @@ class RaceSettings(Section):
 
     def mask_weights(self, team: Team) -> FixedWeights | None:
         """Return the weights of the mask of a team's network, None without a mask."""
-        return mask_weights(self.network, self.policy.mask, team)
+        if self.policy.mask == "none":
+            return None
+        return mask_weights(self.network, forbidding_cells(self.world, self.policy.mask, team))
 
     def fixed_genes(self, team: Team) -> BoolArray | None:
         """Return which genes (genes,) of a team no learner changes, None for none."""

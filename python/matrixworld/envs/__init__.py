@@ -50,7 +50,7 @@ The same keys for every agent at every step, as plain values:
 | ``capture_rate``, ``ever_capture_rate`` | shares of the evaders: captured (now under surround, at some time under occupation); captured at some time |
 | ``pursuer_survival_rate``, ``evader_survival_rate`` | shares of the team that are alive |
 | ``step`` | rounds played |
-| ``action_mask`` | only with ``action_mask=True``: int8 of shape (n_actions,), 1 for moves that run into neither an obstacle nor the border, and for staying |
+| ``action_mask`` | only with an ``action_mask``: int8 of shape (n_actions,), 1 for allowed actions. ``True``: moves that run into neither an obstacle nor the border, and staying; ``"right-of-way"``: of these the moves that cannot put the agent at fault |
 
 ``env.status`` holds the same for all agents at once, as arrays in which an agent keeps its index.
 

@@ -20,11 +20,10 @@ from matrixworld.world.arrays import (
     WORLD_FIELDS,
     OutputField,
     WorldArrays,
-    action_masks,
-    check_maskable,
     python_value,
 )
 from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
 
@@ -35,7 +34,7 @@ class EnvSettings(WorldSettings, total=False):
     render_mode: str | None
     fields_of_view: bool | Iterable[str]
     record: bool
-    action_mask: bool
+    action_mask: bool | str
     max_cycles: int | None
     pursuers: Opponents | None
     evaders: Opponents | None
@@ -127,7 +126,7 @@ class MatrixWorldBase(HasOpponents):
         render_mode: str | None = None,
         fields_of_view: bool | Iterable[str] = False,
         record: bool = False,
-        action_mask: bool = False,
+        action_mask: bool | str = False,
         max_cycles: int | None = None,
         pursuers: Opponents | None = None,
         evaders: Opponents | None = None,
@@ -141,9 +140,7 @@ class MatrixWorldBase(HasOpponents):
                 f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
             )
         self.config: WorldConfig = WorldConfig.of(config, **changes)
-        self._has_masks = check_bool("action_mask", action_mask)
-        if self._has_masks:
-            check_maskable(self.config)
+        self._masks = ActionMasks(action_mask, self.config)
         self.world = World(self.config)
         self.render_mode = render_mode
         self.metadata: dict[str, Any] = {
@@ -203,8 +200,8 @@ class MatrixWorldBase(HasOpponents):
     def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[dict[str, Any]]:
         """Return the info of each agent, in which `views` are what the agents see now."""
         infos = status.infos()
-        if self._has_masks:
-            masks = action_masks(views, self.config.n_actions)
+        if self._masks.given:
+            masks = self._masks.of(views)
             infos = [info | {"action_mask": mask} for info, mask in zip(infos, masks, strict=True)]
         return infos
 
@@ -287,9 +284,11 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         The agents whose fields of view pictures outline: True for all, or their names.
     record : bool, optional
         Whether to keep every step for `recorded`. With a render mode steps are always kept.
-    action_mask : bool, optional
-        Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for the moves that run
-        into neither an obstacle nor the border. Needs a `fov` of at least 3. The default is False.
+    action_mask : bool or str, optional
+        Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for allowed actions.
+        True or "obstacles": for moves that run into neither an obstacle nor the border; needs a
+        `fov` of at least 3. "right-of-way": for moves that cannot put the agent at fault if its
+        teammates keep to their masks, too; needs a `fov` of at least 5. The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     pursuers, evaders : Opponents, optional

@@ -36,15 +36,14 @@ from matrixworld.world.arrays import (
     BATCH_FIELDS,
     WORLD_FIELDS,
     Specs,
-    action_masks,
     array_specs,
-    check_maskable,
     episode_specs,
     integers,
     new_arrays,
 )
 from matrixworld.world.batch import Batch, batch_memory
 from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
 
@@ -102,9 +101,9 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         Whether observations are ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``.
     state : bool, optional
         Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``.
-    action_mask : bool, optional
-        Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
-        border; needs a `fov` of at least 3. The default is False.
+    action_mask : bool or str, optional
+        Whether ``infos["action_mask"]`` marks the allowed actions, and which mask allows them: True
+        or "obstacles", or "right-of-way", as for `parallel_env`. The default is False.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
     pursuers, evaders : Opponents, optional
@@ -162,7 +161,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     | ``terminated``, ``truncated`` | (W,) bool | of the worlds |
     | ``step`` | (W,) int32 | rounds played in the episode |
     | ``seed``, ``episode_number`` | (W,) uint64 | the episode, as `World.reset` takes it |
-    | ``action_mask`` | (W, A, n_actions) int8 | 1 for moves to a free cell and for staying; only with ``action_mask=True`` |
+    | ``action_mask`` | (W, A, n_actions) int8 | 1 for allowed actions; only with an ``action_mask`` |
     | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | last observations of an episode; whether it ended in this step |
     | ``opponent`` | (W,) int64 | place in `opponents`; only with a built-in team, whose last one is in ``episode``, too |
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
@@ -186,7 +185,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         dtype: DTypeLike = np.uint8,
         flatten: bool = False,
         state: bool = False,
-        action_mask: bool = False,
+        action_mask: bool | str = False,
         threads: int | None = None,
         render_mode: str | None = None,
         pursuers: Opponents | None = None,
@@ -206,8 +205,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             "render_fps": 10,
         }
         self.copy: bool = check_bool("copy", copy)
-        if check_bool("action_mask", action_mask):
-            check_maskable(self.config)
+        self._masks = ActionMasks(action_mask, self.config)
         built_in = one_team(pursuers, evaders)
         left_out = set() if check_bool("state", state) else {"state"}
         waits = mode is not AutoresetMode.SAME_STEP
@@ -242,8 +240,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         if self._team is not None:
             self.infos["opponent"] = self._team.chosen
             self.infos["episode"]["opponent"] = self._team.last
-        if action_mask:
-            self.infos["action_mask"] = action_masks(self._views, self.config.n_actions)
+        if self._masks.given:
+            self.infos["action_mask"] = self._masks.of(self._views, self.agents.start)
         self._make_spaces()
         self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
@@ -369,7 +367,7 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
 
     def _write_masks(self) -> None:
         if "action_mask" in self.infos:
-            self.infos["action_mask"][:] = action_masks(self._views, self.config.n_actions)
+            self.infos["action_mask"][:] = self._masks.of(self._views, self.agents.start)
 
     def _returned(self, results: Results) -> Results:
         return cast("Results", _copied(results, {})) if self.copy else results

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from matrixworld import _core
 from matrixworld._util.memory import check_memory
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import Action
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
 
@@ -216,22 +215,3 @@ def positions_of(
     # Clipped cells are still outside the grid, so the engine refuses them with its own message.
     whole = np.broadcast_to(array, shapes[-1]).clip(-(2**31), 2**31 - 1)
     return np.ascontiguousarray(whole, dtype=np.int32)
-
-
-def check_maskable(config: WorldConfig) -> None:
-    """Raise ValueError if agents do not see the cells that they can move to."""
-    if config.fov < 3:
-        raise ValueError(f"action_mask: expected a fov of at least 3, got {config.fov}")
-
-
-def action_masks(views: NDArray[Any], n_actions: int) -> NDArray[np.int8]:
-    """Return which actions lead to a free cell: int8 (..., n_actions) of views (..., 3, fov, fov).
-
-    1 for staying and for a move to a cell without an obstacle inside the grid. Other agents do not
-    matter. All actions of an agent that is gone are 1.
-    """
-    rows, cols = MOVES[:n_actions].T + views.shape[-1] // 2
-    # Views draw the cells outside the grid as obstacles, and an agent that is gone sees none.
-    masks: NDArray[np.int8] = (views[..., CHANNEL["obstacle"], rows, cols] == 0).astype(np.int8)
-    masks[..., Action.STAY] = 1  # staying is never a collision, even on an obstacle's cell
-    return masks

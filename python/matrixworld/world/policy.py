@@ -27,10 +27,21 @@ Script: TypeAlias = Literal[
     "surrounder",
     "clumsy-fleer",
     "dodger",
+    "careful-random",
+    "careful-chaser",
+    "careful-fleer",
+    "careful-clumsy-chaser",
+    "careful-hunter",
+    "careful-surrounder",
+    "careful-clumsy-fleer",
+    "careful-dodger",
 ]
 
 SCRIPTS: tuple[Script, ...] = get_args(Script)
 """Names of the scripted policies."""
+
+CAREFUL = "careful-"
+"""Before the name of a script that takes only moves that right of way allows."""
 
 SCRIPT_TEXTS: dict[Script, str] = {
     "random": "any action, all equally likely",
@@ -42,11 +53,17 @@ SCRIPT_TEXTS: dict[Script, str] = {
     "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
     "clumsy-fleer": "a fleer that takes any action in half of the steps",
     "dodger": "moves to where all adversaries in view together are farthest",
+    **{
+        name: f"as {name.removeprefix(CAREFUL)}, but takes only moves that right of way allows"
+        for name in SCRIPTS
+        if name.startswith(CAREFUL)
+    },
 }
 """What scripts do.
 
 Distances are counted in moves; for the dodger each cell that holds some adversaries weighs
-``2**14 // (1 + moves)**2``. All scripts but random avoid obstacles and break ties at random.
+``2**14 // (1 + moves)**2``. All scripts but random avoid obstacles and break ties at random. A
+careful script needs a fov of at least 5.
 Without an adversary in view (for the surrounder: without such a cell; for the hunter: without an
 adversary of its own) hunter and surrounder keep one direction for 12 steps, and the others, except
 still, walk at random.

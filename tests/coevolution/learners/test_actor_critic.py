@@ -117,7 +117,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
     weight = draw.normal(size=len(seen)).astype(np.float32)
     given: list[np.ndarray] = []  # instead of a step of Adam, which would hide the gradient
     one._actor.ascend = given.append  # type: ignore[method-assign]
-    one._improve(seen, weight)
+    one._improve(one._parts(seen.views), seen.actions, weight)
     taken = np.arange(len(seen)), seen.actions
 
     def logs(weights: np.ndarray) -> np.ndarray:
@@ -142,7 +142,7 @@ def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
     target = rng().normal(size=len(seen)).astype(np.float32)
     critic, given = one._critics["critic"], []
     critic.ascend = given.append  # type: ignore[method-assign]
-    one._fit(critic, seen.views, target)
+    one._fit(critic, one._parts(seen.views), target)
     assert len(given) == 5
 
     def value(weights: np.ndarray) -> float:
@@ -169,7 +169,7 @@ def test_the_engine_plays_what_was_learned() -> None:
     policy = NetworkPolicy(NETWORK, one.genome)
     weights = torch.from_numpy(one.genome)
     with torch.no_grad():
-        logits = one._actor.outputs(weights, torch.from_numpy(seen.views).float())
+        logits = one._actor.outputs(weights, one._parts(seen.views)[0][0][0])
     np.testing.assert_allclose(
         policy.probabilities(seen.views), logits.softmax(dim=1).numpy(), atol=1e-6
     )

@@ -11,26 +11,25 @@ from matrixworld.coevolution.learners.masked_network import FORBIDDEN, mask_weig
 from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import forbidding_cells
 from matrixworld.world.policy import Network, Population
 from reference import MOVES
+from right_of_way import OBSTACLES, forbidden_in_s
 from tiny_race import tiny_race, tiny_single
-
-EVADERS, PURSUERS, OBSTACLES = range(3)
 
 
 def forbidden(views: np.ndarray, mask: str, team: Team, n_actions: int) -> np.ndarray:
-    """Return which actions (n, n_actions) run into what the views (n, 3, fov, fov) show."""
-    own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
-    channels = [OBSTACLES] if mask == "obstacles" else [OBSTACLES, own, foreign]
+    """Return which actions (n, n_actions) a mask forbids in -S, in views (n, 3, fov, fov)."""
+    if mask == "right-of-way":
+        return np.array([forbidden_in_s(view, team, n_actions) for view in views])
     found = np.zeros((len(views), n_actions), bool)
     middle = views.shape[-1] // 2
     for action, (row, col) in enumerate(MOVES[1:n_actions], start=1):
-        for channel in channels:
-            found[:, action] |= views[:, channel, middle + row, middle + col] == 1
+        found[:, action] = views[:, OBSTACLES, middle + row, middle + col] == 1
     return found
 
 
-@pytest.mark.parametrize("mask", ["obstacles", "occupied"])
+@pytest.mark.parametrize("mask", ["obstacles", "right-of-way"])
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize(
     ("hidden", "activation", "memory", "diagonal"),
@@ -48,9 +47,8 @@ def test_the_engine_never_plays_a_forbidden_move(
         diagonal=diagonal,
     )  # fmt: skip
     bare_network = Network.for_config(config, hidden, activation=activation, memory=memory)
-    network = masked_network(bare_network, mask)
-    weights = mask_weights(network, mask, team)
-    assert weights is not None
+    network = masked_network(bare_network)
+    weights = mask_weights(network, forbidding_cells(config, mask, team))
     free = np.random.default_rng(1).normal(0, 0.5, (1, network.genome_size)).astype(np.float32)
     genomes = weights.write(free)
     played = experience(
@@ -93,9 +91,9 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
 
 
 def test_a_run_with_a_mask_starts_from_one_with_another_mask(tmp_path: Path) -> None:
-    first = tiny_single(rules="S", mask="obstacles")
+    first = tiny_single(rules="S", mask="obstacles", fov=5)
     coevolution.finish(first, tmp_path / "first", threads=1)
-    second = tiny_single(rules="S", mask="occupied", start=str(tmp_path / "first"))
+    second = tiny_single(rules="S", mask="right-of-way", fov=5, start=str(tmp_path / "first"))
     run = coevolution.finish(second, tmp_path / "second", threads=1)
     weights, genomes = second.mask_weights("pursuer"), run.teams["pursuer"].genomes
     assert weights is not None

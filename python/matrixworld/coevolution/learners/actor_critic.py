@@ -15,10 +15,11 @@ learning. (PPO-Lagrangian.)
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
+from itertools import chain, cycle, islice, pairwise
 from math import sqrt
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
@@ -47,8 +48,6 @@ Views = NDArray[np.uint8]
 Reals = NDArray[np.float32]
 Tensor: TypeAlias = Any
 """A ``torch.Tensor``: PyTorch may be missing where types are checked."""
-Objective = Callable[..., Any]
-"""Takes the weights, a slice of the transitions and its number; returns a sum to maximise."""
 
 
 @dataclass(frozen=True)
@@ -140,6 +139,53 @@ def normalised(values: Reals) -> Reals:
     return np.asarray(centred / (centred.std() + SMALL), np.float32)
 
 
+class Inputs:
+    """Rows (n, in) of zeros and ones that a network sees; ``inputs(weights)`` multiplies them.
+
+    A view has few ones. The processor multiplies these alone, and keeps them sorted by row for the
+    products and by column for the gradient; PyTorch's own gradient would sort them each time.
+    """
+
+    def __init__(self, rows: Views, torch: Any, device: Any) -> None:
+        self.rows: int = len(rows)
+        if device.type != "cpu":
+            kept = torch.from_numpy(np.ascontiguousarray(rows)).to(device)
+            self._product: Callable[[Tensor], Tensor] = lambda weights: kept.float() @ weights
+            return
+        by_row, by_column = _sparse(rows, torch), _sparse(rows.T, torch)
+
+        class Product(torch.autograd.Function):  # type: ignore[misc]  # PyTorch may be missing
+            @staticmethod
+            def forward(_: Any, weights: Tensor) -> Tensor:
+                return by_row @ weights
+
+            @staticmethod
+            def backward(_: Any, gradient: Tensor) -> Tensor:
+                return by_column @ gradient
+
+        self._product = Product.apply
+
+    def __call__(self, weights: Tensor) -> Tensor:
+        """Return the products (n, out) with weights (in, out)."""
+        return self._product(weights)
+
+
+Part: TypeAlias = list[tuple[Inputs, slice]]
+"""Transitions of one update, in chunks: what the network sees, and which transitions they are."""
+Objective = Callable[[Tensor, Inputs, slice], Tensor]
+"""Takes the weights and a chunk of a part; returns a sum to maximise."""
+
+
+def _sparse(rows: Views, torch: Any) -> Tensor:
+    """Return rows (n, m) of zeros and ones as a sparse tensor of float32."""
+    row, column = np.divmod(np.flatnonzero(np.ascontiguousarray(rows)), rows.shape[1])
+    starts = np.searchsorted(row, np.arange(len(rows) + 1))
+    parts = (starts, column, np.ones(len(column), np.float32))
+    with warnings.catch_warnings():  # PyTorch calls this form a beta
+        warnings.simplefilter("ignore", UserWarning)
+        return torch.sparse_csr_tensor(*map(torch.from_numpy, parts), size=rows.shape)
+
+
 class Perceptron(Adam):
     """A network that learns by Adam; its weights are one vector, in the layout of a genome."""
 
@@ -157,12 +203,13 @@ class Perceptron(Adam):
         self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
         self.fixed = fixed
 
-    def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
+    def outputs(self, weights: Tensor, inputs: Inputs) -> Tensor:
         """Return the outputs (n, out) for inputs (n, in); `weights` is a tensor of the vector."""
-        start, last = 0, len(self.sizes) - 2
+        start, last, rows = 0, len(self.sizes) - 2, None
         for number, (n_in, n_out) in enumerate(pairwise(self.sizes)):
             middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
-            rows = rows @ weights[start:middle].view(n_in, n_out) + weights[middle:end]
+            matrix = weights[start:middle].view(n_in, n_out)
+            rows = (inputs(matrix) if rows is None else rows @ matrix) + weights[middle:end]
             if number < last:
                 rows = rows.relu() if self.activation == "relu" else rows.tanh()
             start = end
@@ -211,6 +258,9 @@ class ActorCriticSettings(LearnerSettings):
     trace: float = setting(0.97, "discount factor of advantages (lambda)", most=1.0)
     actor_updates: int = setting(1, "updates of the actor in an epoch", least=1)
     critic_updates: int = setting(5, "updates of the critic in an epoch", least=1)
+    minibatches: int = setting(
+        1, "parts of an epoch's transitions; each update takes the next one", least=1
+    )
     clip: float = setting(0.0, "clip range of PPO; 0: plain policy gradient")
     entropy: float = setting(0.0, "weight of the entropy bonus")
     central_critic: bool = setting(False, "let the critic see the whole world")
@@ -342,23 +392,25 @@ class ActorCritic:
     def _learn(self, experience: Experience) -> None:
         chosen, acted = self.chosen, experience.acted
         before, after = critic_rows(experience)
+        known = self._parts(before)
+        views = known if experience.states is None else self._parts(experience.views)
         estimates = {}
         for name, critic in self._critics.items():
-            values = self._values(critic, np.concatenate([before, after]))
-            dense = dense_values(experience, *np.split(values, [len(before)]))
+            values = (self._values(critic, each) for each in (known, self._parts(after)))
+            dense = dense_values(experience, *values)
             signal = np.zeros(acted.shape, np.float32)
             signal[acted] = experience.rewards if name == "critic" else experience.costs
             estimate = partial(advantages, acted, signal, dense, chosen.discount)
             estimates[name] = normalised(estimate(chosen.trace)[acted])
-            returns = estimate(1.0) + dense[:-1]
-            self._fit(critic, *lessons(experience, before, returns))
+            rows, targets = lessons(experience, before, estimate(1.0) + dense[:-1])
+            self._fit(critic, known if rows is before else self._parts(rows), targets)
         advantage: Any = estimates["critic"]
         if chosen.cost_limit is not None:
             self._weigh(1000.0 * float(experience.costs.mean()))
             advantage = (advantage - self.multiplier * estimates["cost_critic"]) / (
                 1.0 + self.multiplier
             )
-        self._improve(experience, advantage.astype(np.float32))
+        self._improve(views, experience.actions, advantage.astype(np.float32))
 
     def _weigh(self, collisions: float) -> None:
         """Move the multiplier by the distance of the collisions from their limit."""
@@ -368,58 +420,71 @@ class ActorCritic:
         excess = min((collisions - limit) / max(limit, 1.0), 1.0)
         self.multiplier = max(0.0, self.multiplier + (self.chosen.cost_rate or COST_RATE) * excess)
 
-    def _improve(self, experience: Experience, advantage: Reals) -> None:
+    def _improve(self, views: list[Part], taken: IntArray, advantage: Reals) -> None:
         torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
-        actions = torch.from_numpy(experience.actions).to(self._device)
+        actions = torch.from_numpy(taken).to(self._device)
         weight = torch.from_numpy(advantage).to(self._device)
-        before: list[Tensor] = []
 
-        def objective(weights: Tensor, part: slice, number: int) -> Tensor:
-            logits = self._actor.outputs(weights, self._tensor(experience.views[part]))
-            logs = logits.log_softmax(dim=1)
-            taken = logs.gather(1, actions[part, None])[:, 0]
-            if number == len(before):
-                before.append(taken.detach())
+        def logs_of(weights: Tensor, inputs: Inputs, part: slice) -> tuple[Tensor, Tensor]:
+            logs = self._actor.outputs(weights, inputs).log_softmax(dim=1)
+            return logs, logs.gather(1, actions[part, None])[:, 0]
+
+        def objective(weights: Tensor, inputs: Inputs, part: slice) -> Tensor:
+            logs, own = logs_of(weights, inputs, part)
             # Without a clip this is the gradient of log p; with it, of PPO's objective.
-            ratio = (taken - before[number]).exp() if clip else taken
+            ratio = (own - before[part]).exp() if clip else own
             gain = ratio * weight[part]
             if clip:
                 gain = torch.minimum(gain, ratio.clamp(1 - clip, 1 + clip) * weight[part])
             return gain.sum() - entropy * (logs.exp() * logs).sum()
 
-        for _ in range(self.chosen.actor_updates):
-            self._actor.ascend(self._gradient(self._actor, len(advantage), objective))
+        before = torch.empty_like(weight)
+        if clip:
+            with torch.no_grad():
+                weights = torch.from_numpy(self._actor.weights).to(self._device)
+                for inputs, part in chain.from_iterable(views):
+                    before[part] = logs_of(weights, inputs, part)[1]
+        self._ascend(self._actor, views, self.chosen.actor_updates, objective)
 
-    def _fit(self, critic: Perceptron, inputs: NDArray[np.uint8], returns: Reals) -> None:
+    def _fit(self, critic: Perceptron, rows: list[Part], returns: Reals) -> None:
         target = self._torch.from_numpy(returns.astype(np.float32)).to(self._device)
 
-        def objective(weights: Tensor, part: slice, number: int) -> Tensor:
-            values = critic.outputs(weights, self._tensor(inputs[part]))[:, 0]
+        def objective(weights: Tensor, inputs: Inputs, part: slice) -> Tensor:
+            values = critic.outputs(weights, inputs)[:, 0]
             return -((values - target[part]) ** 2).sum()
 
-        for _ in range(self.chosen.critic_updates):
-            critic.ascend(self._gradient(critic, len(returns), objective))
+        self._ascend(critic, rows, self.chosen.critic_updates, objective)
 
-    def _gradient(self, part: Perceptron, n: int, objective: Objective) -> Genome:
-        """Return the gradient of the mean objective over n transitions."""
-        weights = self._torch.from_numpy(part.weights).to(self._device).requires_grad_()
-        for number, start in enumerate(range(0, n, CHUNK)):
-            (objective(weights, slice(start, start + CHUNK), number) / n).backward()
-        gradient: Genome = weights.grad.cpu().numpy()
-        return gradient
+    def _ascend(
+        self, network: Perceptron, parts: list[Part], updates: int, objective: Objective
+    ) -> None:
+        """Make so many steps up the gradient of the mean objective, each over the next part."""
+        for part in islice(cycle(parts), updates):
+            weights = self._torch.from_numpy(network.weights).to(self._device).requires_grad_()
+            n = sum(inputs.rows for inputs, _ in part)
+            for inputs, place in part:
+                (objective(weights, inputs, place) / n).backward()
+            network.ascend(weights.grad.cpu().numpy())
 
-    def _values(self, critic: Perceptron, inputs: NDArray[np.uint8]) -> Reals:
+    def _values(self, critic: Perceptron, parts: list[Part]) -> Reals:
+        found = np.empty(sum(inputs.rows for inputs, _ in chain.from_iterable(parts)), np.float32)
         with self._torch.no_grad():
             weights = self._torch.from_numpy(critic.weights).to(self._device)
-            parts = [
-                critic.outputs(weights, self._tensor(inputs[start : start + CHUNK]))[:, 0].cpu()
-                for start in range(0, len(inputs), CHUNK)
-            ]
-            values: Reals = self._torch.cat(parts).numpy()
-        return values
+            for inputs, place in chain.from_iterable(parts):
+                found[place] = critic.outputs(weights, inputs)[:, 0].cpu().numpy()
+        return found
 
-    def _tensor(self, rows: NDArray[np.uint8]) -> Tensor:
-        return self._torch.from_numpy(rows).to(self._device).float()
+    def _parts(self, rows: Views) -> list[Part]:
+        """Return the minibatches of rows: every m-th row, in chunks."""
+        m, torch, device = self.chosen.minibatches, self._torch, self._device
+        return [
+            [
+                (Inputs(rows[place], torch, device), place)
+                for start in range(first, len(rows), m * CHUNK)
+                for place in [slice(start, min(start + m * CHUNK, len(rows)), m)]
+            ]
+            for first in range(min(m, len(rows)))
+        ]
 
     def state(self) -> State:
         """Return the multiplier, and weights and averages of Adam of each network."""

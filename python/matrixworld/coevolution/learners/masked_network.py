@@ -1,9 +1,9 @@
 """Action masks as fixed weights of a network: whatever plays the genome keeps to the mask.
 
-A mask forbids moves to cells that an agent sees occupied. Whether a cell is occupied is one number
-of the view, so a mask is a network itself: one unit for each move, active if the move is forbidden,
-with a large negative weight to the output of that move. These units stand beside the others in
-each hidden layer. No learner changes their weights.
+A mask forbids a move where certain numbers of an agent's view are 1, so a mask is a network itself:
+one unit for each move, active if the move is forbidden, with a large negative weight to the output
+of that move. These units stand beside the others in each hidden layer. No learner changes their
+weights.
 """
 
 from __future__ import annotations
@@ -12,17 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
-from matrixworld.world.arrays import CHANNEL, MOVES
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray
 from matrixworld.world.policy import Network
-from matrixworld.world.rules import COLLISION_KINDS
-
-MASKS: dict[str, tuple[str, ...]] = {
-    "none": (),
-    "obstacles": ("obstacle",),
-    "occupied": COLLISION_KINDS,
-}
-"""Masks by name: the kinds of collision that a forbidden move would risk."""
 
 FORBIDDEN = -(2.0**20)
 """Added to the output of a forbidden move. Its probability is 0: e^x is 0 in float32 below -104,
@@ -41,27 +32,21 @@ class FixedWeights:
         return np.where(self.fixed, self.values, genomes)
 
 
-def masked_network(network: Network, mask: str) -> Network:
+def masked_network(network: Network) -> Network:
     """Return a network with room for a mask: one more unit for each move in each hidden layer."""
-    if not MASKS[mask]:
-        return network
     return replace(network, hidden=tuple(size + network.n_actions - 1 for size in network.hidden))
 
 
-def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None:
-    """Return the weights of a mask of `MASKS` in a `masked_network` with a fov of at least 3.
+def mask_weights(network: Network, cells: IntArray) -> FixedWeights:
+    """Return the weights of a mask in a `masked_network`, from its `forbidding_cells`.
 
-    None for the mask "none". Staying is never forbidden. Without hidden layers, the weights from
-    the cells to the outputs are fixed. With tanh, a unit of the mask is not 1 but at least
-    tanh(tanh(...(1))), which is enough; recurrent units of the mask remember nothing. On masks in
-    learning: Huang & Ontañón 2022, "A closer look at invalid action masking in policy gradient
-    algorithms".
+    Staying is never forbidden. Without hidden layers, the weights from the cells to the outputs are
+    fixed. With tanh, a unit of the mask is not 1 but at least tanh(tanh(...(1))), which is enough;
+    recurrent units of the mask remember nothing. On masks in learning: Huang & Ontañón 2022, "A
+    closer look at invalid action masking in policy gradient algorithms".
     """
-    if not MASKS[mask]:
-        return None
     marks, values = np.zeros((2, network.genome_size), np.float32)
     moves, last = network.n_actions - 1, len(network.shapes) - 1
-    cells = _cells(network, mask, team)
     layers = zip(network.layers(values), network.layers(marks), strict=True)
     for number, ((weights, biases), (fixed_weights, fixed_biases)) in enumerate(layers):
         if number == 1 and network.state_size:
@@ -73,7 +58,7 @@ def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None
             if network.memory == "gru":
                 biases.reshape(shape[2:])[1, -moves:] = FORBIDDEN  # nothing is kept
             continue
-        sources = cells if number == 0 else np.arange(len(weights) - moves, len(weights))[None]
+        sources = cells.T if number == 0 else np.arange(len(weights) - moves, len(weights))[None]
         # A unit of the mask hears of nothing else, and nothing else hears of it.
         if number > 0:
             fixed_weights[-moves:] = 1.0
@@ -84,14 +69,3 @@ def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None
         fixed_weights[sources, targets] = 1.0
         weights[sources, targets] = FORBIDDEN if number == last else 1.0
     return FixedWeights(marks != 0.0, values)
-
-
-def _cells(network: Network, mask: str, team: Team) -> IntArray:
-    """Return which input says that a move is forbidden, (kinds, moves)."""
-    fov = network.fov
-    rows, cols = MOVES[1 : network.n_actions].T + fov // 2
-    own, foreign = ("pursuer", "evader") if team == "pursuer" else ("evader", "pursuer")
-    seen = {"obstacle": "obstacle", "teammate": own, "adversary": foreign}
-    channels = np.array([CHANNEL[seen[kind]] for kind in MASKS[mask]])
-    cells: IntArray = (channels[:, None] * fov + rows) * fov + cols
-    return cells

@@ -1,0 +1,97 @@
+"""Masks: which moves of an agent are never chosen, as cells of its own view that forbid them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Literal, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import _core
+from matrixworld._util.checks import check_choice, shown
+from matrixworld.world.arrays import CHANNEL, MOVES
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import Action
+
+Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
+
+MASKS: tuple[Mask, ...] = get_args(Mask)
+"""Names of masks: no move is forbidden; moves into an obstacle or the border; besides these, moves
+that could put the agent at fault (`docs/safe_by_construction.md`)."""
+
+LEAST_FOV: dict[Mask, int] = {"none": 1, "obstacles": 3, "right-of-way": 5}
+"""The smallest field of view in which an agent sees all that a mask looks at."""
+
+
+def check_mask(name: str, mask: str, config: WorldConfig) -> None:
+    """Raise ValueError unless a mask exists and agents see enough for it."""
+    check_choice(name, mask, MASKS)
+    least = LEAST_FOV[mask]  # type: ignore[index]  # one of the choices
+    if config.fov < least:
+        raise ValueError(
+            f"{name}: expected a fov of at least {least} for the mask {mask}, got {config.fov}"
+        )
+
+
+def forbidding_cells(
+    config: WorldConfig, mask: str, team: Literal["pursuer", "evader"]
+) -> NDArray[np.intp]:
+    """Return which numbers of a view forbid each move: indices (n_actions - 1, k) of a flat view.
+
+    A move is forbidden where one of its k numbers is 1; a number may be named twice.
+    """
+    fov, moves = config.fov, range(1, config.n_actions)
+    if mask == "none":
+        return np.empty((len(moves), 0), np.intp)
+    if mask == "obstacles":
+        cells = [[(CHANNEL["obstacle"], *MOVES[move])] for move in moves]
+    else:
+        _, *cells = _core.right_of_way(config.setup, team == "evader")
+    most = max(map(len, cells))
+    channels, rows, cols = np.moveaxis(
+        np.array([each + each[:1] * (most - len(each)) for each in cells]), -1, 0
+    )
+    indices: NDArray[np.intp] = (channels * fov + rows + fov // 2) * fov + cols + fov // 2
+    return indices
+
+
+class ActionMasks:
+    """The masks of both teams in a world of one configuration, for environments.
+
+    `chosen` is False for none, True for obstacles, or a name of `MASKS`. Raises ValueError or
+    TypeError for anything else, and for views that show too little.
+    """
+
+    def __init__(self, chosen: bool | str, config: WorldConfig) -> None:
+        if not isinstance(chosen, bool | str):
+            raise TypeError(
+                f"action_mask: expected a bool or one of {', '.join(MASKS)}, got {shown(chosen)}"
+            )
+        mask = ("obstacles" if chosen else "none") if isinstance(chosen, bool) else chosen
+        check_mask("action_mask", mask, config)
+        self._n_pursuers = config.n_pursuers
+        self._pursuers, self._evaders = (
+            forbidding_cells(config, mask, team) for team in ("pursuer", "evader")
+        )
+        self.given: bool = mask != "none"
+
+    def of(self, views: NDArray[Any], first: int = 0) -> NDArray[np.int8]:
+        """Return what the agents from `first` on may do, (..., A, n_actions), by their views."""
+        pursuers = max(0, self._n_pursuers - first)
+        parts = (views[..., :pursuers, :, :, :], self._pursuers), (
+            views[..., pursuers:, :, :, :], self._evaders,
+        )  # fmt: skip
+        return np.concatenate([action_masks(*part) for part in parts], axis=-2)
+
+
+def action_masks(views: NDArray[Any], cells: NDArray[np.intp]) -> NDArray[np.int8]:
+    """Return which actions are allowed, int8 (..., n_actions), in views (..., 3, fov, fov).
+
+    `cells` are `forbidding_cells`. Staying is always allowed. All actions of an agent that is gone,
+    which sees zeros, are allowed.
+    """
+    flat = views.reshape(*views.shape[:-3], math.prod(views.shape[-3:]))
+    masks = np.ones((*flat.shape[:-1], 1 + len(cells)), np.int8)
+    masks[..., Action.STAY + 1 :] = ~(flat[..., cells] != 0).any(axis=-1)
+    return masks

@@ -1,0 +1,231 @@
+"""The right of way: no agent of a team that keeps to it is ever at fault."""
+
+import itertools
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.world.arrays import array_specs, new_arrays
+from matrixworld.world.batch import Batch
+from matrixworld.world.masks import MASKS, ActionMasks, action_masks, forbidding_cells
+from matrixworld.world.rules import VARIANTS
+from reference import MOVES
+from right_of_way import MASK, ROWS, forbidden_in_s, play, random_teams
+
+UNUSUAL = (
+    mw.Rules(evader=mw.Outcome.DISAPPEAR, pursuer=mw.Outcome.BOUNCE),
+    mw.Rules(evader=mw.Outcome.REACH, pursuer=mw.Outcome.REACH, capture=mw.Capture.SURROUND),
+    mw.Rules(evader=mw.Outcome.BOUNCE, pursuer=mw.Outcome.BOUNCE, capture=mw.Capture.SURROUND),
+    mw.Rules(mw.Interaction.SWARM_TURNS, evader=mw.Outcome.BOUNCE, capture=mw.Capture.SURROUND),
+    mw.Rules(mw.Interaction.AGENT_TURNS, evader=mw.Outcome.BOUNCE, pursuer=mw.Outcome.REACH),
+    mw.Rules(
+        obstacle=mw.Outcome.REACH, teammate=mw.Outcome.DISAPPEAR, evader=mw.Outcome.REACH,
+        pursuer=mw.Outcome.DISAPPEAR, capture=mw.Capture.SURROUND,
+    ),
+)  # fmt: skip
+
+
+def world_of(rules: Any, **changes: Any) -> mw.WorldConfig:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # rows in which nobody can be captured
+        usual = {"rows": 7, "cols": 7, "n_pursuers": 9, "n_evaders": 8, "max_steps": 40, "fov": 5}
+        return mw.WorldConfig(rules, **{**usual, **changes})
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("diagonal", [False, True])
+def test_the_cells_are_those_of_an_independent_reading(team: Team, diagonal: bool) -> None:
+    config = world_of("S", obstacles=0.1, diagonal=diagonal)
+    world = mw.World(config)
+    cells, seen = forbidding_cells(config, MASK, team), set()
+    for seed in range(30):
+        world.reset(seed=seed)
+        first = 0 if team == "pursuer" else config.n_pursuers
+        views = world.views()[first : first + getattr(config, f"n_{team}s")]
+        found = action_masks(views, cells)
+        for view, allowed in zip(views, found, strict=True):
+            expected = forbidden_in_s(view, team, config.n_actions)
+            assert (allowed == 0).tolist() == expected
+            seen.add(tuple(expected))
+    assert len(seen) > 10
+
+
+def test_exactly_one_of_two_teammates_may_enter_a_cell() -> None:
+    for moves in (MOVES[1:5], MOVES[1:9]):
+        config = world_of("S", diagonal=len(moves) == 8, n_pursuers=2, n_evaders=1)
+        world, masks = mw.World(config), ActionMasks(MASK, config)
+        for (k, one), (j, two) in itertools.combinations(enumerate(moves, start=1), 2):
+            # Both stand a move away from (3, 3).
+            where = [(3 - one[0], 3 - one[1]), (3 - two[0], 3 - two[1])]
+            world.reset(pursuers=where, evaders=[(0, 0)])
+            allowed = masks.of(world.views())
+            assert allowed[0, k] + allowed[1, j] == 1
+
+
+KEEPERS = (("pursuer",), ("evader",), TEAMS)
+"""Teams that keep to the right of way."""
+WALL = np.zeros((3, 3), int)
+WALL[1, 1] = 1
+
+
+def both(config: mw.WorldConfig) -> dict[str, np.ndarray]:
+    return {team: forbidding_cells(config, MASK, team) for team in TEAMS}
+
+
+@pytest.mark.parametrize("keeps", KEEPERS, ids="+".join)
+@pytest.mark.parametrize("rules", [*ROWS[::150], *UNUSUAL], ids=str)
+def test_no_choice_on_a_small_board_is_at_fault(rules: Any, keeps: tuple[Team, ...]) -> None:
+    config = world_of(rules, rows=2, cols=3, n_pursuers=2, n_evaders=2)
+    assert faults_of_all_choices(config, keeps, both(config)) == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("keeps", KEEPERS, ids="+".join)
+@pytest.mark.parametrize("rules", [*VARIANTS, *ROWS[::25], *UNUSUAL], ids=str)
+def test_no_choice_of_four_agents_is_at_fault(rules: Any, keeps: tuple[Team, ...]) -> None:
+    for teams in ((3, 1), (2, 2), (1, 3)):
+        for walls in ({}, {"obstacles": WALL}):
+            config = world_of(
+                rules, rows=3, cols=3, n_pursuers=teams[0], n_evaders=teams[1], **walls
+            )
+            assert faults_of_all_choices(config, keeps, both(config)) == 0
+    config = world_of(rules, rows=3, cols=3, n_pursuers=2, n_evaders=1, diagonal=True)
+    assert faults_of_all_choices(config, keeps, both(config)) == 0
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("rules", ["S", "B", UNUSUAL[1]], ids=str)
+def test_the_mask_forbids_no_more_than_it_must(rules: Any, team: Team) -> None:
+    # Without any one of its cells, some choice of two teammates and an adversary is at fault.
+    sizes = {"n_pursuers": 2, "n_evaders": 1} if team == "pursuer" else {}
+    config = world_of(rules, rows=3, cols=3, **{"n_pursuers": 1, "n_evaders": 2, **sizes})
+    cells = forbidding_cells(config, MASK, team)
+    assert faults_of_all_choices(config, (team,), {team: cells}) == 0
+    centre = {channel * 25 + 12 for channel in range(3)}
+    for move, named in enumerate(cells):
+        for cell in set(named.tolist()) - centre:  # agents begin on cells of their own
+            fewer = cells.copy()
+            left = named[named != cell]
+            fewer[move] = np.resize(left, len(named))
+            assert faults_of_all_choices(config, (team,), {team: fewer}) > 0, (move, cell)
+
+
+def new_batch(config: mw.WorldConfig, n: int) -> Batch:
+    specs = array_specs(config)
+    wanted = {name: specs[name] for name in ("views", "fault")}
+    return Batch(n, config, threads=1, buffers=new_arrays(wanted, n))
+
+
+def faults_of_all_choices(
+    config: mw.WorldConfig, keeps: tuple[str, ...], cells: dict[str, np.ndarray]
+) -> int:
+    """Play a round from each placement, with each choice that masks leave to the teams that keep
+    them; return how often an agent of these is at fault."""
+    free = np.argwhere(~np.broadcast_to(config.obstacles != 0, (config.rows, config.cols)))
+    placed = np.array(list(itertools.permutations(free, config.n_agents)))
+    teams = {"pursuer": slice(0, config.n_pursuers), "evader": slice(config.n_pursuers, None)}
+    everyone = {f"{team}s": placed[:, part] for team, part in teams.items()}
+    start = new_batch(config, len(placed))
+    start.reset(np.arange(len(placed), dtype=np.uint64), **everyone)
+    allowed = np.ones((*placed.shape[:2], config.n_actions), np.int8)
+    for team in keeps:
+        views = start.buffers["views"][:, teams[team]]
+        allowed[:, teams[team]] = action_masks(views, cells[team])
+    found = 0
+    for choice in itertools.product(range(config.n_actions), repeat=config.n_agents):
+        # The placements in which everybody may act so.
+        may = allowed[:, np.arange(config.n_agents), choice].all(axis=1)
+        if may.any():
+            batch = new_batch(config, int(may.sum()))
+            batch.reset(
+                np.arange(may.sum(), dtype=np.uint64),
+                **{name: cells[may] for name, cells in everyone.items()},
+            )
+            batch.step(np.tile(choice, (int(may.sum()), 1)))
+            found += sum(int(batch.buffers["fault"][:, teams[team]].sum()) for team in keeps)
+    return found
+
+
+@pytest.mark.parametrize("diagonal", [False, True])
+def test_careful_scripts_are_never_at_fault_in_any_row(diagonal: bool) -> None:
+    for number, rules in enumerate(ROWS):
+        config = world_of(rules, obstacles=0.1, diagonal=diagonal)
+        players = ("careful-random", "careful-random", "random", "careful-clumsy-chaser")
+        for pursuers, evaders in itertools.pairwise(players):
+            played = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, number))
+            keep = [name.startswith("careful-") for name in (pursuers, evaders)]
+            assert not played.faults[:, :, keep].any(), rules
+
+
+@pytest.mark.slow
+def test_masked_networks_are_never_at_fault() -> None:
+    played, faults, captures = play(1e6)
+    assert played >= 1e6
+    assert faults == 0
+    assert captures > 100
+
+
+def test_where_nobody_collides_s_and_sb_are_the_same_game() -> None:
+    rng = np.random.default_rng(0)
+    config = world_of("S", n_pursuers=6, n_evaders=2, rows=9, cols=9)
+    teams = random_teams(config, rng, 1)
+    for seed in range(20):
+        episodes = [mw.record(world_of(
+            variant, n_pursuers=6, n_evaders=2, rows=9, cols=9
+        ), *teams, seed=seed) for variant in ("S", "SB")]  # fmt: skip
+        np.testing.assert_array_equal(*(each.positions for each in episodes))
+
+
+@pytest.mark.parametrize("variant", ["S", "B", "O", "TO"])
+@pytest.mark.parametrize("kind", ["parallel", "aec", "vector"])
+def test_environments_offer_the_mask_of_each_team(variant: str, kind: str) -> None:
+    config = world_of(variant, obstacles=0.05)
+    rng = np.random.default_rng(3)
+
+    def draw(mask: np.ndarray) -> int:
+        return int(rng.choice(np.flatnonzero(mask)))
+
+    if kind == "vector":
+        envs = mw.VectorEnv(config, n_worlds=4, action_mask=MASK)
+        _, infos = envs.reset(seed=1)
+        for _ in range(60):
+            actions = [[draw(mask) for mask in world] for world in infos["action_mask"]]
+            *_, infos = envs.step(np.array(actions))
+            assert not infos["fault"].any()
+        return
+    if kind == "parallel":
+        env = mw.parallel_env(config, action_mask=MASK)
+        _, infos = env.reset(seed=1)
+        while env.agents:
+            *_, infos = env.step({name: draw(infos[name]["action_mask"]) for name in env.agents})
+            assert not env.unwrapped.status.fault.any()
+        return
+    env = mw.aec_env(config, action_mask=MASK)
+    env.reset(seed=1)
+    for _ in env.agent_iter():
+        *_, over, cut, info = env.last()
+        assert not env.unwrapped.status.fault.any()
+        env.step(None if over or cut else draw(info["action_mask"]))
+
+
+@pytest.mark.parametrize(
+    ("mask", "fov", "says"),
+    [
+        ("right-of-way", 3, "action_mask: expected a fov of at least 5 for the mask right-of-way"),
+        ("obstacles", 1, "action_mask: expected a fov of at least 3 for the mask obstacles, got 1"),
+        ("occupied", 5, f"action_mask: expected one of {', '.join(MASKS)}, got 'occupied'"),
+    ],
+)
+def test_masks_that_are_refused(mask: str, fov: int, says: str) -> None:
+    with pytest.raises(ValueError, match=f"^{says}"):
+        ActionMasks(mask, world_of("S", fov=fov))
+
+
+def test_careful_scripts_need_a_wide_view() -> None:
+    config = world_of("S", fov=3)
+    with pytest.raises(ValueError, match=r"^pursuers: expected a fov of at least 5 for careful-"):
+        mw.rollout(config, "careful-chaser", "random", mw.Matches.of(0, 0, 0))
