@@ -146,9 +146,9 @@ int ScriptedPolicy::find_best(const World& world, const Occupancy& occupancy, in
     int n_best = 0;
     for (int move = 0; move < world.config().n_actions(); ++move) {
         if (!allows(world, occupancy, agent, move)) continue;
-        const int worth = script_.rate ? rates_[move]
-                                       : script_.worth(sight_, goals_,
-                                                       {kRowStep[move], kColStep[move]});
+        const int worth = script_.rate
+                              ? rates_[move]
+                              : script_.worth(sight_, goals_, {kRowStep[move], kColStep[move]});
         if (n_best == 0 || worth > best) {  // the first move, or one better than all before it
             best = worth;
             n_best = 0;

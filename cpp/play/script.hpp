@@ -61,7 +61,7 @@ struct Script {
     Worth worth;  // what it is worth to be `there`
     int slips;    // in this many of kSlipSteps steps it takes any action, all equally likely
     int stride;   // steps in one direction while it has no goal; 0: a direction for each step
-    Rate rate = nullptr;  // instead of goals and worth: writes what each move is worth
+    Rate rate = nullptr;   // instead of goals and worth: writes what each move is worth
     bool careful = false;  // takes only moves that right of way allows
 };
 

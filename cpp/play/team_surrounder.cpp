@@ -44,8 +44,8 @@ int count(Cells cells) {
 // Removes the first cell of a set and returns its number.
 int take(Cells& cells) {
     const auto low = static_cast<std::uint64_t>(cells);
-    const int first = low ? __builtin_ctzll(low)
-                          : 64 + __builtin_ctzll(static_cast<std::uint64_t>(cells >> 64));
+    const int first =
+        low ? __builtin_ctzll(low) : 64 + __builtin_ctzll(static_cast<std::uint64_t>(cells >> 64));
     cells &= cells - 1;
     return first;
 }
@@ -88,9 +88,7 @@ struct View {
     Cells open_sides(Cells adversary) const {
         return beside(adversary) & ~(blocked | adversaries | teammates | kMe);
     }
-    bool is_blocked(int move, int steps) const {
-        return blocked & one(number(step(move, steps)));
-    }
+    bool is_blocked(int move, int steps) const { return blocked & one(number(step(move, steps))); }
     int moves(Offset from, Offset to) const {
         const int rows = std::abs(from.row - to.row);
         const int cols = std::abs(from.col - to.col);
@@ -180,10 +178,10 @@ int cost_of_side(const View& view, Offset adversary, int exit, Offset runner, Of
                                 (runner.col - adversary.col) * (side.col - adversary.col) <
                             0;
     if (around) moves += 2;
-    const bool is_exit = side.row == adversary.row + kRowStep[exit] &&
-                         side.col == adversary.col + kColStep[exit];
-    const bool is_behind = side.row == adversary.row - kRowStep[exit] &&
-                           side.col == adversary.col - kColStep[exit];
+    const bool is_exit =
+        side.row == adversary.row + kRowStep[exit] && side.col == adversary.col + kColStep[exit];
+    const bool is_behind =
+        side.row == adversary.row - kRowStep[exit] && side.col == adversary.col - kColStep[exit];
     return kPerMove * moves + (is_exit ? kExit : 0) - (is_behind ? kBehind : 0);
 }
 
@@ -198,9 +196,9 @@ int share_sides(const View& view, int adversary, Cells open, const int* runners,
     int cost[kDiagonalMoves][kDiagonalMoves];  // by place and side; without a runner it is nothing
     for (int i = 0; i < n_sides; ++i) {
         for (int s = 0; s < n_sides; ++s) {
-            cost[i][s] = i < n_runners ? cost_of_side(view, at, exit, offset(runners[i]),
-                                                      offset(sides[s]))
-                                       : 0;
+            cost[i][s] = i < n_runners
+                             ? cost_of_side(view, at, exit, offset(runners[i]), offset(sides[s]))
+                             : 0;
         }
     }
     int side_of[kDiagonalMoves];
@@ -228,8 +226,8 @@ int share_sides(const View& view, int adversary, Cells open, const int* runners,
 int allocate(const View& view, Cells open) {
     int adversaries[kSide * kSide];
     int runners[kSide * kSide];
-    const int n_adversaries = list_nearest(view, view.beside(open) & view.adversaries,
-                                           kMostAdversaries, adversaries);
+    const int n_adversaries =
+        list_nearest(view, view.beside(open) & view.adversaries, kMostAdversaries, adversaries);
     const int n_runners = list_nearest(view, view.loose | kMe, kMostRunners, runners);
     Cells sides[kMostAdversaries];
     int left[kMostAdversaries];  // sides without a runner
@@ -271,7 +269,8 @@ int allocate(const View& view, Cells open) {
 
 // Rates moves by the way that is left to a side, around obstacles, adversaries and their holders.
 void rate_way(const View& view, int side, int* worth) {
-    const Cells free = view.seen & ~(view.blocked | view.adversaries | (view.teammates & ~view.loose));
+    const Cells free =
+        view.seen & ~(view.blocked | view.adversaries | (view.teammates & ~view.loose));
     Cells reached = 0;
     Cells wave = one(side);
     Cells left = view.beside(kMe) | kMe;
@@ -289,8 +288,8 @@ void rate_way(const View& view, int side, int* worth) {
 
 // ---- Search ------------------------------------------------------------------------------------
 
-constexpr int kSpacing = 3;     // cells from one to the next in a line
-constexpr int kSidestep = 8;    // steps for which it passes obstacles on the same hand
+constexpr int kSpacing = 3;   // cells from one to the next in a line
+constexpr int kSidestep = 8;  // steps for which it passes obstacles on the same hand
 constexpr int kTeamsInView = 2;
 
 // A way across the grid from where one border is seen to where the other one is.
