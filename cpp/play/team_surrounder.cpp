@@ -88,7 +88,12 @@ struct View {
     Cells open_sides(Cells adversary) const {
         return beside(adversary) & ~(blocked | adversaries | teammates | kMe);
     }
-    bool is_blocked(int move, int steps) const { return blocked & one(number(step(move, steps))); }
+    // Is the border, or a wall at least three cells wide, so many steps away?
+    bool is_border(int move, int steps) const {
+        const Cells there = one(number(step(move, steps)));
+        const int aside = move % 4 + 1;
+        return !((there | moved(there, aside) | moved(there, kOpposite[aside])) & ~blocked);
+    }
     int moves(Offset from, Offset to) const {
         const int rows = std::abs(from.row - to.row);
         const int cols = std::abs(from.col - to.col);
@@ -288,9 +293,9 @@ void rate_way(const View& view, int side, int* worth) {
 
 // ---- Search ------------------------------------------------------------------------------------
 
-constexpr int kSpacing = 3;   // cells from one to the next in a line
-constexpr int kSidestep = 8;  // steps for which it passes obstacles on the same hand
-constexpr int kTeamsInView = 2;
+constexpr int kSpacing = 3;     // cells from one to the next in a line
+constexpr int kSidestep = 8;    // steps for which it passes obstacles on the same hand
+constexpr long kFewInView = 2;  // agents of a team in a view, on average, up to which lines pay
 
 // A way across the grid from where one border is seen to where the other one is.
 struct Crossing {
@@ -348,8 +353,8 @@ class Line {
         if (team_ / 4 % 2 && move % 2) move = kOpposite[move];
         return (move - 1 + team_) % 4 + 1;
     }
-    bool sees_border(int move) const { return view_.is_blocked(move, view_.reach); }
-    bool is_near_border(int move) const { return view_.is_blocked(move, view_.reach - 1); }
+    bool sees_border(int move) const { return view_.is_border(move, view_.reach); }
+    bool is_near_border(int move) const { return view_.is_border(move, view_.reach - 1); }
 
     void queue(int home, int forward) {
         home = turned(home);
@@ -428,14 +433,14 @@ void mow(const World& world, const View& view, int agent, int* worth) {
     const int shift = (swath / n_swaths + flag(2)) % 2 ? 3 - first : kOpposite[3 - first];
     worth[0] = 1;
     for (int move = 1; move < kCompassMoves; ++move) {
-        if (view.is_blocked(move, view.reach - 1)) worth[kOpposite[move]] += 4;
+        if (view.is_border(move, view.reach - 1)) worth[kOpposite[move]] += 4;
     }
     const bool crosses = time % (crossing.steps + aside) < crossing.steps;
-    if (crosses && !view.is_blocked(ahead, view.reach)) {
+    if (crosses && !view.is_border(ahead, view.reach)) {
         worth[ahead] += 8;
         worth[shift] += 3;
         worth[kOpposite[shift]] += 2;
-    } else if (!view.is_blocked(shift, view.reach)) {
+    } else if (!view.is_border(shift, view.reach)) {
         worth[shift] += 8;
     }
 }
@@ -444,7 +449,8 @@ void search(const World& world, const View& view, int agent, int* worth) {
     const Config& config = world.config();
     const long n = world.team(agent) == Team::Pursuer ? config.n_pursuers : config.n_evaders;
     const long seen = (2 * view.reach + 1) * (2 * view.reach + 1);
-    if (n * seen < static_cast<long>(kTeamsInView) * config.rows * config.cols) {
+    const long area = static_cast<long>(config.rows) * config.cols;
+    if (n * seen < kFewInView * area && !world.terrain().has_obstacles) {
         Line(world, view, agent, worth).rate();
     } else {
         mow(world, view, agent, worth);
