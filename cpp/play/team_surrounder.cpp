@@ -273,22 +273,22 @@ int allocate(const View& view, Cells open) {
 // ---- Approach ----------------------------------------------------------------------------------
 
 // Rates moves by the way that is left to a side, around obstacles, adversaries and their holders.
-void rate_way(const View& view, int side, int* worth) {
+// Returns whether there is one in view.
+bool rate_way(const View& view, int side, int* worth) {
     const Cells free =
         view.seen & ~(view.blocked | view.adversaries | (view.teammates & ~view.loose));
     Cells reached = 0;
     Cells wave = one(side);
-    Cells left = view.beside(kMe) | kMe;
-    for (int move = 0; move < view.n_actions; ++move) {
-        worth[move] = -kSide * kSide - view.moves(step(move), offset(side));  // there is no way
-    }
-    for (int moves = 0; wave && (left & free & ~reached); ++moves) {
+    const Cells wanted = (view.beside(kMe) | kMe) & free;
+    std::fill_n(worth, view.n_actions, kForbidden);
+    for (int moves = 0; wave && (wanted & ~reached); ++moves) {
         reached |= wave;
         for (int move = 0; move < view.n_actions; ++move) {
             if (wave & after(move)) worth[move] = -moves;
         }
         wave = view.beside(wave) & free & ~reached;
     }
+    return reached & kMe;
 }
 
 // ---- Search ------------------------------------------------------------------------------------
@@ -477,12 +477,13 @@ void rate_for_team(const World& world, const Sight& sight, int agent, std::uint3
     constexpr int kDrift = 128;  // of 256
     const Cells open = view.open_sides(view.adversaries) & view.seen & ~shut;
     const int side = open ? allocate(view, open) : -1;
-    if (side >= 0) {
-        rate_way(view, side, worth);
-    } else if (open && happens(draw, kDrift)) {
-        std::fill_n(worth + 1, view.n_actions - 1, 1);  // makes room
-    } else {
-        search(world, view, agent, worth);
+    if (side < 0 || !rate_way(view, side, worth)) {
+        std::fill_n(worth, view.n_actions, 0);
+        if (open && happens(draw, kDrift)) {
+            std::fill_n(worth + 1, view.n_actions - 1, 1);  // makes room
+        } else {
+            search(world, view, agent, worth);
+        }
     }
     for (int move = 1; move < view.n_actions; ++move) {
         if (shut & after(move)) worth[move] = 2 * kForbidden;
