@@ -423,7 +423,7 @@ class Line {
 void mow(const World& world, const View& view, int agent, int* worth) {
     const Crossing crossing(world.config(), view.reach);
     const int aside = 2 * view.reach + 1;
-    const int n_swaths = (crossing.side - 1) / aside;
+    const int n_swaths = std::max(1, (crossing.side - 1) / aside);
     const Block draws = world.key().block(Purpose::Walk, agent, 0);
     const int time = world.steps() + below(draws[0], 2 * n_swaths * (crossing.steps + aside));
     const int swath = time / (crossing.steps + aside);

@@ -172,7 +172,7 @@ BAD = [
     (
         [*ALONE, "--set", "schedule.opponent=nobody"],
         "schedule.opponent: expected random, still, chaser, fleer, clumsy-chaser, hunter, "
-        "surrounder, clumsy-fleer, dodger or a run directory, got 'nobody'",
+        "surrounder, clumsy-fleer, dodger, team-surrounder or a run directory, got 'nobody'",
     ),
     ([*ALONE, "--set", "schedule.start=nobody"], "schedule.start: expected a directory that holds"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
