@@ -6,9 +6,9 @@
 //   - no teammate that could enter the cell in this step goes first;
 //   - no adversary could enter it, where a meeting there would put the own team at fault.
 //
-// In a fixed order an agent that stays where it is may bar a cell for ever to those that would have to
-// let it go first. Networks keep to one, because their weights are fixed: right before left. Scripts
-// know the step, and the order changes with it: each move is first in its turn.
+// In a fixed order an agent that stays where it is may bar a cell for ever to those that would have
+// to let it go first. Networks keep to one, because their weights are fixed: right before left.
+// Scripts know the step, and the order changes with it: each move is first in its turn.
 //
 // Staying is always allowed. Two agents that can enter one cell are at most two moves apart, so each
 // sees the other in a view of `kLeastFov`, and exactly one of them goes first. So no two teammates

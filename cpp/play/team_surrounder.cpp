@@ -120,8 +120,8 @@ constexpr int kRelease = 128;  // of 256
 constexpr int kShift = 8;
 
 // Two adversaries side by side cannot be surrounded. Where they have no side left to part by, their
-// holders give way at times. Where a side of another adversary is open that nobody else can reach, a
-// holder moves on to it at times, and leaves its own side to those behind.
+// holders give way at times. To an open side of another adversary a holder moves on at times, since
+// nobody else may reach it, and leaves its own side to those behind.
 void rate_as_holder(const View& view, std::uint32_t draw, int* worth) {
     const Cells held = view.beside(kMe) & view.adversaries;
     for (Cells rest = held; rest && happens(draw, kRelease);) {
@@ -160,8 +160,8 @@ int list_nearest(const View& view, Cells cells, int most, int* out) {
     return most;
 }
 
-// The direction in which an adversary shall be driven while it is not yet surrounded: to the nearest
-// obstacle or border, beside which fewer pursuers are needed.
+// The direction in which an adversary shall be driven while it is not yet surrounded: to the
+// nearest obstacle or border, beside which fewer pursuers are needed.
 int find_exit(const View& view, Offset adversary) {
     for (int steps = 1; steps < kSide; ++steps) {
         for (int move = 1; move < kCompassMoves; ++move) {
@@ -190,7 +190,7 @@ int cost_of_side(const View& view, Offset adversary, int exit, Offset runner, Of
     return kPerMove * moves + (is_exit ? kExit : 0) - (is_behind ? kBehind : 0);
 }
 
-// The side that the agent gets when its runners share the sides of an adversary at the least cost, as
+// The side that the agent gets when runners share the sides of an adversary at the least cost, as
 // far as exchanges of two lower it; -1 for none.
 int share_sides(const View& view, int adversary, Cells open, const int* runners, int n_runners) {
     const Offset at = offset(adversary);
@@ -226,8 +226,8 @@ int share_sides(const View& view, int adversary, Cells open, const int* runners,
     return -1;
 }
 
-// The side that is the agent's, or -1. The nearest pair of an adversary with open sides and a runner
-// comes first, and so on.
+// The side that is the agent's, or -1. The nearest pair of an adversary with open sides and a
+// runner comes first, and so on.
 int allocate(const View& view, Cells open) {
     int adversaries[kSide * kSide];
     int runners[kSide * kSide];
@@ -318,8 +318,9 @@ void rate_onwards(int move, int hand, int* worth) {
 // Components of an offset along two moves.
 int along(Offset at, int move) { return at.row * kRowStep[move] + at.col * kColStep[move]; }
 
-// A team first takes its place at a border, one behind the other from a corner on; then it crosses the
-// grid abreast, changes to the other half, crosses back, and so on. Each team begins at another border.
+// A team first takes its place at a border, one behind the other from a corner on. Then it crosses
+// the grid abreast, changes to the other half, crosses back, and so on. Each team begins at another
+// border.
 class Line {
   public:
     Line(const World& world, const View& view, int agent, int* worth)
@@ -418,8 +419,8 @@ class Line {
     int hand_;
 };
 
-// To and fro across the grid, one view further each time, and back again after the last one. Where an
-// agent is in this plan, and how the plan lies, is drawn once.
+// To and fro across the grid, one view further each time, and back again after the last one. Where
+// an agent is in this plan, and how the plan lies, is drawn once.
 void mow(const World& world, const View& view, int agent, int* worth) {
     const Crossing crossing(world.config(), view.reach);
     const int aside = 2 * view.reach + 1;

@@ -5,8 +5,8 @@
 //   hold      beside an adversary it stays, except to break up crowds (see `rate_as_holder`)
 //   allocate  the nearest free teammates share the open sides of the adversaries in view
 //   approach  it goes to its side by the shortest way
-//   search    in few, teams of as many as surround an adversary sweep the grid in lines; in many, each
-//             agent mows the grid on its own
+//   search    in few, teams of as many as surround an adversary sweep the grid in lines; in many,
+//             each agent mows the grid on its own
 //
 // Numbers were chosen by trial: 4 directions, 40 x 40 cells, view 11 x 11, adversaries at random.
 #pragma once

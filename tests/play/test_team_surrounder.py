@@ -1,4 +1,4 @@
-"""The script team-surrounder: an independent slow reading, small scenes, and that nobody is at fault."""
+"""The script team-surrounder: an independent slow reading, small scenes, and no faults."""
 
 import itertools
 

@@ -74,9 +74,9 @@ still, walk at random.
 The team-surrounder stays beside an adversary. Otherwise the nearest teammates in view that are not
 beside one share the free cells beside adversaries in view, so that the ways are short and
 adversaries can flee towards a border only; each goes to its own. Without one it searches: in few,
-teams of as many as surround an adversary cross the grid in a line; in many, each agent crosses it in
-swaths of its own. Views wider than 11 are cut to 11. It counts steps, and knows the sizes of the
-grid and of its team.
+teams of as many as surround an adversary cross the grid in a line; in many, each agent crosses it
+in swaths of its own. Views wider than 11 are cut to 11. It counts steps, and knows the sizes of the
+grid and of its team, and whether there are obstacles.
 """
 
 Memory: TypeAlias = Literal["none", "elman", "gru"]
