@@ -324,7 +324,7 @@ int along(Offset at, int move) { return at.row * kRowStep[move] + at.col * kColS
 class Line {
   public:
     Line(const World& world, const View& view, int agent, int* worth)
-        : world_(world), view_(view), worth_(worth) {
+        : view_(view), worth_(worth), crossing_(world.config(), view.reach) {
         const Config& config = world.config();
         const int team_size = config.n_actions() - 1;
         const bool pursues = world.team(agent) == Team::Pursuer;
@@ -332,23 +332,24 @@ class Line {
         team_ = own / team_size;
         alone_ = (pursues ? config.n_pursuers : config.n_evaders) <= team_size;
         hand_ = (agent + world.steps() / kSidestep) % 2;
+        time_ = world.steps() - (crossing_.side - view.reach + 1);
     }
 
+    // After a round the teams are in pieces: then agents do better on their own, but for one team.
+    bool is_over() const { return !alone_ && time_ >= round(); }
+
     void rate() {
-        const Crossing crossing(world_.config(), view_.reach);
-        const int gather = crossing.side - view_.reach + 1;
-        const int change = std::max(1, crossing.steps - kSpacing);
-        int time = world_.steps() - gather;
-        if (time < 0) return queue(4, 1);
-        time %= 2 * (crossing.steps + change);
-        const bool returns = time >= crossing.steps + change;
-        time -= returns ? crossing.steps + change : 0;
+        if (time_ < 0) return queue(4, 1);
+        const int time = time_ % round();
+        const bool returns = time >= round() / 2;
         const int ahead = returns ? 4 : 2;
-        if (time < crossing.steps) return sweep(ahead);
+        if (time % (round() / 2) < crossing_.steps) return sweep(ahead);
         queue(ahead, returns ? 1 : 3);
     }
 
   private:
+    // Steps until a team is where it began: it crosses and changes twice.
+    int round() const { return 2 * (crossing_.steps + std::max(1, crossing_.steps - kSpacing)); }
     // As the team turns the plan, which is written for the first one.
     int turned(int move) const {
         if (team_ / 4 % 2 && move % 2) move = kOpposite[move];
@@ -411,9 +412,10 @@ class Line {
         return true;
     }
 
-    const World& world_;
     const View& view_;
     int* worth_;
+    Crossing crossing_;
+    int time_;  // steps since the teams began to cross
     int team_;
     bool alone_;  // all teammates are of this team
     int hand_;
@@ -452,10 +454,10 @@ void search(const World& world, const View& view, int agent, int* worth) {
     const long seen = (2 * view.reach + 1) * (2 * view.reach + 1);
     const long area = static_cast<long>(config.rows) * config.cols;
     if (n * seen < kFewInView * area && !world.terrain().has_obstacles) {
-        Line(world, view, agent, worth).rate();
-    } else {
-        mow(world, view, agent, worth);
+        Line line(world, view, agent, worth);
+        if (!line.is_over()) return line.rate();
     }
+    mow(world, view, agent, worth);
 }
 
 }  // namespace

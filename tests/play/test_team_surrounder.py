@@ -196,11 +196,13 @@ class Mind:
         few = team * (2 * self.reach + 1) ** 2 < 2 * config.rows * config.cols
         side = max(config.rows, config.cols)
         crossing = max(1, side - 2 * self.reach + 1)
-        return self.line(side, crossing) if few and not self.has_obstacles else self.mow(
-            side, crossing
-        )  # fmt: skip
+        change = max(1, crossing - 3)
+        over = self.step - (side - self.reach + 1) >= 2 * (crossing + change) and team >= self.n
+        if few and not self.has_obstacles and not over:
+            return self.line(side, crossing, change)
+        return self.mow(side, crossing)
 
-    def line(self, side: int, crossing: int) -> list[int]:
+    def line(self, side: int, crossing: int, change: int) -> list[int]:
         own = self.agent - (0 if self.pursues else self.config.n_pursuers)
         team = own // (self.n - 1)
 
@@ -211,7 +213,6 @@ class Mind:
         time = self.step - (side - self.reach + 1)
         if time < 0:
             return self.queue(turned(4), turned(1))
-        change = max(1, crossing - 3)
         half, time = divmod(time % (2 * (crossing + change)), crossing + change)
         ahead = 4 if half else 2
         if time < crossing:
@@ -322,7 +323,7 @@ def world_of(rules: object = "SB", **changes: object) -> mw.WorldConfig:
         {"diagonal": True, "n_pursuers": 24, "n_evaders": 3},
         {"fov": 7},
         {"rows": 30, "cols": 30, "n_pursuers": 4, "n_evaders": 1, "max_steps": 150},  # one line
-        {"rows": 50, "cols": 40, "n_pursuers": 11, "n_evaders": 3, "max_steps": 150, "fov": 9},
+        {"rows": 50, "cols": 40, "n_pursuers": 11, "n_evaders": 3, "max_steps": 250, "fov": 9},
         {"rows": 40, "cols": 40, "n_pursuers": 40, "n_evaders": 2, "max_steps": 100},  # swaths
     ],
     ids=str,
