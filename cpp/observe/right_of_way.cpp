@@ -43,16 +43,24 @@ RightOfWay::RightOfWay(const Config& config, Team team) {
     const int own = channel(team), foreign = channel(opponent(team));
     const bool yields = must_yield_to_adversaries(rules, team);
     const int n_moves = config.n_actions();
-    for (int move = 1; move < n_moves; ++move) {
+    const auto list = [&](int move, const auto& first) {
         const int row = kRowStep[move], col = kColStep[move];
-        std::vector<Cell>& cells = forbidding_[move];
-        cells = {{kObstacles, row, col}, {own, row, col}};
+        std::vector<Cell> cells = {{kObstacles, row, col}, {own, row, col}};
         if (!contact_is_safe(rules, team)) cells.push_back({foreign, row, col});
         for (int other = 1; other < n_moves; ++other) {
             const int from_row = row - kRowStep[other], from_col = col - kColStep[other];
-            if (goes_first(other, move)) cells.push_back({own, from_row, from_col});
+            if (first(other, move)) cells.push_back({own, from_row, from_col});
             // An adversary may be on the own cell, from where it could make the same move.
             if (yields) cells.push_back({foreign, from_row, from_col});
+        }
+        return cells;
+    };
+    for (int move = 1; move < n_moves; ++move) {
+        forbidding_[move] = list(move, goes_first);
+        for (int order = 0; order < kOrders; ++order) {
+            const auto place = [&](int m) { return (m + order) % (n_moves - 1); };
+            forbidding_in_turn_[order][move] =
+                list(move, [&](int m, int other) { return place(m) < place(other); });
         }
     }
 }
@@ -70,7 +78,9 @@ bool RightOfWay::allows(const World& world, const Occupancy& occupancy, int agen
         const Team team = seen.channel == kPursuers ? Team::Pursuer : Team::Evader;
         return occupancy.count(cell, team) > 0;
     };
-    const std::vector<Cell>& cells = forbidding_[move];
+    // One order more after each round of them, so that no agents fall into step with the orders.
+    const int order = (world.steps() + world.steps() / kOrders) % kOrders;
+    const std::vector<Cell>& cells = forbidding_in_turn_[order][move];
     return std::none_of(cells.begin(), cells.end(), is_set);
 }
 

@@ -6,6 +6,10 @@
 //   - no teammate that could enter the cell in this step goes first;
 //   - no adversary could enter it, where a meeting there would put the own team at fault.
 //
+// In a fixed order an agent that stays where it is may bar a cell for ever to those that would have
+// to let it go first. Networks keep to one, because their weights are fixed: right before left.
+// Scripts know the step, and the order changes with it: each move is first in its turn.
+//
 // Staying is always allowed. Two agents that can enter one cell are at most two moves apart, so each
 // sees the other in a view of `kLeastFov`, and exactly one of them goes first. So no two teammates
 // ever enter one cell, and nobody enters a cell that is taken. Where the rules take turns, this holds
@@ -38,11 +42,14 @@ class RightOfWay {
 
     // What forbids a move; nothing forbids to stay.
     const std::vector<Cell>& forbidding(int move) const { return forbidding_[move]; }
-    // Precondition: the world has entered the occupancy.
+    // In the order of this step. Precondition: the world has entered the occupancy.
     bool allows(const World& world, const Occupancy& occupancy, int agent, int move) const;
 
   private:
+    static constexpr int kOrders = kDiagonalMoves - 1;
+
     std::vector<Cell> forbidding_[kDiagonalMoves];
+    std::vector<Cell> forbidding_in_turn_[kOrders][kDiagonalMoves];  // by order, which is by step
 };
 
 // Does an agent that enters a cell by one move go before a teammate that enters it by another one?

@@ -100,7 +100,7 @@ void ScriptedPolicy::choose(World& world, const Occupancy& occupancy) {
 void ScriptedPolicy::look(const World& world, const Occupancy& occupancy, int agent) {
     sight_.look(world, occupancy, agent);
     goals_.clear();
-    script_.goals(sight_, goals_);
+    if (script_.goals) script_.goals(sight_, goals_);
 }
 
 // Does the script consider a move? A careful one asks who has the right of way, the others avoid
@@ -126,9 +126,11 @@ int ScriptedPolicy::list_slips(const World& world, const Occupancy& occupancy, i
 
 int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, int agent,
                               std::uint32_t draw) {
-    if (!script_.goals) return 0;
+    if (!script_.goals && !script_.rate) return 0;
     look(world, occupancy, agent);
-    if (walks()) {
+    if (script_.rate) {
+        script_.rate(world, sight_, agent, draw, rates_);
+    } else if (walks()) {
         const int move = walk_on(world, agent);
         if (allows(world, occupancy, agent, move)) return move;
     }
@@ -144,7 +146,9 @@ int ScriptedPolicy::find_best(const World& world, const Occupancy& occupancy, in
     int n_best = 0;
     for (int move = 0; move < world.config().n_actions(); ++move) {
         if (!allows(world, occupancy, agent, move)) continue;
-        const int worth = script_.worth(sight_, goals_, {kRowStep[move], kColStep[move]});
+        const int worth = script_.rate
+                              ? rates_[move]
+                              : script_.worth(sight_, goals_, {kRowStep[move], kColStep[move]});
         if (n_best == 0 || worth > best) {  // the first move, or one better than all before it
             best = worth;
             n_best = 0;
@@ -157,6 +161,11 @@ int ScriptedPolicy::find_best(const World& world, const Occupancy& occupancy, in
 void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
     const int n_actions = world.config().n_actions();
     const double slips = static_cast<double>(script_.slips) / kSlipSteps;
+    if (script_.rate) {
+        throw std::invalid_argument(script_.name +
+                                    ": expected a script that decides by what it sees alone, got "
+                                    "one that counts steps");
+    }
     for (int agent : agents_) {
         std::fill_n(out, n_actions, 0.0);
         int moves[kDiagonalMoves] = {0};

@@ -83,6 +83,7 @@ class ScriptedPolicy : public Policy {
     Sight sight_;
     std::vector<RightOfWay> ways_;  // by team; empty unless the script is careful
     Offsets goals_;                 // of the agent that decides
+    int rates_[kDiagonalMoves];     // of the moves of the agent that decides, if the script rates
 };
 
 // One team's candidates: n genomes of one network, one script, or any other policy.

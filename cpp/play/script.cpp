@@ -7,6 +7,7 @@
 
 #include "observe/observe.hpp"
 #include "observe/right_of_way.hpp"
+#include "play/team_surrounder.hpp"
 
 namespace matrixworld {
 
@@ -30,6 +31,10 @@ void Sight::look(const World& world, const Occupancy& occupancy, int agent) {
 bool Sight::is_free(Offset cell) const {
     const int number = world_->grid().cell(own_.row + cell.row, own_.col + cell.col);
     return world_->terrain().kind[number] == kFree;
+}
+
+bool Sight::is_blocked(Offset cell) const {
+    return *world_->terrain().blocked.window(own_.row + cell.row, own_.col + cell.col);
 }
 
 int Sight::moves(Offset from, Offset to) const {
@@ -111,7 +116,7 @@ constexpr int kStride = 12;  // steps; crosses a usual field of view
 std::vector<Script> with_careful_ones(std::vector<Script> all) {
     const std::vector<Script> plain = all;
     for (Script script : plain) {
-        if (!script.goals && script.slips == kNever) continue;  // it never moves
+        if (!script.goals && !script.rate && script.slips == kNever) continue;  // it never moves
         script.name = "careful-" + script.name;
         script.careful = true;
         all.push_back(script);
@@ -132,6 +137,7 @@ const std::vector<Script>& scripts() {
         {"surrounder", open_sides, near, kNever, kStride},
         {"clumsy-fleer", adversaries, far, kHalf, 0},
         {"dodger", adversaries, far_from_all, kNever, 0},
+        {"team-surrounder", nullptr, nullptr, kNever, 0, rate_for_team},
     });
     return all;
 }

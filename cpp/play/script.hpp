@@ -10,6 +10,7 @@
 // looks for adversaries, prefers cells near them, never errs, and walks at random if it sees none.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ class Sight {
     const Offsets& adversaries() const { return adversaries_; }
     const Offsets& teammates() const { return teammates_; }
     bool is_free(Offset cell) const;                  // inside the grid and no obstacle
+    bool is_blocked(Offset cell) const;               // the contrary, of any cell in view
     int moves(Offset from, Offset to) const;          // the least number of moves
     int n_neighbors() const { return n_moves_ - 1; }  // cells that one move reaches
 
@@ -51,12 +53,15 @@ class Sight {
 struct Script {
     using Goals = void (*)(const Sight& sight, Offsets& goals);
     using Worth = int (*)(const Sight& sight, const Offsets& goals, Offset there);
+    using Rate = void (*)(const World& world, const Sight& sight, int agent, std::uint32_t draw,
+                          int* worth);
 
     std::string name;
     Goals goals;  // lists its goals; null: the script stays where it is
     Worth worth;  // what it is worth to be `there`
     int slips;    // in this many of kSlipSteps steps it takes any action, all equally likely
     int stride;   // steps in one direction while it has no goal; 0: a direction for each step
+    Rate rate = nullptr;   // instead of goals and worth: writes what each move is worth
     bool careful = false;  // takes only moves that right of way allows
 };
 

@@ -172,7 +172,10 @@ BAD = [
     (
         [*ALONE, "--set", "schedule.opponent=nobody"],
         "schedule.opponent: expected random, still, chaser, fleer, clumsy-chaser, hunter, "
-        "surrounder, clumsy-fleer, dodger or a run directory, got 'nobody'",
+        "surrounder, clumsy-fleer, dodger, team-surrounder, careful-random, careful-chaser, "
+        "careful-fleer, careful-clumsy-chaser, careful-hunter, careful-surrounder, "
+        "careful-clumsy-fleer, careful-dodger, careful-team-surrounder or a run directory, "
+        "got 'nobody'",
     ),
     ([*ALONE, "--set", "schedule.start=nobody"], "schedule.start: expected a directory that holds"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),

@@ -27,6 +27,7 @@ Script: TypeAlias = Literal[
     "surrounder",
     "clumsy-fleer",
     "dodger",
+    "team-surrounder",
     "careful-random",
     "careful-chaser",
     "careful-fleer",
@@ -35,6 +36,7 @@ Script: TypeAlias = Literal[
     "careful-surrounder",
     "careful-clumsy-fleer",
     "careful-dodger",
+    "careful-team-surrounder",
 ]
 
 SCRIPTS: tuple[Script, ...] = get_args(Script)
@@ -53,6 +55,7 @@ SCRIPT_TEXTS: dict[Script, str] = {
     "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
     "clumsy-fleer": "a fleer that takes any action in half of the steps",
     "dodger": "moves to where all adversaries in view together are farthest",
+    "team-surrounder": "shares the free cells beside adversaries with its teammates, and searches",
     **{
         name: f"as {name.removeprefix(CAREFUL)}, but takes only moves that right of way allows"
         for name in SCRIPTS
@@ -67,6 +70,13 @@ careful script needs a fov of at least 5.
 Without an adversary in view (for the surrounder: without such a cell; for the hunter: without an
 adversary of its own) hunter and surrounder keep one direction for 12 steps, and the others, except
 still, walk at random.
+
+The team-surrounder stays beside an adversary. Otherwise the nearest teammates in view that are not
+beside one share the free cells beside adversaries in view, so that the ways are short and
+adversaries can flee towards a border only; each goes to its own. Without one it searches: in few,
+teams of as many as surround an adversary cross the grid in a line; in many, each agent crosses it
+in swaths of its own. Views wider than 11 are cut to 11. It counts steps, and knows the sizes of the
+grid and of its team, and whether there are obstacles.
 """
 
 Memory: TypeAlias = Literal["none", "elman", "gru"]
