@@ -7,7 +7,7 @@ Twenty pursuers learn by actor-critic to surround five evaders that move at rand
 cells, in episodes of 500 steps (-S). Three kinds of training:
 
 published     settings and rewards of the code that the paper's authors published, 5,000 epochs
-no mask       other settings, no penalty for collisions, 2,500 epochs
+no mask       other settings; rewards of the paper without penalties for collisions, 2,500 epochs
 right of way  the same, with the mask `policy.mask=right-of-way`
 
 Look at the captures in an episode's last step, and at the collisions: the log of the authors'
@@ -59,11 +59,11 @@ PUBLISHED = {
     "world.rewards": "published", "schedule.epochs": 5000, "policy.initial_head": 2**0.5,
 }  # fmt: skip
 FREE = {
-    "world.rewards": mw.Rewards(pursuer_collide=0.0, evader_step=0.05, capture_repeats=True),
+    "world.rewards": mw.Rewards(pursuer_collide=0.0),
     "schedule.epochs": 2500, "policy.hidden": (64,), "learner.population": 2, "learner.clip": 0.2,
     "learner.actor_updates": 12, "learner.critic_updates": 12, "learner.minibatches": 4,
-    "learner.actor_rate": 1e-3, "learner.critic_rate": 2e-3, "learner.discount": 0.97,
-    "learner.entropy": 0.01,
+    "learner.actor_rate": 1e-3, "learner.critic_rate": 2e-3, "learner.anneal": True,
+    "learner.discount": 0.97, "learner.entropy": 0.01,
 }  # fmt: skip
 KINDS: Mapping[str, tuple[Mapping[str, Any], int]] = {
     "published": (PUBLISHED, 2),

@@ -60,7 +60,17 @@ export const SCRIPTS = {
   "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
   "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
   "clumsy-fleer": "a fleer that takes any action in half of the steps",
-  "dodger": "moves to where all adversaries in view together are farthest"
+  "dodger": "moves to where all adversaries in view together are farthest",
+  "team-surrounder": "shares the free cells beside adversaries with its teammates, and searches",
+  "careful-random": "as random, but takes only moves that right of way allows",
+  "careful-chaser": "as chaser, but takes only moves that right of way allows",
+  "careful-fleer": "as fleer, but takes only moves that right of way allows",
+  "careful-clumsy-chaser": "as clumsy-chaser, but takes only moves that right of way allows",
+  "careful-hunter": "as hunter, but takes only moves that right of way allows",
+  "careful-surrounder": "as surrounder, but takes only moves that right of way allows",
+  "careful-clumsy-fleer": "as clumsy-fleer, but takes only moves that right of way allows",
+  "careful-dodger": "as dodger, but takes only moves that right of way allows",
+  "careful-team-surrounder": "as team-surrounder, but takes only moves that right of way allows"
 } as const;
 
 /** Characters of passable and of impassable cells in a map. */

@@ -1,716 +1,721 @@
-/* built from web/ by "npm run build"; sources 3711280ab2b0f4245f4ed3c261f1d58edc6debabaf122c4b6951510ac39d2996 */
-"use strict";(()=>{var Ma=Object.create;var yr=Object.defineProperty;var Aa=Object.getOwnPropertyDescriptor;var Ea=Object.getOwnPropertyNames;var Ta=Object.getPrototypeOf,Ca=Object.prototype.hasOwnProperty;var ka=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(n){throw e=0,n}};var Ra=(t,e,n,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ea(e))!Ca.call(t,o)&&o!==n&&yr(t,o,{get:()=>e[o],enumerable:!(r=Aa(e,o))||r.enumerable});
-return t};var _a=(t,e,n)=>(n=t!=null?Ma(Ta(t)):{},Ra(e||!t||!t.__esModule?yr(n,"default",{value:t,enumerable:!0}):n,t));var Qs=ka(ur=>{var js=Object.defineProperty,Wl=t=>js(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var n in e)js(t,n,{get:e[n],enumerable:!0})};Wl(ur);Hl(ur,{GIFEncoder:()=>Js,
-applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>nc,nearestColorIndex:()=>Ys,nearestColorIndexWithDistance:()=>Zs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
+/* built from web/ by "npm run build"; sources 7b507241a57c4c84e0dac3feae237d11f568626fe9db207b2a831c2595c0a2e3 */
+"use strict";(()=>{var Ma=Object.create;var yn=Object.defineProperty;var Aa=Object.getOwnPropertyDescriptor;var Ea=Object.getOwnPropertyNames;var Ta=Object.getPrototypeOf,Ca=Object.prototype.hasOwnProperty;var ka=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Ra=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ea(e))!Ca.call(t,o)&&o!==r&&yn(t,o,{get:()=>e[o],enumerable:!(n=Aa(e,o))||n.enumerable});
+return t};var _a=(t,e,r)=>(r=t!=null?Ma(Ta(t)):{},Ra(e||!t||!t.__esModule?yn(r,"default",{value:t,enumerable:!0}):r,t));var Qs=ka(un=>{var js=Object.defineProperty,Wl=t=>js(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var r in e)js(t,r,{get:e[r],enumerable:!0})};Wl(un);Hl(un,{GIFEncoder:()=>Js,
+applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>rc,nearestColorIndex:()=>Ys,nearestColorIndexWithDistance:()=>Zs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
 var jl={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
 versionSize:3,globalColorTableFlagMask:128,colorResolutionMask:112,sortFlagMask:8,globalColorTableSizeMask:7,applicationIdentifierSize:8,applicationAuthCodeSize:3,
 disposalMethodMask:28,userInputFlagMask:2,transparentColorFlagMask:1,localColorTableFlagMask:128,interlaceFlagMask:64,idSortFlagMask:32,localColorTableSizeMask:7};
-function Gs(t=256){let e=0,n=new Uint8Array(t);return{get buffer(){return n.buffer},reset(){e=0},bytesView(){return n.subarray(0,e)},bytes(){return n.slice(0,e)},
-writeByte(o){r(e+1),n[e]=o,e++},writeBytes(o,s=0,a=o.length){r(e+a);for(let i=0;i<a;i++)n[e++]=o[i+s]},writeBytesView(o,s=0,a=o.byteLength){r(e+a),n.set(o.subarray(
-s,s+a),e),e+=a}};function r(o){var s=n.length;if(s>=o)return;var a=1024*1024;o=Math.max(o,s*(s<a?2:1.125)>>>0),s!=0&&(o=Math.max(o,256));let i=n;n=new Uint8Array(
-o),e>0&&n.set(i.subarray(0,e),0)}}var ir=12,Ds=5003,Gl=[0,1,3,7,15,31,63,127,255,511,1023,2047,4095,8191,16383,32767,65535];function Vl(t,e,n,r,o=Gs(512),s=new Uint8Array(
-256),a=new Int32Array(Ds),i=new Int32Array(Ds)){let l=a.length,d=Math.max(2,r);s.fill(0),i.fill(0),a.fill(-1);let c=0,u=0,m=d+1,h=m,y=!1,f=h,g=(1<<f)-1,b=1<<m-1,
-x=b+1,v=b+2,w=0,A=n[0],C=0;for(let S=l;S<65536;S*=2)++C;C=8-C,o.writeByte(d),T(b);let E=n.length;for(let S=1;S<E;S++)e:{let P=n[S],_=(P<<ir)+A,k=P<<C^A;if(a[k]===
-_){A=i[k];break e}let te=k===0?1:l-k;for(;a[k]>=0;)if(k-=te,k<0&&(k+=l),a[k]===_){A=i[k];break e}T(A),A=P,v<1<<ir?(i[k]=v++,a[k]=_):(a.fill(-1),v=b+2,y=!0,T(b))}
+function Gs(t=256){let e=0,r=new Uint8Array(t);return{get buffer(){return r.buffer},reset(){e=0},bytesView(){return r.subarray(0,e)},bytes(){return r.slice(0,e)},
+writeByte(o){n(e+1),r[e]=o,e++},writeBytes(o,s=0,a=o.length){n(e+a);for(let i=0;i<a;i++)r[e++]=o[i+s]},writeBytesView(o,s=0,a=o.byteLength){n(e+a),r.set(o.subarray(
+s,s+a),e),e+=a}};function n(o){var s=r.length;if(s>=o)return;var a=1024*1024;o=Math.max(o,s*(s<a?2:1.125)>>>0),s!=0&&(o=Math.max(o,256));let i=r;r=new Uint8Array(
+o),e>0&&r.set(i.subarray(0,e),0)}}var an=12,Ds=5003,Gl=[0,1,3,7,15,31,63,127,255,511,1023,2047,4095,8191,16383,32767,65535];function Vl(t,e,r,n,o=Gs(512),s=new Uint8Array(
+256),a=new Int32Array(Ds),i=new Int32Array(Ds)){let l=a.length,d=Math.max(2,n);s.fill(0),i.fill(0),a.fill(-1);let c=0,u=0,m=d+1,h=m,y=!1,f=h,g=(1<<f)-1,b=1<<m-1,
+x=b+1,v=b+2,w=0,A=r[0],C=0;for(let S=l;S<65536;S*=2)++C;C=8-C,o.writeByte(d),T(b);let E=r.length;for(let S=1;S<E;S++)e:{let P=r[S],_=(P<<an)+A,k=P<<C^A;if(a[k]===
+_){A=i[k];break e}let te=k===0?1:l-k;for(;a[k]>=0;)if(k-=te,k<0&&(k+=l),a[k]===_){A=i[k];break e}T(A),A=P,v<1<<an?(i[k]=v++,a[k]=_):(a.fill(-1),v=b+2,y=!0,T(b))}
 return T(A),T(x),o.writeByte(0),o.bytesView();function T(S){for(c&=Gl[u],u>0?c|=S<<u:c=S,u+=f;u>=8;)s[w++]=c&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),
-w=0),c>>=8,u-=8;if((v>g||y)&&(y?(f=h,g=(1<<f)-1,y=!1):(++f,g=f===ir?1<<f:(1<<f)-1)),S==x){for(;u>0;)s[w++]=c&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),
-w=0),c>>=8,u-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var ql=Vl;function Vs(t,e,n){return t<<8&63488|e<<2&992|n>>3}function qs(t,e,n,r){return t>>
-4|e&240|(n&240)<<4|(r&240)<<8}function Ks(t,e,n){return t>>4<<8|e&240|n>>4}function un(t,e,n){return t<e?e:t>n?n:t}function Ct(t){return t*t}function Ws(t,e,n){
-var r=0,o=1e100;let s=t[e],a=s.cnt,i=s.ac,l=s.rc,d=s.gc,c=s.bc;for(var u=s.fw;u!=0;u=t[u].fw){let h=t[u],y=h.cnt,f=a*y/(a+y);if(!(f>=o)){var m=0;n&&(m+=f*Ct(h.ac-
-i),m>=o)||(m+=f*Ct(h.rc-l),!(m>=o)&&(m+=f*Ct(h.gc-d),!(m>=o)&&(m+=f*Ct(h.bc-c),!(m>=o)&&(o=m,r=u))))}}s.err=o,s.nn=r}function lr(){return{ac:0,rc:0,gc:0,bc:0,cnt:0,
-nn:0,fw:0,bk:0,tm:0,mtm:0,err:0}}function Kl(t,e){let n=e==="rgb444"?4096:65536,r=new Array(n),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>
-24&255,l=a>>16&255,d=a>>8&255,c=a&255,u=qs(c,d,l,i),m=u in r?r[u]:r[u]=lr();m.rc+=c,m.gc+=d,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],
-i=a>>16&255,l=a>>8&255,d=a&255,c=Ks(d,l,i),u=c in r?r[c]:r[c]=lr();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}else for(let s=0;s<o;++s){let a=t[s],i=a>>16&255,l=a>>8&255,d=a&
-255,c=Vs(d,l,i),u=c in r?r[c]:r[c]=lr();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}return r}function Yl(t,e,n={}){let{format:r="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,
-clearAlphaThreshold:a=0,oneBitAlpha:i=!1}=n;if(!t||!t.buffer)throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof
-Uint8ClampedArray))throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),d=n.useSqrt!==!1,c=r==="rgba4444",u=Kl(l,r),m=u.length,
+w=0),c>>=8,u-=8;if((v>g||y)&&(y?(f=h,g=(1<<f)-1,y=!1):(++f,g=f===an?1<<f:(1<<f)-1)),S==x){for(;u>0;)s[w++]=c&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),
+w=0),c>>=8,u-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var ql=Vl;function Vs(t,e,r){return t<<8&63488|e<<2&992|r>>3}function qs(t,e,r,n){return t>>
+4|e&240|(r&240)<<4|(n&240)<<8}function Ks(t,e,r){return t>>4<<8|e&240|r>>4}function cr(t,e,r){return t<e?e:t>r?r:t}function Ct(t){return t*t}function Ws(t,e,r){
+var n=0,o=1e100;let s=t[e],a=s.cnt,i=s.ac,l=s.rc,d=s.gc,c=s.bc;for(var u=s.fw;u!=0;u=t[u].fw){let h=t[u],y=h.cnt,f=a*y/(a+y);if(!(f>=o)){var m=0;r&&(m+=f*Ct(h.ac-
+i),m>=o)||(m+=f*Ct(h.rc-l),!(m>=o)&&(m+=f*Ct(h.gc-d),!(m>=o)&&(m+=f*Ct(h.bc-c),!(m>=o)&&(o=m,n=u))))}}s.err=o,s.nn=n}function ln(){return{ac:0,rc:0,gc:0,bc:0,cnt:0,
+nn:0,fw:0,bk:0,tm:0,mtm:0,err:0}}function Kl(t,e){let r=e==="rgb444"?4096:65536,n=new Array(r),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>
+24&255,l=a>>16&255,d=a>>8&255,c=a&255,u=qs(c,d,l,i),m=u in n?n[u]:n[u]=ln();m.rc+=c,m.gc+=d,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],
+i=a>>16&255,l=a>>8&255,d=a&255,c=Ks(d,l,i),u=c in n?n[c]:n[c]=ln();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}else for(let s=0;s<o;++s){let a=t[s],i=a>>16&255,l=a>>8&255,d=a&
+255,c=Vs(d,l,i),u=c in n?n[c]:n[c]=ln();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}return n}function Yl(t,e,r={}){let{format:n="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,
+clearAlphaThreshold:a=0,oneBitAlpha:i=!1}=r;if(!t||!t.buffer)throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof
+Uint8ClampedArray))throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),d=r.useSqrt!==!1,c=n==="rgba4444",u=Kl(l,n),m=u.length,
 h=m-1,y=new Uint32Array(m+1);for(var f=0,b=0;b<m;++b){let O=u[b];if(O!=null){var g=1/O.cnt;c&&(O.ac*=g),O.rc*=g,O.gc*=g,O.bc*=g,u[f++]=O}}Ct(e)/f<.022&&(d=!1);for(var b=0;b<
 f-1;++b)u[b].fw=b+1,u[b+1].bk=b,d&&(u[b].cnt=Math.sqrt(u[b].cnt));d&&(u[b].cnt=Math.sqrt(u[b].cnt));var x,v,w;for(b=0;b<f;++b){Ws(u,b,!1);var A=u[b].err;for(v=++y[0];v>
 1&&(w=v>>1,!(u[x=y[w]].err<=A));v=w)y[v]=x;y[v]=b}var C=f-e;for(b=0;b<C;){for(var E;;){var T=y[1];if(E=u[T],E.tm>=E.mtm&&u[E.nn].mtm<=E.tm)break;E.mtm==h?T=y[1]=
 y[y[0]--]:(Ws(u,T,!1),E.tm=b);var A=u[T].err;for(v=1;(w=v+v)<=y[0]&&(w<y[0]&&u[y[w]].err>u[y[w+1]].err&&w++,!(A<=u[x=y[w]].err));v=w)y[v]=x;y[v]=T}var S=u[E.nn],
 P=E.cnt,_=S.cnt,g=1/(P+_);c&&(E.ac=g*(P*E.ac+_*S.ac)),E.rc=g*(P*E.rc+_*S.rc),E.gc=g*(P*E.gc+_*S.gc),E.bc=g*(P*E.bc+_*S.bc),E.cnt+=S.cnt,E.mtm=++b,u[S.bk].fw=S.fw,
-u[S.fw].bk=S.bk,S.mtm=h}let k=[];var te=0;for(b=0;;++te){let W=un(Math.round(u[b].rc),0,255),O=un(Math.round(u[b].gc),0,255),U=un(Math.round(u[b].bc),0,255),$=255;
-c&&($=un(Math.round(u[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(W=O=U=s,$=0));let H=c?[W,O,U,$]:[W,O,U];if(Zl(k,H)||k.push(H),(b=u[b].fw)==
-0)break}return k}function Zl(t,e){for(let n=0;n<t.length;n++){let r=t[n],o=r[0]===e[0]&&r[1]===e[1]&&r[2]===e[2],s=r.length>=4&&e.length>=4?r[3]===e[3]:!0;if(o&&
-s)return!0}return!1}function pn(t,e){var n=0,r;for(r=0;r<t.length;r++){let o=t[r]-e[r];n+=o*o}return n}function dn(t,e){return e>1?Math.round(t/e)*e:t}function Jl(t,{
-roundRGB:e=5,roundAlpha:n=10,oneBitAlpha:r=null}={}){let o=new Uint32Array(t.buffer);for(let s=0;s<o.length;s++){let a=o[s],i=a>>24&255,l=a>>16&255,d=a>>8&255,c=a&
-255;i=dn(i,n),r&&(i=i<=(typeof r=="number"?r:127)?0:255),c=dn(c,e),d=dn(d,e),l=dn(l,e),o[s]=i<<24|l<<16|d<<8|c<<0}}function Xl(t,e,n="rgb565"){if(!t||!t.buffer)
+u[S.fw].bk=S.bk,S.mtm=h}let k=[];var te=0;for(b=0;;++te){let W=cr(Math.round(u[b].rc),0,255),O=cr(Math.round(u[b].gc),0,255),U=cr(Math.round(u[b].bc),0,255),$=255;
+c&&($=cr(Math.round(u[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(W=O=U=s,$=0));let H=c?[W,O,U,$]:[W,O,U];if(Zl(k,H)||k.push(H),(b=u[b].fw)==
+0)break}return k}function Zl(t,e){for(let r=0;r<t.length;r++){let n=t[r],o=n[0]===e[0]&&n[1]===e[1]&&n[2]===e[2],s=n.length>=4&&e.length>=4?n[3]===e[3]:!0;if(o&&
+s)return!0}return!1}function dr(t,e){var r=0,n;for(n=0;n<t.length;n++){let o=t[n]-e[n];r+=o*o}return r}function ur(t,e){return e>1?Math.round(t/e)*e:t}function Jl(t,{
+roundRGB:e=5,roundAlpha:r=10,oneBitAlpha:n=null}={}){let o=new Uint32Array(t.buffer);for(let s=0;s<o.length;s++){let a=o[s],i=a>>24&255,l=a>>16&255,d=a>>8&255,c=a&
+255;i=ur(i,r),n&&(i=i<=(typeof n=="number"?n:127)?0:255),c=ur(c,e),d=ur(d,e),l=ur(l,e),o[s]=i<<24|l<<16|d<<8|c<<0}}function Xl(t,e,r="rgb565"){if(!t||!t.buffer)
 throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof Uint8ClampedArray))throw new Error("quantize() expecte\
-d RGBA Uint8Array data");if(e.length>256)throw new Error("applyPalette() only works with 256 colors or less");let r=new Uint32Array(t.buffer),o=r.length,s=n==="\
-rgb444"?4096:65536,a=new Uint8Array(o),i=new Array(s),l=n==="rgba4444";if(n==="rgba4444")for(let d=0;d<o;d++){let c=r[d],u=c>>24&255,m=c>>16&255,h=c>>8&255,y=c&
-255,f=qs(y,h,m,u),g=f in i?i[f]:i[f]=Ql(y,h,m,u,e);a[d]=g}else{let d=n==="rgb444"?Ks:Vs;for(let c=0;c<o;c++){let u=r[c],m=u>>16&255,h=u>>8&255,y=u&255,f=d(y,h,m),
-g=f in i?i[f]:i[f]=ec(y,h,m,e);a[c]=g}}return a}function Ql(t,e,n,r,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],d=l[3],c=$e(d-r);if(c>a)continue;let u=l[0];
-if(c+=$e(u-t),c>a)continue;let m=l[1];if(c+=$e(m-e),c>a)continue;let h=l[2];c+=$e(h-n),!(c>a)&&(a=c,s=i)}return s}function ec(t,e,n,r){let o=0,s=1e100;for(let a=0;a<
-r.length;a++){let i=r[a],l=i[0],d=$e(l-t);if(d>s)continue;let c=i[1];if(d+=$e(c-e),d>s)continue;let u=i[2];d+=$e(u-n),!(d>s)&&(s=d,o=a)}return o}function tc(t,e,n=5){
-if(!t.length||!e.length)return;let r=t.map(a=>a.slice(0,3)),o=n*n,s=t[0].length;for(let a=0;a<e.length;a++){let i=e[a];i.length<s?i=[i[0],i[1],i[2],255]:i.length>
-s?i=i.slice(0,3):i=i.slice();let l=Zs(r,i.slice(0,3),pn),d=l[0],c=l[1];c>0&&c<=o&&(t[d]=i)}}function $e(t){return t*t}function Ys(t,e,n=pn){let r=1/0,o=-1;for(let s=0;s<
-t.length;s++){let a=t[s],i=n(e,a);i<r&&(r=i,o=s)}return o}function Zs(t,e,n=pn){let r=1/0,o=-1;for(let s=0;s<t.length;s++){let a=t[s],i=n(e,a);i<r&&(r=i,o=s)}return[
-o,r]}function nc(t,e,n=pn){return t[Ys(t,e,n)]}function Js(t={}){let{initialCapacity:e=4096,auto:n=!0}=t,r=Gs(e),o=5003,s=new Uint8Array(256),a=new Int32Array(o),
-i=new Int32Array(o),l=!1;return{reset(){r.reset(),l=!1},finish(){r.writeByte(jl.trailer)},bytes(){return r.bytes()},bytesView(){return r.bytesView()},get buffer(){
-return r.buffer},get stream(){return r},writeHeader:d,writeFrame(c,u,m,h={}){let{transparent:y=!1,transparentIndex:f=0,delay:g=0,palette:b=null,repeat:x=0,colorDepth:v=8,
-dispose:w=-1}=h,A=!1;if(n?l||(A=!0,d(),l=!0):A=!!h.first,u=Math.max(0,Math.floor(u)),m=Math.max(0,Math.floor(m)),A){if(!b)throw new Error("First frame must incl\
-ude a { palette } option");oc(r,u,m,b,v),Hs(r,b),x>=0&&sc(r,x)}let C=Math.round(g/10);rc(r,w,C,y,f);let E=!!b&&!A;ac(r,u,m,E?b:null),E&&Hs(r,b),ic(r,c,u,m,v,s,a,
-i)}};function d(){Xs(r,"GIF89a")}}function rc(t,e,n,r,o){t.writeByte(33),t.writeByte(249),t.writeByte(4),o<0&&(o=0,r=!1);var s,a;r?(s=1,a=2):(s=0,a=0),e>=0&&(a=
-e&7),a<<=2,t.writeByte(0|a|0|s),Ee(t,n),t.writeByte(o||0),t.writeByte(0)}function oc(t,e,n,r,o=8){let i=cr(r.length)-1,l=128|o-1<<4|0|i,d=0,c=0;Ee(t,e),Ee(t,n),
+d RGBA Uint8Array data");if(e.length>256)throw new Error("applyPalette() only works with 256 colors or less");let n=new Uint32Array(t.buffer),o=n.length,s=r==="\
+rgb444"?4096:65536,a=new Uint8Array(o),i=new Array(s),l=r==="rgba4444";if(r==="rgba4444")for(let d=0;d<o;d++){let c=n[d],u=c>>24&255,m=c>>16&255,h=c>>8&255,y=c&
+255,f=qs(y,h,m,u),g=f in i?i[f]:i[f]=Ql(y,h,m,u,e);a[d]=g}else{let d=r==="rgb444"?Ks:Vs;for(let c=0;c<o;c++){let u=n[c],m=u>>16&255,h=u>>8&255,y=u&255,f=d(y,h,m),
+g=f in i?i[f]:i[f]=ec(y,h,m,e);a[c]=g}}return a}function Ql(t,e,r,n,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],d=l[3],c=$e(d-n);if(c>a)continue;let u=l[0];
+if(c+=$e(u-t),c>a)continue;let m=l[1];if(c+=$e(m-e),c>a)continue;let h=l[2];c+=$e(h-r),!(c>a)&&(a=c,s=i)}return s}function ec(t,e,r,n){let o=0,s=1e100;for(let a=0;a<
+n.length;a++){let i=n[a],l=i[0],d=$e(l-t);if(d>s)continue;let c=i[1];if(d+=$e(c-e),d>s)continue;let u=i[2];d+=$e(u-r),!(d>s)&&(s=d,o=a)}return o}function tc(t,e,r=5){
+if(!t.length||!e.length)return;let n=t.map(a=>a.slice(0,3)),o=r*r,s=t[0].length;for(let a=0;a<e.length;a++){let i=e[a];i.length<s?i=[i[0],i[1],i[2],255]:i.length>
+s?i=i.slice(0,3):i=i.slice();let l=Zs(n,i.slice(0,3),dr),d=l[0],c=l[1];c>0&&c<=o&&(t[d]=i)}}function $e(t){return t*t}function Ys(t,e,r=dr){let n=1/0,o=-1;for(let s=0;s<
+t.length;s++){let a=t[s],i=r(e,a);i<n&&(n=i,o=s)}return o}function Zs(t,e,r=dr){let n=1/0,o=-1;for(let s=0;s<t.length;s++){let a=t[s],i=r(e,a);i<n&&(n=i,o=s)}return[
+o,n]}function rc(t,e,r=dr){return t[Ys(t,e,r)]}function Js(t={}){let{initialCapacity:e=4096,auto:r=!0}=t,n=Gs(e),o=5003,s=new Uint8Array(256),a=new Int32Array(o),
+i=new Int32Array(o),l=!1;return{reset(){n.reset(),l=!1},finish(){n.writeByte(jl.trailer)},bytes(){return n.bytes()},bytesView(){return n.bytesView()},get buffer(){
+return n.buffer},get stream(){return n},writeHeader:d,writeFrame(c,u,m,h={}){let{transparent:y=!1,transparentIndex:f=0,delay:g=0,palette:b=null,repeat:x=0,colorDepth:v=8,
+dispose:w=-1}=h,A=!1;if(r?l||(A=!0,d(),l=!0):A=!!h.first,u=Math.max(0,Math.floor(u)),m=Math.max(0,Math.floor(m)),A){if(!b)throw new Error("First frame must incl\
+ude a { palette } option");oc(n,u,m,b,v),Hs(n,b),x>=0&&sc(n,x)}let C=Math.round(g/10);nc(n,w,C,y,f);let E=!!b&&!A;ac(n,u,m,E?b:null),E&&Hs(n,b),ic(n,c,u,m,v,s,a,
+i)}};function d(){Xs(n,"GIF89a")}}function nc(t,e,r,n,o){t.writeByte(33),t.writeByte(249),t.writeByte(4),o<0&&(o=0,n=!1);var s,a;n?(s=1,a=2):(s=0,a=0),e>=0&&(a=
+e&7),a<<=2,t.writeByte(0|a|0|s),Ee(t,r),t.writeByte(o||0),t.writeByte(0)}function oc(t,e,r,n,o=8){let i=cn(n.length)-1,l=128|o-1<<4|0|i,d=0,c=0;Ee(t,e),Ee(t,r),
 t.writeBytes([l,d,c])}function sc(t,e){t.writeByte(33),t.writeByte(255),t.writeByte(11),Xs(t,"NETSCAPE2.0"),t.writeByte(3),t.writeByte(1),Ee(t,e),t.writeByte(0)}
-function Hs(t,e){let n=1<<cr(e.length);for(let r=0;r<n;r++){let o=[0,0,0];r<e.length&&(o=e[r]),t.writeByte(o[0]),t.writeByte(o[1]),t.writeByte(o[2])}}function ac(t,e,n,r){
-if(t.writeByte(44),Ee(t,0),Ee(t,0),Ee(t,e),Ee(t,n),r){let a=cr(r.length)-1;t.writeByte(128|a)}else t.writeByte(0)}function ic(t,e,n,r,o=8,s,a,i){ql(n,r,e,o,t,s,
-a,i)}function Ee(t,e){t.writeByte(e&255),t.writeByte(e>>8&255)}function Xs(t,e){for(var n=0;n<e.length;n++)t.writeByte(e.charCodeAt(n))}function cr(t){return Math.
-max(Math.ceil(Math.log2(t)),1)}var lc=Js});var gr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ot={DISAPPEAR:0,REACH:1,BOUNCE:2},br={OCCUPATION:0,SURROUND:1},vr={FAULT:0,INVOLVED:1};var wn=["obstacle","teammate","adversary"],xn=["vertex","edge","chain"],wr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Sn=["p\
-ursuer_{number}","evader_{number}"],xr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
+function Hs(t,e){let r=1<<cn(e.length);for(let n=0;n<r;n++){let o=[0,0,0];n<e.length&&(o=e[n]),t.writeByte(o[0]),t.writeByte(o[1]),t.writeByte(o[2])}}function ac(t,e,r,n){
+if(t.writeByte(44),Ee(t,0),Ee(t,0),Ee(t,e),Ee(t,r),n){let a=cn(n.length)-1;t.writeByte(128|a)}else t.writeByte(0)}function ic(t,e,r,n,o=8,s,a,i){ql(r,n,e,o,t,s,
+a,i)}function Ee(t,e){t.writeByte(e&255),t.writeByte(e>>8&255)}function Xs(t,e){for(var r=0;r<e.length;r++)t.writeByte(e.charCodeAt(r))}function cn(t){return Math.
+max(Math.ceil(Math.log2(t)),1)}var lc=Js});var gn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ot={DISAPPEAR:0,REACH:1,BOUNCE:2},bn={OCCUPATION:0,SURROUND:1},vn={FAULT:0,INVOLVED:1};var vr=["obstacle","teammate","adversary"],wr=["vertex","edge","chain"],wn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xr=["p\
+ursuer_{number}","evader_{number}"],xn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},st={"both held":"both bounce","both doomed":"\
-both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Sr="{event}: {outcome}",Mn={random:"any action, all equally likely",
+both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Sn="{event}: {outcome}",Sr={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
-here all adversaries in view together are farthest"},Mr={free:".GS",blocked:"#@OTW"};var Ne=1+wr.length;function at(t,e){return t.replace(/\{(\w+)\}/g,(n,r)=>String(e[r]))}function G(t,e){return t<e?at(Sn[0],{number:t}):at(Sn[1],{number:t-e})}function $a(t,e){
-let[n,r,o,s,a,i,l,...d]=Array.from(t),c=a<0?[s]:[s,a],[u,m,h]=d.map(b=>c.filter((x,v)=>b>>v&1)),y=c.map(b=>G(b,e)),f=at(xr[a<0?"obstacle":xn[o]],{first:y[0],second:y[y.
-length-1],cell:`(${i}, ${l})`}),g=at(Sr,{event:f,outcome:Pa(c.length,m,h,e)});return{kind:wn[r],form:xn[o],agents:c,cell:[i,l],at_fault:u,held:m,doomed:h,turn:n,
-text:g}}function Pa(t,e,n,r){if(t===2&&e.length===2)return st["both held"];if(t===2&&n.length===2)return st["both doomed"];let o=s=>a=>at(st[s],{agent:G(a,r)});
-return[...e.map(o("held")),...n.map(o("doomed"))].join(", ")||st.none}function _t(t,e){let n=[];for(let r=0;r<t.length;r+=Ne)n.push($a(t.subarray(r+1,r+Ne),e));
-return n}var ve=class extends Error{name="EngineError"};function F(t,e,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new ve(
-`${t}: expected ${e}, got ${r}`)}var Be=class{bytes;constructor(e){this.bytes=e}},Tr=0,En=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],Ar=4,Er=4,Oa=new TextEncoder,
-La=new TextDecoder;function Ia(t){for(let e=En.length-1;e>Tr;--e)if(t instanceof En[e])return e;throw new TypeError("array: expected a typed array of the engine\
-'s numbers, got another")}function An(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Na(t){return Oa.encode(`${t}\0`)}var Tn=class{engine;addresses=[];constructor(e){
-this.engine=e}copy(e){let n=this.engine._malloc(Math.max(e.length,1));if(n===0)throw new ve("memory: expected room for the arguments, got none");return this.addresses.
-push(n),this.engine.HEAPU8.set(e,n),n}text(e){return this.copy(Na(e))}arrays(e){let n=Object.entries(e),r=n.flatMap(([s,a])=>{let i=a instanceof Be,l=i?a.bytes:
-a;return[this.text(s),i?Tr:Ia(l),l.length,this.copy(An(l))]}),o=this.copy(An(Int32Array.from(r)));return this.copy(An(Int32Array.of(n.length,o)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function Cr(t,e){let n=t.HEAPU8;return La.decode(n.subarray(e,n.indexOf(0,e)))}function Ue(t){let e=new Int32Array(t.HEAPU8.buffer),
-n=t._last_outputs()/Ar,r=e[n+1]/Ar,o={};for(let s=r;s<r+e[n]*Er;s+=Er){let a=En[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Cr(t,e[s])]=new a(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function we(t,e){let n=new Tn(t);try{let r=e(n);if(r===0)throw new ve(Cr(t,t._last_error()));return r}finally{n.free()}}var Ba=2**31-1,kr=["none","elman","gru"],Ua=2n**64n-1n,Fa=34028234663852886e22;function fe(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Ba)throw F(
-t,"an integer",e);return Int32Array.of(e)}function $t(t,e){if(typeof e!="boolean")throw F(t,"true or false",e);return new Be(Uint8Array.of(Number(e)))}function Te(t,e,n){
-let r=typeof e=="string"&&Object.hasOwn(n,e)?n[e]:void 0;if(r===void 0)throw F(t,`one of ${Object.keys(n).join(", ")}`,e);return Int32Array.of(r)}function Cn(t,e){
-if(typeof e!="number"||!(Math.abs(e)<=Fa))throw F(t,"a finite number",e);return e}function Fe(t,e){let r=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
-e)?BigInt(e):-1n;if(r<0n||r>Ua)throw F(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(r)}function za(t){return{"rules.interaction":Te("interactio\
-n",t.interaction,gr),"rules.obstacle":Te("obstacle",t.obstacle,ot),"rules.teammate":Te("teammate",t.teammate,ot),"rules.evader":Te("evader",t.evader,ot),"rules.\
-pursuer":Te("pursuer",t.pursuer,ot),"rules.capture":Te("capture",t.capture,br),"rules.captured_disappear":$t("captured_disappear",t.captured_disappear)}}function Rr(t,e){
-let n=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(n)||n.length!==3)throw F(t,"1 or 3 numbers",e);return Float32Array.from(n,r=>Cn(t,r))}function Da(t){let e=(n,r)=>Float32Array.
-of(Cn(n,t[n]),Cn(r,t[r]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
-p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Rr("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Rr("evader_collide",t.evader_collide),
-"rewards.blame":Te("blame",t.blame,vr),"rewards.capture_repeats":$t("capture_repeats",t.capture_repeats)}}function $r(t){if(t===void 0||typeof t=="number")return new Uint8Array(
-0);if(t instanceof Uint8Array)return t;let{free:e,blocked:n}=Mr;for(let[r,o]of t.entries()){if(o.length!==t[0]?.length)throw F(`map, row ${r}`,`${t[0]?.length} \
-cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!n.includes(a));if(s)throw F(`map, row ${r}`,`'${e}' (free) or '${n}' (obstacle)`,s)}return Uint8Array.
-from([...t.join("")],r=>Number(n.includes(r)))}function Pr(t,e){if(!Array.isArray(t))return;let n=[t.length,t[0]?.length??0];if(!(n[0]===e.rows&&n[1]===e.cols))
-throw F("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,n)}function ze(t){Pr(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
+here all adversaries in view together are farthest","team-surrounder":"shares the free cells beside adversaries with its teammates, and searches","careful-rando\
+m":"as random, but takes only moves that right of way allows","careful-chaser":"as chaser, but takes only moves that right of way allows","careful-fleer":"as fl\
+eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
+as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
+eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},Mn={free:".GS",blocked:"#@OTW"};var Ne=1+wn.length;function at(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function G(t,e){return t<e?at(xr[0],{number:t}):at(xr[1],{number:t-e})}function $a(t,e){
+let[r,n,o,s,a,i,l,...d]=Array.from(t),c=a<0?[s]:[s,a],[u,m,h]=d.map(b=>c.filter((x,v)=>b>>v&1)),y=c.map(b=>G(b,e)),f=at(xn[a<0?"obstacle":wr[o]],{first:y[0],second:y[y.
+length-1],cell:`(${i}, ${l})`}),g=at(Sn,{event:f,outcome:Pa(c.length,m,h,e)});return{kind:vr[n],form:wr[o],agents:c,cell:[i,l],at_fault:u,held:m,doomed:h,turn:r,
+text:g}}function Pa(t,e,r,n){if(t===2&&e.length===2)return st["both held"];if(t===2&&r.length===2)return st["both doomed"];let o=s=>a=>at(st[s],{agent:G(a,n)});
+return[...e.map(o("held")),...r.map(o("doomed"))].join(", ")||st.none}function _t(t,e){let r=[];for(let n=0;n<t.length;n+=Ne)r.push($a(t.subarray(n+1,n+Ne),e));
+return r}var ve=class extends Error{name="EngineError"};function F(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new ve(
+`${t}: expected ${e}, got ${n}`)}var Be=class{bytes;constructor(e){this.bytes=e}},Tn=0,Ar=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],An=4,En=4,Oa=new TextEncoder,
+La=new TextDecoder;function Ia(t){for(let e=Ar.length-1;e>Tn;--e)if(t instanceof Ar[e])return e;throw new TypeError("array: expected a typed array of the engine\
+'s numbers, got another")}function Mr(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Na(t){return Oa.encode(`${t}\0`)}var Er=class{engine;addresses=[];constructor(e){
+this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new ve("memory: expected room for the arguments, got none");return this.addresses.
+push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Na(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([s,a])=>{let i=a instanceof Be,l=i?a.bytes:
+a;return[this.text(s),i?Tn:Ia(l),l.length,this.copy(Mr(l))]}),o=this.copy(Mr(Int32Array.from(n)));return this.copy(Mr(Int32Array.of(r.length,o)))}free(){for(let e of this.
+addresses)this.engine._free(e)}};function Cn(t,e){let r=t.HEAPU8;return La.decode(r.subarray(e,r.indexOf(0,e)))}function Ue(t){let e=new Int32Array(t.HEAPU8.buffer),
+r=t._last_outputs()/An,n=e[r+1]/An,o={};for(let s=n;s<n+e[r]*En;s+=En){let a=Ar[e[s+1]],i=e[s+2]*a.BYTES_PER_ELEMENT,l=e[s+3];o[Cn(t,e[s])]=new a(t.HEAPU8.slice(
+l,l+i).buffer)}return o}function we(t,e){let r=new Er(t);try{let n=e(r);if(n===0)throw new ve(Cn(t,t._last_error()));return n}finally{r.free()}}var Ba=2**31-1,kn=["none","elman","gru"],Ua=2n**64n-1n,Fa=34028234663852886e22;function fe(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Ba)throw F(
+t,"an integer",e);return Int32Array.of(e)}function $t(t,e){if(typeof e!="boolean")throw F(t,"true or false",e);return new Be(Uint8Array.of(Number(e)))}function Te(t,e,r){
+let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw F(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Tr(t,e){
+if(typeof e!="number"||!(Math.abs(e)<=Fa))throw F(t,"a finite number",e);return e}function Fe(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
+e)?BigInt(e):-1n;if(n<0n||n>Ua)throw F(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function za(t){return{"rules.interaction":Te("interactio\
+n",t.interaction,gn),"rules.obstacle":Te("obstacle",t.obstacle,ot),"rules.teammate":Te("teammate",t.teammate,ot),"rules.evader":Te("evader",t.evader,ot),"rules.\
+pursuer":Te("pursuer",t.pursuer,ot),"rules.capture":Te("capture",t.capture,bn),"rules.captured_disappear":$t("captured_disappear",t.captured_disappear)}}function Rn(t,e){
+let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw F(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Tr(t,n))}function Da(t){let e=(r,n)=>Float32Array.
+of(Tr(r,t[r]),Tr(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
+p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Rn("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Rn("evader_collide",t.evader_collide),
+"rewards.blame":Te("blame",t.blame,vn),"rewards.capture_repeats":$t("capture_repeats",t.capture_repeats)}}function $n(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=Mn;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw F(`map, row ${n}`,`${t[0]?.length} \
+cells as in row 0`,o.length);let s=[...o].find(a=>!e.includes(a)&&!r.includes(a));if(s)throw F(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,s)}return Uint8Array.
+from([...t.join("")],n=>Number(r.includes(n)))}function Pn(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
+throw F("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function ze(t){Pn(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
 ...za(t.rules),...Da(t.rewards),rows:fe("rows",t.rows),cols:fe("cols",t.cols),n_pursuers:fe("n_pursuers",t.n_pursuers),n_evaders:fe("n_evaders",t.n_evaders),fov:fe(
-"fov",t.fov),diagonal:$t("diagonal",t.diagonal),max_steps:fe("max_steps",t.max_steps),density:Float64Array.of(e),map:$r(t.obstacles)}}function _r(t,e){return Int32Array.
-from((e??[]).flat(),n=>fe(t,n)[0])}function Or(t,e){return Pr(t.obstacles,e),{seed:Fe("seed",t.seed??0n),episode:Fe("episode",t.episode??0),pursuers:_r("pursuer\
-s",t.pursuers),evaders:_r("evaders",t.evaders),map:$r(t.obstacles)}}function Pt(t){return{actions:Int32Array.from(t,e=>fe("actions",e)[0])}}function De(t){if(typeof t==
-"string"){if(!Object.hasOwn(Mn,t))throw F("policy",`one of ${Object.keys(Mn).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
-t.activation!=="tanh")throw F("activation","'relu' or 'tanh'",t.activation);if(!kr.includes(t.memory))throw F("memory",`one of ${kr.join(", ")}`,t.memory);return{
+"fov",t.fov),diagonal:$t("diagonal",t.diagonal),max_steps:fe("max_steps",t.max_steps),density:Float64Array.of(e),map:$n(t.obstacles)}}function _n(t,e){return Int32Array.
+from((e??[]).flat(),r=>fe(t,r)[0])}function On(t,e){return Pn(t.obstacles,e),{seed:Fe("seed",t.seed??0n),episode:Fe("episode",t.episode??0),pursuers:_n("pursuer\
+s",t.pursuers),evaders:_n("evaders",t.evaders),map:$n(t.obstacles)}}function Pt(t){return{actions:Int32Array.from(t,e=>fe("actions",e)[0])}}function De(t){if(typeof t==
+"string"){if(!Object.hasOwn(Sr,t))throw F("policy",`one of ${Object.keys(Sr).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
+t.activation!=="tanh")throw F("activation","'relu' or 'tanh'",t.activation);if(!kn.includes(t.memory))throw F("memory",`one of ${kn.join(", ")}`,t.memory);return{
 hidden:Int32Array.from(t.hidden,e=>fe("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:$t("sampled",t.sampled),memory:new TextEncoder().
-encode(t.memory),genome:t.genome}}var Wa=["first_turn","terminated","truncated"];function Lr(t){let e={...t};for(let n of Wa)e[n]=new Be(t[n]);return e}var Ot=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,n,r,o){this.config=e,this.seed=n,this.episode=r,this.n_agents=e.n_pursuers+e.n_evaders,
-this.statistics=Ir(o,0),Object.assign(this,o),this.first_conflict=Ha(this.conflict_table,this.length)}get length(){return this.actions.length/this.n_agents}conflicts(e){
-this.check(e);let[n,r]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(n*Ne,r*Ne);return _t(o,this.config.n_pursuers)}seek(e,n,r){
-this.check(n),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>n)&&e.reset({seed:this.seed,episode:this.episode});for(let s=e.steps;s<
-n;++s){let a=this.actions.subarray(s*this.n_agents,(s+1)*this.n_agents);r?e.replay(a,{pursuer:r.pursuers,evader:r.evaders}):e.step(a)}}check(e){if(!(Number.isInteger(
-e)&&e>=0&&e<=this.length))throw F("step",`0 to ${this.length}`,e)}};function Ha(t,e){let n=new Int32Array(e+2);for(let r=0;r<t.length;r+=Ne)++n[t[r]+1];for(let r=1;r<
-n.length;++r)n[r]+=n[r-1];return n}function Ir(t,e){let n=t["statistics.length"].length,r=s=>{let a=t[`statistics.${s}`],i=a.length/n;return a.slice(e*i,(e+1)*i)},
-o=s=>Number(r(s)[0]);return{capture_rate:o("capture_rate"),ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o("length"),
-return:r("return"),survivors:r("survivors"),overlap:r("overlap"),collisions:r("collisions"),faults:r("faults"),agent_steps:r("agent_steps")}}function Nr(t,e,n,r){
-let o=[ze(n.config),De(n.pursuers),De(n.evaders),r];return we(t,s=>{let[a,i,l,d]=o.map(c=>s.arrays(c));return t[e](a,i,l,d)}),Ue(t)}function Br(t,e,n,r){let o={
-seed:Fe("seed",n),episode:Fe("episode",r)};return new Ot(e.config,n,r,Nr(t,"_play_match",e,o))}function Ur(t,e,n,r){if(!Number.isInteger(r)||r<1)throw F("n_epis\
-odes","at least 1",r);let o={seed:Fe("seed",n),n_episodes:Int32Array.of(r)},s=Nr(t,"_play_rollout",e,o);return Array.from({length:r},(a,i)=>Ir(s,i))}var ja=7e6,Ga=new FinalizationRegistry(([t,e])=>t._states_free(e));function Va({rules:t,rows:e,cols:n,obstacles:r,diagonal:o,n_pursuers:s,n_evaders:a}){let i=typeof r==
-"number"||t.obstacle==="REACH"?0:r.join("").split("#").length-1,l=e*n-i,d=[t.obstacle,t.teammate,t.pursuer].includes("DISAPPEAR"),c=t.capture==="SURROUND"||t.evader===
+encode(t.memory),genome:t.genome}}var Wa=["first_turn","terminated","truncated"];function Ln(t){let e={...t};for(let r of Wa)e[r]=new Be(t[r]);return e}var Ot=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=e.n_pursuers+e.n_evaders,
+this.statistics=In(o,0),Object.assign(this,o),this.first_conflict=Ha(this.conflict_table,this.length)}get length(){return this.actions.length/this.n_agents}conflicts(e){
+this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*Ne,n*Ne);return _t(o,this.config.n_pursuers)}seek(e,r,n){
+this.check(r),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>r)&&e.reset({seed:this.seed,episode:this.episode});for(let s=e.steps;s<
+r;++s){let a=this.actions.subarray(s*this.n_agents,(s+1)*this.n_agents);n?e.replay(a,{pursuer:n.pursuers,evader:n.evaders}):e.step(a)}}check(e){if(!(Number.isInteger(
+e)&&e>=0&&e<=this.length))throw F("step",`0 to ${this.length}`,e)}};function Ha(t,e){let r=new Int32Array(e+2);for(let n=0;n<t.length;n+=Ne)++r[t[n]+1];for(let n=1;n<
+r.length;++n)r[n]+=r[n-1];return r}function In(t,e){let r=t["statistics.length"].length,n=s=>{let a=t[`statistics.${s}`],i=a.length/r;return a.slice(e*i,(e+1)*i)},
+o=s=>Number(n(s)[0]);return{capture_rate:o("capture_rate"),ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o("length"),
+return:n("return"),survivors:n("survivors"),overlap:n("overlap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}function Nn(t,e,r,n){
+let o=[ze(r.config),De(r.pursuers),De(r.evaders),n];return we(t,s=>{let[a,i,l,d]=o.map(c=>s.arrays(c));return t[e](a,i,l,d)}),Ue(t)}function Bn(t,e,r,n){let o={
+seed:Fe("seed",r),episode:Fe("episode",n)};return new Ot(e.config,r,n,Nn(t,"_play_match",e,o))}function Un(t,e,r,n){if(!Number.isInteger(n)||n<1)throw F("n_epis\
+odes","at least 1",n);let o={seed:Fe("seed",r),n_episodes:Int32Array.of(n)},s=Nn(t,"_play_rollout",e,o);return Array.from({length:n},(a,i)=>In(s,i))}var ja=7e6,Ga=new FinalizationRegistry(([t,e])=>t._states_free(e));function Va({rules:t,rows:e,cols:r,obstacles:n,diagonal:o,n_pursuers:s,n_evaders:a}){let i=typeof n==
+"number"||t.obstacle==="REACH"?0:n.join("").split("#").length-1,l=e*r-i,d=[t.obstacle,t.teammate,t.pursuer].includes("DISAPPEAR"),c=t.capture==="SURROUND"||t.evader===
 "REACH",u=t.interaction==="AGENT_TURNS",m=(f,g)=>Array.from({length:g},(b,x)=>u?f:(f+x)/(x+1)).reduce((b,x)=>b*x,1),h=m(l+Number(d),s)*m(l*(1+Number(c))+2,a);return{
 SIMULTANEOUS:[s+a],SWARM_TURNS:[s,a],AGENT_TURNS:Array(s+a).fill(1)}[t.interaction].reduce((f,g)=>f+h*(o?9:5)**g,0)}function We(t){return typeof t.obstacles=="n\
-umber"&&t.obstacles>0?"obstacles are drawn anew in each episode":Va(t)>ja?"the world is too large to be solved on the page":""}var kn=class{value;teams;matrix;n_actions;constructor(e,n){
-let{matrix:r,rows:o,cols:s,value:a,agents:i}=n,[l,d]=e.actors,c=Array.from(i).filter(m=>l<=m&&m<d),u=m=>m<e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=
-[a[0],r,e.n_actions],this.teams=[{agents:c.filter(u),play:o},{agents:c.filter(m=>!u(m)),play:s}]}marginal(e){let n=this.teams.find(({agents:s})=>s.includes(e));
-if(!n)return null;let r=this.n_actions**(n.agents.length-1-n.agents.indexOf(e)),o=Array(this.n_actions).fill(0);return n.play.forEach((s,a)=>o[Math.floor(a/r)%this.
-n_actions]+=s),o}lost(e){let[n,r]=this.teams.map(({agents:l})=>l.reduce((d,c)=>d*this.n_actions+e[c],0)),[o,s]=this.teams.map(({play:l})=>l),a=s.reduce((l,d,c)=>l+
-d*this.matrix[n*s.length+c],0),i=o.reduce((l,d,c)=>l+d*this.matrix[c*s.length+r],0);return[Math.max(0,this.value-a),Math.max(0,i-this.value)]}},Rn=60,it=class{config;payoff;engine;states;n_turns;values;constructor(e,n,r){
-[this.engine,this.config,this.payoff]=[e,n,r],this.states=we(e,a=>e._states_new(a.arrays(ze(n)))),Ga.register(this,[e,this.states]);let o={SIMULTANEOUS:1,SWARM_TURNS:2,
-AGENT_TURNS:n.n_pursuers+n.n_evaders};this.n_turns=o[n.rules.interaction];let s=this.call(()=>e._states_payoffs(this.states)).payoffs;this.values=[[r==="capture\
--rate"?s:s.fill(0)]]}goBack(){let e=this.values.at(-1)[0],n=[];for(let o=this.n_turns-1;o>=0;o--){let s=n[o+1]??e;n[o]=this.call(a=>this.engine._states_backup(this.
-states,o,a.arrays({next:s}))).values}this.payoff==="capture-time"&&(n[0]=n[0].map((o,s)=>s===this.config.n_evaders?0:o-1)),this.values.push(n);let r=this.payoff===
-"capture-rate"?this.config.max_steps:Math.min(this.config.max_steps,Rn);return this.values.length<=r&&n[0].some((o,s)=>o!==e[s])}game(e){let[n,{turn:r}]=[this.config.
-max_steps-e.steps,e],o=r+1===this.n_turns,s=n>0?this.values[Math.min(n-Number(o),this.values.length-1)]?.[o?0:r+1]:void 0;if(!s)return null;let a=this.call(i=>this.
-engine._states_game(this.states,e.address,i.arrays({next:s})));return a.agents.length?new kn(e,a):null}call(e){return we(this.engine,e),Ue(this.engine)}};var Fr=new FinalizationRegistry(([t,e])=>t._world_free(e)),lt=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,n){this.engine=e,this.config=n,this.
-n_agents=n.n_pursuers+n.n_evaders,this.n_actions=n.diagonal?9:5,this.at=we(e,r=>e._world_new(r.arrays(ze(n)))),Fr.register(this,[e,this.at],this)}free(){this.freed||
-(this.freed=!0,Fr.unregister(this),this.engine._world_free(this.at))}get address(){if(this.freed)throw F("world","one that is in use","one that was freed");return this.
-at}reset(e={}){let n=Or(e,this.config);this.call(r=>this.engine._world_reset(this.address,r.arrays(n)))}step(e){let n=Pt(e);this.call(r=>this.engine._world_step(
-this.address,r.arrays(n)))}playTurn(e){let n=Pt(e);this.call(r=>this.engine._world_play_turn(this.address,r.arrays(n)))}decide(e,n,r){let{n_pursuers:o}=this.config,
-s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof n=="string"?s[n]:n;if(r.length!==this.n_agents)throw F("actions",String(this.n_agents),r.length);let l=[
-De(e),Pt(r)],{actions:d}=this.call(c=>this.engine._world_decide(this.address,c.arrays(l[0]),a,i,c.arrays(l[1])));return Uint8Array.from(d)}replay(e,n){let r=s=>typeof s!=
-"string"&&s.memory!=="none";if(!r(n.pursuer)&&!r(n.evader))return this.step(e);let{n_pursuers:o}=this.config;for(let s=this.n_turns;s>0;--s){let[a,i]=this.actors;
-a<o&&this.decide(n.pursuer,[a,Math.min(i,o)],e),i>o&&this.decide(n.evader,[Math.max(a,o),i],e),this.playTurn(e)}}get n_turns(){return this.turnNumbers()[1]}get turn(){
-return this.turnNumbers()[0]}get actors(){let[,,e,n]=this.turnNumbers();return[e,n]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.address)).turn}get steps(){
+umber"&&t.obstacles>0?"obstacles are drawn anew in each episode":Va(t)>ja?"the world is too large to be solved on the page":""}var Cr=class{value;teams;matrix;n_actions;constructor(e,r){
+let{matrix:n,rows:o,cols:s,value:a,agents:i}=r,[l,d]=e.actors,c=Array.from(i).filter(m=>l<=m&&m<d),u=m=>m<e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=
+[a[0],n,e.n_actions],this.teams=[{agents:c.filter(u),play:o},{agents:c.filter(m=>!u(m)),play:s}]}marginal(e){let r=this.teams.find(({agents:s})=>s.includes(e));
+if(!r)return null;let n=this.n_actions**(r.agents.length-1-r.agents.indexOf(e)),o=Array(this.n_actions).fill(0);return r.play.forEach((s,a)=>o[Math.floor(a/n)%this.
+n_actions]+=s),o}lost(e){let[r,n]=this.teams.map(({agents:l})=>l.reduce((d,c)=>d*this.n_actions+e[c],0)),[o,s]=this.teams.map(({play:l})=>l),a=s.reduce((l,d,c)=>l+
+d*this.matrix[r*s.length+c],0),i=o.reduce((l,d,c)=>l+d*this.matrix[c*s.length+n],0);return[Math.max(0,this.value-a),Math.max(0,i-this.value)]}},kr=60,it=class{config;payoff;engine;states;n_turns;values;constructor(e,r,n){
+[this.engine,this.config,this.payoff]=[e,r,n],this.states=we(e,a=>e._states_new(a.arrays(ze(r)))),Ga.register(this,[e,this.states]);let o={SIMULTANEOUS:1,SWARM_TURNS:2,
+AGENT_TURNS:r.n_pursuers+r.n_evaders};this.n_turns=o[r.rules.interaction];let s=this.call(()=>e._states_payoffs(this.states)).payoffs;this.values=[[n==="capture\
+-rate"?s:s.fill(0)]]}goBack(){let e=this.values.at(-1)[0],r=[];for(let o=this.n_turns-1;o>=0;o--){let s=r[o+1]??e;r[o]=this.call(a=>this.engine._states_backup(this.
+states,o,a.arrays({next:s}))).values}this.payoff==="capture-time"&&(r[0]=r[0].map((o,s)=>s===this.config.n_evaders?0:o-1)),this.values.push(r);let n=this.payoff===
+"capture-rate"?this.config.max_steps:Math.min(this.config.max_steps,kr);return this.values.length<=n&&r[0].some((o,s)=>o!==e[s])}game(e){let[r,{turn:n}]=[this.config.
+max_steps-e.steps,e],o=n+1===this.n_turns,s=r>0?this.values[Math.min(r-Number(o),this.values.length-1)]?.[o?0:n+1]:void 0;if(!s)return null;let a=this.call(i=>this.
+engine._states_game(this.states,e.address,i.arrays({next:s})));return a.agents.length?new Cr(e,a):null}call(e){return we(this.engine,e),Ue(this.engine)}};var Fn=new FinalizationRegistry(([t,e])=>t._world_free(e)),lt=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
+n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=we(e,n=>e._world_new(n.arrays(ze(r)))),Fn.register(this,[e,this.at],this)}free(){this.freed||
+(this.freed=!0,Fn.unregister(this),this.engine._world_free(this.at))}get address(){if(this.freed)throw F("world","one that is in use","one that was freed");return this.
+at}reset(e={}){let r=On(e,this.config);this.call(n=>this.engine._world_reset(this.address,n.arrays(r)))}step(e){let r=Pt(e);this.call(n=>this.engine._world_step(
+this.address,n.arrays(r)))}playTurn(e){let r=Pt(e);this.call(n=>this.engine._world_play_turn(this.address,n.arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,
+s={pursuer:[0,o],evader:[o,this.n_agents]},[a,i]=typeof r=="string"?s[r]:r;if(n.length!==this.n_agents)throw F("actions",String(this.n_agents),n.length);let l=[
+De(e),Pt(n)],{actions:d}=this.call(c=>this.engine._world_decide(this.address,c.arrays(l[0]),a,i,c.arrays(l[1])));return Uint8Array.from(d)}replay(e,r){let n=s=>typeof s!=
+"string"&&s.memory!=="none";if(!n(r.pursuer)&&!n(r.evader))return this.step(e);let{n_pursuers:o}=this.config;for(let s=this.n_turns;s>0;--s){let[a,i]=this.actors;
+a<o&&this.decide(r.pursuer,[a,Math.min(i,o)],e),i>o&&this.decide(r.evader,[Math.max(a,o),i],e),this.playTurn(e)}}get n_turns(){return this.turnNumbers()[1]}get turn(){
+return this.turnNumbers()[0]}get actors(){let[,,e,r]=this.turnNumbers();return[e,r]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.address)).turn}get steps(){
 return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){return this.read("episode")[0]}get over(){return this.read("terminated")[0]===
-1||this.read("truncated")[0]===1}read(e){return this.call(n=>this.engine._world_read(this.address,n.text(e)))[e]}view(e){let n=3*this.config.fov**2;return this.
-read("views").slice(e*n,(e+1)*n)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return _t(this.conflictTable(),this.config.
-n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(e,n){let r=De(e),{logits:o,memory:s}=this.call(
-l=>this.engine._world_logits(this.address,l.arrays(r),n)),a=o,i=this.decide(e,[n,n+1],new Uint8Array(this.n_agents))[n];return{logits:a,probabilities:qa(a),action:i,
-memory:s}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(e){let n=Lr(e);this.call(r=>this.engine._world_restore(this.address,
-r.arrays(n)))}call(e){return we(this.engine,e),Ue(this.engine)}};function qa(t){let e=Math.max(...t),n=Array.from(t,o=>Math.exp(o-e)),r=n.reduce((o,s)=>o+s,0);return Float32Array.
-from(n,o=>o/r)}var _n=class{compiled;constructor(e){this.compiled=e}world(e){return new lt(this.compiled,e)}solution(e,n="capture-rate"){return new it(this.compiled,e,n)}match(e,n,r,o,s=0){
-return Br(this.compiled,{config:e,pursuers:n,evaders:r},o,s)}rollout(e,n,r,o,s){return Ur(this.compiled,{config:e,pursuers:n,evaders:r},o,s)}},zr;function Dr(t=globalThis.
-matrixworldEngine){return zr??=Ka(t),zr}async function Ka(t){if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
-let e=Uint8Array.from(atob(t.binary),n=>n.charCodeAt(0));return new _n(await t({wasmBinary:e}))}var Ya="http://www.w3.org/2000/svg";function p(t,e={},...n){return Wr(document.createElement(t),e,n)}function M(t,e={},...n){return Wr(document.createElementNS(
-Ya,t),e,n)}function Wr(t,e,n){for(let[r,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(r.slice(2),o):t.setAttribute(r,o===!0?"":
-String(o)));return t.append(...n.filter(Za).map(r=>typeof r=="number"?String(r):r)),t}function Za(t){return t!=null&&t!==!1}var ct=()=>["file:","http:","https:"].
-includes(location.protocol);async function Hr(t,e){t.select();try{await navigator.clipboard.writeText(t.value),e.textContent="Copied."}catch{e.textContent="Sele\
-cted: copy it with Ctrl+C."}}var Ja=matchMedia("(prefers-color-scheme: dark)");function Xa(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ja.matches}function $n(){document.
-documentElement.dataset.theme=Xa()?"light":"dark"}function jr(){return p("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:$n},
-"◐")}var Qa=2n**64n-1n;function ut(t,e,n){let r=new URLSearchParams(t.replace(/^#/,"")),o=(d,c,u)=>{let m=r.get(d)??"";return/^\d{1,9}$/.test(m)&&Number(m)<c?Number(
-m):u},s=o("run",e.length,n.run),[a,i]=e[s].payoff.shape,l=r.get("seed")??"";return{run:s,pursuer:o("pursuers",a,Math.min(n.pursuer,a-1)),evader:o("evaders",i,Math.
-min(n.evader,i-1)),episode:o("episode",1/0,n.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=Qa?l:null,step:o("step",1/0,0)}}function Gr(t,e,n){let r="",o=()=>{let{
-run:s,pursuer:a,evader:i,episode:l,seed:d}=e.selected,c={run:s,pursuers:a,evaders:i,episode:l,...d===null?{}:{seed:d},step:n.player.step};r=`#${Object.entries(c).
-map(([u,m])=>`${u}=${m}`).join("&")}`;try{history.replaceState(null,"",r)}catch{}};e.on("match",o),n.player.addEventListener("state",()=>n.player.playing||o()),
-n.player.addEventListener("step",()=>n.player.playing||o()),window.addEventListener("hashchange",()=>{if(location.hash===r)return;let{step:s,...a}=ut(location.hash,
-t,e.selected);e.select(a),n.goTo(s)})}var N=Uint8Array,Y=Uint16Array,zn=Int32Array,It=new N([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Nt=new N([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
-6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),In=new N([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Jr=function(t,e){for(var n=new Y(31),r=0;r<31;++r)n[r]=e+=
-1<<t[r-1];for(var o=new zn(n[30]),r=1;r<30;++r)for(var s=n[r];s<n[r+1];++s)o[s]=s-n[r]<<5|r;return{b:n,r:o}},Xr=Jr(It,2),Qr=Xr.b,Nn=Xr.r;Qr[28]=258,Nn[258]=28;var eo=Jr(
-Nt,0),ei=eo.b,Vr=eo.r,Bn=new Y(32768);for(R=0;R<32768;++R)ye=(R&43690)>>1|(R&21845)<<1,ye=(ye&52428)>>2|(ye&13107)<<2,ye=(ye&61680)>>4|(ye&3855)<<4,Bn[R]=((ye&65280)>>
-8|(ye&255)<<8)>>1;var ye,R,ce=(function(t,e,n){for(var r=t.length,o=0,s=new Y(e);o<r;++o)t[o]&&++s[t[o]-1];var a=new Y(e);for(o=1;o<e;++o)a[o]=a[o-1]+s[o-1]<<1;
-var i;if(n){i=new Y(1<<e);var l=15-e;for(o=0;o<r;++o)if(t[o])for(var d=o<<4|t[o],c=e-t[o],u=a[t[o]-1]++<<c,m=u|(1<<c)-1;u<=m;++u)i[Bn[u]>>l]=d}else for(i=new Y(
-r),o=0;o<r;++o)t[o]&&(i[o]=Bn[a[t[o]-1]++]>>15-t[o]);return i}),xe=new N(288);for(R=0;R<144;++R)xe[R]=8;var R;for(R=144;R<256;++R)xe[R]=9;var R;for(R=256;R<280;++R)
-xe[R]=7;var R;for(R=280;R<288;++R)xe[R]=8;var R,mt=new N(32);for(R=0;R<32;++R)mt[R]=5;var R,ti=ce(xe,9,0),ni=ce(xe,9,1),ri=ce(mt,5,0),oi=ce(mt,5,1),Pn=function(t){
-for(var e=t[0],n=1;n<t.length;++n)t[n]>e&&(e=t[n]);return e},ae=function(t,e,n){var r=e/8|0;return(t[r]|t[r+1]<<8)>>(e&7)&n},On=function(t,e){var n=e/8|0;return(t[n]|
-t[n+1]<<8|t[n+2]<<16)>>(e&7)},Dn=function(t){return(t+7)/8|0},Wn=function(t,e,n){return(e==null||e<0)&&(e=0),(n==null||n>t.length)&&(n=t.length),new N(t.subarray(
-e,n))};var si=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
-ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],V=function(t,e,n){var r=new Error(e||si[t]);
-if(r.code=t,Error.captureStackTrace&&Error.captureStackTrace(r,V),!n)throw r;return r},ai=function(t,e,n,r){var o=t.length,s=r?r.length:0;if(!o||e.f&&!e.l)return n||
-new N(0);var a=!n,i=a||e.i!=2,l=e.i;a&&(n=new N(o*3));var d=function(nt){var rt=n.length;if(nt>rt){var Ie=new N(Math.max(rt*2,nt));Ie.set(n),n=Ie}},c=e.f||0,u=e.
-p||0,m=e.b||0,h=e.l,y=e.d,f=e.m,g=e.n,b=o*8;do{if(!h){c=ae(t,u,1);var x=ae(t,u+1,3);if(u+=3,x)if(x==1)h=ni,y=oi,f=9,g=5;else if(x==2){var C=ae(t,u,31)+257,E=ae(
-t,u+10,15)+4,T=C+ae(t,u+5,31)+1;u+=14;for(var S=new N(T),P=new N(19),_=0;_<E;++_)P[In[_]]=ae(t,u+_*3,7);u+=E*3;for(var k=Pn(P),te=(1<<k)-1,W=ce(P,k,1),_=0;_<T;){
+1||this.read("truncated")[0]===1}read(e){return this.call(r=>this.engine._world_read(this.address,r.text(e)))[e]}view(e){let r=3*this.config.fov**2;return this.
+read("views").slice(e*r,(e+1)*r)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return _t(this.conflictTable(),this.config.
+n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(e,r){let n=De(e),{logits:o,memory:s}=this.call(
+l=>this.engine._world_logits(this.address,l.arrays(n),r)),a=o,i=this.decide(e,[r,r+1],new Uint8Array(this.n_agents))[r];return{logits:a,probabilities:qa(a),action:i,
+memory:s}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(e){let r=Ln(e);this.call(n=>this.engine._world_restore(this.address,
+n.arrays(r)))}call(e){return we(this.engine,e),Ue(this.engine)}};function qa(t){let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,s)=>o+s,0);return Float32Array.
+from(r,o=>o/n)}var Rr=class{compiled;constructor(e){this.compiled=e}world(e){return new lt(this.compiled,e)}solution(e,r="capture-rate"){return new it(this.compiled,e,r)}match(e,r,n,o,s=0){
+return Bn(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}rollout(e,r,n,o,s){return Un(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},zn;function Dn(t=globalThis.
+matrixworldEngine){return zn??=Ka(t),zn}async function Ka(t){if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");
+let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new Rr(await t({wasmBinary:e}))}var Ya="http://www.w3.org/2000/svg";function p(t,e={},...r){return Wn(document.createElement(t),e,r)}function M(t,e={},...r){return Wn(document.createElementNS(
+Ya,t),e,r)}function Wn(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
+String(o)));return t.append(...r.filter(Za).map(n=>typeof n=="number"?String(n):n)),t}function Za(t){return t!=null&&t!==!1}var ct=()=>["file:","http:","https:"].
+includes(location.protocol);async function Hn(t,e){t.select();try{await navigator.clipboard.writeText(t.value),e.textContent="Copied."}catch{e.textContent="Sele\
+cted: copy it with Ctrl+C."}}var Ja=matchMedia("(prefers-color-scheme: dark)");function Xa(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ja.matches}function _r(){document.
+documentElement.dataset.theme=Xa()?"light":"dark"}function jn(){return p("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:_r},
+"◐")}var Qa=2n**64n-1n;function ut(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),o=(d,c,u)=>{let m=n.get(d)??"";return/^\d{1,9}$/.test(m)&&Number(m)<c?Number(
+m):u},s=o("run",e.length,r.run),[a,i]=e[s].payoff.shape,l=n.get("seed")??"";return{run:s,pursuer:o("pursuers",a,Math.min(r.pursuer,a-1)),evader:o("evaders",i,Math.
+min(r.evader,i-1)),episode:o("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=Qa?l:null,step:o("step",1/0,0)}}function Gn(t,e,r){let n="",o=()=>{let{
+run:s,pursuer:a,evader:i,episode:l,seed:d}=e.selected,c={run:s,pursuers:a,evaders:i,episode:l,...d===null?{}:{seed:d},step:r.player.step};n=`#${Object.entries(c).
+map(([u,m])=>`${u}=${m}`).join("&")}`;try{history.replaceState(null,"",n)}catch{}};e.on("match",o),r.player.addEventListener("state",()=>r.player.playing||o()),
+r.player.addEventListener("step",()=>r.player.playing||o()),window.addEventListener("hashchange",()=>{if(location.hash===n)return;let{step:s,...a}=ut(location.hash,
+t,e.selected);e.select(a),r.goTo(s)})}var N=Uint8Array,Y=Uint16Array,Fr=Int32Array,It=new N([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Nt=new N([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
+6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Lr=new N([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Jn=function(t,e){for(var r=new Y(31),n=0;n<31;++n)r[n]=e+=
+1<<t[n-1];for(var o=new Fr(r[30]),n=1;n<30;++n)for(var s=r[n];s<r[n+1];++s)o[s]=s-r[n]<<5|n;return{b:r,r:o}},Xn=Jn(It,2),Qn=Xn.b,Ir=Xn.r;Qn[28]=258,Ir[258]=28;var eo=Jn(
+Nt,0),ei=eo.b,Vn=eo.r,Nr=new Y(32768);for(R=0;R<32768;++R)ye=(R&43690)>>1|(R&21845)<<1,ye=(ye&52428)>>2|(ye&13107)<<2,ye=(ye&61680)>>4|(ye&3855)<<4,Nr[R]=((ye&65280)>>
+8|(ye&255)<<8)>>1;var ye,R,ce=(function(t,e,r){for(var n=t.length,o=0,s=new Y(e);o<n;++o)t[o]&&++s[t[o]-1];var a=new Y(e);for(o=1;o<e;++o)a[o]=a[o-1]+s[o-1]<<1;
+var i;if(r){i=new Y(1<<e);var l=15-e;for(o=0;o<n;++o)if(t[o])for(var d=o<<4|t[o],c=e-t[o],u=a[t[o]-1]++<<c,m=u|(1<<c)-1;u<=m;++u)i[Nr[u]>>l]=d}else for(i=new Y(
+n),o=0;o<n;++o)t[o]&&(i[o]=Nr[a[t[o]-1]++]>>15-t[o]);return i}),xe=new N(288);for(R=0;R<144;++R)xe[R]=8;var R;for(R=144;R<256;++R)xe[R]=9;var R;for(R=256;R<280;++R)
+xe[R]=7;var R;for(R=280;R<288;++R)xe[R]=8;var R,mt=new N(32);for(R=0;R<32;++R)mt[R]=5;var R,ti=ce(xe,9,0),ri=ce(xe,9,1),ni=ce(mt,5,0),oi=ce(mt,5,1),$r=function(t){
+for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},ae=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Pr=function(t,e){var r=e/8|0;return(t[r]|
+t[r+1]<<8|t[r+2]<<16)>>(e&7)},zr=function(t){return(t+7)/8|0},Dr=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new N(t.subarray(
+e,r))};var si=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
+ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],V=function(t,e,r){var n=new Error(e||si[t]);
+if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,V),!r)throw n;return n},ai=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
+new N(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new N(o*3));var d=function(rt){var nt=r.length;if(rt>nt){var Ie=new N(Math.max(nt*2,rt));Ie.set(r),r=Ie}},c=e.f||0,u=e.
+p||0,m=e.b||0,h=e.l,y=e.d,f=e.m,g=e.n,b=o*8;do{if(!h){c=ae(t,u,1);var x=ae(t,u+1,3);if(u+=3,x)if(x==1)h=ri,y=oi,f=9,g=5;else if(x==2){var C=ae(t,u,31)+257,E=ae(
+t,u+10,15)+4,T=C+ae(t,u+5,31)+1;u+=14;for(var S=new N(T),P=new N(19),_=0;_<E;++_)P[Lr[_]]=ae(t,u+_*3,7);u+=E*3;for(var k=$r(P),te=(1<<k)-1,W=ce(P,k,1),_=0;_<T;){
 var O=W[ae(t,u,te)];u+=O&15;var v=O>>4;if(v<16)S[_++]=v;else{var U=0,$=0;for(v==16?($=3+ae(t,u,3),u+=2,U=S[_-1]):v==17?($=3+ae(t,u,7),u+=3):v==18&&($=11+ae(t,u,
-127),u+=7);$--;)S[_++]=U}}var H=S.subarray(0,C),z=S.subarray(C);f=Pn(H),g=Pn(z),h=ce(H,f,1),y=ce(z,g,1)}else V(1);else{var v=Dn(u)+4,w=t[v-4]|t[v-3]<<8,A=v+w;if(A>
-o){l&&V(0);break}i&&d(m+w),n.set(t.subarray(v,A),m),e.b=m+=w,e.p=u=A*8,e.f=c;continue}if(u>b){l&&V(0);break}}i&&d(m+131072);for(var Pe=(1<<f)-1,ne=(1<<g)-1,he=u;;he=
-u){var U=h[On(t,u)&Pe],q=U>>4;if(u+=U&15,u>b){l&&V(0);break}if(U||V(2),q<256)n[m++]=q;else if(q==256){he=u,h=null;break}else{var K=q-254;if(q>264){var _=q-257,I=It[_];
-K=ae(t,u,(1<<I)-1)+Qr[_],u+=I}var le=y[On(t,u)&ne],Oe=le>>4;le||V(3),u+=le&15;var z=ei[Oe];if(Oe>3){var I=Nt[Oe];z+=On(t,u)&(1<<I)-1,u+=I}if(u>b){l&&V(0);break}
-i&&d(m+131072);var Le=m+K;if(m<z){var kt=s-z,Rt=Math.min(z,Le);for(kt+m<0&&V(3);m<Rt;++m)n[m]=r[kt+m]}for(;m<Le;++m)n[m]=n[m-z]}}e.l=h,e.p=he,e.b=m,e.f=c,h&&(c=
-1,e.m=f,e.d=y,e.n=g)}while(!c);return m!=n.length&&a?Wn(n,0,m):n.subarray(0,m)},ge=function(t,e,n){n<<=e&7;var r=e/8|0;t[r]|=n,t[r+1]|=n>>8},dt=function(t,e,n){
-n<<=e&7;var r=e/8|0;t[r]|=n,t[r+1]|=n>>8,t[r+2]|=n>>16},Ln=function(t,e){for(var n=[],r=0;r<t.length;++r)t[r]&&n.push({s:r,f:t[r]});var o=n.length,s=n.slice();if(!o)
-return{t:no,l:0};if(o==1){var a=new N(n[0].s+1);return a[n[0].s]=1,{t:a,l:1}}n.sort(function(A,C){return A.f-C.f}),n.push({s:-1,f:25001});var i=n[0],l=n[1],d=0,
-c=1,u=2;for(n[0]={s:-1,f:i.f+l.f,l:i,r:l};c!=o-1;)i=n[n[d].f<n[u].f?d++:u++],l=n[d!=c&&n[d].f<n[u].f?d++:u++],n[c++]={s:-1,f:i.f+l.f,l:i,r:l};for(var m=s[0].s,r=1;r<
-o;++r)s[r].s>m&&(m=s[r].s);var h=new Y(m+1),y=Un(n[c-1],h,0);if(y>e){var r=0,f=0,g=y-e,b=1<<g;for(s.sort(function(C,E){return h[E.s]-h[C.s]||C.f-E.f});r<o;++r){
-var x=s[r].s;if(h[x]>e)f+=b-(1<<y-h[x]),h[x]=e;else break}for(f>>=g;f>0;){var v=s[r].s;h[v]<e?f-=1<<e-h[v]++-1:++r}for(;r>=0&&f;--r){var w=s[r].s;h[w]==e&&(--h[w],
-++f)}y=e}return{t:new N(h),l:y}},Un=function(t,e,n){return t.s==-1?Math.max(Un(t.l,e,n+1),Un(t.r,e,n+1)):e[t.s]=n},qr=function(t){for(var e=t.length;e&&!t[--e];)
-;for(var n=new Y(++e),r=0,o=t[0],s=1,a=function(l){n[r++]=l},i=1;i<=e;++i)if(t[i]==o&&i!=e)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
-28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=t[i]}return{c:n.subarray(0,r),n:e}},pt=function(t,e){
-for(var n=0,r=0;r<e.length;++r)n+=t[r]*e[r];return n},to=function(t,e,n){var r=n.length,o=Dn(e+2);t[o]=r&255,t[o+1]=r>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
-r;++s)t[o+s+4]=n[s];return(o+4+r)*8},Kr=function(t,e,n,r,o,s,a,i,l,d,c){ge(e,c++,n),++o[256];for(var u=Ln(o,15),m=u.t,h=u.l,y=Ln(s,15),f=y.t,g=y.l,b=qr(m),x=b.c,
-v=b.n,w=qr(f),A=w.c,C=w.n,E=new Y(19),T=0;T<x.length;++T)++E[x[T]&31];for(var T=0;T<A.length;++T)++E[A[T]&31];for(var S=Ln(E,7),P=S.t,_=S.l,k=19;k>4&&!P[In[k-1]];--k)
+127),u+=7);$--;)S[_++]=U}}var H=S.subarray(0,C),z=S.subarray(C);f=$r(H),g=$r(z),h=ce(H,f,1),y=ce(z,g,1)}else V(1);else{var v=zr(u)+4,w=t[v-4]|t[v-3]<<8,A=v+w;if(A>
+o){l&&V(0);break}i&&d(m+w),r.set(t.subarray(v,A),m),e.b=m+=w,e.p=u=A*8,e.f=c;continue}if(u>b){l&&V(0);break}}i&&d(m+131072);for(var Pe=(1<<f)-1,re=(1<<g)-1,he=u;;he=
+u){var U=h[Pr(t,u)&Pe],q=U>>4;if(u+=U&15,u>b){l&&V(0);break}if(U||V(2),q<256)r[m++]=q;else if(q==256){he=u,h=null;break}else{var K=q-254;if(q>264){var _=q-257,I=It[_];
+K=ae(t,u,(1<<I)-1)+Qn[_],u+=I}var le=y[Pr(t,u)&re],Oe=le>>4;le||V(3),u+=le&15;var z=ei[Oe];if(Oe>3){var I=Nt[Oe];z+=Pr(t,u)&(1<<I)-1,u+=I}if(u>b){l&&V(0);break}
+i&&d(m+131072);var Le=m+K;if(m<z){var kt=s-z,Rt=Math.min(z,Le);for(kt+m<0&&V(3);m<Rt;++m)r[m]=n[kt+m]}for(;m<Le;++m)r[m]=r[m-z]}}e.l=h,e.p=he,e.b=m,e.f=c,h&&(c=
+1,e.m=f,e.d=y,e.n=g)}while(!c);return m!=r.length&&a?Dr(r,0,m):r.subarray(0,m)},ge=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},dt=function(t,e,r){
+r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},Or=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var o=r.length,s=r.slice();if(!o)
+return{t:ro,l:0};if(o==1){var a=new N(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(A,C){return A.f-C.f}),r.push({s:-1,f:25001});var i=r[0],l=r[1],d=0,
+c=1,u=2;for(r[0]={s:-1,f:i.f+l.f,l:i,r:l};c!=o-1;)i=r[r[d].f<r[u].f?d++:u++],l=r[d!=c&&r[d].f<r[u].f?d++:u++],r[c++]={s:-1,f:i.f+l.f,l:i,r:l};for(var m=s[0].s,n=1;n<
+o;++n)s[n].s>m&&(m=s[n].s);var h=new Y(m+1),y=Br(r[c-1],h,0);if(y>e){var n=0,f=0,g=y-e,b=1<<g;for(s.sort(function(C,E){return h[E.s]-h[C.s]||C.f-E.f});n<o;++n){
+var x=s[n].s;if(h[x]>e)f+=b-(1<<y-h[x]),h[x]=e;else break}for(f>>=g;f>0;){var v=s[n].s;h[v]<e?f-=1<<e-h[v]++-1:++n}for(;n>=0&&f;--n){var w=s[n].s;h[w]==e&&(--h[w],
+++f)}y=e}return{t:new N(h),l:y}},Br=function(t,e,r){return t.s==-1?Math.max(Br(t.l,e,r+1),Br(t.r,e,r+1)):e[t.s]=r},qn=function(t){for(var e=t.length;e&&!t[--e];)
+;for(var r=new Y(++e),n=0,o=t[0],s=1,a=function(l){r[n++]=l},i=1;i<=e;++i)if(t[i]==o&&i!=e)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|
+28690:s-3<<5|12305),s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=t[i]}return{c:r.subarray(0,n),n:e}},pt=function(t,e){
+for(var r=0,n=0;n<e.length;++n)r+=t[n]*e[n];return r},to=function(t,e,r){var n=r.length,o=zr(e+2);t[o]=n&255,t[o+1]=n>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<
+n;++s)t[o+s+4]=r[s];return(o+4+n)*8},Kn=function(t,e,r,n,o,s,a,i,l,d,c){ge(e,c++,r),++o[256];for(var u=Or(o,15),m=u.t,h=u.l,y=Or(s,15),f=y.t,g=y.l,b=qn(m),x=b.c,
+v=b.n,w=qn(f),A=w.c,C=w.n,E=new Y(19),T=0;T<x.length;++T)++E[x[T]&31];for(var T=0;T<A.length;++T)++E[A[T]&31];for(var S=Or(E,7),P=S.t,_=S.l,k=19;k>4&&!P[Lr[k-1]];--k)
 ;var te=d+5<<3,W=pt(o,xe)+pt(s,mt)+a,O=pt(o,m)+pt(s,f)+a+14+3*k+pt(E,P)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&te<=W&&te<=O)return to(e,c,t.subarray(l,l+d));var U,$,H,
 z;if(ge(e,c,1+(O<W)),c+=2,O<W){U=ce(m,h,0),$=m,H=ce(f,g,0),z=f;var Pe=ce(P,_,0);ge(e,c,v-257),ge(e,c+5,C-1),ge(e,c+10,k-4),c+=14;for(var T=0;T<k;++T)ge(e,c+3*T,
-P[In[T]]);c+=3*k;for(var ne=[x,A],he=0;he<2;++he)for(var q=ne[he],T=0;T<q.length;++T){var K=q[T]&31;ge(e,c,Pe[K]),c+=P[K],K>15&&(ge(e,c,q[T]>>5&127),c+=q[T]>>12)}}else
-U=ti,$=xe,H=ri,z=mt;for(var T=0;T<i;++T){var I=r[T];if(I>255){var K=I>>18&31;dt(e,c,U[K+257]),c+=$[K+257],K>7&&(ge(e,c,I>>23&31),c+=It[K]);var le=I&31;dt(e,c,H[le]),
-c+=z[le],le>3&&(dt(e,c,I>>5&8191),c+=Nt[le])}else dt(e,c,U[I]),c+=$[I]}return dt(e,c,U[256]),c+$[256]},ii=new zn([65540,131080,131088,131104,262176,1048704,1048832,
-2114560,2117632]),no=new N(0),li=function(t,e,n,r,o,s){var a=s.z||t.length,i=new N(r+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(r,i.length-o),d=s.l,c=(s.r||0)&7;if(e){
-c&&(l[0]=s.r>>3);for(var u=ii[e-1],m=u>>13,h=u&8191,y=(1<<n)-1,f=s.p||new Y(32768),g=s.h||new Y(y+1),b=Math.ceil(n/3),x=2*b,v=function(vn){return(t[vn]^t[vn+1]<<
-b^t[vn+2]<<x)&y},w=new zn(25e3),A=new Y(288),C=new Y(32),E=0,T=0,S=s.i||0,P=0,_=s.w||0,k=0;S+2<a;++S){var te=v(S),W=S&32767,O=g[te];if(f[W]=O,g[te]=W,_<=S){var U=a-
-S;if((E>7e3||P>24576)&&(U>423||!d)){c=Kr(t,l,0,w,A,C,T,P,k,S-k,c),P=E=T=0,k=S;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)C[$]=0}var H=2,z=0,Pe=h,ne=W-O&32767;
-if(U>2&&te==v(S-ne))for(var he=Math.min(m,U)-1,q=Math.min(32767,S),K=Math.min(258,U);ne<=q&&--Pe&&W!=O;){if(t[S+H]==t[S+H-ne]){for(var I=0;I<K&&t[S+I]==t[S+I-ne];++I)
-;if(I>H){if(H=I,z=ne,I>he)break;for(var le=Math.min(ne,I-2),Oe=0,$=0;$<le;++$){var Le=S-ne+$&32767,kt=f[Le],Rt=Le-kt&32767;Rt>Oe&&(Oe=Rt,O=Le)}}}W=O,O=f[W],ne+=
-W-O&32767}if(z){w[P++]=268435456|Nn[H]<<18|Vr[z];var nt=Nn[H]&31,rt=Vr[z]&31;T+=It[nt]+Nt[rt],++A[257+nt],++C[rt],_=S+H,++E}else w[P++]=t[S],++A[t[S]]}}for(S=Math.
-max(S,_);S<a;++S)w[P++]=t[S],++A[t[S]];c=Kr(t,l,d,w,A,C,T,P,k,S-k,c),d||(s.r=c&7|l[c/8|0]<<3,c-=7,s.h=g,s.p=f,s.i=S,s.w=_)}else{for(var S=s.w||0;S<a+d;S+=65535){
-var Ie=S+65535;Ie>=a&&(l[c/8|0]=d,Ie=a),c=to(l,c+1,t.subarray(S,Ie))}s.i=a}return Wn(i,0,r+Dn(c)+o)},ci=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
-for(var n=e,r=9;--r;)n=(n&1&&-306674912)^n>>>1;t[e]=n}return t})(),ui=function(){var t=-1;return{p:function(e){for(var n=t,r=0;r<e.length;++r)n=ci[n&255^e[r]]^n>>>
-8;t=n},d:function(){return~t}}};var di=function(t,e,n,r,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
-return li(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,n,r,o)},ro=function(t,e){var n={};for(var r in t)
-n[r]=t[r];for(var r in e)n[r]=e[r];return n};var j=function(t,e,n){for(;n;++e)t[e]=n,n>>>=8};var pi=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&V(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&V(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function mi(t,e){return di(t,e||{},0,0)}function oo(t,e){return ai(t.subarray(pi(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var so=function(t,e,n,r){for(var o in t){var s=t[o],a=e+o,i=r;Array.isArray(s)&&(i=ro(r,s[1]),s=s[0]),s instanceof N?n[a]=[s,i]:(n[a+="/"]=[new N(0),i],so(s,a,n,
-r))}},Yr=typeof TextEncoder<"u"&&new TextEncoder,hi=typeof TextDecoder<"u"&&new TextDecoder,fi=0;try{hi.decode(no,{stream:!0}),fi=1}catch{}function Lt(t,e){if(e){for(var n=new N(t.length),r=0;r<t.length;++r)n[r]=t.charCodeAt(r);return n}if(Yr)return Yr.encode(t);for(var o=t.length,s=new N(t.length+
-(t.length>>1)),a=0,i=function(c){s[a++]=c},r=0;r<o;++r){if(a+5>s.length){var l=new N(a+8+(o-r<<1));l.set(s),s=l}var d=t.charCodeAt(r);d<128||e?i(d):d<2048?(i(192|
-d>>6),i(128|d&63)):d>55295&&d<57344?(d=65536+(d&1047552)|t.charCodeAt(++r)&1023,i(240|d>>18),i(128|d>>12&63),i(128|d>>6&63),i(128|d&63)):(i(224|d>>12),i(128|d>>
-6&63),i(128|d&63))}return Wn(s,0,a)}var Fn=function(t){var e=0;if(t)for(var n in t){var r=t[n].length;r>65535&&V(9),e+=r+4}return e},Zr=function(t,e,n,r,o,s,a,i){var l=r.length,d=n.extra,c=i&&i.length,
-u=Fn(d);j(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=n.os),t[e]=20,e+=2,t[e++]=n.flag<<1|(s<0&&8),t[e++]=o&&8,t[e++]=n.compression&255,t[e++]=
-n.compression>>8;var m=new Date(n.mtime==null?Date.now():n.mtime),h=m.getFullYear()-1980;if((h<0||h>119)&&V(10),j(t,e,h<<25|m.getMonth()+1<<21|m.getDate()<<16|m.
-getHours()<<11|m.getMinutes()<<5|m.getSeconds()>>1),e+=4,s!=-1&&(j(t,e,n.crc),j(t,e+4,s<0?-s-2:s),j(t,e+8,n.size)),j(t,e+12,l),j(t,e+14,u),e+=16,a!=null&&(j(t,e,
-c),j(t,e+6,n.attrs),j(t,e+10,a),e+=14),t.set(r,e),e+=l,u)for(var y in d){var f=d[y],g=f.length;j(t,e,+y),j(t,e+2,g),t.set(f,e+4),e+=4+g}return c&&(t.set(i,e),e+=
-c),e},yi=function(t,e,n,r,o){j(t,e,101010256),j(t,e+8,n),j(t,e+10,n),j(t,e+12,r),j(t,e+16,o)};function ao(t,e){e||(e={});var n={},r=[];so(t,"",n,e);var o=0,s=0;for(var a in n){var i=n[a],l=i[0],d=i[1],c=d.level==0?0:8,u=Lt(a),m=u.length,h=d.comment,y=h&&
-Lt(h),f=y&&y.length,g=Fn(d.extra);m>65535&&V(11);var b=c?mi(l,d):l,x=b.length,v=ui();v.p(l),r.push(ro(d,{size:l.length,crc:v.d(),c:b,f:u,m:y,u:m!=a.length||y&&h.
-length!=f,o,compression:c})),o+=30+m+g+x,s+=76+2*(m+g)+(f||0)+x}for(var w=new N(s+22),A=o,C=s-o,E=0;E<r.length;++E){var u=r[E];Zr(w,u.o,u,u.f,u.u,u.c.length);var T=30+
-u.f.length+Fn(u.extra);w.set(u.c,u.o+T),Zr(w,o,u,u.f,u.u,u.c.length,u.o,u.m),o+=16+T+(u.m?u.m.length:0)}return yi(w,o,r.length,C,A),w}var Z=["pursuer","evader"];function lo(){return JSON.parse(Bt("data"))}function He(t,e,n){let[r,o]=[e-t.payoff.first[0],n-t.payoff.first[1]],s=t.payoff.capture_rate[r]?.[o];
-return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[r][o],lengths:t.payoff.lengths[r][o]}}function Ce(t,e,n){let{script:r,network:o,kept:s,genomes:a}=t.
-teams[e];if(r!==null||o===null)return"";if(!s.includes(n))return`The page holds no genome of ${e}s ${n}: it would be too large. Choose a generation of ${s.join(
+P[Lr[T]]);c+=3*k;for(var re=[x,A],he=0;he<2;++he)for(var q=re[he],T=0;T<q.length;++T){var K=q[T]&31;ge(e,c,Pe[K]),c+=P[K],K>15&&(ge(e,c,q[T]>>5&127),c+=q[T]>>12)}}else
+U=ti,$=xe,H=ni,z=mt;for(var T=0;T<i;++T){var I=n[T];if(I>255){var K=I>>18&31;dt(e,c,U[K+257]),c+=$[K+257],K>7&&(ge(e,c,I>>23&31),c+=It[K]);var le=I&31;dt(e,c,H[le]),
+c+=z[le],le>3&&(dt(e,c,I>>5&8191),c+=Nt[le])}else dt(e,c,U[I]),c+=$[I]}return dt(e,c,U[256]),c+$[256]},ii=new Fr([65540,131080,131088,131104,262176,1048704,1048832,
+2114560,2117632]),ro=new N(0),li=function(t,e,r,n,o,s){var a=s.z||t.length,i=new N(n+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(n,i.length-o),d=s.l,c=(s.r||0)&7;if(e){
+c&&(l[0]=s.r>>3);for(var u=ii[e-1],m=u>>13,h=u&8191,y=(1<<r)-1,f=s.p||new Y(32768),g=s.h||new Y(y+1),b=Math.ceil(r/3),x=2*b,v=function(br){return(t[br]^t[br+1]<<
+b^t[br+2]<<x)&y},w=new Fr(25e3),A=new Y(288),C=new Y(32),E=0,T=0,S=s.i||0,P=0,_=s.w||0,k=0;S+2<a;++S){var te=v(S),W=S&32767,O=g[te];if(f[W]=O,g[te]=W,_<=S){var U=a-
+S;if((E>7e3||P>24576)&&(U>423||!d)){c=Kn(t,l,0,w,A,C,T,P,k,S-k,c),P=E=T=0,k=S;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)C[$]=0}var H=2,z=0,Pe=h,re=W-O&32767;
+if(U>2&&te==v(S-re))for(var he=Math.min(m,U)-1,q=Math.min(32767,S),K=Math.min(258,U);re<=q&&--Pe&&W!=O;){if(t[S+H]==t[S+H-re]){for(var I=0;I<K&&t[S+I]==t[S+I-re];++I)
+;if(I>H){if(H=I,z=re,I>he)break;for(var le=Math.min(re,I-2),Oe=0,$=0;$<le;++$){var Le=S-re+$&32767,kt=f[Le],Rt=Le-kt&32767;Rt>Oe&&(Oe=Rt,O=Le)}}}W=O,O=f[W],re+=
+W-O&32767}if(z){w[P++]=268435456|Ir[H]<<18|Vn[z];var rt=Ir[H]&31,nt=Vn[z]&31;T+=It[rt]+Nt[nt],++A[257+rt],++C[nt],_=S+H,++E}else w[P++]=t[S],++A[t[S]]}}for(S=Math.
+max(S,_);S<a;++S)w[P++]=t[S],++A[t[S]];c=Kn(t,l,d,w,A,C,T,P,k,S-k,c),d||(s.r=c&7|l[c/8|0]<<3,c-=7,s.h=g,s.p=f,s.i=S,s.w=_)}else{for(var S=s.w||0;S<a+d;S+=65535){
+var Ie=S+65535;Ie>=a&&(l[c/8|0]=d,Ie=a),c=to(l,c+1,t.subarray(S,Ie))}s.i=a}return Dr(i,0,n+zr(c)+o)},ci=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
+for(var r=e,n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),ui=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=ci[r&255^e[n]]^r>>>
+8;t=r},d:function(){return~t}}};var di=function(t,e,r,n,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
+return li(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,o)},no=function(t,e){var r={};for(var n in t)
+r[n]=t[n];for(var n in e)r[n]=e[n];return r};var j=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var pi=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&V(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&V(6,"invalid zlib data: "+(t[1]&32?"need":"u\
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function mi(t,e){return di(t,e||{},0,0)}function oo(t,e){return ai(t.subarray(pi(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var so=function(t,e,r,n){for(var o in t){var s=t[o],a=e+o,i=n;Array.isArray(s)&&(i=no(n,s[1]),s=s[0]),s instanceof N?r[a]=[s,i]:(r[a+="/"]=[new N(0),i],so(s,a,r,
+n))}},Yn=typeof TextEncoder<"u"&&new TextEncoder,hi=typeof TextDecoder<"u"&&new TextDecoder,fi=0;try{hi.decode(ro,{stream:!0}),fi=1}catch{}function Lt(t,e){if(e){for(var r=new N(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Yn)return Yn.encode(t);for(var o=t.length,s=new N(t.length+
+(t.length>>1)),a=0,i=function(c){s[a++]=c},n=0;n<o;++n){if(a+5>s.length){var l=new N(a+8+(o-n<<1));l.set(s),s=l}var d=t.charCodeAt(n);d<128||e?i(d):d<2048?(i(192|
+d>>6),i(128|d&63)):d>55295&&d<57344?(d=65536+(d&1047552)|t.charCodeAt(++n)&1023,i(240|d>>18),i(128|d>>12&63),i(128|d>>6&63),i(128|d&63)):(i(224|d>>12),i(128|d>>
+6&63),i(128|d&63))}return Dr(s,0,a)}var Ur=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&V(9),e+=n+4}return e},Zn=function(t,e,r,n,o,s,a,i){var l=n.length,d=r.extra,c=i&&i.length,
+u=Ur(d);j(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t[e]=20,e+=2,t[e++]=r.flag<<1|(s<0&&8),t[e++]=o&&8,t[e++]=r.compression&255,t[e++]=
+r.compression>>8;var m=new Date(r.mtime==null?Date.now():r.mtime),h=m.getFullYear()-1980;if((h<0||h>119)&&V(10),j(t,e,h<<25|m.getMonth()+1<<21|m.getDate()<<16|m.
+getHours()<<11|m.getMinutes()<<5|m.getSeconds()>>1),e+=4,s!=-1&&(j(t,e,r.crc),j(t,e+4,s<0?-s-2:s),j(t,e+8,r.size)),j(t,e+12,l),j(t,e+14,u),e+=16,a!=null&&(j(t,e,
+c),j(t,e+6,r.attrs),j(t,e+10,a),e+=14),t.set(n,e),e+=l,u)for(var y in d){var f=d[y],g=f.length;j(t,e,+y),j(t,e+2,g),t.set(f,e+4),e+=4+g}return c&&(t.set(i,e),e+=
+c),e},yi=function(t,e,r,n,o){j(t,e,101010256),j(t,e+8,r),j(t,e+10,r),j(t,e+12,n),j(t,e+16,o)};function ao(t,e){e||(e={});var r={},n=[];so(t,"",r,e);var o=0,s=0;for(var a in r){var i=r[a],l=i[0],d=i[1],c=d.level==0?0:8,u=Lt(a),m=u.length,h=d.comment,y=h&&
+Lt(h),f=y&&y.length,g=Ur(d.extra);m>65535&&V(11);var b=c?mi(l,d):l,x=b.length,v=ui();v.p(l),n.push(no(d,{size:l.length,crc:v.d(),c:b,f:u,m:y,u:m!=a.length||y&&h.
+length!=f,o,compression:c})),o+=30+m+g+x,s+=76+2*(m+g)+(f||0)+x}for(var w=new N(s+22),A=o,C=s-o,E=0;E<n.length;++E){var u=n[E];Zn(w,u.o,u,u.f,u.u,u.c.length);var T=30+
+u.f.length+Ur(u.extra);w.set(u.c,u.o+T),Zn(w,o,u,u.f,u.u,u.c.length,u.o,u.m),o+=16+T+(u.m?u.m.length:0)}return yi(w,o,n.length,C,A),w}var Z=["pursuer","evader"];function lo(){return JSON.parse(Bt("data"))}function He(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
+return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[n][o],lengths:t.payoff.lengths[n][o]}}function Ce(t,e,r){let{script:n,network:o,kept:s,genomes:a}=t.
+teams[e];if(n!==null||o===null)return"";if(!s.includes(r))return`The page holds no genome of ${e}s ${r}: it would be too large. Choose a generation of ${s.join(
 ", ")}.`;let i=s.length*o.genome_size;return co(a,o.genome_size).length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Wr\
-ite it again from its run.`}function J(t,e,n){let{script:r,network:o,kept:s,genomes:a}=t.teams[e];if(r!==null||o===null)return r??"random";let i=s.indexOf(n);if(i<
-0)throw new RangeError(`${e}: expected a generation whose genome the page holds, got ${n}`);let l=o.genome_size,d=co(a,l).subarray(i*l,(i+1)*l),{hidden:c,activation:u,
-sampled:m,memory:h}=o;return{hidden:c,activation:u,sampled:m,memory:h,genome:d}}var Hn=4,io=new Map;function co(t,e){let n=io.get(t);if(n)return n;let r=new Float32Array;
-try{let o=bi(jn(t),e);o.every(Number.isFinite)&&(r=o)}catch(o){if(!(o instanceof DOMException||o instanceof RangeError||gi(o)))throw o}return io.set(t,r),r}var gi=t=>t instanceof
-Error&&"code"in t;function bi(t,e){let n=oo(t),r=n.length/Hn,o=new Uint8Array(n.length);for(let a=0;a<o.length;a++)o[a]=n[a%Hn*r+Math.floor(a/Hn)];let s=new Uint32Array(
-o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function jn(t){let e=atob(Bt(t)),n=new Uint8Array(e.length);for(let r=0;r<n.
-length;r++)n[r]=e.charCodeAt(r);return n}function Bt(t){return document.getElementById(t)?.textContent??""}var je=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function uo(t,e,n){let[r,o]=[e[0]-t[0],e[1]-t[1]];return!n&&Math.abs(r)>Math.abs(o)?o=0:n||
-(r=0),je.findIndex(([s,a])=>s===Math.sign(r)&&a===Math.sign(o))}var ke=(t,e)=>e<t.nPursuers,L=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],vi=(t,e)=>t[0]===e[0]&&
-t[1]===e[1],Gn=({rows:t,cols:e},[n,r])=>n>=0&&r>=0&&n<t&&r<e,Vn=(t,e,n=3)=>t!==void 0&&[0,1,2].slice(0,n).some(r=>t[3*e+r]),qn=(t,e)=>Vn(t.fault,e),po=(t,e)=>!qn(
-t,e)&&Vn(t.involved,e,2);function Ut(t,e,n){let r=!vi(L(t,n),L(e,n)),o=e.involved===void 0||Vn(e.involved,n);return!!(e.alive[n]&&e.actions?.[n]&&!r&&o)}function Ft(t,e,n){
-let[r,o]=L(t,n),[s,a]=je[e.actions?.[n]??0];return[r+s,o+a]}function ht(t,e,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
-!e.everCaptured[o]).map(o=>t.nPursuers+o)}var mo=t=>t.moments.flatMap((e,n)=>n&&ht(t,t.moments[n-1],e).length?[n]:[]);function zt(t,e){return Array.from({length:e.
-alive.length},(r,o)=>o).filter(r=>t.alive[r]&&!e.alive[r])}var ho=[-.31,0,.31],fo=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:ho.flatMap(t=>ho.map(e=>[e,t]))}],wi=.3,xi=.35,Si=.55;function ft(t,e){let n=new Map;for(let r=0;r<e.alive.length;r++){if(!e.
-alive[r])continue;let[o,s]=L(e,r),a=o*t.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function yo(t,e){let n=Array.from(e.alive,(r,o)=>{let[s,a]=L(e,o);return{
-x:a+.5,y:s+.5,size:1,alpha:0}});for(let r of ft(t,e).values()){let o=fo[Math.min(r.length,fo.length)-1];r.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
-d=n[s];d.x+=i,d.y+=l,d.size=o.size,d.alpha=1})}return n}var go=t=>t*t*(3-2*t),Ge=(t,e,n)=>t+(e-t)*n,bo=t=>Math.min(1,Math.max(0,t));function vo(t,e,n,r){let o={
-SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:n}[t.interaction];if(o===1)return go(r);let s=o===n?e:+!ke(t,e),a=Math.max(1/o,xi);return go(bo((r-s/(o-1)*(1-a))/a))}function Dt(t,e){
-let n=t.moments.length-1,r=Math.min(Math.floor(e),n),o=t.moments[r],s=yo(t,o);if(r===n||e===r)return s;let a=t.moments[r+1],i=yo(t,a);return s.map((l,d)=>{let c=vo(
-t,d,s.length,e-r);return Mi(o,a,d,l,i[d],c)})}function Kn(t,e,n){let r=t.moments.length-1,o=Math.min(Math.floor(n),r),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
-r)]],i=vo(t,e,s.alive.length,n-o),[[l,d],[c,u]]=[L(s,e),L(a,e)];return[Ge(d,u,i)+.5,Ge(l,c,i)+.5]}function Mi(t,e,n,r,o,s){let a=r.alpha>o.alpha,i={x:Ge(r.x,o.x,
-s),y:Ge(r.y,o.y,s),size:a?r.size:Ge(r.size,o.size,s),alpha:a?bo((1-s)/(1-Si)):Ge(r.alpha,o.alpha,s)};if(Ut(t,e,n)){let[l,d]=L(t,n),[c,u]=Ft(t,e,n),m=wi*Math.sin(
-Math.PI*s);i.x+=(u-d)*m,i.y+=(c-l)*m}return i}var wo=2*Math.PI;function Re(t,e,n,r){t.beginPath(),t.arc(e,n,r/2,0,wo)}function Wt(t,e,n,r){let o=r/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,n+i*
-o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[d,c]=s[(l+1)%3];t.arcTo(a,i,d,c,r*.09)}),t.closePath()}function xo(t,e,n,r){
-let o=r*.32;t.beginPath(),t.moveTo(e-o,n-o),t.lineTo(e+o,n+o),t.moveTo(e+o,n-o),t.lineTo(e-o,n+o)}function So(t,e,n,r){t.beginPath();for(let o=0;o<16;o++){let s=r/
-2*(o%2?.6:.95),a=wo*o/16;t.lineTo(e+s*Math.sin(a),n-s*Math.cos(a))}t.closePath()}function Mo(t,e,n,r,o,s){let a=Math.atan2(o-n,r-e);t.beginPath(),t.moveTo(e,n),
-t.lineTo(r,o);for(let i of[-1,1])t.moveTo(r,o),t.lineTo(r-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Ao=4,Ai=1.6,Ei=.95,Ti=5,Ci=.16,ki=9,Ri=.09,_i=.2,Eo=.75,re=(t,e)=>t.left+e*t.cell,oe=(t,e)=>t.top+e*t.cell;function Ve(t,e,n){return ke(e,n)?t.colors.pursuer:
-t.colors.evader}function To({ctx:t,grid:e,colors:n}){let{left:r,top:o,cell:s,rows:a,cols:i}=e,[l,d]=[i*s,a*s];if(t.fillStyle=n.paper,t.fillRect(r,o,l,d),s<Ti)return;
-t.fillStyle=n.line;let c=Math.max(1,Math.round(s/60));for(let u=1;u<i;u++)t.fillRect(r+u*s,o,c,d);for(let u=1;u<a;u++)t.fillRect(r,o+u*s,l,c)}function Co({ctx:t,
-grid:e,colors:n},r){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=n.obstacle;for(let d=0;d<i*l;d++){if(!r.obstacles[d])continue;let[c,u]=[Math.floor(d/l),
-d%l];t.fillRect(o+u*a,s+c*a,a,a)}ko({ctx:t,grid:e,colors:n})}function ko({ctx:t,grid:{left:e,top:n,cell:r,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
-Math.round(r/18)));t.strokeStyle=a.frame,t.lineWidth=i,t.strokeRect(e-i/2,n-i/2,s*r+i,o*r+i)}function Ro({ctx:t,grid:e,colors:n},r){let{left:o,top:s,cell:a,rows:i,
-cols:l}=e,d=a<24*r?5:1;t.font=`500 ${Math.round(Math.min(15*r,Math.max(9*r,a*.32)))}px system-ui, sans-serif`,t.fillStyle=n.muted,t.textBaseline="alphabetic",t.
-textAlign="center";let c=5*r+a/40;for(let u=0;u<l;u+=d)t.fillText(String(u),o+(u+.5)*a,s-c);t.textAlign="right",t.textBaseline="middle";for(let u=0;u<i;u+=d)t.fillText(
-String(u),o-c,s+(u+.5)*a)}function _o({grid:t},e,n,r){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(0,n-o),Math.min(t.cols,n+o)],[i,l]=[Math.max(0,r-o),Math.min(
-t.rows,r+o)];return[re(t,s),oe(t,i),(a-s)*t.cell,(l-i)*t.cell]}function $o(t,e,n,r){let{ctx:o,grid:s,colors:a}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
-o.canvas.height),o.rect(..._o(t,e,n,r)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
-s.rows*s.cell),o.restore(),ko(t)}function Po({ctx:t,grid:e,colors:n},{x:r,y:o,alpha:s},a){let i=Math.max(e.cell,16*a)*1.06,[l,d]=[re(e,r),oe(e,o)];t.globalAlpha=
-Math.max(s,.6),t.beginPath(),t.roundRect(l-i/2,d-i/2,i,i,i*.2),t.strokeStyle=n.focus,t.lineWidth=Math.max(2,2.5*a),t.stroke();let c=Math.max(11*a,Math.min(18*a,
+ite it again from its run.`}function J(t,e,r){let{script:n,network:o,kept:s,genomes:a}=t.teams[e];if(n!==null||o===null)return n??"random";let i=s.indexOf(r);if(i<
+0)throw new RangeError(`${e}: expected a generation whose genome the page holds, got ${r}`);let l=o.genome_size,d=co(a,l).subarray(i*l,(i+1)*l),{hidden:c,activation:u,
+sampled:m,memory:h}=o;return{hidden:c,activation:u,sampled:m,memory:h,genome:d}}var Wr=4,io=new Map;function co(t,e){let r=io.get(t);if(r)return r;let n=new Float32Array;
+try{let o=bi(Hr(t),e);o.every(Number.isFinite)&&(n=o)}catch(o){if(!(o instanceof DOMException||o instanceof RangeError||gi(o)))throw o}return io.set(t,n),n}var gi=t=>t instanceof
+Error&&"code"in t;function bi(t,e){let r=oo(t),n=r.length/Wr,o=new Uint8Array(r.length);for(let a=0;a<o.length;a++)o[a]=r[a%Wr*n+Math.floor(a/Wr)];let s=new Uint32Array(
+o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function Hr(t){let e=atob(Bt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.
+length;n++)r[n]=e.charCodeAt(n);return r}function Bt(t){return document.getElementById(t)?.textContent??""}var je=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function uo(t,e,r){let[n,o]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||
+(n=0),je.findIndex(([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}var ke=(t,e)=>e<t.nPursuers,L=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],vi=(t,e)=>t[0]===e[0]&&
+t[1]===e[1],jr=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Gr=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Vr=(t,e)=>Gr(t.fault,e),po=(t,e)=>!Vr(
+t,e)&&Gr(t.involved,e,2);function Ut(t,e,r){let n=!vi(L(t,r),L(e,r)),o=e.involved===void 0||Gr(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ft(t,e,r){
+let[n,o]=L(t,r),[s,a]=je[e.actions?.[r]??0];return[n+s,o+a]}function ht(t,e,r){return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&
+!e.everCaptured[o]).map(o=>t.nPursuers+o)}var mo=t=>t.moments.flatMap((e,r)=>r&&ht(t,t.moments[r-1],e).length?[r]:[]);function zt(t,e){return Array.from({length:e.
+alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var ho=[-.31,0,.31],fo=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
+-.23,-.23],[.23,-.23]]},{size:.36,at:ho.flatMap(t=>ho.map(e=>[e,t]))}],wi=.3,xi=.35,Si=.55;function ft(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+alive[n])continue;let[o,s]=L(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function yo(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=L(e,o);return{
+x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of ft(t,e).values()){let o=fo[Math.min(n.length,fo.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
+d=r[s];d.x+=i,d.y+=l,d.size=o.size,d.alpha=1})}return r}var go=t=>t*t*(3-2*t),Ge=(t,e,r)=>t+(e-t)*r,bo=t=>Math.min(1,Math.max(0,t));function vo(t,e,r,n){let o={
+SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return go(n);let s=o===r?e:+!ke(t,e),a=Math.max(1/o,xi);return go(bo((n-s/(o-1)*(1-a))/a))}function Dt(t,e){
+let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=yo(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=yo(t,a);return s.map((l,d)=>{let c=vo(
+t,d,s.length,e-n);return Mi(o,a,d,l,i[d],c)})}function qr(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
+n)]],i=vo(t,e,s.alive.length,r-o),[[l,d],[c,u]]=[L(s,e),L(a,e)];return[Ge(d,u,i)+.5,Ge(l,c,i)+.5]}function Mi(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:Ge(n.x,o.x,
+s),y:Ge(n.y,o.y,s),size:a?n.size:Ge(n.size,o.size,s),alpha:a?bo((1-s)/(1-Si)):Ge(n.alpha,o.alpha,s)};if(Ut(t,e,r)){let[l,d]=L(t,r),[c,u]=Ft(t,e,r),m=wi*Math.sin(
+Math.PI*s);i.x+=(u-d)*m,i.y+=(c-l)*m}return i}var wo=2*Math.PI;function Re(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,wo)}function Wt(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
+o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[d,c]=s[(l+1)%3];t.arcTo(a,i,d,c,n*.09)}),t.closePath()}function xo(t,e,r,n){
+let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function So(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
+2*(o%2?.6:.95),a=wo*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function Mo(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Ao=4,Ai=1.6,Ei=.95,Ti=5,Ci=.16,ki=9,Ri=.09,_i=.2,Eo=.75,ne=(t,e)=>t.left+e*t.cell,oe=(t,e)=>t.top+e*t.cell;function Ve(t,e,r){return ke(e,r)?t.colors.pursuer:
+t.colors.evader}function To({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,d]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,d),s<Ti)return;
+t.fillStyle=r.line;let c=Math.max(1,Math.round(s/60));for(let u=1;u<i;u++)t.fillRect(n+u*s,o,c,d);for(let u=1;u<a;u++)t.fillRect(n,o+u*s,l,c)}function Co({ctx:t,
+grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[c,u]=[Math.floor(d/l),
+d%l];t.fillRect(o+u*a,s+c*a,a,a)}ko({ctx:t,grid:e,colors:r})}function ko({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
+Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=i,t.strokeRect(e-i/2,r-i/2,s*n+i,o*n+i)}function Ro({ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,
+cols:l}=e,d=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.
+textAlign="center";let c=5*n+a/40;for(let u=0;u<l;u+=d)t.fillText(String(u),o+(u+.5)*a,s-c);t.textAlign="right",t.textBaseline="middle";for(let u=0;u<i;u+=d)t.fillText(
+String(u),o-c,s+(u+.5)*a)}function _o({grid:t},e,r,n){let o=Math.floor(e.fov/2)+.5,[s,a]=[Math.max(0,r-o),Math.min(t.cols,r+o)],[i,l]=[Math.max(0,n-o),Math.min(
+t.rows,n+o)];return[ne(t,s),oe(t,i),(a-s)*t.cell,(l-i)*t.cell]}function $o(t,e,r,n){let{ctx:o,grid:s,colors:a}=t;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
+o.canvas.height),o.rect(..._o(t,e,r,n)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
+s.rows*s.cell),o.restore(),ko(t)}function Po({ctx:t,grid:e,colors:r},{x:n,y:o,alpha:s},a){let i=Math.max(e.cell,16*a)*1.06,[l,d]=[ne(e,n),oe(e,o)];t.globalAlpha=
+Math.max(s,.6),t.beginPath(),t.roundRect(l-i/2,d-i/2,i,i,i*.2),t.strokeStyle=r.focus,t.lineWidth=Math.max(2,2.5*a),t.stroke();let c=Math.max(11*a,Math.min(18*a,
 e.cell*.5));t.font=`700 ${Math.round(c)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let u=d-i/2<c*1.2,m=d+(u?1:-1)*(i/2+c*.7);t.strokeStyle=
-n.paper,t.lineJoin="round",t.lineWidth=c*.35,t.strokeText("You",l,m),t.fillStyle=n.ink,t.fillText("You",l,m),t.globalAlpha=1}function Oo(t,e,n,r,o){let{ctx:s,grid:a}=t,
-i=_o(t,e,r,o),l=Ve(t,e,n);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
-s.globalAlpha=1}function Lo(t,e,n,r,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(n),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(ki,
-Math.max(1,a.cell*Ci));for(let d=Math.max(1,Math.floor(n-r)+1);d<=i;d++){let[c,u]=[e.moments[d-1],e.moments[d]],m=Math.max(0,Math.min(1,(n-d)/r));s.globalAlpha=
-Eo+(_i-Eo)*m;for(let h=0;h<u.alive.length;h++){let y=d===i&&n<i;if(!c.alive[h]||!(l.alive[h]||y))continue;let f=(ke(e,h)?-1:1)*Ri,[g,b]=L(c,h),[x,v]=L(u,h);if(g===
-x&&b===v)continue;let w=y?o[h].x:v+.5,A=y?o[h].y:x+.5;s.strokeStyle=Ve(t,e,h),s.beginPath(),s.moveTo(re(a,b+.5+f),oe(a,g+.5+f)),s.lineTo(re(a,w+f),oe(a,A+f)),s.
-stroke()}}s.globalAlpha=1}function Io(t,e,n){let r=Math.min(Math.ceil(n),e.moments.length-1);for(let o=Math.max(1,r-Ao+1);o<=r;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/Ao,l=ht(e,s,a);for(let d of zt(s,a))l.includes(d)||Pi(t,L(a,d),i);for(let d of l)$i(t,L(a,d),i)}t.ctx.globalAlpha=1}function $i({
-ctx:t,grid:e,colors:n},[r,o],s){t.globalAlpha=s,So(t,re(e,o+.5),oe(e,r+.5),Math.max(8,e.cell*Ai)),t.fillStyle=n.capture,t.fill(),t.strokeStyle=n.ink,t.lineWidth=
-Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Pi({ctx:t,grid:e,colors:n},[r,o],s){t.globalAlpha=s,xo(t,re(e,o+.5),oe(e,r+.5),Math.max(7,e.cell*Ei)),
-t.strokeStyle=n.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function No({ctx:t,grid:e,colors:n},r,o){let s=Math.max(1,e.cell*.07);
-t.strokeStyle=t.fillStyle=n.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of r){if(a<0||i<0||a>=e.rows||i>=e.cols)
-continue;let l=[re(e,i)+s,oe(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=
-1}function Bo({ctx:t,grid:e,colors:n},r,o,s,a){t.globalAlpha=a,Re(t,re(e,r),oe(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=n.collision,t.lineWidth=Math.max(1.5,
-e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Oi=.8,Li=.92,Ii=15,Ni=7,Yn=9;function Uo(t,e,n,r,o,s){r.forEach((a,i)=>{a.alpha>0&&Bi(t,e,n,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of ft(e,n).values())a.length>
-Yn&&Ui(t,r[a[Yn-1]],a.length-Yn+1)}function Bi(t,e,n,r,o,s,a){let{ctx:i,grid:l,colors:d}=t,c=ke(e,r),[u,m]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
-o.size*(c?Li:Oi)),y=Ve(t,e,r),f=!c&&!!n.captured[r-e.nPursuers];if(i.globalAlpha=o.alpha,(c?Wt:Re)(i,u,m,h),h>Ni*a&&(i.strokeStyle=d.paper,i.lineWidth=Math.max(
-2,h*.1),i.stroke()),i.fillStyle=f?d.paper:y,i.fill(),f&&(Re(i,u,m,h*.82),i.strokeStyle=y,i.lineWidth=h*.18,i.stroke()),!s||h<Ii*a)return;let g=String(c?r:r-e.nPursuers);
+r.paper,t.lineJoin="round",t.lineWidth=c*.35,t.strokeText("You",l,m),t.fillStyle=r.ink,t.fillText("You",l,m),t.globalAlpha=1}function Oo(t,e,r,n,o){let{ctx:s,grid:a}=t,
+i=_o(t,e,n,o),l=Ve(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
+s.globalAlpha=1}function Lo(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(ki,
+Math.max(1,a.cell*Ci));for(let d=Math.max(1,Math.floor(r-n)+1);d<=i;d++){let[c,u]=[e.moments[d-1],e.moments[d]],m=Math.max(0,Math.min(1,(r-d)/n));s.globalAlpha=
+Eo+(_i-Eo)*m;for(let h=0;h<u.alive.length;h++){let y=d===i&&r<i;if(!c.alive[h]||!(l.alive[h]||y))continue;let f=(ke(e,h)?-1:1)*Ri,[g,b]=L(c,h),[x,v]=L(u,h);if(g===
+x&&b===v)continue;let w=y?o[h].x:v+.5,A=y?o[h].y:x+.5;s.strokeStyle=Ve(t,e,h),s.beginPath(),s.moveTo(ne(a,b+.5+f),oe(a,g+.5+f)),s.lineTo(ne(a,w+f),oe(a,A+f)),s.
+stroke()}}s.globalAlpha=1}function Io(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Ao+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
+i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Ao,l=ht(e,s,a);for(let d of zt(s,a))l.includes(d)||Pi(t,L(a,d),i);for(let d of l)$i(t,L(a,d),i)}t.ctx.globalAlpha=1}function $i({
+ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,So(t,ne(e,o+.5),oe(e,n+.5),Math.max(8,e.cell*Ai)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
+Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Pi({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,xo(t,ne(e,o+.5),oe(e,n+.5),Math.max(7,e.cell*Ei)),
+t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function No({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);
+t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
+continue;let l=[ne(e,i)+s,oe(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=
+1}function Bo({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=a,Re(t,ne(e,n),oe(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
+e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Oi=.8,Li=.92,Ii=15,Ni=7,Kr=9;function Uo(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Bi(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of ft(e,r).values())a.length>
+Kr&&Ui(t,n[a[Kr-1]],a.length-Kr+1)}function Bi(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:d}=t,c=ke(e,n),[u,m]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
+o.size*(c?Li:Oi)),y=Ve(t,e,n),f=!c&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(c?Wt:Re)(i,u,m,h),h>Ni*a&&(i.strokeStyle=d.paper,i.lineWidth=Math.max(
+2,h*.1),i.stroke()),i.fillStyle=f?d.paper:y,i.fill(),f&&(Re(i,u,m,h*.82),i.strokeStyle=y,i.lineWidth=h*.18,i.stroke()),!s||h<Ii*a)return;let g=String(c?n:n-e.nPursuers);
 i.font=`700 ${Math.round(h*(c?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?y:d.paper,i.fillText(
-g,u,m+h*(c?.17:.03))}function Ui({ctx:t,grid:e,colors:n},r,o){let[s,a]=[e.left+r.x*e.cell,e.top+r.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
-ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=n.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=n.ink,t.fillText(`+${o}`,
-s,a)}var Fi=.46,zi=.86,Di=.66,Fo=.48,Wi=.78,Hi=.58;function zo(t,e,n,r){let[o,s]=[e.moments[n-1],e.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let d=0;d<s.alive.length;d++)Ut(o,s,d)&&ji(t,e,L(o,d),Ft(o,s,d));a.globalAlpha=
-1}function ji({ctx:t,grid:e},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=u=>re(e,r[1]+.5+s*u),l=u=>oe(e,r[0]+.5+a*u),d=Gn(n,o)?Wi:Hi;t.setLineDash([e.cell*.09,e.cell*
+g,u,m+h*(c?.17:.03))}function Ui({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
+s,a)}var Fi=.46,zi=.86,Di=.66,Fo=.48,Wi=.78,Hi=.58;function zo(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let d=0;d<s.alive.length;d++)Ut(o,s,d)&&ji(t,e,L(o,d),Ft(o,s,d));a.globalAlpha=
+1}function ji({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=u=>ne(e,n[1]+.5+s*u),l=u=>oe(e,n[0]+.5+a*u),d=jr(r,o)?Wi:Hi;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Fo),l(Fo)),t.lineTo(i(d),l(d)),t.stroke(),t.setLineDash([]);let c=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(d)-a*c,l(d)+
-s*c),t.lineTo(i(d)+a*c,l(d)-s*c),t.stroke()}function Do(t,e,n,r,o,s){let a=je[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=t,c=Gn(e,[r[0]+a[0],r[1]+a[1]])?zi:
-Di,u=Fi*o.size,m=[re(l,o.x+a[1]*u),oe(l,o.y+a[0]*u),re(l,o.x+a[1]*c),oe(l,o.y+a[0]*c)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[
-d.paper,h*2.1],[Ve(t,e,n),h]])i.strokeStyle=y,i.lineWidth=f,Mo(i,...m,l.cell*.2),i.stroke()}var Ht={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function jt(t,e,n,r,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
-Math.ceil(n),e.moments.length-1),d=e.moments[l],c=n===l,u=Dt(e,n),m=c?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),To(t);for(let f of r.
-viewers)u[f]?.alpha&&Oo(t,e,f,...Kn(e,f,n));Co(t,e),r.axes&&Ro(t,o),Lo(t,e,n,r.trail,u),No(t,d.contested??[],m),Io(t,e,n),zo(t,e,l,m),u.forEach(({x:f,y:g,size:b},x)=>{
-let v=po(d,x)?.4:0,w=qn(d,x)?1:v;w&&Bo(t,f,g,b,w*m)});let h=c?d:e.moments[Math.max(0,l-1)];if(Uo(t,e,h,u,r.numbers,o),c&&r.plan)for(let[f,g]of u.entries())g.alpha&&
-Do(t,e,f,L(d,f),g,r.plan[f]??0);r.you!==null&&(r.fog&&$o(t,e,...Kn(e,r.you,n)),Po(t,u[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=r.selected===
-null?void 0:u[r.selected];y?.alpha&&Wo(t,y.x,y.y,y.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Wo(t,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash(
-[]))}function Wo({ctx:t,grid:e},n,r,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+n*e.cell-s/2,e.top+r*e.cell-s/2,s,s,s*.1),t.stroke()}var yt=(t,e)=>(e+.24)/(t+.24);function Gt(t,e,n,r,o,s){let a=n?28*s:0,i=(d,c)=>(d-a)/(c+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,e),i(o,t))));return{rows:t,cols:e,
-cell:l,left:Math.round((r-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Ho(t,e,n){let r=Math.floor((n-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return r>=
-0&&r<t.rows&&o>=0&&o<t.cols?[r,o]:null}var Gi={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function qe(t){let e=getComputedStyle(t),n=Object.entries(Gi).map(([r,o])=>[r,e.getPropertyValue(
-o).trim()]);return Object.fromEntries(n)}var ie=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Se=class{canvas;#e=null;#n=0;#t;#r={rows:1,cols:1,left:0,top:0,cell:1};#a=0;#s;#l;constructor(e,n={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...Ht,...n},this.#s=new ResizeObserver(()=>this.#c()),this.#s.observe(e),this.#l=new MutationObserver(
+s*c),t.lineTo(i(d)+a*c,l(d)-s*c),t.stroke()}function Do(t,e,r,n,o,s){let a=je[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=t,c=jr(e,[n[0]+a[0],n[1]+a[1]])?zi:
+Di,u=Fi*o.size,m=[ne(l,o.x+a[1]*u),oe(l,o.y+a[0]*u),ne(l,o.x+a[1]*c),oe(l,o.y+a[0]*c)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[
+d.paper,h*2.1],[Ve(t,e,r),h]])i.strokeStyle=y,i.lineWidth=f,Mo(i,...m,l.cell*.2),i.stroke()}var Ht={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function jt(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
+Math.ceil(r),e.moments.length-1),d=e.moments[l],c=r===l,u=Dt(e,r),m=c?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),To(t);for(let f of n.
+viewers)u[f]?.alpha&&Oo(t,e,f,...qr(e,f,r));Co(t,e),n.axes&&Ro(t,o),Lo(t,e,r,n.trail,u),No(t,d.contested??[],m),Io(t,e,r),zo(t,e,l,m),u.forEach(({x:f,y:g,size:b},x)=>{
+let v=po(d,x)?.4:0,w=Vr(d,x)?1:v;w&&Bo(t,f,g,b,w*m)});let h=c?d:e.moments[Math.max(0,l-1)];if(Uo(t,e,h,u,n.numbers,o),c&&n.plan)for(let[f,g]of u.entries())g.alpha&&
+Do(t,e,f,L(d,f),g,n.plan[f]??0);n.you!==null&&(n.fog&&$o(t,e,...qr(e,n.you,r)),Po(t,u[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===
+null?void 0:u[n.selected];y?.alpha&&Wo(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Wo(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
+[]))}function Wo({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var yt=(t,e)=>(e+.24)/(t+.24);function Gt(t,e,r,n,o,s){let a=r?28*s:0,i=(d,c)=>(d-a)/(c+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
+cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Ho(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
+0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Gi={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function qe(t){let e=getComputedStyle(t),r=Object.entries(Gi).map(([n,o])=>[n,e.getPropertyValue(
+o).trim()]);return Object.fromEntries(r)}var ie=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Se=class{canvas;#e=null;#r=0;#t;#n={rows:1,cols:1,left:0,top:0,cell:1};#a=0;#s;#l;constructor(e,r={}){
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...Ht,...r},this.#s=new ResizeObserver(()=>this.#c()),this.#s.observe(e),this.#l=new MutationObserver(
 ()=>this.redraw()),this.#l.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#s.disconnect(),this.#l.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#a)}get look(){
-return this.#t}set look(e){this.#t={...this.#t,...e},this.#p(),this.redraw()}show(e,n){this.#e=e,this.#n=Math.min(Math.max(0,n),e.moments.length-1),this.#p(),this.
+return this.#t}set look(e){this.#t={...this.#t,...e},this.#p(),this.redraw()}show(e,r){this.#e=e,this.#r=Math.min(Math.max(0,r),e.moments.length-1),this.#p(),this.
 redraw()}redraw=()=>{this.#a||(this.#a=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#a),this.#a=0;let e=this.canvas.getContext(
-"2d");if(!e||!this.#e)return;let{rows:n,cols:r}=this.#e,o=devicePixelRatio||1;this.#r=Gt(n,r,this.#t.axes,this.canvas.width,this.canvas.height,o);let s={ctx:e,grid:this.#r,
-colors:qe(this.canvas)};jt(s,this.#e,this.#n,this.#t,o)}cellAt(e,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.width;return Ho(this.#r,(e-r.
-left)*o,(n-r.top)*o)}agentAt(e,n){let r=this.cellAt(e,n);if(!r||!this.#e)return null;let o=this.#e.moments[Math.round(this.#n)],s=ft(this.#e,o).get(r[0]*this.#e.
-cols+r[1])??[],a=Dt(this.#e,Math.round(this.#n)),i=l=>{let[d,c]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-e,c-n)};return s.length?s.reduce((l,d)=>i(d)<i(l)?
-d:l):null}pointOf(e,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#r;return[r.left+(s+e*i)*o,r.top+(a+n*i)*
-o]}#p(){if(!this.#e)return;let{rows:e,cols:n}=this.#e;this.canvas.style.setProperty("--board-aspect",String(yt(e,n)))}#c(){let e=devicePixelRatio||1,{width:n,height:r}=this.
-canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*e)),this.canvas.height=Math.max(1,Math.round(r*e)),this.drawNow()}};var Vi=12e3;function jo(t,e,n){let r=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>u(
+"2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,o=devicePixelRatio||1;this.#n=Gt(r,n,this.#t.axes,this.canvas.width,this.canvas.height,o);let s={ctx:e,grid:this.#n,
+colors:qe(this.canvas)};jt(s,this.#e,this.#r,this.#t,o)}cellAt(e,r){let n=this.canvas.getBoundingClientRect(),o=this.canvas.width/n.width;return Ho(this.#n,(e-n.
+left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return null;let o=this.#e.moments[Math.round(this.#r)],s=ft(this.#e,o).get(n[0]*this.#e.
+cols+n[1])??[],a=Dt(this.#e,Math.round(this.#r)),i=l=>{let[d,c]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-e,c-r)};return s.length?s.reduce((l,d)=>i(d)<i(l)?
+d:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:s,top:a,cell:i}=this.#n;return[n.left+(s+e*i)*o,n.top+(a+r*i)*
+o]}#p(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(yt(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.
+canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Vi=12e3;function jo(t,e,r){let n=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>u(
 d-1,!1)},"Back"),a=p("button",{type:"button",onclick:()=>u(d+1,!1)}),i=p("section",{class:"guided card","aria-label":"A guided minute"},o,p("div",{},s,a,p("butt\
 on",{type:"button",onclick:()=>m()},"Skip"))),l=p("button",{type:"button",class:"begin-minute",onclick:()=>u(0,!ie())},"A guided minute"),[d,c]=[-1,0];function u(g,b){
-clearTimeout(c);let x=r()[g];if(y(),!x)return m();d=g,o.replaceChildren(p("span",{class:"muted numbers"},`${g+1} of ${r().length} `),x.text),s.disabled=g===0,a.
-textContent=g===r().length-1?"End":"Next",i.hidden=!1,e.select({pursuer:x.pursuer,evader:x.evader}),x.shows==="judgement"?document.querySelector(".diagnosis")?.
-scrollIntoView({block:"nearest"}):x.shows==="checkerboard"?h():(n.reveal(),n.playSoon()),b&&(c=setTimeout(()=>u(g+1,!0),Vi))}function m(){clearTimeout(c),d=-1,i.
+clearTimeout(c);let x=n()[g];if(y(),!x)return m();d=g,o.replaceChildren(p("span",{class:"muted numbers"},`${g+1} of ${n().length} `),x.text),s.disabled=g===0,a.
+textContent=g===n().length-1?"End":"Next",i.hidden=!1,e.select({pursuer:x.pursuer,evader:x.evader}),x.shows==="judgement"?document.querySelector(".diagnosis")?.
+scrollIntoView({block:"nearest"}):x.shows==="checkerboard"?h():(r.reveal(),r.playSoon()),b&&(c=setTimeout(()=>u(g+1,!0),Vi))}function m(){clearTimeout(c),d=-1,i.
 hidden=!0,l.focus()}function h(){document.querySelector(".miniature")?.click();let g=document.querySelector("dialog.four[open]");g?.append(i),g?.addEventListener(
-"close",()=>document.body.append(i),{once:!0})}let y=()=>document.querySelector("dialog.four[open]")?.close(),f=()=>{l.hidden=!r().length,i.hidden||m()};return e.
-on("run",f),i.addEventListener("keydown",g=>{g.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var gt=[.5,1,2,4,8,16,32,64],Ke=0,Vt=12,qi=2,Me=class extends EventTarget{#e;#n;#t;#r=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,n={}){super(),
-this.#e=e,this.#n=n.speed??4,this.#t=n.still??!1}get step(){return this.#r}get time(){return this.#t?this.#r:this.#a}get arrived(){return this.#a===this.#r}get playing(){
-return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#r>e&&this.jump(e),this.#o("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#o(
-"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#n||Math.max(qi,this.#e/Vt)}get speed(){return this.#n}set speed(e){
-this.#n=e,this.#o("state")}changeSpeed(e){let n=gt.findIndex(r=>r>=this.pace);this.speed=gt[Math.min(gt.length-1,Math.max(0,n+e))]}play(){this.#s||!this.#e||(this.#r===
+"close",()=>document.body.append(i),{once:!0})}let y=()=>document.querySelector("dialog.four[open]")?.close(),f=()=>{l.hidden=!n().length,i.hidden||m()};return e.
+on("run",f),i.addEventListener("keydown",g=>{g.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var gt=[.5,1,2,4,8,16,32,64],Ke=0,Vt=12,qi=2,Me=class extends EventTarget{#e;#r;#t;#n=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
+this.#e=e,this.#r=r.speed??4,this.#t=r.still??!1}get step(){return this.#n}get time(){return this.#t?this.#n:this.#a}get arrived(){return this.#a===this.#n}get playing(){
+return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#o("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#o(
+"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#r||Math.max(qi,this.#e/Vt)}get speed(){return this.#r}set speed(e){
+this.#r=e,this.#o("state")}changeSpeed(e){let r=gt.findIndex(n=>n>=this.pace);this.speed=gt[Math.min(gt.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#s=!0,this.#o("state"),this.#i())}pause(){this.#s&&(this.#s=!1,this.#o("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
-pause();let n=Math.min(this.#e,Math.max(0,this.#r+e));Math.abs(n-this.#a)>1?this.jump(n):this.#d(n),this.#i()}jump(e){this.#a=Math.min(this.#e,Math.max(0,Math.round(
-e))),this.#d(this.#a),this.#o("frame")}#d(e){e!==this.#r&&(this.#r=e,this.#o("step"),this.#t&&this.#o("frame"))}#i(){this.#l===null&&(this.#p=performance.now(),
+pause();let r=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(r-this.#a)>1?this.jump(r):this.#d(r),this.#i()}jump(e){this.#a=Math.min(this.#e,Math.max(0,Math.round(
+e))),this.#d(this.#a),this.#o("frame")}#d(e){e!==this.#n&&(this.#n=e,this.#o("step"),this.#t&&this.#o("frame"))}#i(){this.#l===null&&(this.#p=performance.now(),
 this.#l=requestAnimationFrame(()=>this.#h()))}#h(){this.#l=null;let e=performance.now();this.#u(Math.min(.25,(e-this.#p)/1e3)),this.#p=e,(!this.#t||this.arrived)&&
-this.#o("frame"),(this.#s||this.#a!==this.#r)&&(this.#l=requestAnimationFrame(()=>this.#h()))}#u(e){let n=e;for(;n>0;){if(this.#a===this.#r){if(!this.#s)return;
-if(this.#r===this.#e)return this.pause();this.#d(this.#r+1)}let r=this.#s?this.pace:1/this.glide,o=this.#r-this.#a,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#a=s===
-Math.abs(o)?this.#r:this.#a+Math.sign(o)*s}this.#s&&this.#a===this.#e&&this.pause()}#o(e){this.dispatchEvent(new Event(e))}};function Ae(t,e){if(e.ctrlKey||e.metaKey||
-e.altKey)return!1;let n=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(n),ArrowLeft:()=>t.move(-n),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
+this.#o("frame"),(this.#s||this.#a!==this.#n)&&(this.#l=requestAnimationFrame(()=>this.#h()))}#u(e){let r=e;for(;r>0;){if(this.#a===this.#n){if(!this.#s)return;
+if(this.#n===this.#e)return this.pause();this.#d(this.#n+1)}let n=this.#s?this.pace:1/this.glide,o=this.#n-this.#a,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#a=s===
+Math.abs(o)?this.#n:this.#a+Math.sign(o)*s}this.#s&&this.#a===this.#e&&this.pause()}#o(e){this.dispatchEvent(new Event(e))}};function Ae(t,e){if(e.ctrlKey||e.metaKey||
+e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
 "+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var bt=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
-209,81],[165,219,54],[210,226,27],[253,231,37]];function Ye(t){let e=Math.min(1,Math.max(0,t))*(bt.length-1),n=Math.min(bt.length-2,Math.floor(e)),[r,o]=[bt[n],
-bt[n+1]],s=a=>Math.round(r[a]+(e-n)*(o[a]-r[a]));return[s(0),s(1),s(2)]}function qt(t){let[e,n,r]=Ye(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*n+
-.0722*r>.179?"#000":"#fff"}var Kt=t=>`rgb(${Ye(t).join(" ")})`,Go=()=>`linear-gradient(to right, ${bt.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function Yt(t,e,n){let r=devicePixelRatio||1;for(let[a,i]of Object.entries(n))t.style.setProperty(a,`${i}px`);t.width=Math.round(n.width*r),t.height=Math.round(
-n.height*r);let o=t.getContext("2d"),s=Ki(e);!o||!s||(o.imageSmoothingEnabled=!1,o.drawImage(s,0,0,t.width,t.height))}function Ki(t){let[e,n]=t.shape,r=document.
-createElement("canvas");[r.width,r.height]=[n,e];let o=r.getContext("2d");if(!o)return null;let s=o.createImageData(n,e);return t.capture_rate.forEach((a,i)=>a.
-forEach((l,d)=>{let c=4*((e-1-i-t.first[0])*n+d+t.first[1]);s.data.set([...Ye(l),255],c)})),o.putImageData(s,0,0),r}function Zt(t,e){let n=p("span",{class:"grad\
-ient"});return n.style.backgroundImage=Go(),p("p",{class:"scale-of-rates small muted"},t,n,e)}var Yi=84;function Vo(t,e){let n=t.map((s,a)=>Zi(s,a,e)),r=p("nav",{class:"races","aria-label":"Runs"},...n.map(s=>s.button)),o=()=>n.forEach((s,a)=>s.update(a===
-e.selected.run));return e.on("match",o),e.on("hover",o),o(),r.hidden=t.length<2,r}function Zi(t,e,n){let[r,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=Yi/
-Math.max(r,o),i=p("canvas",{"aria-hidden":"true"});Yt(i,t.payoff,{left:0,top:0,width:o*a,height:r*a});let l=p("span",{class:"place"}),d=p("button",{type:"button",
-class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Zn(t,e,n)},p("span",{class:"small-matrix"},i,l),p("span",{class:"race-text"},p("strong",{},s?t.name:t.schedule),
+209,81],[165,219,54],[210,226,27],[253,231,37]];function Ye(t){let e=Math.min(1,Math.max(0,t))*(bt.length-1),r=Math.min(bt.length-2,Math.floor(e)),[n,o]=[bt[r],
+bt[r+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function qt(t){let[e,r,n]=Ye(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
+.0722*n>.179?"#000":"#fff"}var Kt=t=>`rgb(${Ye(t).join(" ")})`,Go=()=>`linear-gradient(to right, ${bt.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function Yt(t,e,r){let n=devicePixelRatio||1;for(let[a,i]of Object.entries(r))t.style.setProperty(a,`${i}px`);t.width=Math.round(r.width*n),t.height=Math.round(
+r.height*n);let o=t.getContext("2d"),s=Ki(e);!o||!s||(o.imageSmoothingEnabled=!1,o.drawImage(s,0,0,t.width,t.height))}function Ki(t){let[e,r]=t.shape,n=document.
+createElement("canvas");[n.width,n.height]=[r,e];let o=n.getContext("2d");if(!o)return null;let s=o.createImageData(r,e);return t.capture_rate.forEach((a,i)=>a.
+forEach((l,d)=>{let c=4*((e-1-i-t.first[0])*r+d+t.first[1]);s.data.set([...Ye(l),255],c)})),o.putImageData(s,0,0),n}function Zt(t,e){let r=p("span",{class:"grad\
+ient"});return r.style.backgroundImage=Go(),p("p",{class:"scale-of-rates small muted"},t,r,e)}var Yi=84;function Vo(t,e){let r=t.map((s,a)=>Zi(s,a,e)),n=p("nav",{class:"races","aria-label":"Runs"},...r.map(s=>s.button)),o=()=>r.forEach((s,a)=>s.update(a===
+e.selected.run));return e.on("match",o),e.on("hover",o),o(),n.hidden=t.length<2,n}function Zi(t,e,r){let[n,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=Yi/
+Math.max(n,o),i=p("canvas",{"aria-hidden":"true"});Yt(i,t.payoff,{left:0,top:0,width:o*a,height:n*a});let l=p("span",{class:"place"}),d=p("button",{type:"button",
+class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Yr(t,e,r)},p("span",{class:"small-matrix"},i,l),p("span",{class:"race-text"},p("strong",{},s?t.name:t.schedule),
 p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Ji(t)}`),p("span",{class:"small muted"},`${s?`${t.schedule}, `:""}\
-seed ${t.seed}`)));return{button:d,update:u=>{d.setAttribute("aria-current",String(u));let m=n.hover.pursuer??n.selected.pursuer,h=n.hover.evader??n.selected.evader;
-l.hidden=m>=r||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(r-m-.5)*a}px`}}}var Ji=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Zn(t,e,n){
-let[r,o]=t.payoff.shape,{pursuer:s,evader:a}=n.selected;n.select({run:e,pursuer:Math.min(s,r-1),evader:Math.min(a,o-1)})}var Xi=[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster or s\
+seed ${t.seed}`)));return{button:d,update:u=>{d.setAttribute("aria-current",String(u));let m=r.hover.pursuer??r.selected.pursuer,h=r.hover.evader??r.selected.evader;
+l.hidden=m>=n||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-m-.5)*a}px`}}}var Ji=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Yr(t,e,r){
+let[n,o]=t.payoff.shape,{pursuer:s,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(s,n-1),evader:Math.min(a,o-1)})}var Xi=[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster or s\
 lower"],[["N"],"next episode of the same pair; with Shift the one before"],[["R"],"another seed, not one of the evaluation"],[["O"],"the cell's own seed again"],
 [["P"],"next pursuer generation; with Shift the one before"],[["E"],"next evader generation; with Shift the one before"],[["M"],"to the matrix: arrow keys choos\
 e a match, Enter plays it"],[["A"],"next agent: what it sees; with Shift the one before"],[["Esc"],"no agent"],[["T"],"take over the chosen agent, or an evader,\
  from this step on"],[["G"],"this step in the playground: any other rules, actions and places"],[["1","9"],"first to ninth run"],[["D"],"light or dark"],[["?"],
-"this list"]];function qo(){let t=Xi.map(([n,r])=>p("div",{class:"key-row"},p("dt",{},...n.map(o=>p("kbd",{},o))),p("dd",{},r))),e=p("dialog",{class:"help","ari\
+"this list"]];function qo(){let t=Xi.map(([r,n])=>p("div",{class:"key-row"},p("dt",{},...r.map(o=>p("kbd",{},o))),p("dd",{},n))),e=p("dialog",{class:"help","ari\
 a-labelledby":"help-title"},p("h2",{id:"help-title"},"Keys"),p("dl",{class:"keys"},...t),p("p",{class:"muted small"},"The page holds the genomes and the engine \
 of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."),p("button",{type:"\
-button",onclick:()=>e.close()},"Close"));return e.addEventListener("click",n=>n.target===e&&e.close()),e}function Ko(t,e,n,r,o,s){let a=(l,d)=>()=>{let c=t[e.selected.
+button",onclick:()=>e.close()},"Close"));return e.addEventListener("click",r=>r.target===e&&e.close()),e}function Ko(t,e,r,n,o,s){let a=(l,d)=>()=>{let c=t[e.selected.
 run].payoff.shape[l==="pursuer"?0:1];e.select({[l]:Math.min(c-1,Math.max(0,e.selected[l]+d))})},i={n:()=>e.select({episode:e.selected.episode+1}),N:()=>e.select(
 {episode:Math.max(0,e.selected.episode-1)}),r:()=>e.select({seed:String(crypto.getRandomValues(new BigUint64Array(1))[0]),episode:0}),o:()=>e.select({seed:null,
-episode:0}),p:a("pursuer",1),P:a("pursuer",-1),e:a("evader",1),E:a("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>n.inspector.next(1),A:()=>n.
-inspector.next(-1),Escape:()=>n.inspector.choose(null),t:o,g:s,d:$n,"?":()=>r.showModal()};document.addEventListener("keydown",l=>{let d=l.target instanceof HTMLSelectElement||
+episode:0}),p:a("pursuer",1),P:a("pursuer",-1),e:a("evader",1),E:a("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>r.inspector.next(1),A:()=>r.
+inspector.next(-1),Escape:()=>r.inspector.choose(null),t:o,g:s,d:_r,"?":()=>n.showModal()};document.addEventListener("keydown",l=>{let d=l.target instanceof HTMLSelectElement||
 l.target instanceof HTMLInputElement,c=l.target instanceof HTMLButtonElement&&(l.key===" "||l.key==="Enter");if(document.querySelector("dialog[open]")||d||c||l.
-defaultPrevented||l.ctrlKey||l.metaKey||l.altKey)return;let u=i[l.key]??i[l.key.toLowerCase()],m=Number(l.key)-1;if(Ae(n.player,l)||u)u?.();else if(t[m])Zn(t[m],
-m,e);else return;l.preventDefault()})}function Yo(t,e,n,r,o){let s=-8e3;for(let l of["pointerdown","pointermove","keydown","wheel"])window.addEventListener(l,()=>s=performance.now(),{passive:!0});let a=()=>!r()&&
-performance.now()-s>8e3,i=async()=>{let l=await fetch("version").then(d=>d.text(),()=>null);l===null?o():l==="end"||l!==t&&a()?(Qi(e,n),location.reload()):setTimeout(
-()=>{i()},1e3)};i()}function Qi(t,e){let{run:n,pursuer:r,evader:o}=e.selected,[s,a]=t[n].payoff.shape;r===s-1&&o===a-1&&history.replaceState(null,"",`#run=${n}`)}function Jn(t,e,n){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:n}}function Xn(t,e){return{
+defaultPrevented||l.ctrlKey||l.metaKey||l.altKey)return;let u=i[l.key]??i[l.key.toLowerCase()],m=Number(l.key)-1;if(Ae(r.player,l)||u)u?.();else if(t[m])Yr(t[m],
+m,e);else return;l.preventDefault()})}function Yo(t,e,r,n,o){let s=-8e3;for(let l of["pointerdown","pointermove","keydown","wheel"])window.addEventListener(l,()=>s=performance.now(),{passive:!0});let a=()=>!n()&&
+performance.now()-s>8e3,i=async()=>{let l=await fetch("version").then(d=>d.text(),()=>null);l===null?o():l==="end"||l!==t&&a()?(Qi(e,r),location.reload()):setTimeout(
+()=>{i()},1e3)};i()}function Qi(t,e){let{run:r,pursuer:n,evader:o}=e.selected,[s,a]=t[r].payoff.shape;n===s-1&&o===a-1&&history.replaceState(null,"",`#run=${r}`)}function Zr(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Jr(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
-fault:t.read("fault"),contested:t.conflicts().map(n=>n.cell)}}function Jt(t){let e=Array.from({length:t.length+1},(n,r)=>el(t,r));return Jn(t.config,t.map,e)}function el(t,e){
-let n=t.n_agents,r=t.config.n_evaders,o=(a,i,l)=>a.subarray(i*l,(i+1)*l),s={positions:o(t.last_positions,e,2*n),alive:o(t.alive,e,n),captured:o(t.captured,e,r),
-everCaptured:o(t.ever_captured,e,r)};return e===0?s:{...s,actions:o(t.actions,e-1,n),involved:o(t.involved,e-1,3*n),fault:o(t.fault,e-1,3*n),get contested(){return t.
-conflicts(e).map(a=>a.cell)}}}var tl=Array.from({length:16},(t,e)=>{let[n,r]=[e%2?6.5:11,Math.PI*e/8];return`${12+n*Math.sin(r)} ${12-n*Math.cos(r)}`}).join(" ");function Zo(){let t=[["pursu\
+fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Jt(t){let e=Array.from({length:t.length+1},(r,n)=>el(t,n));return Zr(t.config,t.map,e)}function el(t,e){
+let r=t.n_agents,n=t.config.n_evaders,o=(a,i,l)=>a.subarray(i*l,(i+1)*l),s={positions:o(t.last_positions,e,2*r),alive:o(t.alive,e,r),captured:o(t.captured,e,n),
+everCaptured:o(t.ever_captured,e,n)};return e===0?s:{...s,actions:o(t.actions,e-1,r),involved:o(t.involved,e-1,3*r),fault:o(t.fault,e-1,3*r),get contested(){return t.
+conflicts(e).map(a=>a.cell)}}}var tl=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Zo(){let t=[["pursu\
 er",M("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",M("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",M("polygon",{points:tl,class:"\
 filled-capture"})],["captured evader",M("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",M("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
-ct"})]];return p("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,n])=>p("li",{},M("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},n),
-e)))}var nl={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function Jo(t){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:nl[t]}))}function vt(t,e,n,r){return p("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${n})`,onclick:r},Jo(t))}function Ze(t){let e=vt("play","Play","Space",()=>t.toggle()),n=rl(t),
-r=p("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=p("div",{class:"losses","aria-hidden":"true"}),s=ol(t),a=p("output",{class:"player-count"}),
+ct"})]];return p("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,r])=>p("li",{},M("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},r),
+e)))}var rl={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function Jo(t){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:rl[t]}))}function vt(t,e,r,n){return p("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},Jo(t))}function Ze(t){let e=vt("play","Play","Space",()=>t.toggle()),r=nl(t),
+n=p("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=p("div",{class:"losses","aria-hidden":"true"}),s=ol(t),a=p("output",{class:"player-count"}),
 i=p("div",{class:"player",role:"group","aria-label":"Player"},vt("first","First step","Home",()=>t.move(-t.length)),vt("back","Step back","←",()=>t.move(-1)),
-e,vt("forward","Step forward","→",()=>t.move(1)),vt("last","Last step","End",()=>t.move(t.length)),p("div",{class:"scrub"},r,o,n),a,s),l=(u,m={})=>{let h=p("i",
-m);return h.style.left=`${100*u/Math.max(1,t.length)}%`,h},d=()=>{r.replaceChildren(...t.marks.map(u=>l(u))),o.replaceChildren(...t.ticks.map(({step:u,kind:m,size:h,
+e,vt("forward","Step forward","→",()=>t.move(1)),vt("last","Last step","End",()=>t.move(t.length)),p("div",{class:"scrub"},n,o,r),a,s),l=(u,m={})=>{let h=p("i",
+m);return h.style.left=`${100*u/Math.max(1,t.length)}%`,h},d=()=>{n.replaceChildren(...t.marks.map(u=>l(u))),o.replaceChildren(...t.ticks.map(({step:u,kind:m,size:h,
 text:y})=>{let f=l(u,{class:m,title:`Step ${u}: ${y}`});return f.style.height=`${100*h}%`,f}))},c=()=>{e.replaceChildren(Jo(t.playing?"pause":"play")),e.ariaLabel=
-t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,n.max=String(t.length),n.value=String(t.step),n.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
+t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
 `${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,s.value=String(t.speed)};return t.addEventListener("step",c),t.addEventListener("s\
-tate",c),t.addEventListener("state",d),i.addEventListener("keydown",u=>{!(u.target instanceof HTMLSelectElement||u.key===" "&&u.target!==n)&&Ae(t,u)&&u.preventDefault()}),
-c(),i}function rl(t){let e=p("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function ol(t){let e=`Steps a second, or the whole in ${Vt} s (+ and -)`,n=p("select",{class:"player-speed","aria-label":"Speed",title:e},p(
-"option",{value:Ke},`in ${Vt} s`),...gt.map(r=>p("option",{value:r},`${r} / s`)));return n.addEventListener("change",()=>{t.speed=Number(n.value)}),n}var B=(t,e=2)=>t==null?"-":t.toFixed(e);function Xo(t,e,n){return e===null||n===null?B(t):`${B(t)} (${B(e)} to ${B(n)})`}var Qo=t=>t.toLocaleString("en-GB");function wt(t,e,n,r=!1){
-let o=(e-t)/Math.max(1,n),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(d=>d*s).find(d=>d>=o)??10*s;r&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),
-l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(d,c)=>(i+c)*a)}var sl=40,Xt=class{element;#e;#n=p("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=p("p",{class:"check small numbers","aria-live":"\
-polite"});constructor(e){this.#e=e,this.element=p("div",{class:"strip-of-episodes"},this.#n,this.#t)}show(e,n){let{pursuer:r,evader:o,episode:s,seed:a}=this.#e.
-selected,i=He(e,r,o);this.#n.replaceChildren(...(i?.rates??[]).slice(0,sl).map((m,h)=>this.#r(m,h)));let l=a===null?i?.rates[s]:void 0,d=n.statistics.capture_rate,
-c=l!==void 0&&Math.abs(d-l)<1e-6&&n.length===i?.lengths[s],u=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#t.dataset.
+tate",c),t.addEventListener("state",d),i.addEventListener("keydown",u=>{!(u.target instanceof HTMLSelectElement||u.key===" "&&u.target!==r)&&Ae(t,u)&&u.preventDefault()}),
+c(),i}function nl(t){let e=p("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function ol(t){let e=`Steps a second, or the whole in ${Vt} s (+ and -)`,r=p("select",{class:"player-speed","aria-label":"Speed",title:e},p(
+"option",{value:Ke},`in ${Vt} s`),...gt.map(n=>p("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var B=(t,e=2)=>t==null?"-":t.toFixed(e);function Xo(t,e,r){return e===null||r===null?B(t):`${B(t)} (${B(e)} to ${B(r)})`}var Qo=t=>t.toLocaleString("en-GB");function wt(t,e,r,n=!1){
+let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(d=>d*s).find(d=>d>=o)??10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),
+l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(d,c)=>(i+c)*a)}var sl=40,Xt=class{element;#e;#r=p("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=p("p",{class:"check small numbers","aria-live":"\
+polite"});constructor(e){this.#e=e,this.element=p("div",{class:"strip-of-episodes"},this.#r,this.#t)}show(e,r){let{pursuer:n,evader:o,episode:s,seed:a}=this.#e.
+selected,i=He(e,n,o);this.#r.replaceChildren(...(i?.rates??[]).slice(0,sl).map((m,h)=>this.#n(m,h)));let l=a===null?i?.rates[s]:void 0,d=r.statistics.capture_rate,
+c=l!==void 0&&Math.abs(d-l)<1e-6&&r.length===i?.lengths[s],u=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#t.dataset.
 equal=String(c),this.#t.textContent=c?"As in the evaluation":l===void 0?u:`Episode ${s+1} differs from the evaluation.`,this.#t.title=`Played here: capture rate\
- ${B(d,3)} in ${n.length} steps.${i?` The cell says ${B(i.rate,3)}.`:""}`}#r(e,n){let{selected:r}=this.#e,o=p("span",{class:"bar"});return o.style.height=`${Math.
-round(100*e)}%`,p("button",{type:"button",class:"episode",title:`Episode ${n+1}: capture rate ${B(e)}`,"aria-label":`Episode ${n+1}, capture rate ${B(e)}`,"aria\
--pressed":String(n===r.episode&&r.seed===null),onclick:()=>this.#e.select({episode:n,seed:null})},o,p("span",{class:"count"},n+1))}};var ue=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var es=0,ts=1,al=2,il=176;function rs(t,e,n,r){let o=devicePixelRatio||1,s=qe(t);t.width=t.height=il*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let c=0;n&&c<i*i;c++){let[u,m]=[(c%i+.5)*l,(Math.floor(c/i)+.5)*l],h=f=>!!n[f*i*i+c];h(al)&&(a.fillStyle=
-s.obstacle,a.fillRect(u-l/2,m-l/2,l,l));let y=h(es)&&h(ts)?l*.18:0;h(es)&&ns(a,Re,u+y,m+y,l*.74,s.evader),h(ts)&&ns(a,Wt,u-y,m-y,l*.86,s.pursuer)}a.strokeStyle=
-r<e.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let d=Math.floor(i/2)*l;a.strokeRect(d,d,l,l)}function ns(t,e,n,r,o,s){e(t,n,r,o),t.fillStyle=s,t.fill()}var os="What it remembers: a number for each unit, from -1 to 1",Qt=class{element;#e;#n=p("canvas",{class:"seen",role:"img"});#t=p("h3");#r=p("p",{class:"small \
+ ${B(d,3)} in ${r.length} steps.${i?` The cell says ${B(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,o=p("span",{class:"bar"});return o.style.height=`${Math.
+round(100*e)}%`,p("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${B(e)}`,"aria-label":`Episode ${r+1}, capture rate ${B(e)}`,"aria\
+-pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},o,p("span",{class:"count"},r+1))}};var ue=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var es=0,ts=1,al=2,il=176;function ns(t,e,r,n){let o=devicePixelRatio||1,s=qe(t);t.width=t.height=il*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let c=0;r&&c<i*i;c++){let[u,m]=[(c%i+.5)*l,(Math.floor(c/i)+.5)*l],h=f=>!!r[f*i*i+c];h(al)&&(a.fillStyle=
+s.obstacle,a.fillRect(u-l/2,m-l/2,l,l));let y=h(es)&&h(ts)?l*.18:0;h(es)&&rs(a,Re,u+y,m+y,l*.74,s.evader),h(ts)&&rs(a,Wt,u-y,m-y,l*.86,s.pursuer)}a.strokeStyle=
+n<e.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let d=Math.floor(i/2)*l;a.strokeRect(d,d,l,l)}function rs(t,e,r,n,o,s){e(t,r,n,o),t.fillStyle=s,t.fill()}var os="What it remembers: a number for each unit, from -1 to 1",Qt=class{element;#e;#r=p("canvas",{class:"seen",role:"img"});#t=p("h3");#n=p("p",{class:"small \
 muted"});#a=p("div",{class:"answers"});#s=p("div",{title:os});#l=null;#p=null;#c=null;#m=null;#d=null;#i=null;#h=0;constructor(e){this.#e=e,this.element=p("div",
 {class:"inspector","data-open":"false"},p("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),p("div",{class:"\
-inspected"},this.#n,p("div",{class:"answer"},this.#t,this.#r,this.#s),this.#a))}get agent(){return this.#i}show(e,n,r,o){this.#l?.free(),this.#l=e.world(n.world),
-this.#c!==n&&(this.#p=null,this.#i!==null&&this.choose(null)),[this.#c,this.#m,this.#d]=[n,r,o]}set solution(e){this.#p=e,this.at(this.#h)}choose(e){this.#i=e,this.
-element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let n=this.#m;if(!n)return;let r=this.#i??(e>0?-1:0);for(let o=0;o<n.n_agents;o++)if(r=
-(r+e+n.n_agents)%n.n_agents,n.alive[this.#h*n.n_agents+r])return this.choose(r)}at(e){this.#h=e;let[n,r,o,s,a]=[this.#m,this.#l,this.#c,this.#d,this.#i];if(!n||
-!r||!o||!s||a===null)return;let i=a<n.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(),this.#t.replaceChildren(p("span",{class:i},G(a,n.config.n_pursuers)));
-let l={pursuers:J(o,"pursuer",s.pursuer),evaders:J(o,"evader",s.evader)};n.seek(r,e,l);let d=n.actions.subarray(e*n.n_agents,(e+1)*n.n_agents);for(;d.length&&!r.
-over&&(a<r.actors[0]||a>=r.actors[1]);)r.playTurn(d);let c=!!(n.alive[e*n.n_agents+a]&&r.read("alive")[a]);rs(this.#n,n.config,c?r.view(a):null,a),this.#n.ariaLabel=
-`Field of view of ${G(a,n.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#u([],"It is gone.");let m=l[`${i}s`],
-h=typeof m=="string"?null:r.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},"It remembers:"),ul(h.memory));
-let f=this.#p?.game(r)??null,g=typeof m=="string"?`The script "${m}" plays for it${u===null?"":`; it goes ${ue[u]}`}.`:m.sampled?"Its action is drawn from these\
- probabilities.":"It takes the most probable action.",b=[["network",y],["perfect",f?.marginal(a)??null]],x=We(n.config),v=w=>p("p",{class:"small muted"},w);this.#u(
-[...f?[v(`Value ${f.value.toFixed(2)} under perfect play.`)]:[],...ll(b,u),...x?[v(`Perfect play is not known: ${x}.`)]:[]],u===null?"The episode is over.":g)}#u(e,n){
-this.#a.replaceChildren(...e),this.#r.textContent=n}};function ll(t,e){let n=t.filter(([,s])=>s);if(!n.length)return[];let r=p("div",{class:"action muted"},p("s\
-pan"),...n.map(([s])=>p("span",{class:"head"},s))),o=Array.from(n[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...n.flatMap(([,
-i])=>cl(i[a]))));return n.length>1||n[0][0]!==t[0][0]?[r,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"\
-track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function ul(t){let e=Array.from(t,n=>{let r=p("span",{title:n.toFixed(2)});return r.style.transform=`scaleY\
-(${n})`,r});return p("div",{class:"units",role:"img","aria-label":os},...e)}function Je(t,e,{pursuer:n,evader:r,episode:o,seed:s}){let a=e.seeds[n][r];return t.match(e.world,J(e,"pursuer",n),J(e,"evader",r),BigInt(s??a),o)}function ss(t){let e=JSON.stringify(t,(n,r)=>n==="genome"?Array.from(r):r);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var as="champion",is=0,Qn=64,er=100;var dl=(t,e)=>Object.keys(t).every(n=>t[n]===e[n]);function ls(t,e){return Object.keys(e).find(n=>dl(e[n],t))??null}var xt="_",pl="n",Kd=2n**64n-1n;var tr={fov:11,maxSteps:500,rewards:"paper"},ml=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
-"next"];function ds(t,e){let n=i=>i.map(l=>fl(l,e)).join(""),r=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,o=hl(t.rewards,e),s=[t.seed,t.episode,t.steps].join("."),a={rules:us(
-t.rules,e),others:t.others?us(t.others,e):"",rewards:o===tr.rewards?"":o,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===tr.fov?"":String(t.fov),
-limit:t.maxSteps===tr.maxSteps?"":String(t.maxSteps),seed:s==="0.0.0"?"":s,ended:t.ended?"1":"",walls:t.walls.map(r).join(xt),pursuers:t.pursuers.map(cs).join(xt),
-evaders:t.evaders.map(cs).join(xt),played:t.played.map(n).join(xt),next:t.next.every(i=>i===is)?"":n(t.next)};return ml.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
-"&")}function cs({cell:t,gone:e,captured:n,everCaptured:r}){let o=n?"c":r?"e":"";return`${t[0]}.${t[1]}${o}${e?"x":""}`}function us(t,e){let n=e.fields.map(({name:r})=>String(
-t[r]).toLowerCase());return ls(t,e.variants)??n.join(".")}function hl(t,e){let n=JSON.stringify(t);return Object.keys(e.rewards).find(o=>JSON.stringify(e.rewards[o])===
-n)??Object.values(t).map(o=>String(o)).join(xt)}function fl(t,e){if(typeof t=="number")return String(t);if(t===as)return pl;let n=e.scripts.findIndex(({name:r})=>r===
-t);return String.fromCharCode(97+n)}var yl="/* the engine */";function ps(t,e){return p("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
-nd actions under any rules",onclick:()=>nr(t(),e)},"What if?")}function nr(t,e){let n=t!==null&&t.match.n_agents<=er&&Math.max(t.match.config.rows,t.match.config.
-cols)<=Qn,r=n?ds(gl(t.match,t.step),e):"",o=new TextDecoder().decode(jn("playground")).replace(yl,()=>Bt("script-engine")).replace("</noscript>",s=>n?s+ss(t.champions):
-s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${r}`)}function gl(t,e){let{config:n,n_agents:r}=t,o=Math.max(0,e-1),s=i=>{let l=o*r+i,
-d=o*n.n_evaders+i-n.n_pursuers,c=u=>i>=n.n_pursuers&&!!u[d];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:c(t.captured),
-everCaptured:c(t.ever_captured)}},a=Array.from({length:r},(i,l)=>s(l));return{rules:n.rules,others:null,rewards:n.rewards,rows:n.rows,cols:n.cols,diagonal:n.diagonal,
-fov:n.fov,maxSteps:n.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:o,ended:o===t.length,walls:Array.from(t.map.keys()).filter(i=>t.map[i]),pursuers:a.slice(
-0,n.n_pursuers),evaders:a.slice(n.n_pursuers),played:[],next:Array.from(t.actions.subarray(o*r,(o+1)*r))}}var rr=.005,hs=.05,bl=["pursuer","evader"],vl=4,Xe=new Map;function en(t,e,n="capture-rate"){let r=JSON.stringify([{...e,rewards:null,fov:null},n]),o=Xe.get(r)??
-(We(e)?Promise.resolve(null):wl(t,e,n));return Xe.delete(r),Xe.set(r,o),Xe.size>vl&&Xe.delete([...Xe.keys()][0]),o}var fs=({n_evaders:t})=>t===1?"capture-time":
-"capture-rate",ms=()=>new Promise(t=>setTimeout(t));async function wl(t,e,n){await ms();let r=t.solution(e,n);for(;r.goBack();)await ms();return r}function tn(t,e,n){
-let{payoff:r}=t;return n.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((d,c)=>a[c]+=d),e.playTurn(o);let i=r==="ca\
-pture-rate"?rr:hs;return bl.map((l,d)=>({step:s+1,team:l,lost:a[d],payoff:r})).filter(l=>l.lost>=i)})}var nn=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
-max(1,...t.map(({lost:n})=>n)),text:St(e)})),ys=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,St=t=>`The\
- ${t.team}s lose ${ys(t)} against a perfect opponent`;function gs(t){let e=t.reduce((n,r)=>r.lost>n.lost?r:n);return`Your team's worst moves, in step ${e.step},\
- lost ${ys(e)} against a perfect opponent.`}function bs({config:t,payoff:e},{value:n},r){if(e==="capture-rate")return`value ${n.toFixed(2)}`;let[o,s]=[1-n,Math.
-min(t.max_steps-r,Rn)];return o>s-hs?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function vs(t,e){return(t.marginal(e)??[]).map((r,o)=>({share:r,
-action:o})).filter(({share:r})=>r>=rr).sort((r,o)=>o.share-r.share).map(({share:r,action:o})=>r>1-rr?ue[o]:`${ue[o]} ${r.toFixed(2)}`).join(", ")}function rn(t,e,n){if(n===0)return[{kind:"start",text:xl(t),agents:[]}];let[r,o]=[e.moments[n-1],e.moments[n]],s=c=>G(c,t.config.n_pursuers),a=ht(e,r,o),i=t.conflicts(
-n),l=new Set(i.flatMap(c=>c.doomed)),d=a.map(c=>({kind:"capture",text:`${s(c)} is captured`,agents:[c]}));for(let c of zt(r,o))!a.includes(c)&&!l.has(c)&&d.push(
-{kind:"end",text:`${s(c)} disappears`,agents:[c]});return d.push(...i.map(({kind:c,text:u,agents:m})=>({kind:c,text:u,agents:m}))),n===t.length&&d.unshift({kind:"\
+inspected"},this.#r,p("div",{class:"answer"},this.#t,this.#n,this.#s),this.#a))}get agent(){return this.#i}show(e,r,n,o){this.#l?.free(),this.#l=e.world(r.world),
+this.#c!==r&&(this.#p=null,this.#i!==null&&this.choose(null)),[this.#c,this.#m,this.#d]=[r,n,o]}set solution(e){this.#p=e,this.at(this.#h)}choose(e){this.#i=e,this.
+element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let r=this.#m;if(!r)return;let n=this.#i??(e>0?-1:0);for(let o=0;o<r.n_agents;o++)if(n=
+(n+e+r.n_agents)%r.n_agents,r.alive[this.#h*r.n_agents+n])return this.choose(n)}at(e){this.#h=e;let[r,n,o,s,a]=[this.#m,this.#l,this.#c,this.#d,this.#i];if(!r||
+!n||!o||!s||a===null)return;let i=a<r.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(),this.#t.replaceChildren(p("span",{class:i},G(a,r.config.n_pursuers)));
+let l={pursuers:J(o,"pursuer",s.pursuer),evaders:J(o,"evader",s.evader)};r.seek(n,e,l);let d=r.actions.subarray(e*r.n_agents,(e+1)*r.n_agents);for(;d.length&&!n.
+over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(d);let c=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);ns(this.#r,r.config,c?n.view(a):null,a),this.#r.ariaLabel=
+`Field of view of ${G(a,r.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#u([],"It is gone.");let m=l[`${i}s`],
+h=typeof m=="string"?null:n.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},"It remembers:"),ul(h.memory));
+let f=this.#p?.game(n)??null,g=typeof m=="string"?`The script "${m}" plays for it${u===null?"":`; it goes ${ue[u]}`}.`:m.sampled?"Its action is drawn from these\
+ probabilities.":"It takes the most probable action.",b=[["network",y],["perfect",f?.marginal(a)??null]],x=We(r.config),v=w=>p("p",{class:"small muted"},w);this.#u(
+[...f?[v(`Value ${f.value.toFixed(2)} under perfect play.`)]:[],...ll(b,u),...x?[v(`Perfect play is not known: ${x}.`)]:[]],u===null?"The episode is over.":g)}#u(e,r){
+this.#a.replaceChildren(...e),this.#n.textContent=r}};function ll(t,e){let r=t.filter(([,s])=>s);if(!r.length)return[];let n=p("div",{class:"action muted"},p("s\
+pan"),...r.map(([s])=>p("span",{class:"head"},s))),o=Array.from(r[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...r.flatMap(([,
+i])=>cl(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...o]:o}function cl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"\
+track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function ul(t){let e=Array.from(t,r=>{let n=p("span",{title:r.toFixed(2)});return n.style.transform=`scaleY\
+(${r})`,n});return p("div",{class:"units",role:"img","aria-label":os},...e)}function Je(t,e,{pursuer:r,evader:n,episode:o,seed:s}){let a=e.seeds[r][n];return t.match(e.world,J(e,"pursuer",r),J(e,"evader",n),BigInt(s??a),o)}function ss(t){let e=JSON.stringify(t,(r,n)=>r==="genome"?Array.from(n):n);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
+outerHTML}var as="champion",is=0,Xr=64,Qr=100;var dl=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function ls(t,e){return Object.keys(e).find(r=>dl(e[r],t))??null}var xt="_",pl="n",Kd=2n**64n-1n;var en={fov:11,maxSteps:500,rewards:"paper"},ml=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+"next"];function ds(t,e){let r=i=>i.map(l=>fl(l,e)).join(""),n=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,o=hl(t.rewards,e),s=[t.seed,t.episode,t.steps].join("."),a={rules:us(
+t.rules,e),others:t.others?us(t.others,e):"",rewards:o===en.rewards?"":o,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===en.fov?"":String(t.fov),
+limit:t.maxSteps===en.maxSteps?"":String(t.maxSteps),seed:s==="0.0.0"?"":s,ended:t.ended?"1":"",walls:t.walls.map(n).join(xt),pursuers:t.pursuers.map(cs).join(xt),
+evaders:t.evaders.map(cs).join(xt),played:t.played.map(r).join(xt),next:t.next.every(i=>i===is)?"":r(t.next)};return ml.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
+"&")}function cs({cell:t,gone:e,captured:r,everCaptured:n}){let o=r?"c":n?"e":"";return`${t[0]}.${t[1]}${o}${e?"x":""}`}function us(t,e){let r=e.fields.map(({name:n})=>String(
+t[n]).toLowerCase());return ls(t,e.variants)??r.join(".")}function hl(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(o=>JSON.stringify(e.rewards[o])===
+r)??Object.values(t).map(o=>String(o)).join(xt)}function fl(t,e){if(typeof t=="number")return String(t);if(t===as)return pl;let r=e.scripts.findIndex(({name:n})=>n===
+t);return String.fromCharCode(97+r)}var yl="/* the engine */";function ps(t,e){return p("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
+nd actions under any rules",onclick:()=>tn(t(),e)},"What if?")}function tn(t,e){let r=t!==null&&t.match.n_agents<=Qr&&Math.max(t.match.config.rows,t.match.config.
+cols)<=Xr,n=r?ds(gl(t.match,t.step),e):"",o=new TextDecoder().decode(Hr("playground")).replace(yl,()=>Bt("script-engine")).replace("</noscript>",s=>r?s+ss(t.champions):
+s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${n}`)}function gl(t,e){let{config:r,n_agents:n}=t,o=Math.max(0,e-1),s=i=>{let l=o*n+i,
+d=o*r.n_evaders+i-r.n_pursuers,c=u=>i>=r.n_pursuers&&!!u[d];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:c(t.captured),
+everCaptured:c(t.ever_captured)}},a=Array.from({length:n},(i,l)=>s(l));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
+fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:o,ended:o===t.length,walls:Array.from(t.map.keys()).filter(i=>t.map[i]),pursuers:a.slice(
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(o*n,(o+1)*n))}}var rn=.005,hs=.05,bl=["pursuer","evader"],vl=4,Xe=new Map;function er(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=Xe.get(n)??
+(We(e)?Promise.resolve(null):wl(t,e,r));return Xe.delete(n),Xe.set(n,o),Xe.size>vl&&Xe.delete([...Xe.keys()][0]),o}var fs=({n_evaders:t})=>t===1?"capture-time":
+"capture-rate",ms=()=>new Promise(t=>setTimeout(t));async function wl(t,e,r){await ms();let n=t.solution(e,r);for(;n.goBack();)await ms();return n}function tr(t,e,r){
+let{payoff:n}=t;return r.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((d,c)=>a[c]+=d),e.playTurn(o);let i=n==="ca\
+pture-rate"?rn:hs;return bl.map((l,d)=>({step:s+1,team:l,lost:a[d],payoff:n})).filter(l=>l.lost>=i)})}var rr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
+max(1,...t.map(({lost:r})=>r)),text:St(e)})),ys=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,St=t=>`The\
+ ${t.team}s lose ${ys(t)} against a perfect opponent`;function gs(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step},\
+ lost ${ys(e)} against a perfect opponent.`}function bs({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.
+min(t.max_steps-n,kr)];return o>s-hs?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function vs(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,
+action:o})).filter(({share:n})=>n>=rn).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-rn?ue[o]:`${ue[o]} ${n.toFixed(2)}`).join(", ")}function nr(t,e,r){if(r===0)return[{kind:"start",text:xl(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>G(c,t.config.n_pursuers),a=ht(e,n,o),i=t.conflicts(
+r),l=new Set(i.flatMap(c=>c.doomed)),d=a.map(c=>({kind:"capture",text:`${s(c)} is captured`,agents:[c]}));for(let c of zt(n,o))!a.includes(c)&&!l.has(c)&&d.push(
+{kind:"end",text:`${s(c)} disappears`,agents:[c]});return d.push(...i.map(({kind:c,text:u,agents:m})=>({kind:c,text:u,agents:m}))),r===t.length&&d.unshift({kind:"\
 end",text:Sl(t),agents:[]}),d}function xl({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
  steps`}function Sl(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var Ml=60,on=class{element;player=new Me(0,{speed:Ke,still:ie()});inspector;match=null;recording=null;actions;#e;#n;#t;#r;#a=p("h2",{class:"match-title"});#s=p(
+ evaders captured`}var Ml=60,or=class{element;player=new Me(0,{speed:Ke,still:ie()});inspector;match=null;recording=null;actions;#e;#r;#t;#n;#a=p("h2",{class:"match-title"});#s=p(
 "p",{class:"tally numbers"});#l=p("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#p=p("p",{class:"problem",role:"a\
-lert"});#c=null;#m=null;#d=0;#i=!1;#h=0;#u=[];constructor(e,n,r){[this.#n,this.#t]=[e,n];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),
-this.#r=new Xt(n),this.inspector=new Qt(s=>this.#x(s)),o.addEventListener("click",s=>this.inspector.choose(this.#e.agentAt(s.clientX,s.clientY))),this.actions=p(
+lert"});#c=null;#m=null;#d=0;#i=!1;#h=0;#u=[];constructor(e,r,n){[this.#r,this.#t]=[e,r];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),
+this.#n=new Xt(r),this.inspector=new Qt(s=>this.#x(s)),o.addEventListener("click",s=>this.inspector.choose(this.#e.agentAt(s.clientX,s.clientY))),this.actions=p(
 "div",{class:"beside"},p("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
-dispatchEvent(new Event("takeover"))},"Take over"),ps(()=>this.shown,r)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p("d\
+dispatchEvent(new Event("takeover"))},"Take over"),ps(()=>this.shown,n)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p("d\
 iv",{class:"match"},p("header",{class:"match-head"},this.#a,this.#s),this.#p,p("div",{class:"stage"},o),p("div",{class:"aside"},this.#l,Zo(),this.actions,this.inspector.
-element),Ze(this.player),this.#r.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener(
-"step",()=>this.#w()),n.on("match",()=>this.#f()),n.on("rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#n[this.#t.selected.run]}reveal(){
+element),Ze(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener(
+"step",()=>this.#w()),r.on("match",()=>this.#f()),r.on("rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#r[this.#t.selected.run]}reveal(){
 this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#c=
 e,this.#y()}playSoon(){this.#i=!0,this.#d||this.#g()}goTo(e){this.#h=e,!this.#d&&this.match&&this.#y()}#g(){!this.#i||!this.match||(this.#i=!1,this.player.jump(
 0),ie()||this.player.play())}#f(){this.#v(),clearTimeout(this.#d),this.#d=setTimeout(()=>this.#y(),Ml)}#y(){clearTimeout(this.#d),this.#d=0,this.player.pause(),
-this.#v();let{selected:e}=this.#t,n=Z.map(s=>Ce(this.#o,s,e[s])).find(Boolean)??"";if(this.#p.textContent=n,n||!this.#c)return;this.match=Je(this.#c,this.#o,e);
-let[r,o]=this.names(e);this.#m={pursuer:{name:r,policy:J(this.#o,"pursuer",e.pursuer)},evader:{name:o,policy:J(this.#o,"evader",e.evader)}},this.recording=Jt(this.
-match),this.#r.show(this.#o,this.match),this.inspector.show(this.#c,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=mo(this.recording),
+this.#v();let{selected:e}=this.#t,r=Z.map(s=>Ce(this.#o,s,e[s])).find(Boolean)??"";if(this.#p.textContent=r,r||!this.#c)return;this.match=Je(this.#c,this.#o,e);
+let[n,o]=this.names(e);this.#m={pursuer:{name:n,policy:J(this.#o,"pursuer",e.pursuer)},evader:{name:o,policy:J(this.#o,"evader",e.evader)}},this.recording=Jt(this.
+match),this.#n.show(this.#o,this.match),this.inspector.show(this.#c,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=mo(this.recording),
 this.#u=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,this.#w(),this.#b(this.#c,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
- ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,n){let r=await en(e,n.config);if(this.match!==n||!r)return;let o=e.world(n.config);n.seek(o,0),this.#u=tn(r,o,Al(
-n)),o.free(),this.player.ticks=nn(this.#u),this.inspector.solution=r,this.#w()}names({run:e,pursuer:n,evader:r}){let{teams:o}=this.#n[e];return[o.pursuer.script??
-`pursuers ${n}`,o.evader.script??`evaders ${r}`]}#v(){let{episode:e,seed:n}=this.#t.selected,{payoff:r}=this.#o,[o,s]=this.names(this.#t.selected),a=n===null?e<
-r.episodes?`episode ${e+1} of ${r.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${n}`;this.#a.replaceChildren(p("span",{class:"pursuer"},o)," against ",
-p("span",{class:"evader"},s),p("span",{class:"muted small"},a))}#w(){let e=this.match;if(!e||!this.recording)return;let n=this.player.step,r=this.recording.moments[n];
-this.#S(Array.from(r.everCaptured).filter(Boolean).length,n),this.#l.replaceChildren(...this.#u.filter(o=>o.step===n).map(o=>p("li",{class:`loss-${o.team}`},St(
-o))),...rn(e,this.recording,n).map(o=>p("li",{class:o.kind,"data-agents":o.agents.join(" ")},o.text))),this.inspector.at(n),this.#M()}#S(e,n){this.#s.replaceChildren(
-p("strong",{},e),` of ${this.#o.world.n_evaders} captured`,p("span",{class:"muted"},` · step ${n}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){
-let e=this.inspector.agent;for(let n of this.#l.children){let r=n.dataset.agents?.split(" ")??[];n.classList.toggle("about",e!==null&&r.includes(String(e)))}}},
-Al=({actions:t,length:e,n_agents:n})=>Array.from({length:e},(r,o)=>t.subarray(o*n,(o+1)*n));var El={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},Tl=5;function be(t,e,n,r="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
-t.addEventListener("keydown",o=>{let s=El[o.key];if(!s)return;let[a,i]=r==="pursuer"?s:[s[1],s[0]],[l,d]=n(),c=o.shiftKey?Tl:1,{pursuer:u,evader:m}=e.selected;e.
-select({pursuer:ws(u+c*a,l),evader:ws(m+c*i,d)}),o.preventDefault(),o.stopPropagation()})}var ws=(t,e)=>Math.min(e-1,Math.max(0,t));var Cl=24,sn=7,Ss=t=>t<Cl&&matchMedia("(pointer: coarse)").matches;function Ms(t,e,n,r){let[o,s]=t.payoff.shape,[a,i]=[xs(e,o),xs(n,s)],[l,d]=[Math.min(sn,o),Math.
-min(sn,s)],c=[];for(let y=a+l-1;y>=a;y--){c.push(p("span",{class:"pursuer"},y));for(let f=i;f<i+d;f++)c.push(kl(t,y,f,r))}let u=Array.from({length:d},(y,f)=>p("\
-span",{class:"evader"},i+f)),m=p("button",{type:"button","aria-label":"Close: all cells",onclick:()=>r(null)},"✕"),h=p("div",{class:"loupe numbers",role:"grou\
+ ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,r){let n=await er(e,r.config);if(this.match!==r||!n)return;let o=e.world(r.config);r.seek(o,0),this.#u=tr(n,o,Al(
+r)),o.free(),this.player.ticks=rr(this.#u),this.inspector.solution=n,this.#w()}names({run:e,pursuer:r,evader:n}){let{teams:o}=this.#r[e];return[o.pursuer.script??
+`pursuers ${r}`,o.evader.script??`evaders ${n}`]}#v(){let{episode:e,seed:r}=this.#t.selected,{payoff:n}=this.#o,[o,s]=this.names(this.#t.selected),a=r===null?e<
+n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#a.replaceChildren(p("span",{class:"pursuer"},o)," against ",
+p("span",{class:"evader"},s),p("span",{class:"muted small"},a))}#w(){let e=this.match;if(!e||!this.recording)return;let r=this.player.step,n=this.recording.moments[r];
+this.#S(Array.from(n.everCaptured).filter(Boolean).length,r),this.#l.replaceChildren(...this.#u.filter(o=>o.step===r).map(o=>p("li",{class:`loss-${o.team}`},St(
+o))),...nr(e,this.recording,r).map(o=>p("li",{class:o.kind,"data-agents":o.agents.join(" ")},o.text))),this.inspector.at(r),this.#M()}#S(e,r){this.#s.replaceChildren(
+p("strong",{},e),` of ${this.#o.world.n_evaders} captured`,p("span",{class:"muted"},` · step ${r}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){
+let e=this.inspector.agent;for(let r of this.#l.children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},
+Al=({actions:t,length:e,n_agents:r})=>Array.from({length:e},(n,o)=>t.subarray(o*r,(o+1)*r));var El={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},Tl=5;function be(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
+t.addEventListener("keydown",o=>{let s=El[o.key];if(!s)return;let[a,i]=n==="pursuer"?s:[s[1],s[0]],[l,d]=r(),c=o.shiftKey?Tl:1,{pursuer:u,evader:m}=e.selected;e.
+select({pursuer:ws(u+c*a,l),evader:ws(m+c*i,d)}),o.preventDefault(),o.stopPropagation()})}var ws=(t,e)=>Math.min(e-1,Math.max(0,t));var Cl=24,sr=7,Ss=t=>t<Cl&&matchMedia("(pointer: coarse)").matches;function Ms(t,e,r,n){let[o,s]=t.payoff.shape,[a,i]=[xs(e,o),xs(r,s)],[l,d]=[Math.min(sr,o),Math.
+min(sr,s)],c=[];for(let y=a+l-1;y>=a;y--){c.push(p("span",{class:"pursuer"},y));for(let f=i;f<i+d;f++)c.push(kl(t,y,f,n))}let u=Array.from({length:d},(y,f)=>p("\
+span",{class:"evader"},i+f)),m=p("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=p("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap"},...c,m,...u);return h.style.gridTemplateColumns=`2.4rem repeat(${d}, minmax(0, 1fr))`,h.addEventListener("click",y=>y.stopPropagation()),
-h}function kl(t,e,n,r){let o=He(t,e,n)?.rate,s=p("button",{type:"button","aria-label":`${B(o)}: pursuers ${e} against evaders ${n}`,onclick:()=>r({pursuer:e,evader:n})},
-B(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Kt(o),qt(o)]),s}var xs=(t,e)=>Math.max(0,Math.min(e-sn,t-Math.floor(sn/2)));var se={left:52,bottom:46,top:76,right:84},de=10,Rl=160,Mt=se.right-de-14,_e=se.top-de-14,an=class{element;#e;#n;#t=p("canvas",{"aria-hidden":"true"});#r=M("svg",
+h}function kl(t,e,r,n){let o=He(t,e,r)?.rate,s=p("button",{type:"button","aria-label":`${B(o)}: pursuers ${e} against evaders ${r}`,onclick:()=>n({pursuer:e,evader:r})},
+B(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Kt(o),qt(o)]),s}var xs=(t,e)=>Math.max(0,Math.min(e-sr,t-Math.floor(sr/2)));var se={left:52,bottom:46,top:76,right:84},de=10,Rl=160,Mt=se.right-de-14,_e=se.top-de-14,ar=class{element;#e;#r;#t=p("canvas",{"aria-hidden":"true"});#n=M("svg",
 {"aria-hidden":"true"});#a=M("g");#s;#l=p("h2");#p=p("strong",{class:"rate numbers"});#c=p("span",{class:"small muted"});#m=p("p",{class:"of-both-teams small mu\
-ted numbers"});#d=null;constructor(e,n){[this.#n,this.#e]=[e,n],this.#s=p("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
-ch, Enter plays it."},this.#t,this.#r);let r=p("header",{class:"readout","aria-live":"polite"},p("div",{},this.#l,this.#m),p("div",{class:"of-cell"},this.#p,this.#c));
-this.element=p("section",{class:"card matrix-card","aria-label":"Payoff matrix"},r,this.#s,Zt("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).
-observe(this.#s),this.#s.addEventListener("pointermove",o=>this.#v(o)),this.#s.addEventListener("pointerleave",()=>n.point({})),this.#s.addEventListener("click",
+ted numbers"});#d=null;constructor(e,r){[this.#r,this.#e]=[e,r],this.#s=p("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
+ch, Enter plays it."},this.#t,this.#n);let n=p("header",{class:"readout","aria-live":"polite"},p("div",{},this.#l,this.#m),p("div",{class:"of-cell"},this.#p,this.#c));
+this.element=p("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,Zt("0 all escape","1 all caught")),this.#f(),new ResizeObserver(()=>this.#h()).
+observe(this.#s),this.#s.addEventListener("pointermove",o=>this.#v(o)),this.#s.addEventListener("pointerleave",()=>r.point({})),this.#s.addEventListener("click",
 o=>this.#w(o)),this.#s.addEventListener("mousedown",o=>{o.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),be(this.#s,
-n,()=>this.#i.payoff.shape),this.#s.addEventListener("keydown",o=>{o.key==="Enter"&&this.#x()}),n.on("run",()=>this.#h()),n.on("match",()=>this.#g()),n.on("hove\
-r",()=>this.#g())}get#i(){return this.#n[this.#e.selected.run]}#h(){let[e,n]=this.#i.payoff.shape,{clientWidth:r,clientHeight:o}=this.#s;if(r<50)return;let a=Math.
-max(Rl,Math.min(r-se.left-se.right,o-se.top-se.bottom))/Math.max(e,n),i=Math.max(se.left,(r-n*a-se.right+se.left)/2),l=se.top+Math.max(0,(o-se.top-se.bottom-e*a)/
-2),d={width:r,height:o,left:i,top:l,cell:a,rows:e,columns:n};this.#d=d,Yt(this.#t,this.#i.payoff,{left:i,top:l,width:n*a,height:e*a}),this.#r.setAttribute("view\
-Box",`0 0 ${r} ${o}`),this.#r.replaceChildren(_l(d),...$l(d),...this.#o(d),this.#a),this.#g()}#u(e){let n=this.#i.findings?.generalization;if(!n)return[];let{selected:r,
-hover:o}=this.#e,[s,a]=[o.pursuer??r.pursuer,o.evader??r.evader],[i,l]=As(e,n.pursuers.mean[s]??0,s),[d,c]=Es(e,n.evaders.mean[a]??0,a);return[M("circle",{class:"\
-dot of-pursuers",cx:i,cy:l,r:5}),M("circle",{class:"dot of-evaders",cx:d,cy:c,r:5})]}#o(e){let n=this.#i.findings?.generalization;if(!n)return[];let{left:r,top:o,
-cell:s,rows:a,columns:i}=e,[l,d]=[r+i*s+de,o-de],c={class:"side"};return[M("rect",{...c,x:l,y:o,width:Mt,height:a*s}),M("rect",{...c,x:r,y:d-_e,width:i*s,height:_e}),
-...Ts(n.pursuers,(u,m)=>As(e,u,m),"of-pursuers"),...Ts(n.evaders,(u,m)=>Es(e,u,m),"of-evaders"),M("text",{class:"tick",x:l,y:o+a*s+16,"text-anchor":"start"},"0"),
-M("text",{class:"tick",x:l+Mt,y:o+a*s+16,"text-anchor":"end"},"1"),M("text",{class:"tick",x:r-6,y:d-4,"text-anchor":"end"},"0"),M("text",{class:"tick",x:r-6,y:d-
-_e+8,"text-anchor":"end"},"1"),M("text",{class:"label of-pursuers",x:l+Mt,y:o+a*s+34,"text-anchor":"end"},"captures"),M("text",{class:"label of-evaders",x:r+i*s+
-de,y:d-_e+10,"text-anchor":"start"},"escapes")]}#g(){let e=this.#d;if(!e)return;let{selected:n,hover:r}=this.#e,{left:o,top:s,cell:a,rows:i,columns:l}=e,d=y=>s+
+r,()=>this.#i.payoff.shape),this.#s.addEventListener("keydown",o=>{o.key==="Enter"&&this.#x()}),r.on("run",()=>this.#h()),r.on("match",()=>this.#g()),r.on("hove\
+r",()=>this.#g())}get#i(){return this.#r[this.#e.selected.run]}#h(){let[e,r]=this.#i.payoff.shape,{clientWidth:n,clientHeight:o}=this.#s;if(n<50)return;let a=Math.
+max(Rl,Math.min(n-se.left-se.right,o-se.top-se.bottom))/Math.max(e,r),i=Math.max(se.left,(n-r*a-se.right+se.left)/2),l=se.top+Math.max(0,(o-se.top-se.bottom-e*a)/
+2),d={width:n,height:o,left:i,top:l,cell:a,rows:e,columns:r};this.#d=d,Yt(this.#t,this.#i.payoff,{left:i,top:l,width:r*a,height:e*a}),this.#n.setAttribute("view\
+Box",`0 0 ${n} ${o}`),this.#n.replaceChildren(_l(d),...$l(d),...this.#o(d),this.#a),this.#g()}#u(e){let r=this.#i.findings?.generalization;if(!r)return[];let{selected:n,
+hover:o}=this.#e,[s,a]=[o.pursuer??n.pursuer,o.evader??n.evader],[i,l]=As(e,r.pursuers.mean[s]??0,s),[d,c]=Es(e,r.evaders.mean[a]??0,a);return[M("circle",{class:"\
+dot of-pursuers",cx:i,cy:l,r:5}),M("circle",{class:"dot of-evaders",cx:d,cy:c,r:5})]}#o(e){let r=this.#i.findings?.generalization;if(!r)return[];let{left:n,top:o,
+cell:s,rows:a,columns:i}=e,[l,d]=[n+i*s+de,o-de],c={class:"side"};return[M("rect",{...c,x:l,y:o,width:Mt,height:a*s}),M("rect",{...c,x:n,y:d-_e,width:i*s,height:_e}),
+...Ts(r.pursuers,(u,m)=>As(e,u,m),"of-pursuers"),...Ts(r.evaders,(u,m)=>Es(e,u,m),"of-evaders"),M("text",{class:"tick",x:l,y:o+a*s+16,"text-anchor":"start"},"0"),
+M("text",{class:"tick",x:l+Mt,y:o+a*s+16,"text-anchor":"end"},"1"),M("text",{class:"tick",x:n-6,y:d-4,"text-anchor":"end"},"0"),M("text",{class:"tick",x:n-6,y:d-
+_e+8,"text-anchor":"end"},"1"),M("text",{class:"label of-pursuers",x:l+Mt,y:o+a*s+34,"text-anchor":"end"},"captures"),M("text",{class:"label of-evaders",x:n+i*s+
+de,y:d-_e+10,"text-anchor":"start"},"escapes")]}#g(){let e=this.#d;if(!e)return;let{selected:r,hover:n}=this.#e,{left:o,top:s,cell:a,rows:i,columns:l}=e,d=y=>s+
 (i-1-y)*a,c=[],u=(y,f)=>M("rect",{class:f,x:o,y:d(y),width:l*a+de+Mt,height:a}),m=(y,f)=>M("rect",{class:f,x:o+y*a,y:s-de-_e,width:a,height:de+_e+i*a});c.push(u(
-n.pursuer,"strip pursuer"),m(n.evader,"strip evader")),r.pursuer!==null&&r.pursuer<i&&c.push(u(r.pursuer,"strip hover")),r.evader!==null&&r.evader<l&&c.push(m(r.
-evader,"strip hover")),c.push(...this.#u(e));let h={x:o+n.evader*a,y:d(n.pursuer),width:a,height:a};c.push(M("rect",{class:"chosen under",...h}),M("rect",{class:"\
-chosen",...h})),this.#a.replaceChildren(...c),this.#f()}#f(){let{selected:e,hover:n}=this.#e,r=n.pursuer??e.pursuer,o=n.evader??e.evader,s=He(this.#i,r,o);this.#l.
-replaceChildren(p("span",{class:"pursuer"},`Pursuers ${r}`)," against ",p("span",{class:"evader"},`evaders ${o}`)),this.#p.textContent=s?B(s.rate,3):"-",this.#c.
-textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"the evaluation played no episodes",this.#m.textContent=this.#y(r,o)}#y(e,n){let r=this.#i.findings?.
-generalization;if(!r)return"";let o=(s,a)=>Xo(s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(r.pursuers,e)}, escapes ${o(r.evaders,
-n)}`}#b(e){let n=this.#d;if(!n)return null;let r=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-r.left-n.left)/n.cell),s=n.rows-1-Math.floor((e.clientY-
-r.top-n.top)/n.cell),[a,i]=[s>=0&&s<n.rows,o>=0&&o<n.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#v(e){let n=this.#b(e);this.#e.point(n?{pursuer:n.
-g<0?null:n.g,evader:n.h<0?null:n.h}:{})}#w(e){let n=this.#b(e);if(n){if(n.inside&&Ss(this.#d.cell))return this.#S(n.g,n.h);this.#e.select({...n.g<0?{}:{pursuer:n.
-g},...n.h<0?{}:{evader:n.h}}),n.inside&&this.#x()}}#S(e,n){let r=Ms(this.#i,e,n,o=>{r.remove(),o&&(this.#e.select(o),this.#x())});this.#s.append(r)}#x(){this.#s.
-dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function _l({left:t,top:e,cell:n,rows:r,columns:o}){let s=M("g",{class:"axes"}),a=e+r*n,i=l=>wt(0,l-1,Math.
-min(l,l*n/44),!0);for(let l of i(o))s.append(M("text",{class:"tick",x:t+(l+.5)*n,y:a+16,"text-anchor":"middle"},l));for(let l of i(r))s.append(M("text",{class:"\
-tick",x:t-7,y:a-(l+.5)*n,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(M("text",{class:"label of-evaders",x:t+o*n/2,y:a+36,"text-anchor":"\
-middle"},"evader generation"),M("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+r*n/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generat\
-ion")),s}function $l({left:t,top:e,cell:n,rows:r,columns:o}){let s=M("g",{class:"diagonal"}),a=Math.min(r,o);if(a<3)return[];let i=e+r*n;for(let c of["H","V"]){
-let u=`M${t} ${i}`;for(let m=1;m<=a;m++){let[h,y]=[`H${t+m*n}`,`V${i-m*n}`];u+=c==="H"?h+y:y+h}s.append(M("path",{d:u,class:"under"}),M("path",{d:u}))}let[l,d]=[
-t+a/2*n-.7*n-4,i-a/2*n-.7*n-4];return[s,M("text",{class:"on-cells",transform:`translate(${l} ${d}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var As=({
-left:t,top:e,cell:n,rows:r,columns:o},s,a)=>[t+o*n+de+s*Mt,e+(r-a-.5)*n],Es=({left:t,top:e,cell:n},r,o)=>[t+(o+.5)*n,e-de-r*_e];function Ts(t,e,n){let r=s=>s.map(
-(a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),o=[];return t.low&&t.high&&o.push(M("path",{class:`band ${n}`,d:`M${[...r(t.high),...r(t.low).reverse()].join("\
-L")}Z`})),o.push(M("path",{class:`line ${n}`,d:`M${r(t.mean).join("L")}`})),o}function X(t,e,...n){return p("section",{class:"card panel","aria-label":t},p("header",{},p("h2",{},t),p("p",{class:"small muted"},e)),...n)}function Cs(t,e,n){let{findings:r}=t;if(!r?.table.length)return null;let o=p("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=n();l&&Ol(o,t,i,e,
-l)},a=r.checkerboards.map(i=>Pl(t,i,s));return{element:X("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Cli\
-ck one: its four matches side by side.",a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${r.margin} in this way.`),a.length?
+r.pursuer,"strip pursuer"),m(r.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&c.push(u(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&c.push(m(n.
+evader,"strip hover")),c.push(...this.#u(e));let h={x:o+r.evader*a,y:d(r.pursuer),width:a,height:a};c.push(M("rect",{class:"chosen under",...h}),M("rect",{class:"\
+chosen",...h})),this.#a.replaceChildren(...c),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,o=r.evader??e.evader,s=He(this.#i,n,o);this.#l.
+replaceChildren(p("span",{class:"pursuer"},`Pursuers ${n}`)," against ",p("span",{class:"evader"},`evaders ${o}`)),this.#p.textContent=s?B(s.rate,3):"-",this.#c.
+textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"the evaluation played no episodes",this.#m.textContent=this.#y(n,o)}#y(e,r){let n=this.#i.findings?.
+generalization;if(!n)return"";let o=(s,a)=>Xo(s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(n.pursuers,e)}, escapes ${o(n.evaders,
+r)}`}#b(e){let r=this.#d;if(!r)return null;let n=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-
+n.top-r.top)/r.cell),[a,i]=[s>=0&&s<r.rows,o>=0&&o<r.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#v(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.
+g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#b(e);if(r){if(r.inside&&Ss(this.#d.cell))return this.#S(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.
+g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#x()}}#S(e,r){let n=Ms(this.#i,e,r,o=>{n.remove(),o&&(this.#e.select(o),this.#x())});this.#s.append(n)}#x(){this.#s.
+dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function _l({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"axes"}),a=e+n*r,i=l=>wt(0,l-1,Math.
+min(l,l*r/44),!0);for(let l of i(o))s.append(M("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))s.append(M("text",{class:"\
+tick",x:t-7,y:a-(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(M("text",{class:"label of-evaders",x:t+o*r/2,y:a+36,"text-anchor":"\
+middle"},"evader generation"),M("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generat\
+ion")),s}function $l({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"diagonal"}),a=Math.min(n,o);if(a<3)return[];let i=e+n*r;for(let c of["H","V"]){
+let u=`M${t} ${i}`;for(let m=1;m<=a;m++){let[h,y]=[`H${t+m*r}`,`V${i-m*r}`];u+=c==="H"?h+y:y+h}s.append(M("path",{d:u,class:"under"}),M("path",{d:u}))}let[l,d]=[
+t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[s,M("text",{class:"on-cells",transform:`translate(${l} ${d}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var As=({
+left:t,top:e,cell:r,rows:n,columns:o},s,a)=>[t+o*r+de+s*Mt,e+(n-a-.5)*r],Es=({left:t,top:e,cell:r},n,o)=>[t+(o+.5)*r,e-de-n*_e];function Ts(t,e,r){let n=s=>s.map(
+(a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),o=[];return t.low&&t.high&&o.push(M("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("\
+L")}Z`})),o.push(M("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function X(t,e,...r){return p("section",{class:"card panel","aria-label":t},p("header",{},p("h2",{},t),p("p",{class:"small muted"},e)),...r)}function Cs(t,e,r){let{findings:n}=t;if(!n?.table.length)return null;let o=p("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&Ol(o,t,i,e,
+l)},a=n.checkerboards.map(i=>Pl(t,i,s));return{element:X("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Cli\
+ck one: its four matches side by side.",a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length?
 p("p",{class:"small muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise m\
-akes."):null,o)}}var ks=({pursuers:[t,e],evaders:[n,r]})=>[[t,n],[t,r],[e,n],[e,r]];function Pl(t,e,n){let[r,o]=e.pursuers,[s,a]=e.evaders,i=ks(e).map(([l,d])=>{
+akes."):null,o)}}var ks=({pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function Pl(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=ks(e).map(([l,d])=>{
 let c=t.payoff.capture_rate[l][d],u=p("span",{class:"cell"},B(c));return u.style.backgroundColor=Kt(c),u.style.color=qt(c),u});return p("button",{type:"button",
-class:"miniature numbers",onclick:()=>n(e)},p("span",{},p("span",{class:"heard"},`Four matches of pursuers ${r} and ${o}, evaders ${s} and ${a}:`)),p("span",{class:"\
-evader"},s),p("span",{class:"evader"},a),p("span",{class:"pursuer"},r),i[0],i[1],p("span",{class:"pursuer"},o),i[2],i[3])}function Ol(t,e,n,r,o){let s=ks(n).filter(
-([m,h])=>!Ce(e,"pursuer",m)&&!Ce(e,"evader",h)),a=s.map(([m,h])=>Je(o,e,{run:r.selected.run,pursuer:m,evader:h,episode:0,seed:null})),i=new Me(Math.max(0,...a.map(
+class:"miniature numbers",onclick:()=>r(e)},p("span",{},p("span",{class:"heard"},`Four matches of pursuers ${n} and ${o}, evaders ${s} and ${a}:`)),p("span",{class:"\
+evader"},s),p("span",{class:"evader"},a),p("span",{class:"pursuer"},n),i[0],i[1],p("span",{class:"pursuer"},o),i[2],i[3])}function Ol(t,e,r,n,o){let s=ks(r).filter(
+([m,h])=>!Ce(e,"pursuer",m)&&!Ce(e,"evader",h)),a=s.map(([m,h])=>Je(o,e,{run:n.selected.run,pursuer:m,evader:h,episode:0,seed:null})),i=new Me(Math.max(0,...a.map(
 m=>m.length)),{speed:Ke,still:ie()}),l=a.map((m,h)=>{let[y,f]=s[h],g=p("canvas",{"aria-label":`Pursuers ${y} against evaders ${f}`}),b=p("span",{class:"numbers"}),
-x=()=>{t.close(),r.select({pursuer:y,evader:f})},v=p("figure",{},g,p("figcaption",{class:"small"},b,p("span",{class:"muted"},`cell ${B(e.payoff.capture_rate[y][f])}`),
-p("button",{type:"button",title:"Show this match alone",onclick:x},"open")));return v.style.gridArea=`${n.pursuers.indexOf(y)+2} / ${n.evaders.indexOf(f)+2}`,{element:v,
+x=()=>{t.close(),n.select({pursuer:y,evader:f})},v=p("figure",{},g,p("figcaption",{class:"small"},b,p("span",{class:"muted"},`cell ${B(e.payoff.capture_rate[y][f])}`),
+p("button",{type:"button",title:"Show this match alone",onclick:x},"open")));return v.style.gridArea=`${r.pursuers.indexOf(y)+2} / ${r.evaders.indexOf(f)+2}`,{element:v,
 match:m,recording:Jt(m),board:new Se(g,{numbers:!1}),tally:b}}),d=()=>l.forEach(m=>m.board.show(m.recording,i.time)),c=()=>l.forEach(({recording:m,match:h,tally:y})=>{
 let f=m.moments[Math.min(i.step,h.length)];y.textContent=`${Array.from(f.everCaptured).filter(Boolean).length} of ${h.config.n_evaders} captured`});i.addEventListener(
 "frame",d),i.addEventListener("step",c),t.replaceChildren(p("header",{},p("h2",{},"Four matches of a checkerboard"),p("button",{type:"button",onclick:()=>t.close()},
-"Close")),p("div",{class:"grid-of-four"},p("span"),...n.evaders.map(m=>p("h3",{class:"evader"},`evaders ${m}`)),...n.pursuers.map((m,h)=>{let y=p("h3",{class:"p\
+"Close")),p("div",{class:"grid-of-four"},p("span"),...r.evaders.map(m=>p("h3",{class:"evader"},`evaders ${m}`)),...r.pursuers.map((m,h)=>{let y=p("h3",{class:"p\
 ursuer"},`pursuers ${m}`);return y.style.gridArea=`${h+2} / 1`,y}),...l.map(m=>m.element)),Ze(i));let u=m=>{!(m.target instanceof HTMLSelectElement||m.target instanceof
 HTMLButtonElement&&m.key===" ")&&!m.defaultPrevented&&Ae(i,m)&&m.preventDefault()};t.addEventListener("keydown",u),t.addEventListener("close",()=>{t.removeEventListener(
-"keydown",u),i.pause(),l.forEach(m=>m.board.close()),t.replaceChildren()},{once:!0}),r.dispatchEvent(new Event("rest")),t.showModal(),d(),c(),ie()||i.play()}var ln={pursuer:"evader",evader:"pursuer"};function Rs(t,e){let n=t.findings?.ciao;if(!n)return null;let r=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=n[`${o}\
+"keydown",u),i.pause(),l.forEach(m=>m.board.close()),t.replaceChildren()},{once:!0}),n.dispatchEvent(new Event("rest")),t.showModal(),d(),c(),ie()||i.play()}var ir={pursuer:"evader",evader:"pursuer"};function Rs(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
 s`],l=`fading ${B(s)}, stripes ${B(a)}${i===null?"":` every ${i} generations`}`;return Ll(t,o,l,e)});return{element:X("CIAO: current individuals against ancestr\
 al opponents","The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier stra\
-tegies is recurrence, under What happened. Darker away from the diagonal: forgetting.",p("div",{class:"triangles"},...r.map(o=>o.element)),Zt("0 loses","1 wins")),
-update:()=>r.forEach(o=>o.update())}}function Ll(t,e,n,r){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,w)=>e==="pursuer"?t.payoff.
+tegies is recurrence, under What happened. Darker away from the diagonal: forgetting.",p("div",{class:"triangles"},...n.map(o=>o.element)),Zt("0 loses","1 wins")),
+update:()=>n.forEach(o=>o.update())}}function Ll(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,w)=>e==="pursuer"?t.payoff.
 capture_rate[v][w]:1-t.payoff.capture_rate[w][v],l=p("canvas",{width:a,height:s,"aria-hidden":"true"}),d=l.getContext("2d"),c=d?.createImageData(a,s);for(let v=0;c&&
 v<s;v++)for(let w=0;w<=Math.min(v,a-1);w++)c.data.set([...Ye(i(v,w)),255],4*((s-1-v)*a+w));c&&d?.putImageData(c,0,0);let u=M("rect",{class:"chosen",width:1,height:1}),
 m=M("rect",{class:"chosen under",width:1,height:1}),h=M("svg",{viewBox:`0 0 ${a} ${s}`,preserveAspectRatio:"none","aria-hidden":"true"},m,u),y=p("div",{class:"t\
-riangle","aria-label":`CIAO of the ${e}s: ${n}. Arrow keys choose a match.`},l,h);be(y,r,()=>t.payoff.shape,e),y.style.aspectRatio=`${a} / ${s}`;let f=v=>{let w=y.
+riangle","aria-label":`CIAO of the ${e}s: ${r}. Arrow keys choose a match.`},l,h);be(y,n,()=>t.payoff.shape,e),y.style.aspectRatio=`${a} / ${s}`;let f=v=>{let w=y.
 getBoundingClientRect(),A=Math.floor((v.clientX-w.left)/w.width*a),C=s-1-Math.floor((v.clientY-w.top)/w.height*s);return A>=0&&C<s&&A<=C?[C,A]:null},g=v=>({[e]:v[0],
-[ln[e]]:v[1]});y.addEventListener("pointermove",v=>r.point(f(v)?g(f(v)):{})),y.addEventListener("pointerleave",()=>r.point({})),y.addEventListener("click",v=>f(
-v)&&r.select(g(f(v))));let b=()=>{let v=r.hover[e]??r.selected[e],w=r.hover[ln[e]]??r.selected[ln[e]];for(let A of[u,m])A.setAttribute("x",String(w)),A.setAttribute(
+[ir[e]]:v[1]});y.addEventListener("pointermove",v=>n.point(f(v)?g(f(v)):{})),y.addEventListener("pointerleave",()=>n.point({})),y.addEventListener("click",v=>f(
+v)&&n.select(g(f(v))));let b=()=>{let v=n.hover[e]??n.selected[e],w=n.hover[ir[e]]??n.selected[ir[e]];for(let A of[u,m])A.setAttribute("x",String(w)),A.setAttribute(
 "y",String(s-1-v)),A.style.display=w<=v?"":"none"};return{element:p("figure",{},p("figcaption",{class:"small"},p("span",{class:e},`${e}s`)),y,p("p",{class:"smal\
-l muted"},`horizontal: ${ln[e]} generation; vertical: ${e} generation`),p("p",{class:"small numbers"},n)),update:b}}var cn={left:46,right:12,top:10,bottom:42},_s={x:56,y:34};function At(t,e,n,r){let[o,s]=[cn.left,cn.top],a=Math.max(o+40,t-cn.right),i=Math.max(s+40,e-cn.bottom),
-l=(f,g,b)=>x=>g+(x-f.low)/(f.high-f.low||1)*(b-g),[d,c]=[l(n,o,a),l(r,i,s)],u=M("g"),m=M("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=M("g",
-{class:"axes"});for(let f of wt(r.low,r.high,(i-s)/_s.y,r.whole))h.append(M("line",{x1:o,x2:a,y1:c(f),y2:c(f),class:"grid"}),M("text",{x:o-8,y:c(f),"text-anchor":"\
-end","dominant-baseline":"middle"},$s(f)));for(let f of wt(n.low,n.high,(a-o)/_s.x,n.whole))h.append(M("text",{x:d(f),y:i+16,"text-anchor":"middle"},$s(n.mirrored?
-Math.abs(f):f)));return h.append(M("line",{x1:o,x2:a,y1:i,y2:i,class:"axis"}),M("text",{x:(o+a)/2,y:e-6,"text-anchor":"middle",class:"label"},n.label),M("text",
-{transform:`translate(12 ${(s+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},r.label)),m.append(h,u),{root:m,marks:u,left:o,right:a,top:s,bottom:i,x:d,
-y:c,at:f=>{let g=f-m.getBoundingClientRect().left;return n.low+(g-o)/(a-o)*(n.high-n.low)}}}var $s=t=>String(Number(t.toPrecision(6))).replace("-","−");function or(t,e,n,r){
-let o="",s="M";n.forEach((a,i)=>{a===null?s="M":(o+=`${s}${t.x(e[i]).toFixed(1)} ${t.y(a).toFixed(1)}`,s="L")}),t.root.insertBefore(M("path",{d:o,class:`line ${r}`}),
-t.marks)}function Ps(t,{low:e,high:n},r){if(!e||!n)return;let o=s=>s.map((a,i)=>`${t.x(i).toFixed(1)} ${t.y(a??0).toFixed(1)}`);t.root.insertBefore(M("path",{d:`\
-M${[...o(n),...o(e).reverse()].join("L")}Z`,class:`band ${r}`}),t.marks)}function sr(t,e,n,r=null){let o=t.x(e);t.marks.append(M("line",{x1:o,x2:o,y1:t.top,y2:t.
-bottom,class:`mark ${n}`})),r!==null&&t.marks.append(M("circle",{cx:o,cy:t.y(r),r:5,class:`dot ${n}`}))}function Et(...t){return p("p",{class:"legend small"},...t.
-map(([e,n])=>p("span",{class:`key ${n}`},e)))}function Tt(t,e,n,r){let o=p("div",{class:"chart chooses",role:"img","aria-label":t}),s=null,a=()=>{s?.marks.replaceChildren(),
-s&&n(s)};o.addEventListener("click",l=>s&&r(s.at(l.clientX),s,l));let i=()=>{let{clientWidth:l,clientHeight:d}=o;l<50||d<50||(s=e(l,d),o.replaceChildren(s.root),
-a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var ar=["of-pursuers","of-evaders","of-both"],Il=2500,Os="Arrow keys choose generations.",Nl={low:0,high:1,label:"capture rate"};function Ls(t,e){let{training:n}=t,
-{capture_rate:r,generation:o,learner:s,epochs:a}=n,i=r.map((y,f)=>(f+1)*a),l=Bl(r,n.window),d=i.at(-1)??1,c=i.length>Il?"dense":"",u=(y,f)=>{let g=o.flatMap((b,x)=>b===
+l muted"},`horizontal: ${ir[e]} generation; vertical: ${e} generation`),p("p",{class:"small numbers"},r)),update:b}}var lr={left:46,right:12,top:10,bottom:42},_s={x:56,y:34};function At(t,e,r,n){let[o,s]=[lr.left,lr.top],a=Math.max(o+40,t-lr.right),i=Math.max(s+40,e-lr.bottom),
+l=(f,g,b)=>x=>g+(x-f.low)/(f.high-f.low||1)*(b-g),[d,c]=[l(r,o,a),l(n,i,s)],u=M("g"),m=M("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=M("g",
+{class:"axes"});for(let f of wt(n.low,n.high,(i-s)/_s.y,n.whole))h.append(M("line",{x1:o,x2:a,y1:c(f),y2:c(f),class:"grid"}),M("text",{x:o-8,y:c(f),"text-anchor":"\
+end","dominant-baseline":"middle"},$s(f)));for(let f of wt(r.low,r.high,(a-o)/_s.x,r.whole))h.append(M("text",{x:d(f),y:i+16,"text-anchor":"middle"},$s(r.mirrored?
+Math.abs(f):f)));return h.append(M("line",{x1:o,x2:a,y1:i,y2:i,class:"axis"}),M("text",{x:(o+a)/2,y:e-6,"text-anchor":"middle",class:"label"},r.label),M("text",
+{transform:`translate(12 ${(s+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),m.append(h,u),{root:m,marks:u,left:o,right:a,top:s,bottom:i,x:d,
+y:c,at:f=>{let g=f-m.getBoundingClientRect().left;return r.low+(g-o)/(a-o)*(r.high-r.low)}}}var $s=t=>String(Number(t.toPrecision(6))).replace("-","−");function nn(t,e,r,n){
+let o="",s="M";r.forEach((a,i)=>{a===null?s="M":(o+=`${s}${t.x(e[i]).toFixed(1)} ${t.y(a).toFixed(1)}`,s="L")}),t.root.insertBefore(M("path",{d:o,class:`line ${n}`}),
+t.marks)}function Ps(t,{low:e,high:r},n){if(!e||!r)return;let o=s=>s.map((a,i)=>`${t.x(i).toFixed(1)} ${t.y(a??0).toFixed(1)}`);t.root.insertBefore(M("path",{d:`\
+M${[...o(r),...o(e).reverse()].join("L")}Z`,class:`band ${n}`}),t.marks)}function on(t,e,r,n=null){let o=t.x(e);t.marks.append(M("line",{x1:o,x2:o,y1:t.top,y2:t.
+bottom,class:`mark ${r}`})),n!==null&&t.marks.append(M("circle",{cx:o,cy:t.y(n),r:5,class:`dot ${r}`}))}function Et(...t){return p("p",{class:"legend small"},...t.
+map(([e,r])=>p("span",{class:`key ${r}`},e)))}function Tt(t,e,r,n){let o=p("div",{class:"chart chooses",role:"img","aria-label":t}),s=null,a=()=>{s?.marks.replaceChildren(),
+s&&r(s)};o.addEventListener("click",l=>s&&n(s.at(l.clientX),s,l));let i=()=>{let{clientWidth:l,clientHeight:d}=o;l<50||d<50||(s=e(l,d),o.replaceChildren(s.root),
+a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var sn=["of-pursuers","of-evaders","of-both"],Il=2500,Os="Arrow keys choose generations.",Nl={low:0,high:1,label:"capture rate"};function Ls(t,e){let{training:r}=t,
+{capture_rate:n,generation:o,learner:s,epochs:a}=r,i=n.map((y,f)=>(f+1)*a),l=Bl(n,r.window),d=i.at(-1)??1,c=i.length>Il?"dense":"",u=(y,f)=>{let g=o.flatMap((b,x)=>b===
 y&&(s[x]===f||s[x]===2)?[x]:[]);return g.length?[i[g[0]],i[g.at(-1)]]:null},m=Tt(`Capture rate in ${d} epochs of training. ${Os}`,(y,f)=>{let g=At(y,f,{low:0,high:d,
-label:"epoch",whole:!0},Nl);for(let[b,x]of[["raw",r],[c,l]])for(let[v,w]of ar.entries()){let A=x.map((C,E)=>s[E]===v||s[E+1]===v?C:null);A.some(C=>C!==null)&&or(
-g,i,A,`${w} ${b}`)}return g},y=>Z.forEach((f,g)=>{let b=u(e.hover[f]??e.selected[f],g);b&&sr(y,(b[0]+b[1])/2,ar[g])}),y=>{let f=Math.min(i.length-1,Math.max(0,Math.
+label:"epoch",whole:!0},Nl);for(let[b,x]of[["raw",n],[c,l]])for(let[v,w]of sn.entries()){let A=x.map((C,E)=>s[E]===v||s[E+1]===v?C:null);A.some(C=>C!==null)&&nn(
+g,i,A,`${w} ${b}`)}return g},y=>Z.forEach((f,g)=>{let b=u(e.hover[f]??e.selected[f],g);b&&on(y,(b[0]+b[1])/2,sn[g])}),y=>{let f=Math.min(i.length-1,Math.max(0,Math.
 round(y/a)-1)),g=o[f];s[f]!==1&&e.select({pursuer:Math.min(g,t.payoff.shape[0]-1)}),s[f]!==0&&e.select({evader:Math.min(g,t.payoff.shape[1]-1)})});be(m.element,
-e,()=>t.payoff.shape);let h=[...new Set(s)].sort().map(y=>[["pursuers learn","evaders learn","both teams learn"][y],ar[y]]);return{element:X("Training",`${Qo(n.
-matches)} training matches. Lines: the generations that are selected.`,Et(...h),m.element),update:m.update}}function Is(t,e){let n=t.findings?.ratings;if(!n)return null;
-let r={pursuer:n.pursuers,evader:n.evaders},o={pursuer:r.pursuer.mean,evader:r.evader.mean},s=Z.flatMap(u=>[r[u].mean,r[u].low??[],r[u].high??[]]).flat().map(u=>u??
+e,()=>t.payoff.shape);let h=[...new Set(s)].sort().map(y=>[["pursuers learn","evaders learn","both teams learn"][y],sn[y]]);return{element:X("Training",`${Qo(r.
+matches)} training matches. Lines: the generations that are selected.`,Et(...h),m.element),update:m.update}}function Is(t,e){let r=t.findings?.ratings;if(!r)return null;
+let n={pursuer:r.pursuers,evader:r.evaders},o={pursuer:n.pursuer.mean,evader:n.evader.mean},s=Z.flatMap(u=>[n[u].mean,n[u].low??[],n[u].high??[]]).flat().map(u=>u??
 0),[a,i]=[Math.min(...s),Math.max(...s)],l=.06*(i-a||1),d=Math.max(...t.payoff.shape)-1,c=Tt(`Elo ratings by generation. ${Os}`,(u,m)=>{let h=At(u,m,{low:0,high:d,
-label:"generation",whole:!0},{low:a-l,high:i+l,label:"Elo points"});for(let y of Z)Ps(h,r[y],`of-${y}s`),or(h,o[y].map((f,g)=>g),o[y],`of-${y}s`);return h},u=>{
-for(let m of Z){let h=e.hover[m]??e.selected[m];sr(u,h,`of-${m}s`,o[m][h]??null)}},(u,m,h)=>{let y=Math.round(u),f=h.clientY-m.root.getBoundingClientRect().top,
+label:"generation",whole:!0},{low:a-l,high:i+l,label:"Elo points"});for(let y of Z)Ps(h,n[y],`of-${y}s`),nn(h,o[y].map((f,g)=>g),o[y],`of-${y}s`);return h},u=>{
+for(let m of Z){let h=e.hover[m]??e.selected[m];on(u,h,`of-${m}s`,o[m][h]??null)}},(u,m,h)=>{let y=Math.round(u),f=h.clientY-m.root.getBoundingClientRect().top,
 g=x=>Math.abs(m.y(o[x][y]??1/0)-f),b=g("pursuer")<=g("evader")?"pursuer":"evader";y>=0&&y<o[b].length&&e.select({[b]:y})});return be(c.element,e,()=>t.payoff.shape),
-{element:X("Ratings",`One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${B(n.offset,0)} points for t\
-he pursuers.`,Et(["pursuers","of-pursuers"],["evaders","of-evaders"]),c.element),update:c.update}}function Bl(t,e){let n=[0];for(let r of t)n.push(n.at(-1)+r);return t.
-map((r,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(n[a]-n[s])/(a-s)})}var Ul={present:"●",absent:"○","cannot tell":"?"};function Ns(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...n]=e.table,r=n.map(([s,a,i,l],d)=>{
+{element:X("Ratings",`One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${B(r.offset,0)} points for t\
+he pursuers.`,Et(["pursuers","of-pursuers"],["evaders","of-evaders"]),c.element),update:c.update}}function Bl(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.
+map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}var Ul={present:"●",absent:"○","cannot tell":"?"};function Ns(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([s,a,i,l],d)=>{
 let c=Fl(e.reasons[d]??"");return p("li",{class:`finding ${a.replace(" ","-")}`},p("span",{class:"sign","aria-hidden":"true"},Ul[a]??""),p("div",{},p("p",{},p("\
 strong",{},s),` ${a}`,p("span",{class:"muted"},` · ${l}`)),c?p("p",{class:"small"},`${c}.`):null,p("p",{class:"small muted numbers"},i)))}),o=X("What happened",
 "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",p("p",{class:"headline"},e.headline),...e.numbers.map(s=>p(
-"p",{class:"numbers"},`${Bs(s)}.`)),p("ul",{class:"findings"},...r),t.limits?p("p",{class:"small"},t.limits):null);return o.classList.add("diagnosis"),{element:o}}
-function Fl(t){let[,e=""]=t.split(/, because (.*)/s);return Bs(e.replace(/\.$/,""))}var Bs=t=>t.charAt(0).toUpperCase()+t.slice(1);function Us({settings:t,schedule:e,seed:n}){let r=t.map(({name:a,value:i,help:l})=>p("tr",{},p("th",{scope:"row"},`--${a.replaceAll("_","-")}`),p("td",{class:"n\
-umbers"},i),p("td",{class:"muted"},l))),o=p("table",{class:"small"},p("caption",{class:"heard"},"Settings other than the default"),...r),s=X("Settings",`${e}, s\
-eed ${n}; all others are the defaults of matrixworld evolve.`,r.length?p("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}var zl={pursuer:-1,evader:1};function Fs(t,e){let n=t.findings?.spinning_top;if(!n)return null;let r=1.05*Math.max(.05,...n.pursuers.high,...n.evaders.high),o=Z.
-flatMap(l=>{let{generations:d,strength:c,intransitivity:u,low:m,high:h}=n[`${l}s`],y=zl[l];return d.map((f,g)=>({team:l,generation:f,y:c[g],x:y*u[g],low:y*m[g],
+"p",{class:"numbers"},`${Bs(s)}.`)),p("ul",{class:"findings"},...n),t.limits?p("p",{class:"small"},t.limits):null);return o.classList.add("diagnosis"),{element:o}}
+function Fl(t){let[,e=""]=t.split(/, because (.*)/s);return Bs(e.replace(/\.$/,""))}var Bs=t=>t.charAt(0).toUpperCase()+t.slice(1);function Us({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>p("tr",{},p("th",{scope:"row"},`--${a.replaceAll("_","-")}`),p("td",{class:"n\
+umbers"},i),p("td",{class:"muted"},l))),o=p("table",{class:"small"},p("caption",{class:"heard"},"Settings other than the default"),...n),s=X("Settings",`${e}, s\
+eed ${r}; all others are the defaults of matrixworld evolve.`,n.length?p("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}var zl={pursuer:-1,evader:1};function Fs(t,e){let r=t.findings?.spinning_top;if(!r)return null;let n=1.05*Math.max(.05,...r.pursuers.high,...r.evaders.high),o=Z.
+flatMap(l=>{let{generations:d,strength:c,intransitivity:u,low:m,high:h}=r[`${l}s`],y=zl[l];return d.map((f,g)=>({team:l,generation:f,y:c[g],x:y*u[g],low:y*m[g],
 high:y*h[g]}))}),s=(l,{team:d,x:c,y:u},m,h)=>M("circle",{cx:l.x(c),cy:l.y(u),r:m,class:`${h} of-${d}s`}),a=Tt("Intransitivity of each generation at its strength\
-. Arrow keys choose generations.",(l,d)=>{let c=At(l,d,{low:-r,high:r,label:"intransitivity",mirrored:!0},{low:0,high:1,label:"strength"});c.root.insertBefore(M(
+. Arrow keys choose generations.",(l,d)=>{let c=At(l,d,{low:-n,high:n,label:"intransitivity",mirrored:!0},{low:0,high:1,label:"strength"});c.root.insertBefore(M(
 "line",{x1:c.x(0),x2:c.x(0),y1:c.top,y2:c.bottom,class:"axis"}),c.marks);for(let u of o){let m={x1:c.x(u.low),x2:c.x(u.high),y1:c.y(u.y),y2:c.y(u.y)};c.root.insertBefore(
 M("line",{...m,class:`line raw of-${u.team}s`}),c.marks),c.root.insertBefore(s(c,u,4.5,"dot"),c.marks)}return c},l=>{let d=o.filter(({team:c,generation:u})=>u===
 (e.hover[c]??e.selected[c]));l.marks.append(...d.map(c=>s(l,c,7,"dot")))},(l,d,c)=>{let u=d.root.getBoundingClientRect(),m=({x:f,y:g})=>Math.hypot(d.x(f)-(c.clientX-
 u.left),d.y(g)-(c.clientY-u.top)),{team:h,generation:y}=o.reduce((f,g)=>m(g)<m(f)?g:f);e.select({[h]:y})});be(a.element,e,()=>t.payoff.shape);let i=X("Strength \
 and cycles","A dot is a generation: the higher, the stronger; the farther out, the more its results deviate from every order of strength. Lines: 95 % intervals,\
  without episode noise.",Et(["pursuers, left","of-pursuers"],["evaders, right","of-evaders"]),a.element,p("p",{class:"small numbers"},(t.findings?.game??[]).join(
-" · ")));return i.classList.add("spinning-top"),{element:i,update:a.update}}function zs(t,e,n){let r=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=r.get(l)??Dl(l,e,n),r.set(l,
-s),o.replaceChildren(...s.map(d=>d.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Dl(t,e,n){return[Ns(t),Ls(t,e),Cs(t,e,n),Is(
-t,e),Rs(t,e),Fs(t,e),Us(t)].filter(o=>o!==null)}var mn=_a(Qs(),1);var dr=125,cc=80,uc=10,ea=480,dc=[1,.8,.6,.4,.2],pc=5;async function ta(t,e){let n=Math.min(1,yt(t.rows,t.cols)),[r,o]=[Math.round(ea*n),Math.round(ea*n/yt(t.rows,
-t.cols))],s=document.createElement("canvas");[s.width,s.height]=[r,o];let a=s.getContext("2d",{willReadFrequently:!0}),i=qe(document.documentElement),l={ctx:a,colors:i,
-grid:Gt(t.rows,t.cols,!1,r,o,1)},[d,c]=[mc(i,a),(0,mn.GIFEncoder)()];for(let u=0;u<dr;u++){let m=Math.min(1,u/(dr-uc))*(t.moments.length-1);jt(l,t,m,{...Ht,numbers:!1},
-1),a.globalCompositeOperation="destination-over",a.fillStyle=i.paper,a.fillRect(0,0,r,o),a.globalCompositeOperation="source-over",c.writeFrame((0,mn.applyPalette)(
-a.getImageData(0,0,r,o).data,d),r,o,{palette:d,delay:cc}),u%pc===0&&(e(Math.round(100*u/dr)),await new Promise(h=>setTimeout(h)))}return c.finish(),new Blob([c.
-bytes()],{type:"image/gif"})}function mc(t,e){let n=o=>(e.globalAlpha=1,e.fillStyle=o,e.fillRect(0,0,1,1),[...e.getImageData(0,0,1,1).data.subarray(0,3)]),r=n(t.
-paper);return Object.values(t).map(n).flatMap(o=>dc.map(s=>o.map((a,i)=>Math.round(r[i]+s*(a-r[i])))))}function na(t,e){let n=p("input",{type:"text",readonly:!0,"aria-label":"Link to this step"}),r=p("p",{class:"muted small",role:"status"}),s=p("button",{type:"bu\
-tton",class:"save-gif",onclick:async()=>{if(!t.recording)return;let{pursuer:l,evader:d}=e.selected;s.disabled=!0;let c=await ta(t.recording,m=>r.textContent=`Dr\
-awing: ${m} %`),u=URL.createObjectURL(c);p("a",{href:u,download:`pursuers-${l}-evaders-${d}.gif`}).click(),setTimeout(()=>URL.revokeObjectURL(u),6e4),r.textContent=
+" · ")));return i.classList.add("spinning-top"),{element:i,update:a.update}}function zs(t,e,r){let n=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??Dl(l,e,r),n.set(l,
+s),o.replaceChildren(...s.map(d=>d.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Dl(t,e,r){return[Ns(t),Ls(t,e),Cs(t,e,r),Is(
+t,e),Rs(t,e),Fs(t,e),Us(t)].filter(o=>o!==null)}var pr=_a(Qs(),1);var dn=125,cc=80,uc=10,ea=480,dc=[1,.8,.6,.4,.2],pc=5;async function ta(t,e){let r=Math.min(1,yt(t.rows,t.cols)),[n,o]=[Math.round(ea*r),Math.round(ea*r/yt(t.rows,
+t.cols))],s=document.createElement("canvas");[s.width,s.height]=[n,o];let a=s.getContext("2d",{willReadFrequently:!0}),i=qe(document.documentElement),l={ctx:a,colors:i,
+grid:Gt(t.rows,t.cols,!1,n,o,1)},[d,c]=[mc(i,a),(0,pr.GIFEncoder)()];for(let u=0;u<dn;u++){let m=Math.min(1,u/(dn-uc))*(t.moments.length-1);jt(l,t,m,{...Ht,numbers:!1},
+1),a.globalCompositeOperation="destination-over",a.fillStyle=i.paper,a.fillRect(0,0,n,o),a.globalCompositeOperation="source-over",c.writeFrame((0,pr.applyPalette)(
+a.getImageData(0,0,n,o).data,d),n,o,{palette:d,delay:cc}),u%pc===0&&(e(Math.round(100*u/dn)),await new Promise(h=>setTimeout(h)))}return c.finish(),new Blob([c.
+bytes()],{type:"image/gif"})}function mc(t,e){let r=o=>(e.globalAlpha=1,e.fillStyle=o,e.fillRect(0,0,1,1),[...e.getImageData(0,0,1,1).data.subarray(0,3)]),n=r(t.
+paper);return Object.values(t).map(r).flatMap(o=>dc.map(s=>o.map((a,i)=>Math.round(n[i]+s*(a-n[i])))))}function ra(t,e){let r=p("input",{type:"text",readonly:!0,"aria-label":"Link to this step"}),n=p("p",{class:"muted small",role:"status"}),s=p("button",{type:"bu\
+tton",class:"save-gif",onclick:async()=>{if(!t.recording)return;let{pursuer:l,evader:d}=e.selected;s.disabled=!0;let c=await ta(t.recording,m=>n.textContent=`Dr\
+awing: ${m} %`),u=URL.createObjectURL(c);p("a",{href:u,download:`pursuers-${l}-evaders-${d}.gif`}).click(),setTimeout(()=>URL.revokeObjectURL(u),6e4),n.textContent=
 `Saved, ${(c.size/1e6).toFixed(1)} MB.`,s.disabled=!1}},"Save the match as a GIF of 10 s"),a=p("dialog",{class:"share","aria-labelledby":"share-title"},p("h2",{
-id:"share-title"},"Share this match"),s,ct()&&p("p",{},"The link leads to this step in the same file. Nothing is sent anywhere."),ct()&&p("div",{class:"link"},n,
-p("button",{type:"button",onclick:()=>Hr(n,r)},"Copy")),r,p("button",{type:"button",onclick:()=>a.close()},"Close"));return a.addEventListener("click",l=>l.target===
-a&&a.close()),{button:p("button",{type:"button",class:"to-share",onclick:()=>{e.dispatchEvent(new Event("rest")),n.value=location.href,r.textContent="",a.showModal()}},
-"Share"),dialog:a}}var ra={pursuer:null,evader:null},hn=class extends EventTarget{#e;#n=ra;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#n}select(e){
-let n=this.#e,r=["run","pursuer","evader"].some(o=>o in e&&e[o]!==n[o]);this.#e={...n,...r?{episode:0,seed:null}:{},...e},this.#e.run!==n.run&&this.dispatchEvent(
-new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let n={...ra,...e};n.pursuer===this.#n.pursuer&&n.evader===this.#n.evader||(this.#n=n,this.dispatchEvent(
-new Event("hover")))}on(e,n){this.addEventListener(e,n)}};var fn=class{config;start;recording;actions=[];#e;#n;#t=[[]];constructor(e,n,r){[this.config,this.start]=[n,r],this.#e=e.world(n),this.#e.reset(r),this.#n=[Xn(this.#e)],
-this.recording=Jn(n,this.#e.map(),this.#n)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
-"capture_rate")[0]}}conflicts(e){return this.#t[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#r(e)}step(e,n,r){let[o,s]=[this.#e,this.config.n_pursuers],
+id:"share-title"},"Share this match"),s,ct()&&p("p",{},"The link leads to this step in the same file. Nothing is sent anywhere."),ct()&&p("div",{class:"link"},r,
+p("button",{type:"button",onclick:()=>Hn(r,n)},"Copy")),n,p("button",{type:"button",onclick:()=>a.close()},"Close"));return a.addEventListener("click",l=>l.target===
+a&&a.close()),{button:p("button",{type:"button",class:"to-share",onclick:()=>{e.dispatchEvent(new Event("rest")),r.value=location.href,n.textContent="",a.showModal()}},
+"Share"),dialog:a}}var na={pursuer:null,evader:null},mr=class extends EventTarget{#e;#r=na;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#r}select(e){
+let r=this.#e,n=["run","pursuer","evader"].some(o=>o in e&&e[o]!==r[o]);this.#e={...r,...n?{episode:0,seed:null}:{},...e},this.#e.run!==r.run&&this.dispatchEvent(
+new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let r={...na,...e};r.pursuer===this.#r.pursuer&&r.evader===this.#r.evader||(this.#r=r,this.dispatchEvent(
+new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var hr=class{config;start;recording;actions=[];#e;#r;#t=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#r=[Jr(this.#e)],
+this.recording=Zr(r,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
+"capture_rate")[0]}}conflicts(e){return this.#t[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#n(e)}step(e,r,n){let[o,s]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(o.n_agents);for(let i=o.n_turns;i>0&&!o.over;--i){let[l,d]=o.actors;l<s&&(a=o.decide(e.pursuer,[l,Math.min(d,s)],a)),d>s&&(a=o.decide(e.evader,
-[Math.max(l,s),d],a)),typeof r=="number"?a[n]=r:l<=n&&n<d&&(a=o.decide(r,[n,n+1],a)),o.playTurn(a)}this.#r(a)}#r(e){this.actions.push(e),this.#n.push(Xn(this.#e,
-e)),this.#t.push(this.#e.conflicts())}};var pe=(t,e)=>Z[+(e>=t.n_pursuers)];function pr(t,e){let n=new fn(t,e.config,{seed:e.seed,episode:e.episode});for(let r of e.moves)n.over||n.step(e.policies,e.seat,
-r);return n}function Qe(t,e){let{moments:n,nPursuers:r}=t.recording,o=n.findIndex(({alive:a,captured:i})=>!a[e]||!!i[e-r]),s=o<0?t.length:o;return{lasted:s,out:o>=
-0,captured:Array.from(n[s].everCaptured).filter(Boolean).length}}var yn=(t,e)=>t.over||Qe(t,e).out;function oa(t,e,n){let r=pr(t,{...e,moves:e.moves.slice(0,e.from)});
-for(;!yn(r,e.seat);)r.step(e.policies,e.seat,n);return Qe(r,e.seat)}function sa(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(n=>t[n])}function aa(t,{
-seat:e,from:n,moves:r}){let o={...t,seat:e,...n?{from:n}:{},moves:r.join("")};return`${location.href.split("#")[0]}#${Object.entries(o).map(([s,a])=>`${s}=${a}`).
-join("&")}`}function ia(t,e){let[n,r,o]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(n)&&Number(n)<e.n_pursuers+e.n_evaders&&
-(e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(o)&&o.length<=e.max_steps&&/^\d{1,6}$/.test(r)&&Number(r)<=o.length?{seat:Number(n),from:Number(r),moves:[...o].map(Number)}:
-null}function mr(t,e,n,r,o,s){e.play({title:n,played:r,ending:(a,i)=>[hc(t,a,i,sa(o))],again:()=>mr(t,e,n,{...r,moves:r.moves.slice(0,r.from)},o,s),link:a=>aa(s,a)})}
-function hc(t,e,n,r){let o=pe(n.config,n.seat)==="evader",s=o?n.config.max_steps:n.config.n_evaders,a=p("table",{class:"numbers"},p("caption",{},o?"Steps in you\
+[Math.max(l,s),d],a)),typeof n=="number"?a[r]=n:l<=r&&r<d&&(a=o.decide(n,[r,r+1],a)),o.playTurn(a)}this.#n(a)}#n(e){this.actions.push(e),this.#r.push(Jr(this.#e,
+e)),this.#t.push(this.#e.conflicts())}};var pe=(t,e)=>Z[+(e>=t.n_pursuers)];function pn(t,e){let r=new hr(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.seat,
+n);return r}function Qe(t,e){let{moments:r,nPursuers:n}=t.recording,o=r.findIndex(({alive:a,captured:i})=>!a[e]||!!i[e-n]),s=o<0?t.length:o;return{lasted:s,out:o>=
+0,captured:Array.from(r[s].everCaptured).filter(Boolean).length}}var fr=(t,e)=>t.over||Qe(t,e).out;function oa(t,e,r){let n=pn(t,{...e,moves:e.moves.slice(0,e.from)});
+for(;!fr(n,e.seat);)n.step(e.policies,e.seat,r);return Qe(n,e.seat)}function sa(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(r=>t[r])}function aa(t,{
+seat:e,from:r,moves:n}){let o={...t,seat:e,...r?{from:r}:{},moves:n.join("")};return`${location.href.split("#")[0]}#${Object.entries(o).map(([s,a])=>`${s}=${a}`).
+join("&")}`}function ia(t,e){let[r,n,o]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
+(e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(o)&&o.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=o.length?{seat:Number(r),from:Number(n),moves:[...o].map(Number)}:
+null}function mn(t,e,r,n,o,s){e.play({title:r,played:n,ending:(a,i)=>[hc(t,a,i,sa(o))],again:()=>mn(t,e,r,{...n,moves:n.moves.slice(0,n.from)},o,s),link:a=>aa(s,a)})}
+function hc(t,e,r,n){let o=pe(r.config,r.seat)==="evader",s=o?r.config.max_steps:r.config.n_evaders,a=p("table",{class:"numbers"},p("caption",{},o?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),i=d=>{let[c,u]=[p("span",{class:o?"bar evader":"bar pursuer"}),p("td",{},"…")];
 return a.append(p("tr",{},p("th",{scope:"row"},d),p("td",{class:"track","aria-hidden":"true"},c),u)),({lasted:m,captured:h})=>{c.style.width=`${100*(o?m:h)/s}%`,
-u.textContent=String(o?m:h)}};i("You")(Qe(e,n.seat));for(let{name:d,policy:c}of r){let u=i(d);setTimeout(()=>u(oa(t,n,c())))}let l=n.from?`You took over at step\
- ${n.from}. `:"";return p("div",{},a,p("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var la=["·","↑","→","↓","←","↗","↘","↙","↖"];var fc={" ":0,s:0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,x:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},hr=[8,1,5,4,0,2,7,3,6],yc=[7,8,9,4,5,6,1,2,3],gc=24,bc=Math.
-tan(Math.PI/8);function ua(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let n=yc.findIndex(o=>t.code===`Numpad${o}`),r=hr[n]??fc[t.key.length===1?t.key.toLowerCase():
-t.key];return r!==void 0&&r>4&&!e?void 0:r}function da(t){let e=hr.map(n=>p("button",{type:"button","aria-label":ue[n],onclick:()=>t(n)},la[n]));return{element:p(
-"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:n=>e.forEach((r,o)=>r.classList.toggle("absent",hr[o]>4&&!n))}}function ca(t,e,n){let r=bc*
-Math.max(Math.abs(t),Math.abs(e)),o=s=>Math.abs(s)<r?0:s;return uo([0,0],n?[o(t),o(e)]:[t,e],n)}function pa(t,e,n){let r=null,{canvas:o}=t;o.addEventListener("p\
-ointerdown",({button:s,clientX:a,clientY:i})=>{r=s===0?[a,i]:null}),o.addEventListener("pointercancel",()=>{r=null}),o.addEventListener("pointerup",({clientX:s,
-clientY:a})=>{let[i,l]=[r,e()];if(r=null,!i||!l)return;let[d,c]=[s-i[0],a-i[1]],u=t.cellAt(s,a);Math.hypot(d,c)>=gc?n(ca(c,d,l.diagonal)):u&&n(ca(u[0]-l.cell[0],
-u[1]-l.cell[1],l.diagonal))})}function ma(t,e){let n=r=>{let o=e[r]-t[r],s=je.findIndex(a=>a[r]===Math.sign(o)&&a[1-r]===0);return o?`${Math.abs(o)} ${ue[s]}`:""};
-return[n(0),n(1)].filter(Boolean).join(", ")||"on your cell"}var ya="NUMPY\0",ha=ya.length+2,fa=64;function ga(t){return ao(Object.fromEntries(Object.entries(t).map(([e,n])=>[`${e}.npy`,vc(n)])))}function vc({dtype:t,shape:e,
-data:n}){let r=typeof n=="string"?Array.from(n,c=>c.codePointAt(0)):null,o=e.map(c=>`${c}, `).join(""),s=`{'descr': '${r?`<U${r.length}`:t}', 'fortran_order': F\
+u.textContent=String(o?m:h)}};i("You")(Qe(e,r.seat));for(let{name:d,policy:c}of n){let u=i(d);setTimeout(()=>u(oa(t,r,c())))}let l=r.from?`You took over at step\
+ ${r.from}. `:"";return p("div",{},a,p("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var la=["·","↑","→","↓","←","↗","↘","↙","↖"];var fc={" ":0,s:0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,x:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},hn=[8,1,5,4,0,2,7,3,6],yc=[7,8,9,4,5,6,1,2,3],gc=24,bc=Math.
+tan(Math.PI/8);function ua(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=yc.findIndex(o=>t.code===`Numpad${o}`),n=hn[r]??fc[t.key.length===1?t.key.toLowerCase():
+t.key];return n!==void 0&&n>4&&!e?void 0:n}function da(t){let e=hn.map(r=>p("button",{type:"button","aria-label":ue[r],onclick:()=>t(r)},la[r]));return{element:p(
+"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,o)=>n.classList.toggle("absent",hn[o]>4&&!r))}}function ca(t,e,r){let n=bc*
+Math.max(Math.abs(t),Math.abs(e)),o=s=>Math.abs(s)<n?0:s;return uo([0,0],r?[o(t),o(e)]:[t,e],r)}function pa(t,e,r){let n=null,{canvas:o}=t;o.addEventListener("p\
+ointerdown",({button:s,clientX:a,clientY:i})=>{n=s===0?[a,i]:null}),o.addEventListener("pointercancel",()=>{n=null}),o.addEventListener("pointerup",({clientX:s,
+clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[d,c]=[s-i[0],a-i[1]],u=t.cellAt(s,a);Math.hypot(d,c)>=gc?r(ca(c,d,l.diagonal)):u&&r(ca(u[0]-l.cell[0],
+u[1]-l.cell[1],l.diagonal))})}function ma(t,e){let r=n=>{let o=e[n]-t[n],s=je.findIndex(a=>a[n]===Math.sign(o)&&a[1-n]===0);return o?`${Math.abs(o)} ${ue[s]}`:""};
+return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var ya="NUMPY\0",ha=ya.length+2,fa=64;function ga(t){return ao(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,vc(r)])))}function vc({dtype:t,shape:e,
+data:r}){let n=typeof r=="string"?Array.from(r,c=>c.codePointAt(0)):null,o=e.map(c=>`${c}, `).join(""),s=`{'descr': '${n?`<U${n.length}`:t}', 'fortran_order': F\
 alse, 'shape': (${o}), }`,a=Math.ceil((ha+s.length+1)/fa)*fa-ha,i=ya+String.fromCharCode(a&255,a>>8)+s.padEnd(a-1)+`
-`,l=r?Int32Array.from(r):n,d=new Uint8Array(i.length+l.byteLength);return d.set(Lt(i,!0)),d.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),d}var wc="matrixworld episode 3";function ba(t,e,n){let{config:r,actions:o,length:s,recording:a}=e,[i,l]=[r.n_pursuers+r.n_evaders,r.n_evaders],d={positions:["<i4",
+`,l=n?Int32Array.from(n):r,d=new Uint8Array(i.length+l.byteLength);return d.set(Lt(i,!0)),d.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),d}var wc="matrixworld episode 3";function ba(t,e,r){let{config:n,actions:o,length:s,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],d={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},c={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},u={},m=v=>{
-for(let w of Object.keys(v))(u[w]??=[]).push(Array.from(h.read(w),Number))},h=t.world(r);h.reset(e.start);let y=[];m(d);for(let v of o)h.step(v),m({...d,...c}),
+for(let w of Object.keys(v))(u[w]??=[]).push(Array.from(h.read(w),Number))},h=t.world(n);h.reset(e.start);let y=[];m(d);for(let v of o)h.step(v),m({...d,...c}),
 y.push(...h.conflictTable());h.free();let f={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},g={};for(let[v,[w,...A]]of Object.entries({...d,...c})){let C=s+
 +(v in d);g[v]={dtype:w,shape:[C,...A],data:f[w].from((u[v]??[]).flat())}}let b=v=>({dtype:"<i8",shape:[],data:Int32Array.of(v,0)}),x=v=>({dtype:"<U",shape:[],data:v});
-return ga({format:x(wc),n_pursuers:b(r.n_pursuers),config:x(JSON.stringify(r)),seat:b(n),...g,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(v=>[
-...v]))},map:{dtype:"|b1",shape:[r.rows,r.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[y.length/11,11],data:Int32Array.from(
-y)}})}var xc=[0,1,2,4,8],gn=class{element;player=new Me(0,{speed:4,still:ie()});#e;#n;#t=p("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=p("h2");#a=p("p",{
+return ga({format:x(wc),n_pursuers:b(n.n_pursuers),config:x(JSON.stringify(n)),seat:b(r),...g,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(v=>[
+...v]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[y.length/11,11],data:Int32Array.from(
+y)}})}var xc=[0,1,2,4,8],yr=class{element;player=new Me(0,{speed:4,still:ie()});#e;#r;#t=p("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=p("h2");#a=p("p",{
 class:"play-told",role:"status"});#s=da(e=>this.act(e));#l=p("select",{},...xc.map(e=>p("option",{value:e},e?`${e} / s`:"step by step")));#p=p("input",{type:"ch\
 eckbox"});#c=p("input",{type:"checkbox"});#m=p("span");#d=p("p",{class:"small muted play-keys",id:"play-keys"});#i=p("section",{class:"play-ending",tabindex:-1,
-"aria-labelledby":"play-headline"});#h=Ze(this.player);#u=null;#o=null;#g=[];#f=null;#y=null;#b=[];#v=0;#w=0;constructor(e){this.#e=e,this.#n=new Se(this.#t,{numbers:!1}),
+"aria-labelledby":"play-headline"});#h=Ze(this.player);#u=null;#o=null;#g=[];#f=null;#y=null;#b=[];#v=0;#w=0;constructor(e){this.#e=e,this.#r=new Se(this.#t,{numbers:!1}),
 this.#t.setAttribute("role","application"),this.#l.addEventListener("change",()=>this.#A()),this.#p.addEventListener("change",()=>this.#x()),this.#c.addEventListener(
-"change",()=>this.#E()),pa(this.#n,()=>{let n=this.#f!==null&&this.#o&&L(this.#o.recording.moments.at(-1),this.#f);return n?{cell:n,diagonal:this.#o.config.diagonal}:
-null},n=>this.act(n)),this.player.addEventListener("frame",()=>this.#o&&this.#n.show(this.#o.recording,this.player.time)),this.player.addEventListener("step",()=>this.#E()),
-this.element=p("div",{class:"play"},p("header",{class:"play-head"},this.#r,this.#a),p("div",{class:"play-stage"},this.#t),p("div",{class:"play-side"},this.#i,this.#s.
+"change",()=>this.#E()),pa(this.#r,()=>{let r=this.#f!==null&&this.#o&&L(this.#o.recording.moments.at(-1),this.#f);return r?{cell:r,diagonal:this.#o.config.diagonal}:
+null},r=>this.act(r)),this.player.addEventListener("frame",()=>this.#o&&this.#r.show(this.#o.recording,this.player.time)),this.player.addEventListener("step",()=>this.#E()),
+this.element=p("div",{class:"play"},p("header",{class:"play-head"},this.#n,this.#a),p("div",{class:"play-stage"},this.#t),p("div",{class:"play-side"},this.#i,this.#s.
 element,p("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#l),p("label",{class:"play-choice"},this.#p,p("span",{},"Fog",p("span",{class:"at-le\
 ngth"},": see only what it sees"))),p("label",{class:"play-choice"},this.#c,this.#m),this.#d),this.#h)}get played(){return this.#u&&{...this.#u.played,moves:this.#g}}get live(){
-return this.#o}play(e){this.#S(pr(this.#e,e.played),e.played.seat,e.title),[this.#u,this.#g,this.#v]=[e,[...e.played.moves],0],this.element.dataset.state="playi\
-ng",this.#t.focus({preventScroll:!0}),yn(this.#o,e.played.seat)&&this.#R()}watch(e,n,r){this.#u=null,this.#S(e,n,r),this.#_()}stop(){this.#A(),this.player.pause(),
-this.#u=null}act(e){let[n,r]=[this.#u,this.#o];if(!n||!r||this.element.dataset.state!=="playing")return;this.#v=e;let o=Number(this.#l.value);this.#w||(this.#k(),
-o&&this.element.dataset.state==="playing"&&(this.#w=setInterval(()=>this.#k(),1e3/o)))}key(e){let{target:n,key:r}=e;if(n instanceof HTMLSelectElement||n instanceof
-HTMLInputElement&&(n.type==="text"||r===" ")||n instanceof HTMLButtonElement&&(r===" "||r==="Enter")||!this.#o)return!1;if(this.element.dataset.state!=="playing")
-return Ae(this.player,e);let s=ua(e,this.#o.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#S(e,n,r){this.#A(),this.player.pause(),[this.#o,this.#f]=
-[e,n],this.#r.textContent=r,this.#t.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#d.replaceChildren(p("spa\
+return this.#o}play(e){this.#S(pn(this.#e,e.played),e.played.seat,e.title),[this.#u,this.#g,this.#v]=[e,[...e.played.moves],0],this.element.dataset.state="playi\
+ng",this.#t.focus({preventScroll:!0}),fr(this.#o,e.played.seat)&&this.#R()}watch(e,r,n){this.#u=null,this.#S(e,r,n),this.#_()}stop(){this.#A(),this.player.pause(),
+this.#u=null}act(e){let[r,n]=[this.#u,this.#o];if(!r||!n||this.element.dataset.state!=="playing")return;this.#v=e;let o=Number(this.#l.value);this.#w||(this.#k(),
+o&&this.element.dataset.state==="playing"&&(this.#w=setInterval(()=>this.#k(),1e3/o)))}key(e){let{target:r,key:n}=e;if(r instanceof HTMLSelectElement||r instanceof
+HTMLInputElement&&(r.type==="text"||n===" ")||r instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#o)return!1;if(this.element.dataset.state!=="playing")
+return Ae(this.player,e);let s=ua(e,this.#o.config.diagonal);return s!==void 0&&this.act(s),s!==void 0}#S(e,r,n){this.#A(),this.player.pause(),[this.#o,this.#f]=
+[e,r],this.#n.textContent=n,this.#t.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#d.replaceChildren(p("spa\
 n",{class:"at-length"},`Arrow keys or W A X D move, Space or S stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the board\
-: swipe, or tap where to go."),this.#M(e),this.#i.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#E()}#x(){this.#n.look={you:this.#f,
-fog:this.#p.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#$()}}#M(e){this.#y=null,this.#b=this.player.ticks=[];let n=We(e.config);this.#c.hidden=this.#c.
-disabled=!!n,this.#m.className=n?"small muted":"",this.#m.textContent=n?`No best move: ${n}`:"Best move",en(this.#e,e.config,fs(e.config)).then(r=>{this.#o===e&&
-(this.#y=r,this.#T(),this.#E())})}#T(){let[e,n]=[this.#o,this.#y];if(!n||this.element.dataset.state==="playing")return;let r=this.#e.world(e.config);r.reset(e.start),
-this.#b=tn(n,r,e.actions),r.free(),this.player.ticks=nn(this.#b)}get#C(){return this.#c.checked&&this.#u&&this.element.dataset.state==="playing"&&this.#y&&this.#o.
-game(this.#y)||null}#$(){let[e,n]=[this.#f,this.#f!==null&&this.#C?.marginal(this.#f)];return e!==null&&n?Object.assign(Array(e).fill(0),{[e]:n.indexOf(Math.max(
-...n))}):null}#A(){clearInterval(this.#w),this.#w=0,this.#a.ariaLive=Number(this.#l.value)?"off":"polite"}#k(){let[{policies:e,seat:n},r]=[this.#u.played,this.#o];
-r.step(e,n,this.#v),this.#g.push(this.#v),this.player.length=r.length,this.player.glide=Math.min(.22,.9/(Number(this.#l.value)||4)),this.player.move(r.length-this.
-player.step),yn(r,n)&&this.#R()}#R(){this.#A();let[e,n,r]=[this.#u,this.#o,this.played],o=ct()?e.link(r):null;this.#i.replaceChildren(p("h3",{id:"play-headline"},
-Ac(n,r.seat)),...e.ending(n,r),p("div",{class:"play-buttons"},p("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),p("button",{type:"button",
-onclick:()=>this.#_()},"Watch it"),p("button",{type:"button",onclick:()=>this.#P(n,r.seat)},"Save"),o&&p("button",{type:"button",onclick:({currentTarget:a})=>Tc(
-a,o)},"Link"))),this.element.dataset.state="ended",this.#T();let s=this.#b.filter(({team:a})=>a===pe(n.config,r.seat));s.length&&this.#i.children[0].after(p("p",
+: swipe, or tap where to go."),this.#M(e),this.#i.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#E()}#x(){this.#r.look={you:this.#f,
+fog:this.#p.checked,viewers:this.#f===null?[]:[this.#f],plan:this.#$()}}#M(e){this.#y=null,this.#b=this.player.ticks=[];let r=We(e.config);this.#c.hidden=this.#c.
+disabled=!!r,this.#m.className=r?"small muted":"",this.#m.textContent=r?`No best move: ${r}`:"Best move",er(this.#e,e.config,fs(e.config)).then(n=>{this.#o===e&&
+(this.#y=n,this.#T(),this.#E())})}#T(){let[e,r]=[this.#o,this.#y];if(!r||this.element.dataset.state==="playing")return;let n=this.#e.world(e.config);n.reset(e.start),
+this.#b=tr(r,n,e.actions),n.free(),this.player.ticks=rr(this.#b)}get#C(){return this.#c.checked&&this.#u&&this.element.dataset.state==="playing"&&this.#y&&this.#o.
+game(this.#y)||null}#$(){let[e,r]=[this.#f,this.#f!==null&&this.#C?.marginal(this.#f)];return e!==null&&r?Object.assign(Array(e).fill(0),{[e]:r.indexOf(Math.max(
+...r))}):null}#A(){clearInterval(this.#w),this.#w=0,this.#a.ariaLive=Number(this.#l.value)?"off":"polite"}#k(){let[{policies:e,seat:r},n]=[this.#u.played,this.#o];
+n.step(e,r,this.#v),this.#g.push(this.#v),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#l.value)||4)),this.player.move(n.length-this.
+player.step),fr(n,r)&&this.#R()}#R(){this.#A();let[e,r,n]=[this.#u,this.#o,this.played],o=ct()?e.link(n):null;this.#i.replaceChildren(p("h3",{id:"play-headline"},
+Ac(r,n.seat)),...e.ending(r,n),p("div",{class:"play-buttons"},p("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),p("button",{type:"button",
+onclick:()=>this.#_()},"Watch it"),p("button",{type:"button",onclick:()=>this.#P(r,n.seat)},"Save"),o&&p("button",{type:"button",onclick:({currentTarget:a})=>Tc(
+a,o)},"Link"))),this.element.dataset.state="ended",this.#T();let s=this.#b.filter(({team:a})=>a===pe(r.config,n.seat));s.length&&this.#i.children[0].after(p("p",
 {class:"small muted"},gs(s))),this.#i.focus({preventScroll:!0}),this.#i.scrollIntoView({block:"nearest"})}#_(){this.element.dataset.state="watched",this.player.
-length=this.#o.length,this.player.jump(0),ie()||this.player.play()}#P(e,n){let r=new Blob([ba(this.#e,e,n)],{type:"application/octet-stream"});p("a",{href:URL.createObjectURL(
-r),download:`${G(n,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#E(){let[e,n,{step:r}]=[this.#o,this.#f,this.player];if(!e||r>e.length)return;let o=rn(
-e,e.recording,r).filter(({agents:i})=>n===null||i.includes(n)),s=[`Step ${r} of ${e.config.max_steps}`,...o.map(({text:i})=>i)];this.#u&&r===0?s.push(this.#u.about??
-"",Sc(e.config,n)):n!==null&&s.push(Mc(e,r,n)),s.push(...this.#b.filter(i=>i.step===r).map(St));let a=r===e.length&&n!==null?this.#C:null;a&&s.push(`Perfect pla\
-y: ${vs(a,n)||"decided in its turn"}; ${bs(this.#y,a,r)}`),this.#x(),this.#a.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Sc(t,e){let n=t.
-rules.capture==="SURROUND";return pe(t,e)==="evader"?`Stay free: ${n?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture eva\
-ders: ${n?"surround them together":"reach their cell"}`}function Mc({config:t,recording:e},n,r){let o=e.moments[n],a=pe(t,r)==="pursuer"?"evader":"pursuer";if(!o.
-alive[r])return"";let i=L(o,r),l=u=>{let[m,h]=L(o,u);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},d=Array.from({length:o.alive.length},(u,m)=>m).filter(u=>pe(
+length=this.#o.length,this.player.jump(0),ie()||this.player.play()}#P(e,r){let n=new Blob([ba(this.#e,e,r)],{type:"application/octet-stream"});p("a",{href:URL.createObjectURL(
+n),download:`${G(r,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#E(){let[e,r,{step:n}]=[this.#o,this.#f,this.player];if(!e||n>e.length)return;let o=nr(
+e,e.recording,n).filter(({agents:i})=>r===null||i.includes(r)),s=[`Step ${n} of ${e.config.max_steps}`,...o.map(({text:i})=>i)];this.#u&&n===0?s.push(this.#u.about??
+"",Sc(e.config,r)):r!==null&&s.push(Mc(e,n,r)),s.push(...this.#b.filter(i=>i.step===n).map(St));let a=n===e.length&&r!==null?this.#C:null;a&&s.push(`Perfect pla\
+y: ${vs(a,r)||"decided in its turn"}; ${bs(this.#y,a,n)}`),this.#x(),this.#a.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Sc(t,e){let r=t.
+rules.capture==="SURROUND";return pe(t,e)==="evader"?`Stay free: ${r?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture eva\
+ders: ${r?"surround them together":"reach their cell"}`}function Mc({config:t,recording:e},r,n){let o=e.moments[r],a=pe(t,n)==="pursuer"?"evader":"pursuer";if(!o.
+alive[n])return"";let i=L(o,n),l=u=>{let[m,h]=L(o,u);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},d=Array.from({length:o.alive.length},(u,m)=>m).filter(u=>pe(
 t,u)===a&&o.alive[u]&&!o.captured[u-t.n_pursuers]&&2*l(u)<t.fov);if(!d.length)return`No ${a} in view`;let c=d.reduce((u,m)=>l(m)<l(u)?m:u);return`Nearest ${a}: ${ma(
-i,L(o,c))}`}function Ac(t,e){let[{lasted:n,out:r,captured:o},{config:s}]=[Qe(t,e),t];return pe(s,e)==="pursuer"?`Your team captured ${o} of ${Ec(s)} in ${n} ste\
-ps.`:r?`You lasted ${n} of ${s.max_steps} steps.`:`You escaped: ${n} steps.`}var Ec=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Tc(t,e){let n=p("inpu\
-t",{type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(n),n.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var bn=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#n;#t;#r=null;constructor(e,n,r){[this.#e,this.#n,this.#t]=[e,n,r],
-r.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.view?.key(o)&&o.preventDefault()),this.dialog.addEventListener(
-"close",()=>this.view?.stop())}start(e,n){this.#r=e;let r=ut(n,this.#e,this.#n.selected),o=ia(new URLSearchParams(n.replace(/^#/,"")),this.#e[r.run].world);o&&this.#a(
-r,o)}open(){let e=this.#t.shown;if(!e)return;let{match:n,step:r}=e;this.#t.player.pause();let o=this.#t.inspector.agent,s=r<n.length?r:0,a=(u,m)=>!!n.alive[m*n.
-n_agents+u],i=Array.from({length:n.n_agents},(u,m)=>(m+n.config.n_pursuers)%n.n_agents),l=o??i.find(u=>a(u,s)),d=a(l,s)?s:0,c=Array.from({length:d},(u,m)=>n.actions[m*
-n.n_agents+l]);this.#a(this.#n.selected,{seat:l,from:d,moves:c})}#a(e,n){let[r,o]=[this.#r,this.#e[e.run]];if(!r||Z.some(f=>Ce(o,f,e[f])))return;let{run:s,pursuer:a,
-evader:i,episode:l,seed:d}=e,c=pe(o.world,n.seat),u=o.teams[c].kept.map(f=>({name:o.teams[c].script??`generation ${f}`,text:"",policy:()=>J(o,c,f)}));this.view||
-(this.view=new gn(r),this.dialog.append(p("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||
-this.dialog.showModal();let m=`You are ${G(n.seat,o.world.n_pursuers)}: ${this.#t.names(e).join(" against ")}`,h={pursuer:J(o,"pursuer",a),evader:J(o,"evader",i)},
-y={config:o.world,seed:BigInt(d??o.seeds[a][i]),episode:l,policies:h,...n};mr(r,this.view,m,y,u,{run:s,pursuers:a,evaders:i,episode:l,...d===null?{}:{seed:d}})}};var me=lo(),{runs:ee}=me,[Cc,kc]=ee[0].payoff.shape,Rc=ut(location.hash,ee,{run:0,pursuer:Cc-1,evader:kc-1,episode:0,seed:null}),{step:wa,..._c}=Rc,Q=new hn(_c),
-D=new on(ee,Q,me.playground),xa=new an(ee,Q),tt=new bn(ee,Q,D),fr=qo(),$c=location.hash,va=jo(ee,Q,D),{button:Pc,dialog:Oc}=na(D,Q);D.actions.append(Pc);var et=null,
+i,L(o,c))}`}function Ac(t,e){let[{lasted:r,out:n,captured:o},{config:s}]=[Qe(t,e),t];return pe(s,e)==="pursuer"?`Your team captured ${o} of ${Ec(s)} in ${r} ste\
+ps.`:n?`You lasted ${r} of ${s.max_steps} steps.`:`You escaped: ${r} steps.`}var Ec=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Tc(t,e){let r=p("inpu\
+t",{type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var gr=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#r;#t;#n=null;constructor(e,r,n){[this.#e,this.#r,this.#t]=[e,r,n],
+n.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.view?.key(o)&&o.preventDefault()),this.dialog.addEventListener(
+"close",()=>this.view?.stop())}start(e,r){this.#n=e;let n=ut(r,this.#e,this.#r.selected),o=ia(new URLSearchParams(r.replace(/^#/,"")),this.#e[n.run].world);o&&this.#a(
+n,o)}open(){let e=this.#t.shown;if(!e)return;let{match:r,step:n}=e;this.#t.player.pause();let o=this.#t.inspector.agent,s=n<r.length?n:0,a=(u,m)=>!!r.alive[m*r.
+n_agents+u],i=Array.from({length:r.n_agents},(u,m)=>(m+r.config.n_pursuers)%r.n_agents),l=o??i.find(u=>a(u,s)),d=a(l,s)?s:0,c=Array.from({length:d},(u,m)=>r.actions[m*
+r.n_agents+l]);this.#a(this.#r.selected,{seat:l,from:d,moves:c})}#a(e,r){let[n,o]=[this.#n,this.#e[e.run]];if(!n||Z.some(f=>Ce(o,f,e[f])))return;let{run:s,pursuer:a,
+evader:i,episode:l,seed:d}=e,c=pe(o.world,r.seat),u=o.teams[c].kept.map(f=>({name:o.teams[c].script??`generation ${f}`,text:"",policy:()=>J(o,c,f)}));this.view||
+(this.view=new yr(n),this.dialog.append(p("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||
+this.dialog.showModal();let m=`You are ${G(r.seat,o.world.n_pursuers)}: ${this.#t.names(e).join(" against ")}`,h={pursuer:J(o,"pursuer",a),evader:J(o,"evader",i)},
+y={config:o.world,seed:BigInt(d??o.seeds[a][i]),episode:l,policies:h,...r};mn(n,this.view,m,y,u,{run:s,pursuers:a,evaders:i,episode:l,...d===null?{}:{seed:d}})}};var me=lo(),{runs:ee}=me,[Cc,kc]=ee[0].payoff.shape,Rc=ut(location.hash,ee,{run:0,pursuer:Cc-1,evader:kc-1,episode:0,seed:null}),{step:wa,..._c}=Rc,Q=new mr(_c),
+D=new or(ee,Q,me.playground),xa=new ar(ee,Q),tt=new gr(ee,Q,D),fn=qo(),$c=location.hash,va=jo(ee,Q,D),{button:Pc,dialog:Oc}=ra(D,Q);D.actions.append(Pc);var et=null,
 Sa=p("aside",{class:"note small muted"},me.note),Lc="Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to wat\
 ch it.";document.getElementById("page").replaceWith(p("header",{class:"top"},p("div",{},p("h1",{},me.heading),p("p",{class:"lead"},Lc)),p("div",{class:"tools"},
-va.button,jr(),p("button",{type:"button",class:"keys-button",title:"Keys (?)","aria-label":"Keys (?)",onclick:()=>fr.showModal()},"?"))),...me.note?[Sa]:[],Vo(ee,
-Q),p("main",{class:"stages"},xa.element,D.element),zs(ee,Q,()=>et),p("footer",{class:"muted small"},`${me.title} · matrixworld ${me.version}`),tt.dialog,fr,Oc,
+va.button,jn(),p("button",{type:"button",class:"keys-button",title:"Keys (?)","aria-label":"Keys (?)",onclick:()=>fn.showModal()},"?"))),...me.note?[Sa]:[],Vo(ee,
+Q),p("main",{class:"stages"},xa.element,D.element),zs(ee,Q,()=>et),p("footer",{class:"muted small"},`${me.title} · matrixworld ${me.version}`),tt.dialog,fn,Oc,
 va.bar);Object.assign(window,{matrixworldExplorer:{get match(){return D.match},get step(){return D.player.step},get pace(){return D.player.pace},get playing(){return tt.
 view},play:t=>et&&Je(et,ee[Q.selected.run],{...Q.selected,episode:t}),get shape(){return ee[Q.selected.run].payoff.shape}}});xa.element.addEventListener("play",
-()=>{D.playSoon(),D.reveal()});D.goTo(wa);wa||D.playSoon();Gr(ee,Q,D);Ko(ee,Q,D,fr,()=>tt.open(),()=>nr(D.shown,me.playground));window.addEventListener("hashcha\
+()=>{D.playSoon(),D.reveal()});D.goTo(wa);wa||D.playSoon();Gn(ee,Q,D);Ko(ee,Q,D,fn,()=>tt.open(),()=>tn(D.shown,me.playground));window.addEventListener("hashcha\
 nge",({newURL:t})=>et&&tt.start(et,new URL(t).hash));me.live!==null&&Yo(me.live,ee,Q,()=>D.player.playing||tt.dialog.open,()=>{Sa.textContent="The command has e\
-nded. This page shows what it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{Dr().then(t=>{et=
+nded. This page shows what it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{Dn().then(t=>{et=
 t,D.start(t),tt.start(t,$c),document.body.dataset.ready="true"},t=>{D.element.prepend(p("p",{class:"problem",role:"alert"},`The engine does not start here: ${String(
 t)}`)),document.body.dataset.ready="true"})}));})();

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 3711280ab2b0f4245f4ed3c261f1d58edc6debabaf122c4b6951510ac39d2996 */
+/* built from web/ by "npm run build"; sources 7b507241a57c4c84e0dac3feae237d11f568626fe9db207b2a831c2595c0a2e3 */
 "use strict";(()=>{var St={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},xt={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Ct=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Mt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
@@ -6,19 +6,24 @@ both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody 
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\
-here all adversaries in view together are farthest"},Tt={free:".GS",blocked:"#@OTW"};var z=1+Ct.length;function ue(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function K(e,t){return e<t?ue(Ge[0],{number:e}):ue(Ge[1],{number:e-t})}function Pr(e,t){
+here all adversaries in view together are farthest","team-surrounder":"shares the free cells beside adversaries with its teammates, and searches","careful-rando\
+m":"as random, but takes only moves that right of way allows","careful-chaser":"as chaser, but takes only moves that right of way allows","careful-fleer":"as fl\
+eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
+as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
+eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},Tt={free:".GS",blocked:"#@OTW"};var z=1+Ct.length;function ue(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function K(e,t){return e<t?ue(Ge[0],{number:e}):ue(Ge[1],{number:e-t})}function Pr(e,t){
 let[n,r,o,s,a,i,l,...c]=Array.from(e),d=a<0?[s]:[s,a],[m,h,p]=c.map(b=>d.filter((x,G)=>b>>G&1)),g=d.map(b=>K(b,t)),f=ue(Mt[a<0?"obstacle":je[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),y=ue(Et,{event:f,outcome:Ir(d.length,h,p,t)});return{kind:le[r],form:je[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:n,
 text:y}}function Ir(e,t,n,r){if(e===2&&t.length===2)return ce["both held"];if(e===2&&n.length===2)return ce["both doomed"];let o=s=>a=>ue(ce[s],{agent:K(a,r)});
 return[...t.map(o("held")),...n.map(o("doomed"))].join(", ")||ce.none}function xe(e,t){let n=[];for(let r=0;r<e.length;r+=z)n.push(Pr(e.subarray(r+1,r+z),t));return n}var T=class extends Error{name="EngineError"};function w(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new T(`${e}\
-: expected ${t}, got ${r}`)}var V=class{bytes;constructor(t){this.bytes=t}},Rt=0,Ve=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],_t=4,kt=4,$r=new TextEncoder,
+: expected ${t}, got ${r}`)}var V=class{bytes;constructor(t){this.bytes=t}},Rt=0,Ve=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],kt=4,_t=4,$r=new TextEncoder,
 Ur=new TextDecoder;function Wr(e){for(let t=Ve.length-1;t>Rt;--t)if(e instanceof Ve[t])return t;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function Ke(e){return new Uint8Array(e.buffer,e.byteOffset,e.byteLength)}function Dr(e){return $r.encode(`${e}\0`)}var Ye=class{engine;addresses=[];constructor(t){
 this.engine=t}copy(t){let n=this.engine._malloc(Math.max(t.length,1));if(n===0)throw new T("memory: expected room for the arguments, got none");return this.addresses.
 push(n),this.engine.HEAPU8.set(t,n),n}text(t){return this.copy(Dr(t))}arrays(t){let n=Object.entries(t),r=n.flatMap(([s,a])=>{let i=a instanceof V,l=i?a.bytes:a;
 return[this.text(s),i?Rt:Wr(l),l.length,this.copy(Ke(l))]}),o=this.copy(Ke(Int32Array.from(r)));return this.copy(Ke(Int32Array.of(n.length,o)))}free(){for(let t of this.
 addresses)this.engine._free(t)}};function Ot(e,t){let n=e.HEAPU8;return Ur.decode(n.subarray(t,n.indexOf(0,t)))}function Y(e){let t=new Int32Array(e.HEAPU8.buffer),
-n=e._last_outputs()/_t,r=t[n+1]/_t,o={};for(let s=r;s<r+t[n]*kt;s+=kt){let a=Ve[t[s+1]],i=t[s+2]*a.BYTES_PER_ELEMENT,l=t[s+3];o[Ot(e,t[s])]=new a(e.HEAPU8.slice(
+n=e._last_outputs()/kt,r=t[n+1]/kt,o={};for(let s=r;s<r+t[n]*_t;s+=_t){let a=Ve[t[s+1]],i=t[s+2]*a.BYTES_PER_ELEMENT,l=t[s+3];o[Ot(e,t[s])]=new a(e.HEAPU8.slice(
 l,l+i).buffer)}return o}function O(e,t){let n=new Ye(e);try{let r=t(n);if(r===0)throw new T(Ot(e,e._last_error()));return r}finally{n.free()}}var Br=2**31-1,Lt=["none","elman","gru"],Fr=2n**64n-1n,Hr=34028234663852886e22;function R(e,t){if(typeof t!="number"||!Number.isInteger(t)||Math.abs(t)>Br)throw w(
 e,"an integer",t);return Int32Array.of(t)}function Ae(e,t){if(typeof t!="boolean")throw w(e,"true or false",t);return new V(Uint8Array.of(Number(t)))}function $(e,t,n){
 let r=typeof t=="string"&&Object.hasOwn(n,t)?n[t]:void 0;if(r===void 0)throw w(e,`one of ${Object.keys(n).join(", ")}`,t);return Int32Array.of(r)}function Je(e,t){
@@ -92,18 +97,18 @@ let t=Uint8Array.from(atob(e.binary),n=>n.charCodeAt(0));return new Ze(await e({
 Zr,e),t,n)}function Kt(e,t,n){for(let[r,o]of Object.entries(t))o==null||o===!1||(typeof o=="function"?e.addEventListener(r.slice(2),o):e.setAttribute(r,o===!0?"":
 String(o)));return e.append(...n.filter(Qr).map(r=>typeof r=="number"?String(r):r)),e}function Qr(e){return e!=null&&e!==!1}var Te=()=>["file:","http:","https:"].
 includes(location.protocol);async function Qe(e,t){e.select();try{await navigator.clipboard.writeText(e.value),t.textContent="Copied."}catch{t.textContent="Sele\
-cted: copy it with Ctrl+C."}}var C=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var L="champion",W=0,D=64,Z=100,Q=300,et=e=>({cell:e,gone:!1,captured:!1,everCaptured:!1}),_=e=>[...e.pursuers,...e.evaders],A=e=>e.pursuers.length+e.evaders.length,
-tt=(e,t)=>t<e.pursuers.length?"pursuers":"evaders",k=(e,t)=>K(t,e.pursuers.length),nt=(e,t)=>Object.keys(e).every(n=>e[n]===t[n]);function ee(e,t){return Object.
+cted: copy it with Ctrl+C."}}var C=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var L="champion",W=0,D=64,Z=100,Q=300,et=e=>({cell:e,gone:!1,captured:!1,everCaptured:!1}),k=e=>[...e.pursuers,...e.evaders],A=e=>e.pursuers.length+e.evaders.length,
+tt=(e,t)=>t<e.pursuers.length?"pursuers":"evaders",_=(e,t)=>K(t,e.pursuers.length),nt=(e,t)=>Object.keys(e).every(n=>e[n]===t[n]);function ee(e,t){return Object.
 keys(t).find(n=>nt(t[n],e))??null}function te(e,t){let n=new Set(e.walls),r=Array.from({length:e.rows},(o,s)=>Array.from({length:e.cols},(a,i)=>n.has(s*e.cols+i)?
 "#":".").join(""));return{rules:t,rows:e.rows,cols:e.cols,n_pursuers:e.pursuers.length,n_evaders:e.evaders.length,fov:e.fov,diagonal:e.diagonal,max_steps:e.maxSteps,
-obstacles:r,rewards:e.rewards}}var _e=(e,t,n)=>({...e,next:e.next.map((r,o)=>o===t?n:r)}),Vt=e=>({...e,played:[...e.played,e.next],next:e.next.map(t=>typeof t==
+obstacles:r,rewards:e.rewards}}var ke=(e,t,n)=>({...e,next:e.next.map((r,o)=>o===t?n:r)}),Vt=e=>({...e,played:[...e.played,e.next],next:e.next.map(t=>typeof t==
 "number"?W:t)}),Yt=e=>({...e,played:e.played.slice(0,-1),next:e.played.at(-1)??e.next});function rt(e,t,n){let r=(o,s)=>o.map((a,i)=>i===s?{...a,cell:n}:a);return{
 ...e,pursuers:r(e.pursuers,t),evaders:r(e.evaders,t-e.pursuers.length)}}function Jt(e,t,n){let r=t==="pursuers"?e.pursuers.length:A(e);return{...e,[t]:[...e[t],
-et(n)],next:[...e.next.slice(0,r),W,...e.next.slice(r)],ended:!1}}function ke(e,t){let n=tt(e,t),r=n==="pursuers"?t:t-e.pursuers.length;return{...e,[n]:e[n].filter(
+et(n)],next:[...e.next.slice(0,r),W,...e.next.slice(r)],ended:!1}}function _e(e,t){let n=tt(e,t),r=n==="pursuers"?t:t-e.pursuers.length;return{...e,[n]:e[n].filter(
 (o,s)=>s!==r),next:e.next.filter((o,s)=>s!==t)}}function ot(e,t,n){let r=t[0]*e.cols+t[1],o=e.walls.filter(s=>s!==r);return{...e,walls:n?[...o,r].sort((s,a)=>s-
-a):o}}function Xt(e,t,n){let r=([s,a])=>s<t&&a<n,o=_(e).map(({cell:s})=>r(s));return{...e,rows:t,cols:n,walls:e.walls.map(s=>[Math.floor(s/e.cols),s%e.cols]).filter(
+a):o}}function Xt(e,t,n){let r=([s,a])=>s<t&&a<n,o=k(e).map(({cell:s})=>r(s));return{...e,rows:t,cols:n,walls:e.walls.map(s=>[Math.floor(s/e.cols),s%e.cols]).filter(
 r).map(([s,a])=>s*n+a),pursuers:e.pursuers.filter((s,a)=>o[a]),evaders:e.evaders.filter((s,a)=>o[e.pursuers.length+a]),next:e.next.filter((s,a)=>o[a])}}function N(e,[
-t,n]){let r=_(e).findIndex(({cell:o,gone:s})=>!s&&o[0]===t&&o[1]===n);return r<0?null:r}var P=(e,[t,n])=>e.walls.includes(t*e.cols+n);function qt(e){let t=Array.
+t,n]){let r=k(e).findIndex(({cell:o,gone:s})=>!s&&o[0]===t&&o[1]===n);return r<0?null:r}var P=(e,[t,n])=>e.walls.includes(t*e.cols+n);function qt(e){let t=Array.
 from({length:e.rows*e.cols},(o,s)=>[Math.floor(s/e.cols),s%e.cols]),n=([o,s])=>Math.abs(o-(e.rows-1)/2)+Math.abs(s-(e.cols-1)/2),r=t.filter(o=>N(e,o)===null&&!P(
 e,o));return r.length?r.reduce((o,s)=>n(s)<n(o)?s:o):null}var pe=class extends Error{},B="_",sn="n",Zt=2n**64n-1n,Qt=2e4,en=40,F={fov:11,maxSteps:500,rewards:"paper"},st=["rules","others","rewards","size","diagonal","f\
 ov","limit","seed","ended","walls","pursuers","evaders","played","next"];function v(e,t,n){let r=n.length>en?`${n.slice(0,en)}…`:n;throw new pe(`${e}: expecte\
@@ -135,7 +140,7 @@ return t==="true";let r=t.split(",").map(a=>/^-?[\d.]+(e[+-]?\d+)?$/i.test(a)?Nu
 r.length)||!r.every(a=>Math.abs(a)<34e37))&&v(`rewards, ${e}`,`a value like ${n}`,t),r.length===1?r[0]:r}function lo(e){let t=/^(\d{1,20})\.(\d{1,20})\.(\d{1,9})$/.
 exec(e);if(!t)return v("seed","seed.episode.steps, such as 0.0.0",e);let[n,r]=[BigInt(t[1]),BigInt(t[2])];return(n>Zt||r>Zt)&&v("seed","numbers below 2^64",e),[
 n,r,Number(t[3])]}function co(e){for(let t of["pursuers","evaders"]){let n=e[t].length;(n<1||n>Z)&&v(t,`1 to ${Z} agents`,`${n}`)}e.fov%2===0&&v("fov","an odd n\
-umber",String(e.fov)),e.steps>e.maxSteps&&v("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function uo(e,t,n,r){let o=_(e).length;t.length>Q&&v("played",
+umber",String(e.fov)),e.steps>e.maxSteps&&v("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function uo(e,t,n,r){let o=k(e).length;t.length>Q&&v("played",
 `at most ${Q} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&v(a,`${o} characters, one for each agent`,i),[...i].map(l=>mo(a,l,e.diagonal?9:5,r)));return{
 ...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(W)}}function mo(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;if(t===sn&&r.champions)
 return L;let s=r.scripts[t.charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??v(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var Oe=[.5,1,2,4,8,16,32,64];var ln=12,po=2,Le=class extends EventTarget{#e;#r;#t;#n=0;#s=0;#o=!1;#a=null;#c=0;#l=[];#d=[];glide=.28;constructor(t,n={}){super(),this.#e=t,this.#r=n.speed??4,
@@ -173,17 +178,17 @@ colors.evader}function Mn({ctx:e,grid:t,colors:n}){let{left:r,top:o,cell:s,rows:
 e.fillStyle=n.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)e.fillRect(r+m*s,o,d,c);for(let m=1;m<a;m++)e.fillRect(r,o+m*s,l,d)}function En({ctx:e,
 grid:t,colors:n},r){let{left:o,top:s,cell:a,rows:i,cols:l}=t;e.fillStyle=n.obstacle;for(let c=0;c<i*l;c++){if(!r.obstacles[c])continue;let[d,m]=[Math.floor(c/l),
 c%l];e.fillRect(o+m*a,s+d*a,a,a)}Tn({ctx:e,grid:t,colors:n})}function Tn({ctx:e,grid:{left:t,top:n,cell:r,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
-Math.round(r/18)));e.strokeStyle=a.frame,e.lineWidth=i,e.strokeRect(t-i/2,n-i/2,s*r+i,o*r+i)}function _n({ctx:e,grid:t,colors:n},r){let{left:o,top:s,cell:a,rows:i,
+Math.round(r/18)));e.strokeStyle=a.frame,e.lineWidth=i,e.strokeRect(t-i/2,n-i/2,s*r+i,o*r+i)}function kn({ctx:e,grid:t,colors:n},r){let{left:o,top:s,cell:a,rows:i,
 cols:l}=t,c=a<24*r?5:1;e.font=`500 ${Math.round(Math.min(15*r,Math.max(9*r,a*.32)))}px system-ui, sans-serif`,e.fillStyle=n.muted,e.textBaseline="alphabetic",e.
 textAlign="center";let d=5*r+a/40;for(let m=0;m<l;m+=c)e.fillText(String(m),o+(m+.5)*a,s-d);e.textAlign="right",e.textBaseline="middle";for(let m=0;m<i;m+=c)e.fillText(
-String(m),o-d,s+(m+.5)*a)}function kn({grid:e},t,n,r){let o=Math.floor(t.fov/2)+.5,[s,a]=[Math.max(0,n-o),Math.min(e.cols,n+o)],[i,l]=[Math.max(0,r-o),Math.min(
+String(m),o-d,s+(m+.5)*a)}function _n({grid:e},t,n,r){let o=Math.floor(t.fov/2)+.5,[s,a]=[Math.max(0,n-o),Math.min(e.cols,n+o)],[i,l]=[Math.max(0,r-o),Math.min(
 e.rows,r+o)];return[M(e,s),E(e,i),(a-s)*e.cell,(l-i)*e.cell]}function Rn(e,t,n,r){let{ctx:o,grid:s,colors:a}=e;o.save(),o.beginPath(),o.rect(0,0,o.canvas.width,
-o.canvas.height),o.rect(...kn(e,t,n,r)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
+o.canvas.height),o.rect(..._n(e,t,n,r)),o.clip("evenodd"),o.clearRect(0,0,o.canvas.width,o.canvas.height),o.fillStyle=a.line,o.fillRect(s.left,s.top,s.cols*s.cell,
 s.rows*s.cell),o.restore(),Tn(e)}function On({ctx:e,grid:t,colors:n},{x:r,y:o,alpha:s},a){let i=Math.max(t.cell,16*a)*1.06,[l,c]=[M(t,r),E(t,o)];e.globalAlpha=Math.
 max(s,.6),e.beginPath(),e.roundRect(l-i/2,c-i/2,i,i,i*.2),e.strokeStyle=n.focus,e.lineWidth=Math.max(2,2.5*a),e.stroke();let d=Math.max(11*a,Math.min(18*a,t.cell*
 .5));e.font=`700 ${Math.round(d)}px system-ui, sans-serif`,e.textAlign="center",e.textBaseline="middle";let m=c-i/2<d*1.2,h=c+(m?1:-1)*(i/2+d*.7);e.strokeStyle=
 n.paper,e.lineJoin="round",e.lineWidth=d*.35,e.strokeText("You",l,h),e.fillStyle=n.ink,e.fillText("You",l,h),e.globalAlpha=1}function Ln(e,t,n,r,o){let{ctx:s,grid:a}=e,
-i=kn(e,t,r,o),l=re(e,t,n);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
+i=_n(e,t,r,o),l=re(e,t,n);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
 s.globalAlpha=1}function Nn(e,t,n,r,o){let{ctx:s,grid:a}=e,i=Math.min(Math.ceil(n),t.moments.length-1),l=t.moments[i];s.lineCap="round",s.lineWidth=Math.min(Ao,
 Math.max(1,a.cell*xo));for(let c=Math.max(1,Math.floor(n-r)+1);c<=i;c++){let[d,m]=[t.moments[c-1],t.moments[c]],h=Math.max(0,Math.min(1,(n-c)/r));s.globalAlpha=
 Cn+(Mo-Cn)*h;for(let p=0;p<m.alive.length;p++){let g=c===i&&n<i;if(!d.alive[p]||!(l.alive[p]||g))continue;let f=(j(t,p)?-1:1)*Co,[y,b]=S(d,p),[x,G]=S(m,p);if(y===
@@ -196,9 +201,9 @@ n.collision,e.lineWidth=Math.max(2,t.cell*.17),e.lineCap="round",e.stroke()}func
 e.fillStyle=n.collision,e.lineWidth=Math.max(1,t.cell*.05),e.setLineDash([t.cell*.14,t.cell*.1]);for(let[a,i]of r){if(a<0||i<0||a>=t.rows||i>=t.cols)continue;let l=[
 M(t,i)+s,E(t,a)+s,t.cell-2*s,t.cell-2*s];e.globalAlpha=.2*o,e.fillRect(...l),e.globalAlpha=o,e.strokeRect(...l)}e.setLineDash([]),e.globalAlpha=1}function $n({ctx:e,
 grid:t,colors:n},r,o,s,a){e.globalAlpha=a,be(e,M(t,r),E(t,o),Math.max(8,t.cell*s*1.02)),e.strokeStyle=n.collision,e.lineWidth=Math.max(1.5,t.cell*.085*Math.sqrt(
-s)),e.stroke(),e.globalAlpha=1}var _o=.8,ko=.92,Ro=15,Oo=7,dt=9;function Un(e,t,n,r,o,s){r.forEach((a,i)=>{a.alpha>0&&Lo(e,t,n,i,a,o,s)}),e.ctx.globalAlpha=1;for(let a of ye(t,n).values())a.length>
+s)),e.stroke(),e.globalAlpha=1}var ko=.8,_o=.92,Ro=15,Oo=7,dt=9;function Un(e,t,n,r,o,s){r.forEach((a,i)=>{a.alpha>0&&Lo(e,t,n,i,a,o,s)}),e.ctx.globalAlpha=1;for(let a of ye(t,n).values())a.length>
 dt&&No(e,r[a[dt-1]],a.length-dt+1)}function Lo(e,t,n,r,o,s,a){let{ctx:i,grid:l,colors:c}=e,d=j(t,r),[m,h]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
-o.size*(d?ko:_o)),g=re(e,t,r),f=!d&&!!n.captured[r-t.nPursuers];if(i.globalAlpha=o.alpha,(d?vn:be)(i,m,h,p),p>Oo*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
+o.size*(d?_o:ko)),g=re(e,t,r),f=!d&&!!n.captured[r-t.nPursuers];if(i.globalAlpha=o.alpha,(d?vn:be)(i,m,h,p),p>Oo*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(
 2,p*.1),i.stroke()),i.fillStyle=f?c.paper:g,i.fill(),f&&(be(i,m,h,p*.82),i.strokeStyle=g,i.lineWidth=p*.18,i.stroke()),!s||p<Ro*a)return;let y=String(d?r:r-t.nPursuers);
 i.font=`700 ${Math.round(p*(d?.4:.5)*(y.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?g:c.paper,i.fillText(
 y,m,h+p*(d?.17:.03))}function No({ctx:e,grid:t,colors:n},r,o){let[s,a]=[t.left+r.x*t.cell,t.top+r.y*t.cell];e.font=`700 ${Math.round(t.cell*.3)}px system-ui, sa\
@@ -211,7 +216,7 @@ s*d),e.lineTo(i(c)+a*d,l(c)-s*d),e.stroke()}function Bn(e,t,n,r,o,s){let a=H[s];
 m=Po*o.size,h=[M(l,o.x+a[1]*m),E(l,o.y+a[0]*m),M(l,o.x+a[1]*d),E(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[c.paper,
 p*2.1],[re(e,t,n),p]])i.strokeStyle=g,i.lineWidth=f,xn(i,...h,l.cell*.2),i.stroke()}var Hn={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function jn(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(
 Math.ceil(n),t.moments.length-1),c=t.moments[l],d=n===l,m=Ie(t,n),h=d?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),Mn(e);for(let f of r.
-viewers)m[f]?.alpha&&Ln(e,t,f,...ut(t,f,n));En(e,t),r.axes&&_n(e,o),Nn(e,t,n,r.trail,m),In(e,c.contested??[],h),Pn(e,t,n),Dn(e,t,l,h),m.forEach(({x:f,y,size:b},x)=>{
+viewers)m[f]?.alpha&&Ln(e,t,f,...ut(t,f,n));En(e,t),r.axes&&kn(e,o),Nn(e,t,n,r.trail,m),In(e,c.contested??[],h),Pn(e,t,n),Dn(e,t,l,h),m.forEach(({x:f,y,size:b},x)=>{
 let G=cn(c,x)?.4:0,Se=ct(c,x)?1:G;Se&&$n(e,f,y,b,Se*h)});let p=d?c:t.moments[Math.max(0,l-1)];if(Un(e,t,p,m,r.numbers,o),d&&r.plan)for(let[f,y]of m.entries())y.
 alpha&&Bn(e,t,f,S(c,f),y,r.plan[f]??0);r.you!==null&&(r.fog&&Rn(e,t,...ut(t,r.you,n)),On(e,m[r.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.
 selected===null?void 0:m[r.selected];g?.alpha&&Fn(e,g.x,g.y,g.size*.96),r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Fn(e,r.cursor[1]+.5,r.cursor[0]+.5,.8),
@@ -247,11 +252,11 @@ this.#s.at(-1));for(let a of t.played.slice(s-1))this.#o(a);return this.#e=t,!0}
 outcomes.at(-1);return t||n}actions(t){let n=Uint8Array.from(t,o=>typeof o=="number"?o:W),r=new Set(t.filter(o=>typeof o=="string"));for(let o of this.over?[]:r)
 for(let s of["pursuer","evader"]){let a=this.#t.decide(o===L?this.#r[s].policy:o,s,n);t.forEach((i,l)=>{i===o&&l<this.#e.pursuers.length==(s==="pursuer")&&(n[l]=
 a[l])})}return n}scene(){let t=this.#t,[n,r]=[t.read("last_positions"),t.read("alive")],[o,s]=[t.read("captured"),t.read("ever_captured")],a=this.#e.pursuers.length,
-i=_(this.#e).map((l,c)=>({...et([n[2*c],n[2*c+1]]),gone:!r[c],captured:c>=a&&!!o[c-a],everCaptured:c>=a&&!!s[c-a]}));return{...this.#e,played:[],steps:t.steps,ended:this.
+i=k(this.#e).map((l,c)=>({...et([n[2*c],n[2*c+1]]),gone:!r[c],captured:c>=a&&!!o[c-a],everCaptured:c>=a&&!!s[c-a]}));return{...this.#e,played:[],steps:t.steps,ended:this.
 outcomes.at(-1).terminated,pursuers:i.slice(0,a),evaders:i.slice(a)}}perfect(t){let[n,r]=[this.#s.at(-2),this.#n.at(-1).actions];return n&&this.#t.restore(n),{losses:n&&
 r?tr(t,this.#t,[r]):[],game:t.game(this.#t)}}free(){this.#t.free()}#o(t){if(this.over)return;let n=this.actions(t);this.#t.step(n),this.#a(n)}#a(t){let n=this.#t;
 this.#n.push(Xn(n,t)),this.#s.push(n.snapshot()),this.outcomes.push({conflicts:t?n.conflicts():[],rewards:n.read("rewards"),captors:n.read("captors"),terminated:!!n.
-read("terminated")[0],truncated:!!n.read("truncated")[0]})}};function zo(e,t){let n=_(t),r=n.map(({cell:s})=>s[0]*t.cols+s[1]),o=s=>Uint8Array.from(t.evaders,a=>Number(
+read("terminated")[0],truncated:!!n.read("truncated")[0]})}};function zo(e,t){let n=k(t),r=n.map(({cell:s})=>s[0]*t.cols+s[1]),o=s=>Uint8Array.from(t.evaders,a=>Number(
 a[s]));return{...e.snapshot(),seed:BigUint64Array.of(t.seed),episode:BigUint64Array.of(t.episode),cells:Int32Array.from(r,(s,a)=>n[a].gone?-1:s),last_cells:Int32Array.
 from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(t.evaders.length),rewards:new Float32Array(
 A(t)),report:new Int32Array(A(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(Number(t.ended)),truncated:Uint8Array.of(
@@ -270,7 +275,7 @@ this.#p(this.#n,this.#s)}redo(){this.#p(this.#s,this.#n)}solution(){let t=te(thi
 0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{text:t,problem:n}}))}#p(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#r),this.#o=[],this.#h(
 r,this.#m(r)))}#m(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#t??[];return n.map(o=>{let s=r.find(i=>i.rules===o),a=s?.follow(t)?s:new Ue(this.#e,t,o,
 this.data.champions);return a.actions(t.next),a})}#h(t,n){let[r,o]=[this.#r,this.#t.length];for(let l of this.#t)n.includes(l)||l.free();this.#r=t,this.#t=n,this.#l!==
-null&&this.#l>=_(t).length&&(this.#l=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#i(),
+null&&this.#l>=k(t).length&&(this.#l=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#i(),
 i&&s&&this.player.jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#f()}#i(){this.player.glide=Ko[this.#r.rules.interaction]}#g(){
 this.#a&&this.player.arrived&&this.step()}#f(){this.dispatchEvent(new Event("change"))}};function sr(e,t,n){let r=s=>new We(e,t,fe(s,t),ir(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:ar(s)}}}function ar(e){
 if(e instanceof pe||e instanceof T)return`This link holds no scene. ${e.message}`;throw e}function ir(e,t){return e.gallery.find(n=>n.scene===t)??null}function ve(){
@@ -286,25 +291,25 @@ Qo(e,s);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:c,scene:d}
  cells`,n.dataset.mode=c,r.textContent=I(e,t),r.hidden=e.games.length<2;let m=e.player.arrived&&e.player.step===e.game.length;s.look={plan:c==="act"&&m&&!l.over?
 l.actions(d.next):null,selected:c==="act"?e.selected:null,cursor:c==="build"&&document.activeElement===n?a.cell:null},s.show(l.recording,e.player.time)};return n.
 addEventListener("focus",i),n.addEventListener("blur",i),ns(e,n,a,i),{element:o,update:i}}function I(e,t){let n=t?e.scene.others:e.scene.rules,r=n&&ee(n,e.data.
-variants);return r?`-${r}`:"own rules"}function ft(e,t){let n=_(e.game.scene())[t];return n&&!n.gone?n.cell:null}function Qo(e,t){let n=null;t.canvas.addEventListener(
+variants);return r?`-${r}`:"own rules"}function ft(e,t){let n=k(e.game.scene())[t];return n&&!n.gone?n.cell:null}function Qo(e,t){let n=null;t.canvas.addEventListener(
 "pointerdown",r=>{let o=t.cellAt(r.clientX,r.clientY);if(!o||r.button!==0||e.running)return;t.canvas.setPointerCapture(r.pointerId);let s=t.agentAt(r.clientX,r.
 clientY);n=e.mode==="build"?ts(e,o,s):es(e,o,s)}),t.canvas.addEventListener("pointermove",r=>{let o=t.cellAt(r.clientX,r.clientY);o&&n?.(o)});for(let r of["poin\
 terup","pointercancel"])t.canvas.addEventListener(r,()=>{n=null})}function es(e,t,n){if(n===null){let s=e.selected===null?null:ft(e,e.selected);return s&&Math.max(
 Math.abs(s[0]-t[0]),Math.abs(s[1]-t[1]))===1&&se(e,it(s,t,e.scene.diagonal)),null}let r=e.selected===n;e.selected=n;let o=ft(e,n);return o?(r&&se(e,0),s=>se(e,it(
 o,s,e.scene.diagonal))):null}function ts(e,t,n){let r=!1,o=i=>{e.change(i,{part:r}),r=!0};if(n!==null)return e.selected=n,i=>{let l=e.game.scene();N(l,i)===null&&
 !P(l,i)&&o(rt(l,n,i))};let s=!P(e.game.scene(),t),a=i=>{let l=e.game.scene();N(l,i)===null&&P(l,i)!==s&&o(ot(l,i,s))};return a(t),a}function se(e,t){let{selected:n,
-scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(_e(r,n,t)),e.say(`${k(r,n)}: ${C[t]}.`))}function ns(e,t,n,r){t.addEventListener("keydown",
+scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(ke(r,n,t)),e.say(`${_(r,n)}: ${C[t]}.`))}function ns(e,t,n,r){t.addEventListener("keydown",
 o=>{if(o.ctrlKey||o.metaKey||o.altKey)return;let s=e.mode==="act"?gt(e,o):rs(e,o,n);r(),s&&o.preventDefault()})}function gt(e,t){let n=t.key.length===1?t.key.toLowerCase():
 t.key,r=pr[n]??(e.scene.diagonal?Zo[n]:void 0)??{s:0,Delete:0}[n];return r!==void 0?(e.selected===null&&mr(e,1),se(e,r),!0):n!=="n"&&n!=="p"?!1:(mr(e,n==="n"?1:
 -1),!0)}function mr(e,t){let n=A(e.scene),r=e.game.recording.moments.at(-1).alive,o=e.selected??(t>0?-1:n);for(let s=0;s<n;s++){if(o=(o+t+n)%n,!r[o])continue;e.
-selected=o;let[a,i]=ft(e,o);return e.say(`${k(e.scene,o)} at (${a}, ${i}).`)}}function rs(e,t,n){let r=e.game.scene(),o=pr[t.key];if(o!==void 0){let a=t.shiftKey?
+selected=o;let[a,i]=ft(e,o);return e.say(`${_(e.scene,o)} at (${a}, ${i}).`)}}function rs(e,t,n){let r=e.game.scene(),o=pr[t.key];if(o!==void 0){let a=t.shiftKey?
 N(r,n.cell):null,i=[n.cell[0]+H[o][0],n.cell[1]+H[o][1]];ge(r,i)&&(n.cell=i);let l=N(r,n.cell)===null&&!P(r,n.cell);a!==null&&l&&e.change(rt(r,a,n.cell));let[c,
 d]=n.cell;return e.say(`(${c}, ${d}): ${os(e,n.cell)}.`),!0}let s=N(r,n.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(ot(r,n.cell,!P(r,n.cell))):
-e.selected=s,!0):t.key==="Delete"&&s!==null?(e.change(ke(r,s)),!0):!1}function os(e,t){let n=e.game.scene(),r=N(n,t);return r!==null?k(n,r):P(n,t)?"obstacle":"f\
+e.selected=s,!0):t.key==="Delete"&&s!==null?(e.change(_e(r,s)),!0):!1}function os(e,t){let n=e.game.scene(),r=N(n,t);return r!==null?_(n,r):P(n,t)?"obstacle":"f\
 ree"}var yt=["·","↑","→","↓","←","↗","↘","↙","↖"],fr=e=>typeof e=="number"?`${yt[e]} ${C[e]}`:e,ss={obstacle:["obstacle"],teammate:["teammate"],adversary:[
 "evader","pursuer"]},as=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(", ")} and ${e.at(-1)}`;function De(e,t,n){let[r,o,s]=[t.recording.moments[n-1],t.recording.
 moments[n],t.outcomes[n]];if(!r||!o||!s)return[];let a=[...s.conflicts.map(l=>is(e,t.rules,l)),...ls(e,r,o,s.captors)],i={kind:"calm",text:"No conflict, no capt\
-ure.",turn:0,blame:"",cost:"",used:[]};return[...a.length?a:[i],...cs(e,t,n)]}function is(e,t,n){let r=n.at_fault.map(c=>k(e,c)),o=t.interaction==="SIMULTANEOUS"?
+ure.",turn:0,blame:"",cost:"",used:[]};return[...a.length?a:[i],...cs(e,t,n)]}function is(e,t,n){let r=n.at_fault.map(c=>_(e,c)),o=t.interaction==="SIMULTANEOUS"?
 0:n.turn+1,s=r.length?`At fault: ${as(r)}.`:"Nobody is at fault.",a=n.held.length+n.doomed.length>0,i=new Set(n.at_fault.map(c=>gr(e,c,le.indexOf(n.kind))));i.delete(
 0);let l=a||!i.size?"":`Allowed, but it costs: ${[...i].map(Be).join(" and ")}.`;return{kind:n.kind,text:`${n.text}.`,turn:o,blame:s,cost:l,used:ss[n.kind]}}function gr({
 pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;return typeof o=="number"?o:o[r]}function Be(e){let t=String(Number(Math.abs(e).toPrecision(
@@ -312,7 +317,7 @@ pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;r
 return"";let{rewards:i}=e,l=r<e.pursuers.length?"pursuer":"evader",c=i.blame==="FAULT"?s.fault:s.involved,d=le.reduce((p,g,f)=>p+(c?.[3*r+f]?gr(e,r,f):0),0),m=a.
 rewards[r]-d-i[`${l}_step`],h=Array.from({length:e.evaders.length+1},(p,g)=>g*i[`${l}_capture`]);for(let p of[0,i[`${l}_neighbor`]]){let g=h.find(b=>Math.abs(b+
 p-m)<1e-4);if(g===void 0)continue;let f={collision:d,capture:g,neighbour:p,step:i[`${l}_step`]},y=Object.entries(f).filter(([,b])=>b).map(([b,x])=>`${Be(x)} ${b}`);
-return y.length>1?y.join(", "):""}return""}function ls(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=k(e,a),l=t.alive[a]&&!n.
+return y.length>1?y.join(", "):""}return""}function ls(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=_(e,a),l=t.alive[a]&&!n.
 alive[a],c=r[s]?` by ${r[s]} ${r[s]===1?"pursuer":"pursuers"}`:"",d=["capture",...l?["captured_disappear"]:[]];n.captured[s]&&!t.captured[s]?o.push({kind:"captu\
 re",text:`${i} is captured${c}${l?" and disappears":""}.`,turn:0,blame:"",cost:"",used:d}):t.captured[s]&&!n.captured[s]&&n.alive[a]&&o.push({kind:"capture",text:`${i}\
  is free again.`,turn:0,blame:"",cost:"",used:["capture"]})}return o}function cs(e,t,n){let{terminated:r,truncated:o}=t.outcomes[n];if(!r&&!o)return[];let s=t.recording.
@@ -325,8 +330,8 @@ tton",title:"The networks of the match move all agents but the chosen one",oncli
 s=[],a="",i=()=>{let{scene:l}=e,c=`${l.pursuers.length} ${l.evaders.length} ${l.diagonal}`;c!==a&&(a=c,s=Array.from({length:A(l)},(d,m)=>ds(e,m)),n.replaceChildren(
 ...s.map(d=>d.element))),t.forEach((d,m)=>{d.hidden=m>=e.games.length,d.textContent=e.games.length>1&&e.games[m]?I(e,m):"reward",d.title="Reward of the step"}),
 s.forEach((d,m)=>ps(e,d,m))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function us(e){e.stop(),e.change({...e.scene,next:e.
-scene.next.map((t,n)=>n===e.selected?t:L)})}function ds(e,t){let{scene:n}=e,r=k(n,t),o=u("select",{"aria-label":`${r} does next`},...ms(e,n,t));o.addEventListener(
-"change",()=>{let d=o.value;e.stop(),e.change(_e(e.scene,t,/^\d$/.test(d)?Number(d):d))});let s=u("span",{class:"state muted"}),a=u("span",{class:"heard"}),i=u(
+scene.next.map((t,n)=>n===e.selected?t:L)})}function ds(e,t){let{scene:n}=e,r=_(n,t),o=u("select",{"aria-label":`${r} does next`},...ms(e,n,t));o.addEventListener(
+"change",()=>{let d=o.value;e.stop(),e.change(ke(e.scene,t,/^\d$/.test(d)?Number(d):d))});let s=u("span",{class:"state muted"}),a=u("span",{class:"heard"}),i=u(
 "button",{type:"button",class:"agent-name",onclick:()=>e.selected=t},bt(tt(n,t)),r,a),l=[0,1].map(()=>u("td",{class:"reward numbers"}));return{element:u("tr",{},
 u("th",{scope:"row"},i),u("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function ms(e,t,n){let r=C.slice(0,t.diagonal?9:5).map((i,l)=>u("option",{value:l},
 fr(l))),o=e.data.scripts.map(({name:i,text:l})=>u("option",{value:i,title:l},i)),s=[u("optgroup",{label:"move"},...r),u("optgroup",{label:"script"},...o)],a=e.data.
@@ -373,7 +378,7 @@ forEach((s,a)=>{let i=n[a];i.hidden=s>4&&!e.scene.diagonal,i.setAttribute("aria-
 String(o===s))})}}}function Cr(e){let t=u("button",{type:"button",title:"Undo the last change (Ctrl+Z)",onclick:()=>e.undo()},"Undo"),n=()=>t.setAttribute("aria\
 -disabled",String(!e.canUndo));return e.addEventListener("change",n),n(),t}function He(e,t){let n=e.game.scene(),r=qt(n);if(!r)return e.say("Every cell is taken\
 .",!0);if(n[t].length>=Z)return e.say(`${t}: expected at most ${Z}`,!0);let o=t==="pursuers"?n.pursuers.length:A(n);e.change(Jt(n,t,r))&&(e.selected=o)}function wt(e){
-let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let n=ke(e.game.scene(),t);n.pursuers.length&&n.evaders.length?e.change(n):e.say("A \
+let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let n=_e(e.game.scene(),t);n.pursuers.length&&n.evaders.length?e.change(n):e.say("A \
 team needs at least one agent.",!0)}function Mr(e,t){let n=Object.keys(e.data.variants),r={Enter:()=>e.step(),Backspace:()=>e.back(),Home:()=>e.restart()," ":()=>e.run(),m:()=>e.mode=e.mode==="act"?
 "build":"act",l:t.share,d:ht,"?":t.keys},o={"+":()=>He(e,"pursuers"),"-":()=>He(e,"evaders"),Delete:()=>wt(e)};document.addEventListener("keydown",s=>{if(s.defaultPrevented||
 document.querySelector("dialog[open]"))return;let a=s.key.length===1?s.key.toLowerCase():s.key;if((s.ctrlKey||s.metaKey)&&!s.altKey){let c={z:()=>s.shiftKey?e.redo():
@@ -383,9 +388,9 @@ HTMLInputElement&&!["radio","checkbox"].includes(e.type);function Ss(e,t){return
 t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}function Tr(e){let t=u("ul",{class:"lines","aria-live":"polite"}),n=u("details",{class:"card perfect"},u("summary",{},u("h2",{},"Perfect play")),t,u("p",{class:"\
 small muted"},"A team is one player here. An agent's shares are its part of the joint moves.")),r=0,o=(...a)=>t.replaceChildren(...a.filter(Boolean).map(i=>u("l\
 i",{class:"line"},`${i}.`))),s=async()=>{let a=++r;if(!n.open)return;let i=Ee(te(e.scene,e.scene.rules));if(i)return o(`Not known: ${i}`);let l=await e.solution();
-if(a!==r||!l)return;let{game:c,losses:d}=e.game.perfect(l),m=Array.from({length:A(e.scene)},(p,g)=>{let f=c&&or(c,g);return f?`${k(e.scene,g)}: ${f}`:""}),h=e.game.
+if(a!==r||!l)return;let{game:c,losses:d}=e.game.perfect(l),m=Array.from({length:A(e.scene)},(p,g)=>{let f=c&&or(c,g);return f?`${_(e.scene,g)}: ${f}`:""}),h=e.game.
 over?"The episode has ended":"Not known: no start on distinct free cells leads to this moment";o(...d.map(p=>`In the last step: ${nr(p)}`),c?`From here: ${rr(l,
-c,e.game.length)}`:h,...m)};for(let[a,i]of[[e,"change"],[n,"toggle"]])a.addEventListener(i,()=>{s()});return n}function _r(e){let t=[xs(e),...e.data.fields.map(r=>As(e,r)),Ms(e),Es(e)],n=()=>t.forEach(r=>r.update());return e.addEventListener("change",n),e.player.addEventListener(
+c,e.game.length)}`:h,...m)};for(let[a,i]of[[e,"change"],[n,"toggle"]])a.addEventListener(i,()=>{s()});return n}function kr(e){let t=[xs(e),...e.data.fields.map(r=>As(e,r)),Ms(e),Es(e)],n=()=>t.forEach(r=>r.update());return e.addEventListener("change",n),e.player.addEventListener(
 "step",n),n(),u("section",{class:"card rules"},...t.map(r=>r.element))}var ae=(e,t)=>{e.stop(),e.change(t)};function xs(e){let t=Object.keys(e.data.variants),n=t.
 map(o=>u("button",{type:"button",class:"chip",title:e.data.titles[o],onclick:()=>ae(e,{...e.scene,rules:e.data.variants[o]})},`-${o}`)),r=u("p",{class:"muted sm\
 all variant-title"});return{element:u("div",{class:"variants"},u("h2",{},"Rules"),u("div",{class:"chips",role:"group","aria-label":"Variant"},...n),r),update:()=>{
@@ -408,17 +413,17 @@ rewards:e.data.rewards[s.value]})),{element:u("div",{class:"board-settings"},u("
 abel",{class:"sides"},o,"diagonal")),u("div",{class:"pair"},u("label",{for:"rewards"},"Rewards"),s)),update:()=>{let{scene:a}=e;document.activeElement!==n&&(n.value=
 String(a.rows)),document.activeElement!==r&&(r.value=String(a.cols)),o.checked=a.diagonal;let i=JSON.stringify(a.rewards);s.value=Object.keys(e.data.rewards).find(
 l=>JSON.stringify(e.data.rewards[l])===i)??"own"}}}function Ts(e,t,n){let r=Xt(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?ae(e,r):e.say(`No ${r.pursuers.
-length?"evader":"pursuer"} would be left on a ${t} × ${n} board.`,!0)}var kr={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function Rr(e){let t=u("h2"),n=u("div",{class:"sto\
+length?"evader":"pursuer"} would be left on a ${t} × ${n} board.`,!0)}var _r={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function Rr(e){let t=u("h2"),n=u("div",{class:"sto\
 ry-body",tabindex:0,role:"region","aria-label":"What happened"}),r=u("div",{class:"heard",role:"status"}),o=u("section",{class:"card story"},t,n,r),s="",a=()=>{
 let i=Math.min(e.player.step,e.game.length),l=e.games.map((d,m)=>{let h=De(e.scene,d,i);return{name:e.games.length>1?I(e,m):"",lines:h,ended:i>d.length}}),c=JSON.
-stringify([i,l]);c!==s&&(s=c,t.textContent=i?`Step ${i}`:"Start",n.replaceChildren(...l.map(d=>_s(d,i))),r.textContent=i?`Step ${i}. ${l.map(Rs).join(" ")}`:"")};
-return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function _s({name:e,lines:t,ended:n},r){let s=n||!r?u("p",{class:"muted"},n?"The\
- episode had ended.":"Give agents their moves, then play a step."):u("ul",{class:"lines"},...t.map(ks));return u("div",{class:"story-part"},e&&u("h3",{},e),s)}function ks({
-kind:e,text:t,turn:n,blame:r,cost:o}){let s=n?`${kr[e]}, turn ${n}`:kr[e];return u("li",{class:`line line-${e}`},s&&u("span",{class:"tag"},s),u("span",{class:"l\
+stringify([i,l]);c!==s&&(s=c,t.textContent=i?`Step ${i}`:"Start",n.replaceChildren(...l.map(d=>ks(d,i))),r.textContent=i?`Step ${i}. ${l.map(Rs).join(" ")}`:"")};
+return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function ks({name:e,lines:t,ended:n},r){let s=n||!r?u("p",{class:"muted"},n?"The\
+ episode had ended.":"Give agents their moves, then play a step."):u("ul",{class:"lines"},...t.map(_s));return u("div",{class:"story-part"},e&&u("h3",{},e),s)}function _s({
+kind:e,text:t,turn:n,blame:r,cost:o}){let s=n?`${_r[e]}, turn ${n}`:_r[e];return u("li",{class:`line line-${e}`},s&&u("span",{class:"tag"},s),u("span",{class:"l\
 ine-text"},...we(t)),r&&u("span",{class:"line-blame muted"},r),o&&u("strong",{},o))}var Rs=({name:e,lines:t,ended:n})=>[e,...n?["The episode had ended."]:t.map(
 ({text:r,blame:o,cost:s})=>[r,o,s].filter(Boolean).join(" "))].filter(Boolean).join(" ");function Or(e,t){let n=wr(t),r=Sr(),o=()=>r.showModal(),s=u("header",{class:"top"},u("h1",{},u("span",{class:"muted"},"matrixworld "),"playground"),u("div",{class:"\
 buttons"},Cr(t),u("button",{type:"button",title:"Link to this scene (L)",onclick:n.open},"Share"),u("button",{type:"button",title:"Keys (?)",onclick:o},"Keys"),
-ur())),a=u("main",{class:"layout"},_r(t),u("section",{class:"card stage","aria-label":"Board"},hr(t),Ar(t)),u("div",{class:"side"},Rr(t),br(t),Tr(t)));e.classList.
+ur())),a=u("main",{class:"layout"},kr(t),u("section",{class:"card stage","aria-label":"Board"},hr(t),Ar(t)),u("div",{class:"side"},Rr(t),br(t),Tr(t)));e.classList.
 add("playground"),e.replaceChildren(s,xr(t),a,n.element,r),Mr(t,{share:n.open,keys:o})}async function Os(e){let t=cr(),{store:n,problem:r}=sr(await zt(),t,ve()||t.scene);Or(e,n),Te()&&lr(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var Lr=document.
 getElementById("page");Os(Lr).catch(e=>{throw Lr.append(u("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
 document.body.dataset.ready="true"});})();
