@@ -198,7 +198,7 @@ def test_masked_networks_keep_the_right_of_way_in_a_page(run_command: Commands) 
     got = run_command(do="rollout", **asked(config, pursuers, evaders, 9, episodes=6))
     assert [np.sum(statistics["faults"]) for statistics in got] == [0] * 6
     wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), episodes=6, threads=1)
-    steps = [np.ravel(statistics["agent_steps"]).tolist() for statistics in got]
+    steps = [np.ravel(statistics["agent_steps"]).astype(int).tolist() for statistics in got]
     assert steps == wanted.agent_steps[0].tolist()
 
 

@@ -22,6 +22,7 @@ from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.cli.arguments import SEED, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory
+from matrixworld.coevolution.evaluation.scores import HELD_OUT_VERSION
 from matrixworld.coevolution.jobs.evolve import JOB, open_job
 from matrixworld.version import __version__
 
@@ -65,15 +66,22 @@ class Result:
         return kept_scores(self.files) or {}
 
 
+SCORED_BY = {
+    "matrixworld": __version__,
+    "held_out": HELD_OUT_VERSION,
+    "episodes": SCORED_EPISODES,
+    "seed": SCORED_SEED,
+}
+"""What kept scores were played by. Scores by anything else are played anew."""
+
+
 def kept_scores(files: RunDirectory) -> Scores | None:
     """Return the scores in the run directory; None if none are kept there, or other ones."""
     try:
         kept = load_json(files.path / SCORES, owner=owner_of_scores(files))
     except (FileNotFoundError, DamagedFileError):
         return None
-    # Other versions may have other held-out opponents.
-    played = kept.get("matrixworld"), kept.get("episodes"), kept.get("seed")
-    return kept if played == (__version__, SCORED_EPISODES, SCORED_SEED) else None
+    return kept if all(kept.get(key) == value for key, value in SCORED_BY.items()) else None
 
 
 def owner_of_scores(files: RunDirectory) -> str:

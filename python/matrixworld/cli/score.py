@@ -15,6 +15,7 @@ from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.console import print_wrapped, progress, say
 from matrixworld.cli.groups import (
+    SCORED_BY,
     SCORED_EPISODES,
     SCORED_SEED,
     SCORES,
@@ -40,8 +41,7 @@ from matrixworld.cli.options import (
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.cli.tables import over_seeds, print_head, print_missing
 from matrixworld.coevolution import Progress, Team, open_run, score
-from matrixworld.coevolution.evaluation.scores import HeldOutScores
-from matrixworld.version import __version__
+from matrixworld.coevolution.evaluation.scores import HELD_OUT_VERSION, HeldOutScores
 
 ALL = "all"
 LAST = -1
@@ -151,6 +151,7 @@ def _plain(group: Group, teams: Sequence[TeamScores]) -> dict[str, Any]:
     return {
         "seeds": list(group.seeds),
         "missing": list(group.missing),
+        "held_out": HELD_OUT_VERSION,
         **{
             f"{scores[0].team}s": {
                 "generations": list(scores[0].generations),
@@ -197,5 +198,4 @@ def play_held_out(races: Sequence[Result], threads: int | None) -> None:
     played = score_all([*missing], episodes=SCORED_EPISODES, seed=SCORED_SEED, threads=threads)
     for path, files in missing.items():
         teams = {f"{team}s": each.to_json() for team, each in played[path].items()}
-        played_by = {"matrixworld": __version__, "episodes": SCORED_EPISODES, "seed": SCORED_SEED}
-        save_json(path / SCORES, {**played_by, **teams}, owner=owner_of_scores(files))
+        save_json(path / SCORES, {**SCORED_BY, **teams}, owner=owner_of_scores(files))

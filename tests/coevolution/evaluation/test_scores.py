@@ -23,6 +23,7 @@ SCRIPTED = {
     "pursuer": ["random", "clumsy-chaser", "chaser", "hunter"],
     "evader": ["random", "still", "clumsy-fleer", "fleer", "dodger"],
 }
+SURROUNDING = ["surrounder", "careful-team-surrounder"]
 EVOLVED = ["evolved-1", "evolved-2"]
 SHIPPED = [variant for variant in mw.VARIANTS if "evolved-1" in held_out("pursuer", variant)]
 """The variants whose genomes come with the package."""
@@ -51,7 +52,7 @@ def test_the_nine_variants_of_the_paper_have_shipped_genomes_of_their_own():
 def test_these_variants_have_scripts_and_genomes(team, variant):
     opponents = held_out(team, variant)
     surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
-    more = ["surrounder"] if surround and team == "pursuer" else []
+    more = SURROUNDING if surround and team == "pursuer" else []
     assert list(opponents) == [*SCRIPTED[team], *more, *EVOLVED]
     assert all(name == each for name, each in opponents.items() if name not in EVOLVED)
     genomes = [opponents[name].genomes[0] for name in EVOLVED]
@@ -65,10 +66,10 @@ def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
     monkeypatch.setattr("matrixworld.world.rules.VARIANTS", {**mw.VARIANTS, "X": row})
     rules = replace(row, captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
     for variant in ("X", rules):
-        assert list(held_out("pursuer", variant)) == [*SCRIPTED["pursuer"], "surrounder"]
+        assert list(held_out("pursuer", variant)) == [*SCRIPTED["pursuer"], *SURROUNDING]
         assert list(held_out("evader", variant)) == SCRIPTED["evader"]
     opponents, left_out = opponents_of("evader", mw.WorldConfig("X"))
-    assert list(opponents) == [*SCRIPTED["pursuer"], "surrounder"]
+    assert list(opponents) == [*SCRIPTED["pursuer"], *SURROUNDING]
     assert left_out == "no evolved opponents: none are shipped for variant X"
 
 
@@ -155,6 +156,15 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
     found = score(open_run(tmp_path / "diagonal"), episodes=2)["pursuer"]
     assert found.opponents == tuple(SCRIPTED["evader"])
     assert found.left_out.endswith("11 x 11 and 9")
+
+
+def test_a_careful_script_is_left_out_where_it_sees_too_little():
+    opponents, left_out = opponents_of("evader", mw.WorldConfig("SB", fov=3))
+    assert list(opponents) == [*SCRIPTED["pursuer"], "surrounder"]
+    assert left_out == (
+        "no careful-team-surrounder: it needs a view of 5 x 5 cells; no evolved opponents: they "
+        "have a view of 11 x 11 cells and 5 actions, this world has 3 x 3 and 5"
+    )
 
 
 def test_the_opponent_of_a_run_is_not_held_out(tmp_path):

@@ -39,16 +39,29 @@ from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.network_policy import fits
 from matrixworld.play.rollout import match_seed, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TablePolicy, TeamPolicy
+from matrixworld.world.masks import LEAST_FOV
+from matrixworld.world.policy import (
+    CAREFUL,
+    SCRIPTS,
+    Network,
+    Population,
+    Script,
+    TablePolicy,
+    TeamPolicy,
+)
 from matrixworld.world.rules import Capture, Rules, rules_of, variant_name
 
 FILE = "held_out.npz"
 NETWORK = Network()
 """Network of the evolved opponents: views of 11 x 11, 5 actions, one hidden layer of 32."""
 
+CAREFUL_FOV = LEAST_FOV["right-of-way"]
 OCCUPIERS: tuple[Script, ...] = ("random", "clumsy-chaser", "chaser", "hunter")
-SURROUNDERS: tuple[Script, ...] = (*OCCUPIERS, "surrounder")
+SURROUNDERS: tuple[Script, ...] = (*OCCUPIERS, "surrounder", "careful-team-surrounder")
 ESCAPERS: tuple[Script, ...] = ("random", "still", "clumsy-fleer", "fleer", "dodger")
+HELD_OUT_VERSION = 2
+"""Version of the set of opponents: scores of different versions cannot be compared. In version 1
+the variants with capture by surrounding had no ``careful-team-surrounder``."""
 RATE = 8
 """Bytes of a float64."""
 
@@ -102,19 +115,28 @@ def _shipped() -> dict[str, NDArray[np.float16]]:
 def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
     """Return the held-out opponents of a team that fit a world, and in words which do not."""
     every = held_out(other(team), config.rules)
-    fitting = {n: p for n, p in every.items() if isinstance(p, str) or fits(p.network, config)}
+    fitting = {n: p for n, p in every.items() if _plays_in(p, config)}
+    blind = [name for name in every if name.startswith(CAREFUL) and name not in fitting]
+    told = [f"no {each}: it needs a view of {CAREFUL_FOV} x {CAREFUL_FOV} cells" for each in blind]
     name = variant_name(config.rules)
     if not name:
-        return fitting, "no evolved opponents: they exist for the variants of the package only"
-    if f"{name}.{other(team)}s" not in _shipped():
-        return fitting, f"no evolved opponents: none are shipped for variant {name}"
-    if len(fitting) == len(every):
-        return fitting, ""
-    return fitting, (
-        f"no evolved opponents: they have a view of {NETWORK.fov} x {NETWORK.fov} cells and "
-        f"{NETWORK.n_actions} actions, this world has {config.fov} x {config.fov} and "
-        f"{config.n_actions}"
-    )
+        told.append("no evolved opponents: they exist for the variants of the package only")
+    elif f"{name}.{other(team)}s" not in _shipped():
+        told.append(f"no evolved opponents: none are shipped for variant {name}")
+    elif len(fitting) + len(blind) < len(every):
+        told.append(
+            f"no evolved opponents: they have a view of {NETWORK.fov} x {NETWORK.fov} cells and "
+            f"{NETWORK.n_actions} actions, this world has {config.fov} x {config.fov} and "
+            f"{config.n_actions}"
+        )
+    return fitting, "; ".join(told)
+
+
+def _plays_in(opponent: TeamPolicy, config: WorldConfig) -> bool:
+    """Return whether an opponent sees what it needs in a world."""
+    if isinstance(opponent, str):
+        return config.fov >= CAREFUL_FOV or not opponent.startswith(CAREFUL)
+    return fits(opponent.network, config)
 
 
 # Scores of genomes and runs:
