@@ -1,7 +1,8 @@
 """Do pursuers learn to capture, and safely, at the paper's size? -S as published, and masked.
 
-    python evolution/paper_surrounding.py             ten runs: some hours of one core
-    python evolution/paper_surrounding.py --quick     a small world: some seconds
+    python evolution/paper_surrounding.py                        ten runs: four hours of one core
+    python evolution/paper_surrounding.py --kinds right-of-way   five runs: 40 minutes of one core
+    python evolution/paper_surrounding.py --quick                a small world: some seconds
 
 Twenty pursuers learn by actor-critic to surround five evaders that move at random, on 40 x 40
 cells, in episodes of 500 steps (-S). Three kinds of training:
@@ -12,7 +13,9 @@ right of way  the same, with the mask `policy.mask=right-of-way`
 
 Look at the captures in an episode's last step, and at the collisions: the log of the authors'
 training (every tenth epoch) stands beside the first kind. With the mask no pursuer is at fault in
-any step of training. Runs resume where they were interrupted. ``--device cuda`` learns on a GPU.
+any step of training. Runs resume where they were interrupted. ``--results`` receives the numbers,
+the tables and a figure; numbers of other kinds that are there already are kept. ``--device cuda``
+learns on a GPU.
 
 Method: Sun et al. (2023), section on Pursuit-Evasion-S; policy gradients with the clipped objective
 of PPO (Schulman et al., 2017). Needs PyTorch.
@@ -20,7 +23,7 @@ of PPO (Schulman et al., 2017). Needs PyTorch.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -74,8 +77,8 @@ KINDS: Mapping[str, tuple[Mapping[str, Any], int]] = {
 DRAWN = {"published": colors.BLUE, "no mask": colors.VERMILLION, "right of way": colors.GREEN}
 
 
-def settings_of(*, quick: bool, device: str) -> dict[str, RaceSettings]:
-    """Return the settings of each run, by the path of its directory."""
+def settings_of(kinds: Iterable[str], *, quick: bool, device: str) -> dict[str, RaceSettings]:
+    """Return the settings of each run of some kinds, by the path of its directory."""
     base = RaceSettings.of(
         {
             "schedule": "against",
@@ -87,9 +90,11 @@ def settings_of(*, quick: bool, device: str) -> dict[str, RaceSettings]:
         }
     )
     return {
-        directory(kind, seed): base.changed({**changes, **(SMALL if quick else {}), "seed": seed})
-        for kind, (changes, seeds) in KINDS.items()
-        for seed in range(min(seeds, 2) if quick else seeds)
+        directory(kind, seed): base.changed(
+            {**KINDS[kind][0], **(SMALL if quick else {}), "seed": seed}
+        )
+        for kind in kinds
+        for seed in range(min(KINDS[kind][1], 2) if quick else KINDS[kind][1])
     }
 
 
@@ -136,10 +141,18 @@ def measured(runs: Mapping[str, SavedRun]) -> Numbers:
     """Return the numbers of all runs."""
     numbers: Numbers = {}
     for kind in KINDS:
-        names = [name for name in runs if name.startswith(directory(kind, 0)[:-1])]
-        each = [of_run(runs[name]) for name in names]
+        each = [
+            of_run(run) for name, run in runs.items() if name == directory(kind, run.settings.seed)
+        ]
+        if not each:
+            continue
         numbers |= {f"{kind} / {key}": np.stack([one[key] for one in each]) for key in each[0]}
     return numbers
+
+
+def kinds_of(numbers: Mapping[str, Any]) -> list[str]:
+    """Return the kinds that have been measured."""
+    return [kind for kind in KINDS if f"{kind} / captured" in numbers]
 
 
 def published_log() -> dict[str, NDArray[np.float64]]:
@@ -157,15 +170,22 @@ def windows(values: NDArray[Any], length: int = WINDOW) -> NDArray[np.float64]:
 
 def tables(numbers: Numbers) -> str:
     """Return the ends of all runs, and the course of the published training, in Markdown."""
+    missing = [kind for kind in KINDS if kind not in kinds_of(numbers)]
+    told = [f"Not measured: {', '.join(missing)} (`--kinds`)."] if missing else []
+    return "\n\n".join([ends(numbers), course(numbers), *told])
+
+
+def ends(numbers: Numbers) -> str:
+    """Return how the runs ended, in Markdown."""
     lines = [
         f"Ends of the runs, {LAST_EPISODES} new episodes each: evaders captured in the last step, "
         "steps, and collisions\nof the pursuers (agent-steps at fault in an episode); in training, "
         "all of them. Mean over seeds [95% interval].\n",
         f"| training | seeds | captured | steps | {' | '.join(COLLISION_KINDS)} "
         "| agent-steps | collisions in training |",
-        "|---" * 8 + "|",
+        "|---" * 9 + "|",
     ]
-    for kind in KINDS:
+    for kind in kinds_of(numbers):
         captured, length, faults, steps = (
             numbers[f"{kind} / last {key}"]
             for key in ("captured", "length", "fault", "agent-steps")
@@ -181,7 +201,7 @@ def tables(numbers: Numbers) -> str:
             f"{matches * numbers[f'{kind} / fault'].sum(axis=1).mean():,.0f}",
         )
         lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join([*lines, "", course(numbers)])
+    return "\n".join(lines)
 
 
 def course(numbers: Numbers) -> str:
@@ -191,11 +211,14 @@ def course(numbers: Numbers) -> str:
         np.stack([log["reward"], log["captured"], sum(log[kind] for kind in COLLISION_KINDS)]),
         WINDOW // 10,
     )
-    captured, faults = (windows(numbers[f"published / {key}"]) for key in ("captured", "fault"))
-    reward = numbers["published / reward"]
-    seeds = range(len(captured))
+    columns = [*theirs[[1, 2, 0]]]
+    if "published" in kinds_of(numbers):
+        captured, faults = (windows(numbers[f"published / {key}"]) for key in ("captured", "fault"))
+        rewards = numbers["published / reward"][:, 1:]  # the first generation is untrained
+        for of_seed in zip(captured, faults, rewards, strict=True):
+            columns += of_seed
     heads = ["epochs", "log: captured", "collisions", "reward"]
-    for seed in seeds:
+    for seed in range(len(columns) // 3 - 1):
         heads += [f"seed {seed}: captured", "collisions", "reward"]
     lines = [
         f"The published training by windows of {WINDOW} epochs: means of an episode (the log: "
@@ -204,19 +227,14 @@ def course(numbers: Numbers) -> str:
         f"| {' | '.join(heads)} |",
         "|---" * len(heads) + "|",
     ]
-    for w in range(captured.shape[1]):
-        if w >= 10 and w % 5:  # the later ones change slowly
+    for w in range(theirs.shape[1]):
+        if w >= 10 and w % 5 != 4:  # later windows change slowly
             continue
-        cells = [f"{w * WINDOW} to {(w + 1) * WINDOW - 1}", "", "", ""]
-        if w < theirs.shape[1]:
-            cells[1:] = [f"{theirs[1, w]:.2f}", f"{theirs[2, w]:.0f}", f"{theirs[0, w]:.0f}"]
-        for seed in seeds:
-            cells += [
-                f"{captured[seed, w]:.2f}",
-                f"{faults[seed, w]:.0f}",
-                f"{reward[seed, w + 1]:.0f}",
-            ]
-        lines.append(f"| {' | '.join(cells)} |")
+        cells = [
+            f"{column[w]:.{0 if k % 3 else 2}f}" if w < len(column) else ""
+            for k, column in enumerate(columns)
+        ]
+        lines.append(f"| {w * WINDOW} to {(w + 1) * WINDOW - 1} | {' | '.join(cells)} |")
     return "\n".join(lines)
 
 
@@ -231,12 +249,14 @@ def figure(numbers: Numbers) -> Figure:
         axes.plot(middles, line, color=colors.INK, linestyle="--", label="the authors' log")
         axes.set_xlabel("epoch")
         axes.grid(color=colors.GRID)
-    for kind, color in DRAWN.items():
+    for kind in kinds_of(numbers):
+        color = DRAWN[kind]
         curves = {
             panels[0]: windows(numbers[f"{kind} / captured"]),
             panels[1]: windows(numbers[f"{kind} / fault"]),
-            panels[2]: numbers[f"{kind} / reward"][:, 1:],
         }
+        if kind == "published":  # the other kinds have other rewards
+            curves[panels[2]] = numbers[f"{kind} / reward"][:, 1:]
         for axes, seeds in curves.items():
             epochs = WINDOW * (0.5 + np.arange(seeds.shape[1]))
             for number, seed in enumerate(seeds):
@@ -255,17 +275,22 @@ def figure(numbers: Numbers) -> Figure:
 def main() -> None:
     """Play missing runs; print and write the tables, and draw the figure."""
     parser = script_parser(__doc__, quick="a small world and two seeds")
+    names = {kind.replace(" ", "-"): kind for kind in KINDS}
+    parser.add_argument("--kinds", nargs="+", choices=names, default=[*names], help="default: all")
     parser.add_argument("--device", default="cpu", help="device of PyTorch, such as cuda")
     parser.add_argument("--runs", type=Path, default=Path("runs/paper_surrounding"))
     parser.add_argument("--results", type=Path, default=Path("paper_surrounding"))
     args = parser.parse_args()
-    runs = finish_all(settings_of(quick=args.quick, device=args.device), args.runs)
-    numbers = measured(runs)
+    kinds = [names[name] for name in args.kinds]
+    runs = finish_all(settings_of(kinds, quick=args.quick, device=args.device), args.runs)
+    file = args.results / "numbers.npz"
+    kept = dict(np.load(file)) if file.exists() else {}
+    numbers = {**kept, **measured(runs)}
     text = tables(numbers)
     print(text)
     args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    np.savez_compressed(args.results / "numbers.npz", **numbers)
+    np.savez_compressed(file, **numbers)
     figure(numbers).savefig(args.results / "training.png")
     print(f"\nWritten: table.md, numbers.npz and training.png in {args.results}")
 

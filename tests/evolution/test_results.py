@@ -24,6 +24,7 @@ import paper_surrounding
 import psro
 import race_budgets
 import safe_learning
+import scripted_pursuit
 import yoked_races
 from evolution_scripts import DOCS, RESULTS, read, run_quickly, run_script
 from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
@@ -55,6 +56,15 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "psro/table.md": lambda at: psro.table(json.loads(read(at / "numbers.json"))),
     "race_budgets/table.md": lambda at: race_budgets.table(json.loads(read(at / "numbers.json"))),
     "safe_learning/table.md": lambda at: safe_learning.table(dict(np.load(at / "numbers.npz"))),
+    "paper_surrounding/table.md": lambda at: paper_surrounding.tables(
+        dict(np.load(at / "numbers.npz"))
+    ),
+    "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
+        {
+            name: [row and scripted_pursuit.Row(*row) for row in rows]
+            for name, rows in json.loads(read(at / "numbers.json")).items()
+        }
+    ),
 }
 """Published tables, and how they are made from the other files of their directory."""
 
@@ -637,3 +647,37 @@ def test_windows_are_means_of_epochs() -> None:
     values = np.arange(12.0).reshape(2, 6)
     np.testing.assert_allclose(paper_surrounding.windows(values, 2)[1], [6.5, 8.5, 10.5])
     np.testing.assert_allclose(paper_surrounding.windows(values, 4), [[1.5], [7.5]])
+
+
+# Scripted pursuers
+
+
+def test_scripted_pursuit_plays_its_smallest_rows(tmp_path: Path) -> None:
+    printed = run_quickly("scripted_pursuit", tmp_path)
+    rows = json.loads(read(tmp_path / "scripted_pursuit/numbers.json"))
+    assert list(rows) == [kind.name for kind in scripted_pursuit.KINDS]
+    for kind in scripted_pursuit.KINDS:
+        small, larger, *rest = rows[kind.name]
+        assert rest == [None] * 3
+        for captured, steps, faults, _ in (small, larger):
+            assert len(captured) == len(steps) == 2
+            assert all(0 < n <= 500 for n in steps)
+            assert (faults == 0) == (kind.name != "-SB, surrounder")
+    assert printed.startswith("Evaders captured in the last step / steps")
+
+
+def test_evaders_of_the_authors_move_to_free_cells_one_by_one() -> None:
+    # A pursuer, and three evaders in a corner: the first one has no free side until another left.
+    positions = np.array([[5, 5], [0, 0], [0, 1], [1, 0]])
+    for seed in range(20):
+        moves = scripted_pursuit.open_moves(positions, 1, np.random.default_rng(seed))
+        assert moves[0] == 0
+        assert moves[1] in (2, 3)  # east or south of (0, 1)
+        assert moves[2] in (2, 3)
+    found = list(scripted_pursuit.sides(positions, 1))
+    assert found == [[], [2, 3], [2, 3]]
+
+
+def test_the_page_on_scripted_pursuit_shows_the_published_table() -> None:
+    table = read(RESULTS / "scripted_pursuit/table.md").strip()
+    assert table in read(DOCS / "scripted_pursuit.md")
