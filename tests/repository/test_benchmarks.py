@@ -19,6 +19,7 @@ FEW = {
     "bench_scaling": [*SHORT, "--largest", "100", "--out", "scaling.png"],
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
     "bench_solve": ["--repeats", "1"],
+    "bench_actor_critic": ["--repeats", "1"],
     "bench_learners": ["--quick", "--results", "learners"],
 }
 """Options of each script for a short run."""

@@ -37,8 +37,9 @@ from matrixworld.world.rules import Interaction
 if TYPE_CHECKING:
     from matrixworld.coevolution.settings import RaceSettings
 
-CHUNK = 16_384
-"""Transitions that are in the networks at one time. Gradients are sums over all chunks."""
+CHUNK = 2**20
+"""Outputs of the widest layer that are computed at one time: larger ones leave a core's cache.
+Gradients are sums over all chunks."""
 COST_RATE = 0.05
 """Learning rate of the multiplier, unless another one is given."""
 SMALL = 1e-8
@@ -485,11 +486,12 @@ class ActorCritic:
     def _parts(self, rows: Views) -> list[Part]:
         """Return the minibatches of rows: every m-th row, in chunks."""
         m, torch, device = self.chosen.minibatches, self._torch, self._device
+        step = m * max(1, CHUNK // max(self._actor.sizes[1:]))
         return [
             [
                 (Inputs(rows[place], torch, device), place)
-                for start in range(first, len(rows), m * CHUNK)
-                for place in [slice(start, min(start + m * CHUNK, len(rows)), m)]
+                for start in range(first, len(rows), step)
+                for place in [slice(start, min(start + step, len(rows)), m)]
             ]
             for first in range(min(m, len(rows)))
         ]
