@@ -7,7 +7,8 @@ namespace matrixworld {
 namespace {
 
 // May an agent of the team enter the cell of an adversary that stays there? Under capture by
-// surrounding whoever moves into a contact is at fault; otherwise only an agent that is held is.
+// surrounding whoever moves into a contact is at fault; otherwise only an agent that is held is (as
+// `holds` in resolve.cpp says).
 bool contact_is_safe(const Rules& rules, Team team) {
     const Outcome own = rules.adversary(team), foreign = rules.adversary(opponent(team));
     const bool held = bounces(own) || (own == Outcome::Reach && bounces(foreign));

@@ -161,7 +161,7 @@ int ScriptedPolicy::find_best(const World& world, const Occupancy& occupancy, in
 void ScriptedPolicy::weigh(const World& world, const Occupancy& occupancy, double* out) {
     const int n_actions = world.config().n_actions();
     const double slips = static_cast<double>(script_.slips) / kSlipSteps;
-    if (script_.rate) {
+    if (script_.rate || script_.careful) {  // the order of right of way changes with the step
         throw std::invalid_argument(script_.name +
                                     ": expected a script that decides by what it sees alone, got "
                                     "one that counts steps");

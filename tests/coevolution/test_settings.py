@@ -163,6 +163,16 @@ def test_a_text_stands_for_a_section():
             "policy.mask: expected a fov of at least 5 for the mask right-of-way, got 3",
         ),
         (
+            {"world.fov": 3, "schedule": "against", "schedule.opponent": "careful-chaser"},
+            ValueError,
+            "schedule.opponent: expected a fov of at least 5 for careful-chaser, got 3",
+        ),
+        (
+            {"learner": "actor-critic", "learner.minibatches": 2},
+            ValueError,
+            "learner.minibatches: expected at most 1, as many as updates of actor and critic",
+        ),
+        (
             {"world.rules": mw.Rules(pursuer=mw.Outcome.BOUNCE), "policy.mask": "right-of-way"},
             ValueError,
             r"policy.mask: expected none or obstacles .*\(capture OCCUPATION, evader D",

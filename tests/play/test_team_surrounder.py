@@ -401,7 +401,7 @@ def test_views_of_all_sizes(fov: int) -> None:
         assert not played.faults[..., 0].any()  # no obstacle
 
 
-def test_it_captures_everybody_and_touches_nobody() -> None:
+def test_it_captures_everybody_and_is_never_at_fault() -> None:
     for pursuers, evaders in ((4, 1), (64, 16), (256, 64)):
         config = mw.WorldConfig("SB", rows=40, cols=40, n_pursuers=pursuers, n_evaders=evaders)
         played = mw.rollout(config, NAME, "random", mw.Matches.of(0, 0, range(10)))

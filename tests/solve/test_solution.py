@@ -182,6 +182,10 @@ def test_a_solved_team_plays_in_all_places() -> None:
             lambda: best_response(world(fov=3), "team-surrounder", "pursuer"),
             "team-surrounder: expected a script",
         ),
+        (
+            lambda: best_response(world(fov=5), "careful-chaser", "pursuer"),
+            "careful-chaser: expected a script",
+        ),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
         (lambda: best_response(world(), ["still"], "pursuer"), "expected weights with champions"),
         (lambda: best_response(world(), None, "pursuer"), "champion: expected a Population, the"),

@@ -98,7 +98,7 @@ def test_no_choice_of_four_agents_is_at_fault(rules: Any, keeps: tuple[Team, ...
 
 
 @pytest.mark.parametrize("team", TEAMS)
-@pytest.mark.parametrize("rules", ["S", "B", UNUSUAL[1]], ids=str)
+@pytest.mark.parametrize("rules", ["S", "SB", "B", UNUSUAL[1]], ids=str)
 def test_the_mask_forbids_no_more_than_it_must(rules: Any, team: Team) -> None:
     # Without any one of its cells, some choice of two teammates and an adversary is at fault.
     sizes = {"n_pursuers": 2, "n_evaders": 1} if team == "pursuer" else {}
@@ -229,3 +229,6 @@ def test_careful_scripts_need_a_wide_view() -> None:
     config = world_of("S", fov=3)
     with pytest.raises(ValueError, match=r"^pursuers: expected a fov of at least 5 for careful-"):
         mw.rollout(config, "careful-chaser", "random", mw.Matches.of(0, 0, 0))
+    for make in (mw.parallel_env, mw.VectorEnv):  # when they are made, not in the first step
+        with pytest.raises(ValueError, match=r"^evaders: expected a fov of at least 5 for careful"):
+            make(config, evaders="careful-fleer")

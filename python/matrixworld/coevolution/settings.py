@@ -46,7 +46,13 @@ from matrixworld.coevolution.sections import (
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.masks import MASKS, check_mask, forbidding_cells, leaves_captures
+from matrixworld.world.masks import (
+    MASKS,
+    check_mask,
+    check_script,
+    forbidding_cells,
+    leaves_captures,
+)
 from matrixworld.world.policy import GATES, Network
 from matrixworld.world.rules import Outcome, Rewards, variant_name
 
@@ -232,6 +238,8 @@ class RaceSettings(Section):
 
     def _check_mask(self) -> None:
         mask, rules = self.policy.mask, self.world.rules
+        if isinstance(self.schedule, Against):
+            check_script("schedule.opponent", self.schedule.opponent, self.world)
         check_mask("policy.mask", mask, self.world)
         masked = mask == "right-of-way" and "pursuer" in self.learning_teams
         if masked and rules.captures and not leaves_captures(self.world):

@@ -21,6 +21,7 @@ from matrixworld.solve import solve
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import check_script
 from matrixworld.world.policy import SCRIPTS, Population, TablePolicy
 from matrixworld.world.world import World
 
@@ -222,6 +223,7 @@ def _several(opponents: Any) -> list[Any]:
 def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterable[Plays]:
     """Return the policies that an opponent stands for."""
     if isinstance(given, str) and given in SCRIPTS:
+        check_script(name, given, config)
         return [given]
     if isinstance(given, str) and given == SOLVED:
         return [solve(config).policy(team)]

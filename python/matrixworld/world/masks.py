@@ -12,6 +12,7 @@ from matrixworld import _core
 from matrixworld._util.checks import check_choice, shown
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import CAREFUL, SCRIPTS
 from matrixworld.world.rules import Action, Capture
 
 Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
@@ -31,6 +32,16 @@ def check_mask(name: str, mask: str, config: WorldConfig) -> None:
     if config.fov < least:
         raise ValueError(
             f"{name}: expected a fov of at least {least} for the mask {mask}, got {config.fov}"
+        )
+
+
+def check_script(name: str, player: str, config: WorldConfig) -> None:
+    """Raise ValueError if a player is a careful script and agents see too little for it."""
+    careful = player in SCRIPTS and player.startswith(CAREFUL)
+    if careful and config.fov < LEAST_FOV["right-of-way"]:
+        raise ValueError(
+            f"{name}: expected a fov of at least {LEAST_FOV['right-of-way']} for {player}, got "
+            f"{config.fov}"
         )
 
 
@@ -103,8 +114,9 @@ def leaves_captures(config: WorldConfig) -> bool:
     Where contact captures, they must be allowed to enter the cell of an evader; otherwise a cell
     beside an evader, which the evader could enter, too.
     """
-    _, *moves = _core.right_of_way(config.setup, False)
-    evaders = [(row, col) for channel, row, col in moves[0] if channel == CHANNEL["evader"]]
+    _, north, *_ = _core.right_of_way(config.setup, False)
+    evaders = {(row, col) for channel, row, col in north if channel == CHANNEL["evader"]}
+    entered = tuple(MOVES[Action.NORTH])
     if config.rules.capture is Capture.OCCUPATION:
-        return not evaders
-    return len(evaders) == 1
+        return entered not in evaders
+    return evaders <= {entered}

@@ -109,3 +109,12 @@ def test_nobody_is_at_fault_in_training_by_any_learner(tmp_path: Path) -> None:
         assert log["matches"][-1] > 0
         assert not log["pursuer_faults"].any()
         assert not log["evader_faults"].any()
+
+
+def test_large_weights_do_not_break_the_mask(tmp_path: Path) -> None:
+    for hidden in ((), (4,)):
+        settings = tiny_race(mask="right-of-way", learner="es", fov=5, rules="S", hidden=hidden)
+        settings = settings.changed({"policy.initial_head": 1e5, "learner.sigma": 1000.0})
+        log = coevolution.finish(settings, tmp_path / str(hidden), threads=1).files.log()
+        assert not log["pursuer_faults"].any()
+        assert not log["evader_faults"].any()

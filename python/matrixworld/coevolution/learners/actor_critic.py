@@ -277,7 +277,13 @@ class ActorCriticSettings(LearnerSettings):
     device: str = setting("cpu", "device of PyTorch, such as cuda")
 
     def check(self) -> None:
-        """Raise ValueError if a multiplier is set up that nothing uses."""
+        """Raise ValueError for a multiplier that nothing uses, or parts that nothing learns."""
+        updates = min(self.actor_updates, self.critic_updates)
+        if self.minibatches > updates:
+            raise ValueError(
+                f"minibatches: expected at most {updates}, as many as updates of actor and critic "
+                f"in an epoch, got {self.minibatches}"
+            )
         if self.cost_rate is not None and self.cost_limit is None:
             raise ValueError(
                 f"cost_rate: expected no value without cost_limit, got {self.cost_rate}"

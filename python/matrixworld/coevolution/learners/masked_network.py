@@ -15,9 +15,9 @@ import numpy as np
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray
 from matrixworld.world.policy import Network
 
-FORBIDDEN = -(2.0**20)
+FORBIDDEN = -(2.0**100)
 """Added to the output of a forbidden move. Its probability is 0: e^x is 0 in float32 below -104,
-and other outputs are smaller than this number by far."""
+and other outputs are smaller than this number by far, whatever is learned. Its sums are finite."""
 
 
 @dataclass(frozen=True, eq=False)
