@@ -1,6 +1,6 @@
 """Which pursuers capture without collisions? Prices, limits and masks, by gradients and evolution.
 
-    python evolution/safe_learning.py             two variants, ten seeds: 80 minutes of one core
+    python evolution/safe_learning.py             two variants, ten seeds: an hour of one core
     python evolution/safe_learning.py --quick     a small world, two seeds: some seconds
 
 Pursuers learn to surround an evader that moves at random, in -S (teammates may share a cell) and in
@@ -32,7 +32,7 @@ from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.world.rules import COLLISION_KINDS
-from safe_runs import FULL, LIMIT, QUICK, long_test, measured, play
+from safe_runs import FULL, LIMIT, MOST_WITH_A_PRICE, QUICK, long_test, measured, play
 
 Numbers = Mapping[str, NDArray[Any]]
 """The arrays that `safe_runs.measured` returns."""
@@ -71,7 +71,7 @@ NUMBERS = {
     "training": "collisions while training",
 }
 STYLES = [
-    *({"color": color, "marker": "o"} for color in (NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS)),
+    *({"color": color, "marker": "o"} for color in (NOTHING, TWELVE, LIMITED, WALLS, WAYS)),
     *(
         {"color": color, "marker": "s", "fillstyle": "none"}
         for color in (NOTHING, ONE, LIMITED, WAYS)
@@ -118,7 +118,8 @@ def table(numbers: Numbers) -> str:
     parts = [
         f"Collisions at fault per 1000 agent-steps of the pursuers: in the test, by kind, and in "
         f"training so far.\nAll methods after at most {budget / 1e6:.4g} million agent-steps of "
-        f"training; evolution at its end as well.\nMean over {seeds} seeds [95% interval]."
+        f"training; evolution at its end as well.\nMean over {seeds} seeds, at most "
+        f"{MOST_WITH_A_PRICE} with a penalty or a limit [95% interval]."
     ]
     for variant in variants_of(numbers):
         names = methods_of(numbers, variant)
@@ -146,7 +147,8 @@ def comparisons(numbers: Numbers) -> str:
         first, second = (
             judged(numbers, f"{variant} {each}", budget=budget) for each in (one, other)
         )
-        return np.asarray(first[number] - second[number])
+        both = min(len(first[number]), len(second[number]))
+        return np.asarray(first[number][:both] - second[number][:both])
 
     found = {(row, variant): difference(variant, *row) for row in COMPARED for variant in variants}
     adjusted = dict(zip(found, holm([p_value(each) for each in found.values()]), strict=True))
@@ -258,7 +260,7 @@ def curve(
 def main() -> None:
     """Play missing runs; print and write the comparison, and draw it."""
     parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
-    parser.add_argument("--seeds", type=int, help="runs of each method; default 5, or 2")
+    parser.add_argument("--seeds", type=int, help="runs of each method; default 10, or 2")
     parser.add_argument("--runs", type=Path, default=Path("runs/safe_learning"))
     parser.add_argument("--results", type=Path, default=Path("safe_learning"))
     args = parser.parse_args()
