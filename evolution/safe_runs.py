@@ -20,8 +20,9 @@ FIRST_TEST_SEED = 10**6
 """Test episodes have seeds of their own; those of training are hashes."""
 
 Changes = dict[str, Any]
-MOST_WITH_A_PRICE = 5
-"""Seeds of a method with a penalty or a limit: most of their runs stand still and take longest."""
+FEW_SEEDS = 5
+"""Seeds of the methods whose runs take longest: those with a penalty or a limit, most of which stand
+still, and the one with 16 times the matches."""
 
 LEARNER_LIMIT, FITNESS_LIMIT, MASK = "learner.cost_limit", "fitness.cost_limit", "policy.mask"
 
@@ -44,6 +45,14 @@ EVOLUTION: dict[str, Changes] = {
     "rewards with penalty 1": {"fitness.measure": "rewards", **_penalty(1.0)},
     "captures within a limit": {FITNESS_LIMIT: LIMIT},
     "captures, right of way": {MASK: "right-of-way"},
+    "rewards, right of way, 16 times the matches": {
+        MASK: "right-of-way",
+        "fitness.measure": "rewards",
+        "learner.population": 128,
+        "match_episodes": 4,
+        "learner.sigma": 0.3,
+        "learner.learning_rate": 0.1,
+    },
 }
 
 
@@ -141,8 +150,8 @@ QUICK = Plan(
 
 def seeds_of(name: str, seeds: range) -> range:
     """Return the seeds of a method."""
-    priced = "penalty 1" in name or "limit" in name
-    return seeds[:MOST_WITH_A_PRICE] if priced else seeds
+    slow = any(part in name for part in ("penalty 1", "limit", "16 times"))
+    return seeds[:FEW_SEEDS] if slow else seeds
 
 
 def play(plan: Plan, seeds: range, root: Path, where: str | None) -> dict[str, list[SavedRun]]:
@@ -205,9 +214,8 @@ def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
     assert isinstance(schedule, Against)
     # Here no agent disappears: each world step is one step of all pursuers.
     steps = settings.world.n_pursuers * np.concatenate([[0], log["steps"]])
-    collisions = np.concatenate(
-        [[0.0], np.cumsum(log["pursuer_faults"]) * settings.learner.population]
-    )
+    episodes_played = settings.learner.population * settings.match_episodes
+    collisions = np.concatenate([[0.0], np.cumsum(log["pursuer_faults"]) * episodes_played])
     ends = np.minimum(
         np.arange(len(run.teams["pursuer"].genomes)) * schedule.archive_every, schedule.epochs
     )
