@@ -29,6 +29,7 @@ from pathlib import Path
 
 import numpy as np
 
+import paper_surrounding
 from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
 from matrixworld import analysis
 from matrixworld.analysis import MEASURES, read_payoffs
@@ -62,6 +63,10 @@ PUBLISHED_SURROUNDING = 0.53
 of it would count as reproduced."""
 LEAST_COLLISIONS = 1.0
 """Collisions per 1000 agent-steps that count as some: ten of a team of 20 in 500 steps."""
+
+AT_ITS_SIZE = Path(__file__).parent / "results" / "paper_surrounding" / "numbers.npz"
+ASSURANCE = """Rewards do not make pursuers safe in -S, and the paper asks for assurance. These
+learned at the paper's size by policy gradients, as `paper_surrounding.py` plays it."""
 
 Numbers = Mapping[str, np.ndarray]
 ByColumn = Mapping[str, np.ndarray]
@@ -518,6 +523,8 @@ def tables(numbers: Numbers) -> str:
         parts.append(returns(numbers))
     if CROSS_PLAY not in missing:
         parts.append(scores(numbers))
+    if "surrounding" not in missing and AT_ITS_SIZE.exists():
+        parts += [ASSURANCE, paper_surrounding.ends(dict(np.load(AT_ITS_SIZE)))]
     return "\n\n".join(parts)
 
 

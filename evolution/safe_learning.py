@@ -43,9 +43,8 @@ LONG_TEST = 1e7
 HEAD = " | ".join(
     ["capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps"]
 )
-NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS, MORE = (
+NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS = (
     colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
-    colors.ORANGE,
 )  # fmt: skip
 FREELY, LIMIT_ALONE = "gradients: no penalty", "gradients: limit, by a multiplier"
 WALLED, MASKED = "gradients: mask of obstacles", "gradients: right of way"
@@ -75,7 +74,7 @@ STYLES = [
     *({"color": color, "marker": "o"} for color in (NOTHING, TWELVE, LIMITED, WALLS, WAYS)),
     *(
         {"color": color, "marker": "s", "fillstyle": "none"}
-        for color in (NOTHING, ONE, LIMITED, WAYS, MORE)
+        for color in (NOTHING, ONE, LIMITED, WAYS)
     ),
 ]
 """Marks of the methods: filled for gradients, hollow for evolution."""
@@ -94,6 +93,13 @@ def variants_of(numbers: Numbers) -> list[str]:
 def methods_of(numbers: Numbers, variant: str) -> list[str]:
     """Return those of `names_of` that belong to a variant."""
     return [name for name in names_of(numbers) if name.startswith(f"{variant} ")]
+
+
+def within(numbers: Numbers, variant: str) -> list[str]:
+    """Return the methods of a variant that archive a trained generation within the budget."""
+    budget = float(numbers["budget"])
+    names = methods_of(numbers, variant)
+    return [name for name in names if numbers[f"{name} / agent-steps"][:, 1].max() <= budget]
 
 
 def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[Any]]:
@@ -126,7 +132,8 @@ def table(numbers: Numbers) -> str:
         names = methods_of(numbers, variant)
         late = [name for name in names if EVOLVED in name]
         rows = [
-            *(row(numbers, name, name.removeprefix(f"{variant} "), budget) for name in names),
+            *(row(numbers, name, name.removeprefix(f"{variant} "), budget)
+              for name in within(numbers, variant)),
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
               for name in late),
         ]  # fmt: skip
@@ -220,7 +227,7 @@ def methods_figure(numbers: Numbers) -> Figure:
     panels = drawn.subplots(1, len(variants), squeeze=False, sharey=True)[0]
     for variant, axes in zip(variants, panels, strict=True):
         axes.axvline(LIMIT, color=colors.MUTED, linestyle=":", label=f"limit of {LIMIT:g}")
-        for name, style in zip(methods_of(numbers, variant), STYLES, strict=False):
+        for name, style in zip(within(numbers, variant), STYLES, strict=False):
             found = judged(numbers, name, budget=float(numbers["budget"]))
             x = interval_over_runs(found["all"], bounds=(0.0, np.inf))
             y = interval_over_runs(found["capture rate"], bounds=(0.0, 1.0))

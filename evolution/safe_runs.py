@@ -21,8 +21,8 @@ FIRST_TEST_SEED = 10**6
 
 Changes = dict[str, Any]
 FEW_SEEDS = 5
-"""Seeds of the methods whose runs take longest: those with a penalty or a limit, most of which stand
-still, and the one with 16 times the matches."""
+"""Seeds of the methods whose runs take longest: those with a penalty or a limit, most of which
+stand still, and the one with 16 times the matches."""
 
 LEARNER_LIMIT, FITNESS_LIMIT, MASK = "learner.cost_limit", "fitness.cost_limit", "policy.mask"
 
