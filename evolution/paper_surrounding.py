@@ -268,7 +268,7 @@ def figure(numbers: Numbers) -> Figure:
     panels[1].set_ylim(-1.0, 30_000.0)
     panels[2].set(title="reward of a pursuer in an episode")
     panels[2].set_yscale("symlog", linthresh=100.0)
-    panels[0].legend(loc="upper left", fontsize="small")
+    panels[0].legend(loc="lower right", fontsize="small")
     return drawn
 
 
