@@ -555,7 +555,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     table = read(results / "table.md")
     assert printed.startswith(table)
     rows = [line for line in table.splitlines() if line.startswith(("| gradients", "| evolution"))]
-    assert len(rows) == 5 + 5 + 5
+    assert len(rows) == 5 + 4 + 5
     for row in rows:
         cells = [cell.strip() for cell in row.strip("|").split("|")]
         if "mask of obstacles" in cells[0]:
