@@ -332,7 +332,8 @@ def test_paper_claims_are_measured_in_parts_and_put_together(tmp_path: Path) -> 
     printed = run_quickly("paper_claims", tmp_path, "--parts", *others)
     table = read(tmp_path / "paper_claims/claims.md")
     assert table in printed
-    _, _, races, generalization, single, _, scores = table.strip().split("\n\n")
+    _, _, races, generalization, single, _, scores, *at_its_size = table.strip().split("\n\n")
+    assert at_its_size[-1].startswith("| training | seeds | captured ")
     lines = [len(each.splitlines()) - 2 for each in (races, generalization, single, scores)]
     assert lines == [15 + 2, 5, 2 + 4 + 8 + 6, 9]
     numbers = dict(np.load(file))
