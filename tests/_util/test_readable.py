@@ -7,9 +7,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import analysis
-from matrixworld.coevolution import finish, open_run
 from matrixworld.coevolution.evaluation.scores import HeldOutScores
-from tiny_race import tiny_race, tiny_single
 
 PAYOFF = np.random.default_rng(0).random((12, 11))
 NETWORK = mw.Network.for_config(mw.WorldConfig("O"))
@@ -29,21 +27,6 @@ def test_a_result_has_a_text_of_one_line(name):
     assert text.startswith(f"{name}(")
     assert "\n" not in text
     assert len(text) <= 600  # a few lines of a notebook; arrays would have thousands
-
-
-def test_a_run_says_what_it_is(tmp_path):
-    finish(tiny_race(), tmp_path / "race")
-    assert repr(open_run(tmp_path / "race")) == (
-        f"SavedRun('{tmp_path / 'race'}', generalist-generalist, seed 5, pursuers: 3, evaders: 3)"
-    )
-    finish(tiny_single(), tmp_path / "one")
-    assert "pursuer-against-random, seed" in repr(open_run(tmp_path / "one"))
-
-
-def test_arrays_appear_as_dtype_and_shape():
-    assert repr(analysis.lag_profile(PAYOFF)) == (
-        "LagProfile(lags=<int64 (22,)>, means=<float64 (22,)>, cells=<int64 (22,)>)"
-    )
 
 
 def cells_in(page: str) -> list[list[str]]:

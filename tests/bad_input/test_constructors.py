@@ -2,8 +2,6 @@
 
 import inspect
 from collections.abc import Callable, Iterator
-from enum import IntEnum
-from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,6 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution
-from matrixworld.coevolution import opponents
 from matrixworld.coevolution.sections import Section
 from matrixworld.episodes import replay
 from matrixworld.play.rollout import match_seed
@@ -21,27 +18,15 @@ from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
 from tiny_race import tiny_race, tiny_single
 
-
-class Seven(IntEnum):
-    """An integer of another class."""
-
-    VALUE = 7
-
-
 MALFORMED = {
     "a huge integer": 10**400,
     "an integer that Python does not write": -(10**5000),
-    "a huge fraction": Fraction(10**400),
     "nan": float("nan"),
     "infinity": float("inf"),
-    "a NumPy infinity": np.float32("-inf"),
-    "a complex number": 1j,
-    "bytes": b"4",
     "an unhashable list": [[]],
     "a dict": {},
     "an array of objects": np.array([None, {}], object),
     "an object": object(),
-    "a function": len,
     "text with a null": "\0",
     "a NumPy bool": np.True_,
 }
@@ -49,9 +34,6 @@ MALFORMED = {
 TEAM = mw.Population(GENOME, NETWORK)
 MATCH = mw.Matches.of(0, 0, 0)
 EPISODE = random_walks(steps=3)
-RNG = np.random.default_rng(0)
-TABLE = coevolution.NoiseTable(4, RNG, sigma=1.0)
-START = np.zeros(4, np.float32)
 MONITOR = mw.SafetyMonitor()
 MONITOR.add_episode(EPISODE)
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
@@ -95,23 +77,6 @@ CALLS = [
     partial(MONITOR.summary, seed=0),
     partial(coevolution.RaceSettings, **vars(tiny_race())),
     *(partial(type(each), **vars(each)) for each in SECTIONS if isinstance(each, Section)),
-    partial(coevolution.NoiseTable, rng=RNG, size=4, sigma=1.0),
-    partial(
-        coevolution.EvolutionStrategy, noise=TABLE, genome=START, samples=4, learning_rate=0.1,
-        anneal_over=None, momentum=0.9, relative_sigma=0.1,
-    ),
-    partial(
-        coevolution.GeneticAlgorithm, noise=TABLE, population=np.zeros((4, 4)), tournament=2,
-        truncation=0.5, elites=1, crossover=0.0,
-    ),
-    partial(coevolution.CmaEs, genome=START, sigma=0.1, samples=4),
-    *map(with_all, (opponents.Latest, opponents.Uniform, opponents.RoundRobin)),
-    partial(opponents.HallOfFame, newest=1, sampled=1),
-    partial(opponents.Prioritized, count=1, decay=0.5),
-    partial(opponents.hard, power=2.0),
-    partial(opponents.SharedSampling, count=1),
-    partial(opponents.MaxSolve, size=3),
-    partial(opponents.LAPCA, layers=3),
     partial(coevolution.start, settings=tiny_race(), directory="new", threads=1),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
@@ -123,8 +88,7 @@ CALLS = [
     partial(replay.animation, **PICTURE, fps=10.0, every=1),
     partial(replay.contact_sheet, **PICTURE, rows=1, cols=1),
 ]  # fmt: skip
-"""Calls with legal arguments; each is tried, but those that another object is made from."""
-NOT_TRIED = ("rng", "noise", "archive")
+"""Calls with legal arguments, each of which is tried."""
 ACCEPTED = {
     ("Batch", "buffers", "a dict"): "no arrays are written",
     ("Episode", "config", "a dict"): "no settings",
@@ -135,16 +99,9 @@ ACCEPTED = {
 """Values of the table that are legal, each with what they mean."""
 
 
-ELSEWHERE = ("rollout(matches)", "start(directory)", "save(path)")
-ELSEWHERE += ("EvolutionStrategy(genome)", "GeneticAlgorithm(population)", "CmaEs(genome)")
-"""Parameters that Python or NumPy reads, and refuses in its own words."""
-UNREADABLE = {"an integer that Python does not write", "an array of objects", "text with a null"}
-"""Values that Python may refuse in its own words when it compares or writes them."""
-
-
 def parameters() -> Iterator[Any]:
     for call in CALLS:
-        for parameter in sorted(call.keywords.keys() - NOT_TRIED):
+        for parameter in sorted(call.keywords):
             name = call.func.__qualname__
             yield pytest.param(call, parameter, id=f"{name}({parameter})")
 
@@ -161,18 +118,7 @@ def test_a_malformed_value_is_a_value_or_type_error(
     for what, wrong in MALFORMED.items():
         if (name, parameter, what) in ACCEPTED:
             continue
-        with pytest.raises((TypeError, ValueError)) as caught:
+        with pytest.raises((TypeError, ValueError)):
             call.func(**{**others, parameter: wrong})
-        if f"{name}({parameter})" not in ELSEWHERE and what not in UNREADABLE:
-            assert "expected" in str(caught.value), what
         # `start` and `save` write files if they are not refused.
         assert list(tmp_path.iterdir()) == [], what
-
-
-def test_numbers_of_other_classes_become_pythons_own() -> None:
-    settings = tiny_race(
-        rows=Seven.VALUE, cols=np.int16(6), sigma=np.float32(0.5), hidden=[Seven(7)]
-    )
-    assert type(settings.learner.sigma) is float
-    assert type(settings.policy.hidden[0]) is int
-    assert settings == tiny_race(rows=7, cols=6, sigma=0.5, hidden=(7,))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld._util import memory
+from matrixworld._util import checks
 from matrixworld.coevolution import score_policy, start
 from matrixworld.coevolution import tournament as play_tournament
 from matrixworld.envs import vector
@@ -29,69 +29,48 @@ GIANT = mw.Network((2**20, 2**20))
 GB = 10**9
 
 TOO_LARGE = {
-    "world": lambda: mw.World(WIDE),
-    "environment": lambda: mw.parallel_env(WIDE),
-    "batch": lambda: mw.Batch(MANY, CONFIG),
-    "views": lambda: mw.VectorEnv(CONFIG, MANY),
-    "copies": lambda: mw.VectorEnv(CONFIG, 230_000),  # fits once, but not with what is returned
-    "threads": lambda: mw.Batch(1024, WIDE, threads=1024, buffers={}),
-    "genome": lambda: GIANT.initial(np.random.default_rng(0)),
-    "episodes": lambda: mw.rollout(CONFIG, TEAM, "still", MATCH, episodes=MANY),
-    "threads of a rollout": lambda: mw.rollout(
-        mw.WorldConfig(rows=4096, cols=4096), "still", "still", MATCH, episodes=2**16, threads=1024
-    ),
-    "tournament": lambda: play_tournament(CONFIG, TEAM, TEAM, seed=0, episodes=MANY),
-    "scores": lambda: score_policy(TEAM, "pursuer", CONFIG, episodes=MANY),
+    "world": lambda path: mw.World(WIDE),
+    "batch": lambda path: mw.Batch(MANY, CONFIG),
+    "copies": lambda path: mw.VectorEnv(CONFIG, 230_000),  # would fit once
+    "threads": lambda path: mw.Batch(1024, WIDE, threads=1024, buffers={}),
+    "genome": lambda path: GIANT.initial(np.random.default_rng(0)),
+    "episodes": lambda path: mw.rollout(CONFIG, TEAM, "still", MATCH, episodes=MANY),
+    "tournament": lambda path: play_tournament(CONFIG, TEAM, TEAM, seed=0, episodes=MANY),
+    "scores": lambda path: score_policy(TEAM, "pursuer", CONFIG, episodes=MANY),
+    "candidates": lambda path: start(tiny_race(hidden=(2**20, 2**20)), path / "run"),
+    "payoff": lambda path: start(tiny_race(generations=MANY), path / "run"),
 }
 
 
-@pytest.fixture
-def half_a_gigabyte(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Play that the machine has little memory, so that the test does not depend on it."""
-    monkeypatch.setattr(memory, "available_memory", lambda: GB // 2)
-
-
-@pytest.mark.usefixtures("half_a_gigabyte")
 @pytest.mark.parametrize("call", TOO_LARGE.values(), ids=TOO_LARGE)
-def test_what_is_too_large_is_refused_with_an_estimate(call: Callable[[], object]) -> None:
-    with pytest.raises(
-        memory.OutOfMemoryError, match="at most 0.5 GB of memory.*an estimate of .* GB"
-    ):
-        call()
-
-
-def test_where_the_memory_is_unknown_nothing_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(memory, "available_memory", lambda: None)
-    memory.check_memory("all", bytes=10**30)
-
-
-def test_the_message_names_the_largest_part(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(memory, "available_memory", lambda: 2 * GB)
-    memory.check_memory("run", archive=GB, episodes=GB)
-    with pytest.raises(
-        memory.OutOfMemoryError,
-        match="run: .* 2.0 GB of memory.*estimate of 3.5 GB, of which archive: 2.5 GB",
-    ):
-        memory.check_memory("run", archive=5 * GB // 2, episodes=GB)
-
-
-# What is available
+def test_what_is_too_large_is_refused_with_an_estimate(
+    call: Callable[[Path], object], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(checks, "available_memory", lambda: GB // 2)
+    with pytest.raises(checks.OutOfMemoryError, match="at most 0.5 GB of memory.*an estimate of"):
+        call(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+    monkeypatch.setattr(checks, "available_memory", lambda: None)
+    checks.check_memory("all", bytes=10**30)  # where memory is unknown nothing is refused
 
 
 def test_the_smallest_limit_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     meminfo = tmp_path / "meminfo"
     meminfo.write_text("MemTotal: 9000000 kB\nMemAvailable:    2000000 kB\nHugePages_Free: 0\n")
-    monkeypatch.setattr(memory, "_MEMINFO", meminfo)
-    monkeypatch.setattr(memory, "_GROUP", tmp_path)
-    monkeypatch.setattr(memory, "_address_space", lambda: None)
-    assert memory.available_memory() == 2_048_000_000
+    monkeypatch.setattr(checks, "_MEMINFO", meminfo)
+    monkeypatch.setattr(checks, "_GROUPS", tmp_path)
+    monkeypatch.setattr(checks, "_address_space", lambda: None)
+    assert checks.available_memory() == 2_048_000_000
     (tmp_path / "memory.max").write_text("1000000000\n")
     (tmp_path / "memory.stat").write_text("anon 400000000\nfile 500000000\n")
-    assert memory.available_memory() == 600_000_000
+    assert checks.available_memory() == 600_000_000
     (tmp_path / "memory.max").write_text("max\n")
-    assert memory.available_memory() == 2_048_000_000
-    monkeypatch.setattr(memory, "_address_space", lambda: -5)
-    assert memory.available_memory() == 0
+    assert checks.available_memory() == 2_048_000_000
+    monkeypatch.setattr(checks, "_address_space", lambda: -5)
+    assert checks.available_memory() == 0
+
+
+# Estimates
 
 
 def measured_peak(play: Callable[[], object]) -> int:
@@ -119,49 +98,31 @@ def status(name: str) -> int:
     return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
 
 
-FIELD = mw.WorldConfig(rows=1500, cols=1500, max_steps=1)
 CROWD = mw.WorldConfig(rows=60, cols=60, n_pursuers=800, n_evaders=800, max_steps=1)
+FIELD = mw.WorldConfig(rows=1500, cols=1500, max_steps=1)
 SMALL = mw.WorldConfig(rows=6, cols=6, n_pursuers=2, n_evaders=2, max_steps=1)
-CALLS: dict[str, tuple[Callable[[], object], int]] = {
+ESTIMATES: dict[str, tuple[Callable[[], object], int]] = {
     "cells": (partial(mw.World, FIELD), workspace_bytes(FIELD)),
-    "agents": (
-        partial(mw.Batch, 1000, CROWD, threads=1, buffers={}),
-        1000 * state_bytes(CROWD),
-    ),
-    "worlds": (
-        partial(mw.Batch, 50_000, SMALL, threads=1, buffers={}),
-        50_000 * state_bytes(SMALL),
-    ),
+    "agents": (partial(mw.Batch, 1000, CROWD, threads=1, buffers={}), 1000 * state_bytes(CROWD)),
     "episodes": (
         partial(mw.rollout, SMALL, "still", "still", MATCH, episodes=200_000, threads=1),
-        200_000 * memory.EPISODE_BYTES,
+        200_000 * checks.EPISODE_BYTES,
     ),
 }
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
-@pytest.mark.parametrize("call", CALLS)
-def test_estimates_are_near_what_is_measured(call: str) -> None:
-    play, estimate = CALLS[call]
+@pytest.mark.parametrize("name", ESTIMATES)
+def test_estimates_are_near_what_is_measured(name: str) -> None:
+    play, estimate = ESTIMATES[name]
     measured = measured_peak(play)
-    # Estimates decide about refusals only.
     assert 0.5 * measured < estimate < 2 * measured, (measured, estimate)
 
 
-def environment(
-    n_worlds: int, team: str | None = None, told: dict[str, int] | None = None, **settings: Any
-) -> Any:
-    worlds = mw.VectorEnv("O", n_worlds, threads=1, **settings)
-    if team is None:
-        return worlds
-    if told:  # the copies of agents take the place of those of the worlds
-        told["copies"] = 0
-    return mw.AgentVectorEnv(worlds, team=None if team == "both" else team)
-
-
-def stepped(**settings: Any) -> object:
+def stepped(n_worlds: int, team: str | None = None, **settings: Any) -> object:
     """Step as a loop does: the results of a step are held while those of the next are made."""
-    env = environment(**settings)
+    env: Any = mw.VectorEnv("O", n_worlds, threads=1, **settings)
+    env = env if team is None else mw.AgentVectorEnv(env, team=team)
     kept = env.reset(seed=0)
     for _ in range(3):
         kept = env.step(np.zeros(env.action_space.shape, np.int64))
@@ -170,65 +131,30 @@ def stepped(**settings: Any) -> object:
 
 ENVIRONMENTS: dict[str, dict[str, Any]] = {
     "copies": {"n_worlds": 3000},
-    "half as many": {"n_worlds": 1500},
-    "no copies": {"n_worlds": 6000, "copy": False},
-    "float32": {"n_worlds": 1000, "dtype": "float32"},
-    "final views": {"n_worlds": 1500, "autoreset_mode": "SameStep"},
     "masks and state": {"n_worlds": 3000, "action_mask": True, "state": True},
-    "built-in team": {"n_worlds": 3000, "evaders": "random"},
-    "agents": {"n_worlds": 3000, "team": "both", "action_mask": True},
-    "agents, no copies": {"n_worlds": 5000, "team": "both", "copy": False},
-    "agents of a team": {"n_worlds": 4000, "team": "evader", "copy": False},
-    "agents of a small team": {"n_worlds": 4000, "team": "pursuer"},
-    "small views": {"n_worlds": 20_000, "team": "pursuer", "fov": 3},
+    "final views": {"n_worlds": 1500, "autoreset_mode": "SameStep"},
     "the only team": {"n_worlds": 4000, "team": "pursuer", "evaders": "random", "copy": False},
 }
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
-@quickly("name", ENVIRONMENTS, lambda name: name in ("copies", "masks and state", "agents"))
+@quickly("name", ENVIRONMENTS, lambda name: name == "copies")
 def test_estimates_of_environments_are_within_a_half(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: dict[str, int] = {}
     monkeypatch.setattr(vector, "check_memory", lambda what, **parts: told.update(parts))
-    environment(told=told, **ENVIRONMENTS[name])
+    stepped(**ENVIRONMENTS[name])
     measured = measured_peak(partial(stepped, **ENVIRONMENTS[name]))
     assert 0.95 * measured < sum(told.values()) < 1.5 * measured, (measured, told)
 
 
-# Runs
-
-
-@pytest.mark.usefixtures("half_a_gigabyte")
-@pytest.mark.parametrize(
-    ("changes", "part"),
-    [
-        ({"hidden": (2**20, 2**20)}, "candidates"),
-        ({"generations": MANY}, "episodes"),
-        ({"match_episodes": MANY}, "episodes"),
-    ],
-)
-def test_a_run_is_refused_before_its_directory_is_made(
-    tmp_path: Path, changes: dict[str, Any], part: str
-) -> None:
-    with pytest.raises(memory.OutOfMemoryError, match=f"run: expected .* of which {part}:"):
-        start(tiny_race(**changes), tmp_path / "run")
-    assert list(tmp_path.iterdir()) == []
-
-
-# Pictures
-
-
-def test_pictures_have_a_largest_size() -> None:
-    with pytest.raises(ValueError, match="contact sheet: expected at most 67,108,864 pixels"):
-        replay.contact_sheet(random_walks(), rows=10**6, cols=10**6)
-
-
 @pytest.mark.parametrize("suffix", [".gif", ".mp4"])
-def test_animations_have_a_largest_size(
+def test_pictures_and_animations_have_a_largest_size(
     tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    with pytest.raises(ValueError, match="contact sheet: expected at most 67,108,864 pixels"):
+        replay.contact_sheet(random_walks(), rows=10**6, cols=10**6)
     monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
         replay.save(random_walks(), tmp_path / f"x{suffix}")

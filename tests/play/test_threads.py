@@ -80,14 +80,20 @@ except OSError as error:
     ],
 )
 def test_control_groups_limit_cores(
-    own: str | None, limits: dict[str, str], cores: float, tmp_path: Path
+    own: str | None,
+    limits: dict[str, str],
+    cores: float,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(checks, "_OWN_GROUP", tmp_path / "own")
+    monkeypatch.setattr(checks, "_GROUPS", tmp_path / "groups")
     if own is not None:
         (tmp_path / "own").write_text(own)
     for folder, limit in limits.items():
         (tmp_path / "groups" / folder).mkdir(parents=True, exist_ok=True)
         (tmp_path / "groups" / folder / "cpu.max").write_text(limit)
-    assert checks.control_group_cores(tmp_path / "own", tmp_path / "groups") == cores
+    assert checks.control_group_cores.__wrapped__() == cores
 
 
 def test_a_limited_group_gives_fewer_threads(monkeypatch: pytest.MonkeyPatch) -> None:

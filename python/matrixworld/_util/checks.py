@@ -1,4 +1,8 @@
-"""Checks of arguments. Every message states what was expected and what was passed."""
+"""Checks of arguments and sizes. Every message states what was expected and what was passed.
+
+Sizes that cannot fit are refused before anything is allocated or written. Estimates are sums of the
+largest arrays; the about 100 MB that Python and the libraries need are not counted.
+"""
 
 from __future__ import annotations
 
@@ -27,8 +31,18 @@ SEED_MAX = 2**64 - 1
 MOST_THREADS = 1024
 """The most threads that anything may use."""
 
-_LONGEST = 100
-"""The most characters of a value in a message."""
+EPISODE_BYTES = 240
+"""Statistics of an episode, as `rollout` holds them until it returns: twice."""
+
+_LONGEST = 100  # characters of a value in a message
+_SMALL = 2**26  # 64 MiB: to read what is available would take longer than such an allocation
+_MEMINFO = Path("/proc/meminfo")
+_OWN_GROUP = Path("/proc/self/cgroup")
+_GROUPS = Path("/sys/fs/cgroup")
+
+
+class OutOfMemoryError(ValueError):
+    """Something needs more memory than this machine has available."""
 
 
 def shown(value: object) -> str:
@@ -134,55 +148,6 @@ def check_threads(threads: int | None) -> int:
     return usable_cores() if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
 
 
-def usable_cores() -> int:
-    """Return the number of cores that this process may use, the default number of threads.
-
-    These are the cores of the process's CPU affinity, or fewer where its control groups allow less
-    time (Linux, version 2), as in a container with a CPU limit.
-    """
-    if hasattr(os, "sched_getaffinity"):
-        cores = len(os.sched_getaffinity(0))
-    else:
-        cores = os.cpu_count() or 1
-    return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
-
-
-def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
-    """Return the processor's name, or "unknown"."""
-    lines = cpuinfo.read_text(encoding="utf-8").splitlines() if cpuinfo.is_file() else []
-    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    # Linux only has cpuinfo, and on some machines it names no model.
-    known = (*names, platform.processor(), platform.machine())
-    return next((name for name in known if name), "unknown")
-
-
-@cache
-def control_group_cores(
-    own_groups: Path = Path("/proc/self/cgroup"), groups: Path = Path("/sys/fs/cgroup")
-) -> float:
-    """Return how many cores' time the control groups of this process allow, `MOST_THREADS` at most.
-
-    The file `own_groups` names the group of this process. `groups` is the directory of all groups,
-    one below the other; each may limit those below it.
-    """
-    own = re.search(r"^0::/(.*)$", _text(own_groups), re.MULTILINE)  # the line of version 2
-    group = groups / own[1] if own else groups
-    # "150000 100000": 150 ms in every 100 ms. Without a limit: "max 100000", or no file.
-    limits = (
-        re.match(r"(\d+) (\d+)", _text(folder / "cpu.max")) for folder in (group, *group.parents)
-    )
-    cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
-    return min(cores, default=float(MOST_THREADS))
-
-
-def _text(file: Path) -> str:
-    """Return a text of the system, or an empty one where there is none to read."""
-    try:
-        return file.read_text("utf-8")
-    except OSError:
-        return ""
-
-
 def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) -> NDArray[Any]:
     """Return integers from 0 to the largest of a dtype as a new array of that dtype."""
     array = np.asarray(given)
@@ -197,3 +162,94 @@ def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) ->
     if array.size and (array.min() < 0 or array.max() > high):
         raise ValueError(f"{name}: expected 0 to {high}, got {array.min()} to {array.max()}")
     return array.astype(dtype)
+
+
+def usable_cores() -> int:
+    """Return the number of cores that this process may use, the default number of threads.
+
+    These are the cores of the process's CPU affinity, or fewer where its control groups allow less
+    time, as in a container with a CPU limit.
+    """
+    if hasattr(os, "sched_getaffinity"):
+        cores = len(os.sched_getaffinity(0))
+    else:
+        cores = os.cpu_count() or 1
+    return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
+
+
+@cache
+def control_group_cores() -> float:
+    """Return how many cores' time the control groups (Linux, version 2) of this process allow."""
+    own = re.search(r"^0::/(.*)$", _text(_OWN_GROUP), re.MULTILINE)
+    group = _GROUPS / own[1] if own else _GROUPS
+    # "150000 100000": 150 ms in every 100 ms. Without a limit: "max 100000", or no file.
+    limits = (
+        re.match(r"(\d+) (\d+)", _text(folder / "cpu.max")) for folder in (group, *group.parents)
+    )
+    cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
+    return min(cores, default=float(MOST_THREADS))
+
+
+def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
+    """Return the processor's name, or "unknown"."""
+    named = re.search(r"^model name\s*: *(.+)$", _text(cpuinfo), re.MULTILINE)
+    return (named and named[1]) or platform.processor() or platform.machine() or "unknown"
+
+
+def check_memory(what: str, **parts: int) -> None:
+    """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts."""
+    needed = sum(parts.values())
+    available = available_memory() if needed > _SMALL else None
+    if available is not None and needed > available:
+        largest = max(parts, key=parts.__getitem__)
+        raise OutOfMemoryError(
+            f"{what}: expected to need at most {available / 10**9:,.1f} GB of memory, which are "
+            f"available, got an estimate of {needed / 10**9:,.1f} GB, of which {largest}: "
+            f"{parts[largest] / 10**9:,.1f} GB"
+        )
+
+
+def available_memory() -> int | None:
+    """Return the bytes that this process can still get without swapping; None where unknown."""
+    limits = [
+        limit for limit in (_system(), _control_group(), _address_space()) if limit is not None
+    ]
+    return max(0, min(limits)) if limits else None
+
+
+def _system() -> int | None:
+    free = re.search(r"^MemAvailable: *(\d+) kB", _text(_MEMINFO), re.MULTILINE)
+    if free:
+        return 1024 * int(free[1])
+    try:  # elsewhere all memory is known at best
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, OSError, ValueError):  # Windows has none of these names
+        return None
+
+
+def _control_group() -> int | None:
+    """Return what is left to a container."""
+    limit = re.match(r"\d+", _text(_GROUPS / "memory.max"))  # or the word "max"
+    # Not memory.current, which counts files in the cache: the system drops them on demand.
+    held = re.search(r"^anon (\d+)$", _text(_GROUPS / "memory.stat"), re.MULTILINE)
+    return int(limit[0]) - int(held[1]) if limit and held else None
+
+
+def _address_space() -> int | None:
+    """Return what ``ulimit -v`` leaves."""
+    pages = _text(Path("/proc/self/statm")).split()
+    if not pages:  # another system than Linux
+        return None
+    import resource
+
+    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
+    held = int(pages[0]) * resource.getpagesize()
+    return None if limit == resource.RLIM_INFINITY else limit - held
+
+
+def _text(file: Path) -> str:
+    """Return a text of the system, or an empty one where there is none to read."""
+    try:
+        return file.read_text("utf-8")
+    except OSError:
+        return ""

@@ -19,7 +19,7 @@ import sys
 import zipfile
 import zlib
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -63,33 +63,21 @@ NO_COMMENT = b"\0\0"
 
 NO_MATCH = "altered or from another run, its checksum does not match its content"
 
-NO_LINK = getattr(os, "O_NOFOLLOW", 0)
-"""Flag to open a file, but not through a symbolic link, where the system has it."""
 LONGEST = 1000
 """Most characters of a message: it may quote what a file holds."""
 
-NOT_REGULAR = {
+KINDS = {
     stat.S_IFDIR: "a directory",
     stat.S_IFLNK: "a symbolic link",
     stat.S_IFIFO: "a FIFO",
     stat.S_IFSOCK: "a socket",
 }
-"""Kinds of files by their modes; all others are devices."""
+"""Kinds of files that are not regular, by their modes; all others are devices."""
 
 UNREADABLE = (
-    AttributeError,  # another format of NumPy, up to Python 3.10
-    EOFError,
-    KeyError,
-    MemoryError,  # a header that claims more numbers than the file holds
-    NotImplementedError,  # another version of the zip format
-    OSError,
-    OverflowError,
-    RecursionError,
-    RuntimeError,  # an altered flag of the zip archive
-    TypeError,  # another format of NumPy, from Python 3.11 on
-    ValueError,
-    zipfile.BadZipFile,
-    zlib.error,
+    *(AttributeError, EOFError, KeyError, MemoryError, NotImplementedError, OSError),
+    *(OverflowError, RecursionError, RuntimeError, TypeError, ValueError),
+    *(zipfile.BadZipFile, zlib.error),
 )
 """What zipfile and NumPy raise while they read a damaged npz file."""
 
@@ -145,15 +133,11 @@ def printable(text: object) -> str:
 # Reading:
 
 
-def kind_of_file(mode: int) -> str:
-    """Return what a file of a mode is, such as "a FIFO"; empty for a regular one."""
-    return "" if stat.S_ISREG(mode) else NOT_REGULAR.get(stat.S_IFMT(mode), "a device")
-
-
 def check_regular(path: Path, mode: int) -> None:
     """Raise DamagedFileError unless a mode is that of a regular file."""
-    if kind := kind_of_file(mode):
-        raise DamagedFileError(path, f"expected a file, got {kind}")
+    if not stat.S_ISREG(mode):
+        problem = f"expected a file, got {KINDS.get(stat.S_IFMT(mode), 'a device')}"
+        raise DamagedFileError(path, problem)
 
 
 def read_content(path: Path) -> bytes:
@@ -209,12 +193,9 @@ def _parse_npz(path: Path, content: bytes) -> Arrays:
 
 
 def check_replaceable(path: Path) -> None:
-    """Raise FileExistsError if there is something of this name that is not a regular file.
-
-    A directory, symbolic link, FIFO or device is neither replaced nor written to: in a directory by
-    others a link may point to any file of the user.
-    """
-    if os.path.lexists(path) and (kind := kind_of_file(path.lstat().st_mode)):
+    """Raise FileExistsError for a directory, symbolic link, FIFO or device, such as /dev/null."""
+    if os.path.lexists(path) and not stat.S_ISREG(mode := path.lstat().st_mode):
+        kind = KINDS.get(stat.S_IFMT(mode), "a device")
         raise FileExistsError(f"{path}: expected a file, got {kind}")
 
 
@@ -228,13 +209,10 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     target = Path(path)
     check_replaceable(target)
     # In the same directory, because a rename is atomic within one file system only. The name is
-    # random, so that writers do not share it, and nobody can put a link there before.
+    # random, so that writers do not share it.
     temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
-    made = False
     try:
-        # x: a file that must not exist, not even as a link. Its mode is 0o666 without the umask.
         with open(temporary, "xb") as file:
-            made = True
             if target.exists():
                 os.chmod(temporary, stat.S_IMODE(target.stat().st_mode))
             yield file
@@ -245,13 +223,12 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
         os.replace(temporary, target)
         _sync_directory(target.parent)
     except OSError as error:
-        # System errors may lack the name, such as that of a full disk. An error without a number
-        # has a message of the package, which names the file.
+        # System errors may lack the name, such as that of a full disk.
         if error.errno is not None and error.filename in (None, str(temporary)):
             error.filename, error.filename2 = str(path), None
         raise
     finally:
-        if made:
+        with suppress(OSError):
             temporary.unlink(missing_ok=True)
 
 
@@ -274,8 +251,7 @@ def is_temporary(name: str) -> bool:
 def remove_temporary_files(path: Path) -> None:
     """Remove the incomplete files that killed writers left in a directory."""
     for left in path.iterdir():
-        # A directory of such a name is not from this package.
-        if is_temporary(left.name) and (left.is_symlink() or not left.is_dir()):
+        if is_temporary(left.name):
             left.unlink(missing_ok=True)
 
 
@@ -289,9 +265,9 @@ def save_arrays(path: Path, arrays: Mapping[str, ArrayLike], *, owner: str = "")
     be pickled.
     """
     plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
-    for name, array in plain.items():
-        if array.dtype.hasobject:
-            raise TypeError(f"{name}: expected numbers or text, got dtype {array.dtype}")
+    objects = [name for name, array in plain.items() if array.dtype.hasobject]
+    if objects:
+        raise TypeError(f"{objects[0]}: expected numbers or text, got objects")
     buffer = io.BytesIO()
     np.savez(buffer, **plain)
     with replacing(path) as file:
@@ -360,15 +336,12 @@ def locked(path: Path) -> Iterator[None]:
     check_replaceable(path)
     # The file is never removed: a process that still has it open would lock another file than one
     # that makes it anew.
-    handle = os.open(path, os.O_RDWR | os.O_CREAT | NO_LINK, 0o644)
+    handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
     try:
         try:
             _lock(handle)
         except (BlockingIOError, PermissionError) as error:
             raise LockedError(f"{path.parent}: another process is running there") from error
-        except OSError as error:
-            error.filename = str(path)  # a file system without locks does not name the file
-            raise
         yield
     finally:
         os.close(handle)

@@ -5,13 +5,11 @@ from __future__ import annotations
 import html
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
-from itertools import chain
+from itertools import chain, zip_longest
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-from matrixworld._util.text_table import table_lines
 
 Table = Sequence[Sequence[str]]
 """Rows of cells; the first row is the head."""
@@ -62,6 +60,22 @@ def matrix_table(matrix: NDArray[Any]) -> Table:
     rows, columns = (_some(size, MOST_CELLS) for size in matrix.shape)
     body = [[str(i), *(f"{matrix[i, j]:.2f}" for j in columns)] for i in rows]
     return [["", *map(str, columns)], *body]
+
+
+def table_lines(rows: Table, align: str) -> list[list[str]]:
+    """Return the lines of each row, with cells in columns; a cell may have several lines.
+
+    `align` has a format character for each column: ``"<"`` left, ``">"`` right.
+    """
+    columns = zip(*rows, strict=True)
+    widths = [max(len(line) for cell in c for line in cell.split("\n")) for c in columns]
+    return [
+        [
+            "  ".join(f"{c:{a}{w}}" for c, a, w in zip(line, align, widths, strict=True)).rstrip()
+            for line in zip_longest(*(cell.split("\n") for cell in row), fillvalue="")
+        ]
+        for row in rows
+    ]
 
 
 def _some(count: int, most: int) -> list[int]:

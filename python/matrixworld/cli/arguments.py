@@ -10,8 +10,8 @@ from pathlib import Path, PurePath
 
 import click
 
+from matrixworld._util.checks import OutOfMemoryError
 from matrixworld._util.files import DamagedFileError, LockedError
-from matrixworld._util.memory import OutOfMemoryError
 from matrixworld.cli.console import command
 from matrixworld.cluster import UnfitWorkerError
 from matrixworld.coevolution.jobs.evolve import JOB, FailedRunsError

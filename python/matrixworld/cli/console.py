@@ -15,7 +15,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld._util.files import printable
-from matrixworld._util.text_table import table_lines
+from matrixworld._util.readable import table_lines
 from matrixworld.coevolution.progress import ProgressBar
 
 INTERRUPTED = 130

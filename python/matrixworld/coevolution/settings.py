@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from matrixworld._util.memory import EPISODE_BYTES
+from matrixworld._util.checks import EPISODE_BYTES
 from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
 from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings, orthogonal
 from matrixworld.coevolution.learners.cma_es import CmaEsSettings

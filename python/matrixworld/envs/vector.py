@@ -21,9 +21,9 @@ from matrixworld._util.checks import (
     check_instance,
     check_integer,
     check_keywords,
+    check_memory,
     check_threads,
 )
-from matrixworld._util.memory import check_memory
 from matrixworld.envs.opponents import (
     BuiltInWorlds,
     HasOpponents,

@@ -10,8 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals, check_threads
-from matrixworld._util.memory import EPISODE_BYTES, check_memory
+from matrixworld._util.checks import (
+    EPISODE_BYTES,
+    SEED_MAX,
+    check_integer,
+    check_memory,
+    check_naturals,
+    check_threads,
+)
 from matrixworld._util.readable import Readable
 from matrixworld.world.arrays import workspace_bytes
 from matrixworld.world.config import WorldConfig

@@ -11,8 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import INT_MAX, check_choice, check_integer, check_number, shown
-from matrixworld._util.memory import check_memory
+from matrixworld._util.checks import (
+    INT_MAX,
+    check_choice,
+    check_integer,
+    check_memory,
+    check_number,
+    shown,
+)
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.solve.states import TEAMS, States
 from matrixworld.world.config import WorldConfig

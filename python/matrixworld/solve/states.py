@@ -13,8 +13,12 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
-from matrixworld._util.checks import check_instance, check_threads
-from matrixworld._util.memory import OutOfMemoryError, available_memory
+from matrixworld._util.checks import (
+    OutOfMemoryError,
+    available_memory,
+    check_instance,
+    check_threads,
+)
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy, check_team
 

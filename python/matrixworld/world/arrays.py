@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.memory import check_memory
+from matrixworld._util.checks import check_memory
 from matrixworld.world.config import WorldConfig
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]

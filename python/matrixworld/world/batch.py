@@ -15,10 +15,10 @@ from matrixworld._util.checks import (
     SEED_MAX,
     check_integer,
     check_keywords,
+    check_memory,
     check_naturals,
     check_threads,
 )
-from matrixworld._util.memory import check_memory
 from matrixworld.world.arrays import (
     array_specs,
     integers,

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_bool, check_choice, check_integer, shown
-from matrixworld._util.memory import check_memory
+from matrixworld._util.checks import check_bool, check_choice, check_integer, check_memory, shown
 from matrixworld._util.readable import Readable
 from matrixworld.world.config import WorldConfig
 

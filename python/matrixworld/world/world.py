@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld import _core
-from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, shown
-from matrixworld._util.memory import check_memory
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_memory, shown
 from matrixworld.episodes.render import Scene
 from matrixworld.world.arrays import (
     CHANNEL,

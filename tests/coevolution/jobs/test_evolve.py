@@ -353,7 +353,7 @@ def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp
 
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
-    monkeypatch.setattr("matrixworld._util.memory.available_memory", lambda: 300_000_000)
+    monkeypatch.setattr("matrixworld._util.checks.available_memory", lambda: 300_000_000)
     monkeypatch.setattr(module, "run_memory", lambda settings: {"all": 10**8})
     check_job(job_of(SETTINGS), tmp_path, None, 2)
     with pytest.raises(ValueError, match="5 runs at one time: expected to need at most 0.3 GB"):

@@ -17,9 +17,15 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_choice, check_integer, check_threads
+from matrixworld._util.checks import (
+    EPISODE_BYTES,
+    SEED_MAX,
+    check_choice,
+    check_integer,
+    check_memory,
+    check_threads,
+)
 from matrixworld._util.files import load_arrays
-from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.coevolution.evaluation.tournament import (

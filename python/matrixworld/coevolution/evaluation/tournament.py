@@ -12,8 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer, check_number, check_threads
-from matrixworld._util.memory import EPISODE_BYTES, check_memory
+from matrixworld._util.checks import (
+    EPISODE_BYTES,
+    check_instance,
+    check_integer,
+    check_memory,
+    check_number,
+    check_threads,
+)
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff, Seeds
 from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout

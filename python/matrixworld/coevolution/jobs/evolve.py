@@ -17,8 +17,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util.browser import HAS_PROCESSES
-from matrixworld._util.checks import check_instance, check_threads, shown
+from matrixworld._util import HAS_PROCESSES
+from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
 from matrixworld._util.files import (
     DamagedFileError,
     is_temporary,
@@ -26,7 +26,6 @@ from matrixworld._util.files import (
     remove_temporary_files,
     save_json,
 )
-from matrixworld._util.memory import check_memory
 from matrixworld.coevolution.jobs.worker import (
     Played,
     WorkerDiedError,

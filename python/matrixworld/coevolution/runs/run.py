@@ -20,9 +20,8 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from matrixworld._util.checks import check_threads, shown
+from matrixworld._util.checks import check_memory, check_threads, shown
 from matrixworld._util.files import DamagedFileError
-from matrixworld._util.memory import check_memory
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner

@@ -1,0 +1,159 @@
+"""Mistakes that users make first: the exception, what was expected; and nothing has changed."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from refusals import CONFIG, GENOME, NETWORK, SMALL, assert_refuses, kind, table, value
+
+TEAM = mw.Population(np.stack([GENOME, GENOME]), NETWORK)
+MATCH = mw.Matches.of(0, 0, 0)
+SPOILT = TEAM.genomes.copy()
+SPOILT[1, 17] = np.nan
+DIAGONAL = mw.WorldConfig(**SMALL, fov=5, diagonal=True)
+
+
+def config(**field: Any) -> Any:
+    """Make a configuration with a wrong value."""
+    return lambda: mw.WorldConfig(**SMALL | field)
+
+
+def with_buffer(name: str, array: Any) -> Any:
+    return lambda: mw.Batch(2, CONFIG, buffers={name: array})
+
+
+VALUES = [
+    value(config(rules="Q"), "one of D, R, B, O, S | got 'Q'"),
+    value(config(rows=0), "1 to 4096 | got 0"),
+    kind(config(rows=3.0), "an integer | got 3.0"),
+    kind(config(cols=True), "an integer | got True"),  # a bool is an int in Python
+    value(config(n_pursuers=12), "at most 12 agents | got 13"),
+    value(config(fov=4), "an odd number | got 4"),
+    value(config(obstacles=1.0), "a number in [0, 1) | got 1.0"),
+    value(config(obstacles=0.9), "at most 1 agents | got 3"),
+    value(config(obstacles=np.zeros((4, 3), bool)), "shape (3, 4) | got (4, 3)"),
+    kind(config(obstacles=np.zeros((3, 4))), "dtype bool | got float64"),
+    kind(lambda: mw.Rules(obstacle="B"), "a matrixworld.Outcome | 'B'"),
+    value(lambda: mw.Rewards(evader_step=float("nan")), "a finite number | got nan"),
+    value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
+    value(lambda: mw.Network((0,)), "1 to 1048576 | got 0"),
+    value(lambda: mw.Network(activation="gelu"), "'relu' or 'tanh' | got 'gelu'"),
+    value(lambda: mw.Network(memory="lstm"), "one of none, elman, gru | got 'lstm'"),
+    value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
+    kind(lambda: mw.Population(GENOME.astype(float), NETWORK), "dtype float32 | got float64"),
+    value(lambda: mw.Population(TEAM.genomes[:, :9], NETWORK), "shape (n >= 1, 329) | got (2, 9)"),
+    value(lambda: mw.Population(SPOILT, NETWORK), "finite numbers | got nan (genome 1, number 17)"),
+    kind(lambda: mw.Matches.of([0.0], 0, 0), "an integer | got 0.0"),
+    value(lambda: mw.Matches.of(0, [2, -1], 0), "0 to 2147483647 | got -1"),
+    value(lambda: mw.Matches.of([[0]], 0, 0), "one axis | got shape (1, 1)"),
+    value(lambda: mw.rollout(CONFIG, "stalker", TEAM, MATCH), "one of random | got 'stalker'"),
+    kind(lambda: mw.rollout(CONFIG, TEAM, GENOME, MATCH), "a Population, a TablePolicy | evaders"),
+    value(lambda: mw.rollout(DIAGONAL, "still", TEAM, MATCH), "a network for fov 5 | 5 actions"),
+    value(lambda: mw.rollout(CONFIG, TEAM, TEAM, MATCH, episodes=0), "at least 1 | got 0"),
+    value(lambda: mw.record(CONFIG, TEAM, TEAM, seed=0, evader=2), "0 to 1 | evader: expected"),
+    value(lambda: mw.Batch(2, CONFIG, threads=0), "1 to 1024 | got 0"),
+    value(with_buffer("reward", np.zeros((2, 3), np.float32)), "some of positions | ['reward']"),
+    kind(with_buffer("rewards", np.zeros((2, 3), ">f4")), "dtype float32 | got >f4"),
+    value(with_buffer("positions", np.zeros((2, 4, 2), np.int32)), "shape (2, 3, 2) | (2, 4, 2)"),
+    value(
+        with_buffer("positions", np.zeros((2, 3, 4), np.int32)[:, :, ::2]),
+        "a writeable C-contiguous array | positions",
+    ),
+    value(lambda: mw.read_map([]), "at least one row | got []"),
+    value(lambda: mw.read_map(["...", ".."]), "3 cells as in row 0 | row 1"),
+    value(lambda: mw.read_map(["..?", "..x"]), "'.GS' (free) or '#@OTW' (obstacle) | row 0"),
+    kind(lambda: mw.read_map([[True, False]]), "a bool array, rows of text or a path | True"),
+]
+
+
+@table(VALUES)
+def test_values_are_refused(call: Any, error: type[Exception], says: str) -> None:
+    assert_refuses(call, error, says)
+
+
+def test_unknown_fields_are_named() -> None:
+    for call in (mw.WorldConfig, mw.World, lambda **more: mw.Batch(1, CONFIG, **more)):
+        with pytest.raises(TypeError, match="n_predators"):
+            call(n_predators=3)
+
+
+HEADER = "type octile\nheight 2\nwidth 3\nmap\n"
+FILES = [
+    value("...\n.#.\n", "a MovingAI map | got ['...', '.#.']"),
+    value(HEADER, "at least one row | got []"),
+    value(HEADER + "....\n....\n", "(2, 3) cells as in its header | got (2, 4)"),
+    value(HEADER.replace("2", "two") + "...\n...\n", "(two, 3) cells | got (2, 3)"),
+    value(HEADER + "..é\n...\n", "'.GS' (free) | row 0"),
+]
+
+
+@table(FILES)
+def test_map_files(tmp_path: Path, call: str, error: type[Exception], says: str) -> None:
+    path = tmp_path / "broken.map"
+    path.write_text(call, encoding="utf-8")
+    assert_refuses(lambda: mw.read_map(path), error, says)
+    with pytest.raises(error, match="broken"):
+        mw.WorldConfig(obstacles=str(path))
+
+
+WORLD_CALLS = [
+    value(lambda w: w.step([0, 0]), "shape (3,) | got (2,)"),
+    kind(lambda w: w.step([0.0, 1, 2]), "integers | got dtype float64"),
+    value(lambda w: w.step([0, -1, 0]), "0 to 4 | got -1 (world 0, agent 1)"),
+    value(lambda w: w.step([mw.Action.NORTHEAST, 0, 0]), "0 to 4 | got 5 (world 0, agent 0)"),
+    value(lambda w: w.step(np.array([2**64 - 1, 0, 0], np.uint64)), "0 to 4 | got 92233720"),
+    value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
+    value(lambda w: w.reset(episode=3), "a seed with it | got episode 3"),
+    value(lambda w: w.reset(evaders=[[0, 1, 2]]), "shape (1, 2) | (1, 3)"),
+    value(lambda w: w.reset(pursuers=[[1, 2], [1, 2]]), "distinct cells | two agents on (1, 2)"),
+    value(lambda w: w.reset(evaders=[[2**40, 0]]), "a cell of the 3 x 4 | (2147483647, 0)"),
+    value(
+        lambda w: w.reset(evaders=[[1, 1]], obstacles=["....", ".#..", "...."]),
+        "a free cell | position (1, 1)",
+    ),
+    value(lambda w: w.reset(obstacles=["...", "..."]), "shape (3, 4) | got (2, 3)"),
+    value(lambda w: w.reset(obstacles=["####", "####", "##.."]), "at least 3 free cells | got 2"),
+]
+
+
+@table(WORLD_CALLS)
+def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], says: str) -> None:
+    world, twin = mw.World(CONFIG), mw.World(CONFIG)
+    for each in (world, twin):
+        each.reset(pursuers=[[0, 0], [0, 1]], evaders=[[2, 3]])
+        each.step([mw.Action.EAST, mw.Action.WEST, mw.Action.EAST], explain=True)
+    assert_refuses(lambda: call(world), error, says)
+    assert world.conflicts == twin.conflicts
+    for _ in range(2):
+        for name, expected in twin.read(*mw.array_specs(CONFIG)).items():
+            np.testing.assert_array_equal(world.read(name)[name], expected)
+        world.reset()
+        twin.reset()
+
+
+ZEROS = np.zeros((2, 3), int)
+BATCH_CALLS = [
+    value(lambda b: b.step(ZEROS[0]), "shape (2, 3) | got (3,)"),
+    kind(lambda b: b.step(ZEROS * 1.0), "integers | got dtype float64"),
+    value(lambda b: b.step([[0, 0, 0], [4, 5, 4]]), "0 to 4 | got 5 (world 1, agent 1)"),
+    value(lambda b: b.reset([1]), "shape (2,) | got (1,)"),
+    value(lambda b: b.reset([5, -3]), "0 to 1844 | got -3"),
+    kind(lambda b: b.reset(mask=[1, 0]), "dtype bool | got int64"),
+    value(lambda b: b.reset(mask=[True] * 3), "shape (2,) | got (3,)"),
+    value(lambda b: b.reset(pursuers=np.zeros((2, 0, 2), int)), "shape | got (2, 0, 2)"),
+    value(lambda b: b.reset(0, episode=-1), "0 to 1844 | got -1"),
+]
+
+
+@table(BATCH_CALLS)
+def test_a_batch_refuses_and_stays_as_it_was(call: Any, error: type[Exception], says: str) -> None:
+    batch, twin = mw.Batch(2, CONFIG), mw.Batch(2, CONFIG)
+    assert_refuses(lambda: call(batch), error, says)
+    for action in (mw.Action.WEST, mw.Action.NORTH):
+        for name, array in twin.buffers.items():
+            np.testing.assert_array_equal(batch.buffers[name], array)
+        for each in (batch, twin):
+            each.step(ZEROS + action)
