@@ -18,12 +18,13 @@ from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data
 from matrixworld.explorer.runs_page import archives_of, run_data
 from matrixworld.plots.game import CROSSINGS, may_go
-from matrixworld.tutorial.course import Prediction, exercises
 from matrixworld.version import __version__
 from matrixworld.world.arrays import MOVES
 
 PAGE = Path(__file__).with_name("lesson.html")
 LESSON: dict[str, Any] = load_toml(Path(__file__).with_name("lesson.toml"))
+COURSE = load_toml(Path(__file__).parents[1] / "tutorials" / "course" / "exercises.toml")
+"""Outcomes and explanations of the predictions that the lesson takes over."""
 MOST_BYTES = 2 * 2**20
 """Genomes of the page, in bytes, which holds every fifth generation of default races."""
 VERDICTS = {"present": "a", "absent": "b", "cannot tell": "c"}
@@ -94,10 +95,11 @@ def _filled(part: dict[str, Any], races: Races) -> dict[str, Any]:
         return {**part, "outcome": VERDICTS[verdict]}
     if name.startswith("0."):
         return part
-    course = exercises(int(name[0]))[name]
-    known = {"explanation": course.explanation}
-    if isinstance(course, Prediction):
-        known["outcome"] = course.outcome
+    known = {
+        field: " ".join(COURSE[name][field].split())
+        for field in ("explanation", "outcome")
+        if field in COURSE[name]
+    }
     return {**known, **part}
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
@@ -26,6 +27,8 @@ from matrixworld.coevolution import (
     open_run,
 )
 from matrixworld.coevolution.jobs.evolve import job_of, play_job
+
+sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 
 SAME_STEPS = {"learner.relative_sigma": 0.0, "learner.learning_rate": 0.02}
 """Settings of an evolution strategy whose samples do not spread with the genome."""

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from common import SAME_STEPS
+from course.synthetic_races import Draws, SyntheticRace, disengagement, play_episodes
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import RACES
 from judgement_truths import (
@@ -23,8 +24,6 @@ from judgement_truths import (
 )
 from matrixworld.analysis import CONDITIONS
 from matrixworld.coevolution import RaceSettings, finish
-from matrixworld.toys import play_episodes
-from matrixworld.toys.synthetic_races import Draws, SyntheticRace, disengagement
 
 SIZES = (8, 15, 31, 60, 100)
 RUNS = (1, 1, 1, 3, 5, 10)
@@ -33,7 +32,7 @@ EFFECTS = (0.25, 0.5, 1.0, 2.0)
 
 
 class Noise(NamedTuple):
-    """How matches of known capture rates turn out; see `matrixworld.toys.play_episodes`."""
+    """How matches of known capture rates turn out; see `course.synthetic_races.play_episodes`."""
 
     episodes: int
     evaders: int = 1

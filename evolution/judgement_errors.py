@@ -42,6 +42,7 @@ import judgement_races
 import judgement_toys
 import judgement_truths
 from common import executor_of, script_parser
+from course import synthetic_races, toys
 from judgement_cases import SOURCES
 from judgement_races import KINDS
 from judgement_tables import write_tables
@@ -93,10 +94,9 @@ def _changes(
 def version() -> str:
     """Return a checksum of everything that a judgement or a synthetic race depends on."""
     # Once: files that change while the script runs are not those that it imported.
-    package = Path(analysis.__file__).parent.parent
-    modules = judgement_cases, judgement_races, judgement_toys, judgement_truths
-    files = [*sorted(package.glob("analysis/*.py")), *sorted(package.glob("toys/*.py"))]
-    files += [Path(each.__file__) for each in modules]
+    modules = synthetic_races, toys, judgement_cases, judgement_races, judgement_toys
+    files = sorted(Path(analysis.__file__).parent.glob("*.py"))
+    files += [Path(each.__file__) for each in (*modules, judgement_truths)]
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
 
 

@@ -16,10 +16,10 @@ import numpy as np
 from tqdm import tqdm
 
 from common import script_parser
+from course.synthetic_races import play_episodes
 from judgement_races import synthetic_races
 from judgement_tables import table
 from matrixworld import analysis
-from matrixworld.toys import play_episodes
 
 FIRST_SEED = 500_000
 GROUPS = 300

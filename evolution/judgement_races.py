@@ -1,8 +1,8 @@
 """Races for measuring the judgement: capture rates by formula, of 37 kinds.
 
-Some kinds are those of `matrixworld.toys`; here are the formulas of the others. Each takes the
+Some kinds are those of the course; here are the formulas of the others. Each takes the
 number of generations n, an effect size (1 is plain to see) and the nuisance parameters' `Draws`;
-`matrixworld.toys.synthetic_races` explains the symbols. `judgement_truths` says what is true of a
+`course.synthetic_races` explains the symbols. `judgement_truths` says what is true of a
 race.
 """
 
@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from matrixworld.toys import SYNTHETIC
-from matrixworld.toys.synthetic_races import (
+from course.synthetic_races import (
+    SYNTHETIC,
     Draws,
     SyntheticRace,
     additive,

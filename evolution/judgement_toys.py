@@ -12,17 +12,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
-from matrixworld.coevolution.types import TEAMS, FloatArray, Indices, other
-from matrixworld.toys import (
+from course.synthetic_races import SyntheticRace
+from course.toys import (
+    HOST_BIAS,
+    ROCK,
+    HandHistory,
+    History,
     alternate,
+    best_response,
     capture_probabilities,
     hosts_and_parasites,
     numbers_game,
 )
-from matrixworld.toys.bit_strings import HOST_BIAS, History
-from matrixworld.toys.rock_paper_scissors import ROCK, HandHistory, best_response
-from matrixworld.toys.synthetic_races import SyntheticRace
+from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
+from matrixworld.coevolution.types import TEAMS, FloatArray, Indices, other
 
 GENERATIONS = 31
 """Generations of each race that play against each other."""
@@ -115,8 +118,7 @@ def chances_of_history(history: History, generations: Indices) -> FloatArray:
     rows = []
     for generation in first:
         ones = np.repeat(generation, k * n, axis=0)
-        score = (1.0 + history.game.beats(ones, others) - history.game.beats(others, ones)) / 2.0
-        rows.append(score.reshape(n, k, n).mean(axis=(0, 2)))
+        rows.append(history.game.scores(ones, others).reshape(n, k, n).mean(axis=(0, 2)))
     return np.array(rows)
 
 

@@ -36,11 +36,11 @@ from scipy import optimize
 import catching_fleers
 from catching_fleers import EVADERS, SCRIPTED
 from common import finish_all, script_parser, written
+from course import chapter_10
+from course.chapter_10 import CELLS, STEPS
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 from matrixworld.solve import States, best_response, expected_payoff
-from matrixworld.tutorial import chapter_10
-from matrixworld.tutorial.chapter_10 import CELLS, STEPS
 from matrixworld.world.policy import GATES
 from race_budgets import SCHEDULES
 

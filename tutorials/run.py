@@ -29,7 +29,7 @@ import nbformat
 from nbclient import NotebookClient
 from PIL import Image, ImageSequence
 
-from matrixworld.tutorial.course import Prediction, exercises
+from course.questions import Prediction, exercises
 
 HERE = Path(__file__).parent
 TEACHER = HERE / "teacher"
@@ -63,6 +63,7 @@ def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.Note
         if cell.cell_type == "code":
             cell.source = PREDICTION.sub(_with_outcome, cell.source)
             cell.source = cell.source.replace(VERDICTS, 'my_verdicts = ["?"] * 8')
+    folders = [str(HERE), *filter(None, [os.environ.get("PYTHONPATH")])]
     with tempfile.TemporaryDirectory() as folder:  # predictions are written there
         NotebookClient(
             copy,
@@ -71,7 +72,7 @@ def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.Note
             startup_timeout=300,  # of a busy machine
             coalesce_streams=True,  # the prints of a cell in one piece
             **options,
-        ).execute()
+        ).execute(env=os.environ | {"PYTHONPATH": os.pathsep.join(folders)})
     return copy
 
 
@@ -118,6 +119,7 @@ def still(output: nbformat.NotebookNode) -> None:
 MOVED = {
     "](../": "](../../",
     'Path("..")': 'Path("../..")',
+    'sys.path.append(".")': 'sys.path.append("..")',
     "<details><summary>After": "<details open><summary>After",
 }
 """What differs in the copy for teachers: it lies in a folder of its own, and hides no outcome."""

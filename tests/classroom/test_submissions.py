@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from course import predict
 from matrixworld.classroom.submissions import (
     MOST_UNPACKED,
     read_file,
@@ -25,7 +26,6 @@ from matrixworld.classroom.submissions import (
 from matrixworld.classroom.votes import count_votes
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy
-from matrixworld.tutorial import predict
 from matrixworld.world.policy import Network, Population
 
 LITTLE_MEMORY = 100 * 2**20

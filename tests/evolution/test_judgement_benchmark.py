@@ -16,16 +16,17 @@ from scipy.stats import binom
 import judgement_cases as cases
 import judgement_errors
 import judgement_tables as tables
+from course import toys
+from course.synthetic_races import SyntheticRace
+from course.toys import History
 from evolution_scripts import RESULTS, read
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import RACES, chances_of_history, fictitious_play, truths_of_history
 from judgement_truths import WINDOWS, Truths, truths, truths_of_group
 from matrices import ROCK_PAPER_SCISSORS, quadruples
-from matrixworld import analysis, toys
+from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.toys.bit_strings import History
-from matrixworld.toys.synthetic_races import SyntheticRace
 
 COMMITTED = RESULTS / "judgement"
 

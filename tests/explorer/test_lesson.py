@@ -14,10 +14,9 @@ import numpy as np
 import pytest
 
 from browser import Browser
+from course.questions import Prediction, exercises
+from course.toys import GAMES, PAYOFF, alternate
 from matrixworld.classroom.votes import first_choices
-from matrixworld.toys import GAMES, alternate
-from matrixworld.toys.rock_paper_scissors import PAYOFF
-from matrixworld.tutorial.course import Prediction, exercises
 from node import run_node
 
 DOCS = Path(__file__).parents[2] / "docs"

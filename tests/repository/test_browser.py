@@ -15,7 +15,8 @@ SUPPORT = Path(__file__).parents[1] / "support"
 EVOLVES = """
 import like_a_browser
 from pathlib import Path
-from matrixworld import classroom, cli, explorer, plots, solve, toys, tutorial
+import course
+from matrixworld import classroom, cli, explorer, plots, solve
 from matrixworld.coevolution import ProgressBar, evolve
 from tiny_race import tiny_race
 

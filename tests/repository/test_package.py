@@ -187,7 +187,6 @@ PUBLIC = (
     "matrixworld.plots",
     "matrixworld.episodes.replay",
     "matrixworld.solve",
-    "matrixworld.toys",
 )
 SECTION = re.compile(
     r"^(?:Parameters|Other Parameters|Attributes)\n-{3,}\n(.*?)(?=^\w[^\n]*\n-{3,}$|\Z)",

@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from course.questions import Exercise, exercises
 from matrixworld import analysis, plots
 from matrixworld.cli import main
 from matrixworld.cli.figures import OF_GAME, OF_RUN
@@ -26,7 +27,6 @@ from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
 from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.envs import INFO_KEYS
-from matrixworld.tutorial.course import Exercise, exercises
 from slow import quickly
 from tiny_race import path_of, tiny_race
 

@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import analysis, classroom, coevolution, explorer, solve, toys, tutorial
+from matrixworld import analysis, classroom, coevolution, explorer, solve
 from matrixworld.analysis.meta_strategies import META_SOLVERS
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
@@ -40,7 +40,6 @@ NOT_COPIED = {
     "ProgressBar": "it holds a terminal",
     "States": "its states are the engine's, and are computed again in less time",
     "Solution": "it holds `States`",
-    "Slider": "it holds pictures, which the notebook keeps",
 }
 """Public classes without a copy, each with the reason."""
 
@@ -200,10 +199,6 @@ def _of_analysis() -> Iterator[Any]:
 
 def _of_teaching() -> Iterator[Any]:
     yield from (SITUATIONS, resolve(SITUATIONS[0], mw.Outcome.BOUNCE))
-    yield from (tutorial.check("1.1", 7), tutorial.hint("1.1"))
-    yield tutorial.course.exercises(1)["1.a"]
-    history = toys.numbers_game("focusing", seed=0, generations=3)
-    yield from (history, toys.GAMES, toys.synthetic_race("pure race", 8, seed=0))
 
 
 def _of_learning() -> Iterator[Any]:

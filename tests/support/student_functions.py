@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from course import kept
 from matrixworld import analysis
-from matrixworld.tutorial import kept
 
 
 def conflicts(cells: list, targets: list, *, vertex: bool = True, edge: bool = True) -> set[int]:

@@ -3,7 +3,7 @@
     python tutorials/make/chapter_10.py
 
 Reads ``evolution/results/ground_truth/races.json``, which ``evolution/ground_truth.py`` makes, and
-writes ``matrixworld/tutorial/data/chapter_10.npz`` in a second. Run it again when these results
+writes ``tutorials/course/data/chapter_10.npz`` in a second. Run it again when these results
 change, and then the notebook (``python tutorials/run.py 10``).
 """
 
@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from matrixworld._util.files import save_arrays
-from matrixworld.tutorial.course import DATA
 
+DATA = Path(__file__).parents[1] / "course" / "data"
 RACES = Path(__file__).parents[2] / "evolution" / "results" / "ground_truth" / "races.json"
 MEASURES = ("current", "ancestors", "all", "worst", "nash", "elo", "held_out")
 

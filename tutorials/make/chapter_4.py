@@ -3,7 +3,7 @@
     python tutorials/make/chapter_4.py            about 3 minutes on two idle cores
     python tutorials/make/chapter_4.py DIRECTORY  keeps the races there, and continues them
 
-Writes ``chapter_4.npz`` into ``python/matrixworld/tutorial/data``:
+Writes ``chapter_4.npz`` into ``tutorials/course/data``:
 
 - ``captured`` (seeds, generations, generations): evaders captured in all episodes of a pair,
 - ``evaders_met`` (): evaders in these episodes; the quotient is the payoff matrix,
@@ -23,8 +23,8 @@ import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score_policy
-from matrixworld.tutorial.course import DATA
 
+DATA = Path(__file__).parents[1] / "course" / "data"
 SEEDS = range(10)
 EVERY = 3  # generations from one that is scored to the next
 EPISODES = 40  # of each generation against each held-out opponent

@@ -23,8 +23,8 @@ import numpy as np
 
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import SCHEDULES, ProgressBar, RaceSettings, evolve
-from matrixworld.tutorial.course import DATA
 
+DATA = Path(__file__).parents[1] / "course" / "data"
 SEEDS = range(10)
 WITHOUT_EFFECT = ("joint_epochs", "contemporaries", "hall_sample")
 """Settings of simultaneous races: their defaults have changed, and these races do not use them."""

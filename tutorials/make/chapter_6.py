@@ -23,13 +23,13 @@ from __future__ import annotations
 
 import argparse
 import csv
+import sys
 from pathlib import Path
 
 import numpy as np
 from tqdm import tqdm
 
 import matrixworld as mw
-from matrixworld import toys
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import (
     TEAMS,
@@ -40,7 +40,11 @@ from matrixworld.coevolution import (
     tournament,
 )
 from matrixworld.coevolution.opponents import Uniform
-from matrixworld.tutorial.course import DATA
+
+sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
+
+from course import toys
+from course.questions import DATA
 
 SAMPLERS = ("latest", "round-robin", "uniform", "maxsolve", "ipca", "lapca")
 SEEDS = range(10)

@@ -3,7 +3,7 @@
     python tutorials/make/chapter_7.py RUNS
 
 Plays four kinds of races of ten seeds each in the directory RUNS (about 3 minutes of one core), and
-writes ``matrixworld/tutorial/data/chapter_7.npz``. Finished races are not played again. The error
+writes ``tutorials/course/data/chapter_7.npz``. Finished races are not played again. The error
 rates of the judgement come from ``evolution/results/judgement``.
 """
 
@@ -20,8 +20,8 @@ from tqdm import tqdm
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.tutorial.course import DATA
 
+DATA = Path(__file__).parents[1] / "course" / "data"
 ROOT = Path(__file__).parents[2]
 COUNTS = ROOT / "evolution" / "results" / "judgement" / "counts.csv"
 SEEDS = range(10)

@@ -3,7 +3,7 @@
     python tutorials/make/chapter_8.py RUNS
 
 Trains ten seeds in the directory RUNS (about 8 minutes of one core), tests all teams against the
-same opponents, and writes ``matrixworld/tutorial/data/chapter_8.npz``. What is finished is not
+same opponents, and writes ``tutorials/course/data/chapter_8.npz``. What is finished is not
 played again.
 """
 
@@ -20,9 +20,9 @@ import matrixworld as mw
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import Against, RaceSettings, SavedRun, Team, finish, held_out
 from matrixworld.coevolution.types import TEAMS, other
-from matrixworld.tutorial.course import DATA
 from matrixworld.world.policy import TeamPolicy
 
+DATA = Path(__file__).parents[1] / "course" / "data"
 SEEDS = range(10)
 RACE = RaceSettings.of(
     {

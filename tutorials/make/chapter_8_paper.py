@@ -3,7 +3,7 @@
     python tutorials/make/chapter_8_paper.py
 
 Reads ``evolution/results/paper_claims/numbers.npz``, which ``evolution/paper_claims.py`` makes, and
-writes ``matrixworld/tutorial/data/chapter_8_paper.npz`` in a second. Run it again when these
+writes ``tutorials/course/data/chapter_8_paper.npz`` in a second. Run it again when these
 results change, and then the notebook (``python tutorials/run.py 08``).
 """
 
@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from matrixworld._util.files import save_arrays
-from matrixworld.tutorial.course import DATA
 
+DATA = Path(__file__).parents[1] / "course" / "data"
 ROOT = Path(__file__).parents[2]
 NUMBERS = ROOT / "evolution" / "results" / "paper_claims" / "numbers.npz"
 

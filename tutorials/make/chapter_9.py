@@ -3,7 +3,7 @@
     python tutorials/make/chapter_9.py      eight minutes on one core; goes on after an interruption
 
 Writes `safe_packs.npz` to the folder of kept results. Every pack has six weights and evolves for
-the same number of matches in the same world (`matrixworld.tutorial.chapter_9`):
+the same number of matches in the same world (`course.chapter_9`):
 
 - penalties: a fixed penalty for each collision at fault, with the paper's other rewards;
 - limit: the penalty rises while a pack collides more often than a limit, and falls below it;
@@ -12,6 +12,7 @@ the same number of matches in the same world (`matrixworld.tutorial.chapter_9`):
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -25,8 +26,11 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable
-from matrixworld.tutorial.chapter_9 import WEIGHTS, WORLD, pack, play_masked, right_of_way
-from matrixworld.tutorial.course import DATA
+
+sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
+
+from course.chapter_9 import WEIGHTS, WORLD, pack, play_masked, right_of_way
+from course.questions import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
 LIMIT = 20.0  # agent-steps at fault of 1000

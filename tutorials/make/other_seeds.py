@@ -3,9 +3,9 @@
     python tutorials/make/other_seeds.py      an hour on one core; can be interrupted
 
 A claim names an effect, which has a sign; `SOURCES` measure effects, one number for each seed. What
-takes long is played here, in ``runs/other_seeds``, and kept in ``matrixworld/tutorial/data`` as
+takes long is played here, in ``runs/other_seeds``, and kept in ``tutorials/course/data`` as
 ``other_seeds.npz``: for each effect an array (seeds,). The rest is played by the test
-``tests/tutorial/test_other_seeds.py``, which asks for the sign of each claim.
+``tests/course/test_other_seeds.py``, which asks for the sign of each claim.
 
 The paper's larger races of notebook 8 are not tested: new seeds would take longer than all the
 rest.
@@ -32,15 +32,19 @@ from deap import algorithms
 from tqdm import tqdm
 
 import matrixworld as mw
-from matrixworld import analysis, coevolution, toys
+from matrixworld import analysis, coevolution
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import SavedRun
-from matrixworld.tutorial import chapter_3
-from matrixworld.tutorial.chapter_5 import noisy_race
-from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS
-from matrixworld.tutorial.chapter_8 import table_of
-from matrixworld.tutorial.chapter_9 import WORLD, pack, play_masked
-from matrixworld.tutorial.course import DATA
+
+sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
+
+from course import chapter_3, toys
+from course.chapter_5 import noisy_race
+from course.chapter_6 import ROCK_PAPER_SCISSORS
+from course.chapter_8 import table_of
+from course.chapter_9 import WORLD, pack, play_masked
+from course.questions import DATA
+from course.synthetic_races import play_episodes
 
 KEPT = DATA / "other_seeds.npz"
 NOTEBOOKS = Path(__file__).parents[1]
@@ -187,7 +191,7 @@ def chance(seed: int) -> Effects:
     """What notebook 6 measures of an ordered race, with 1 and with 10 matches in a cell."""
     strength = np.linspace(-1, 1, 16)
     truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
-    one, ten = (toys.play_episodes(truth, n, np.random.default_rng(seed)) for n in (1, 10))
+    one, ten = (play_episodes(truth, n, np.random.default_rng(seed)) for n in (1, 10))
     boards = analysis.checkerboards(one.mean(axis=2), margin=0.15, level=None).share
     corrected = analysis.transitive_share_over_episodes(ten).value
     return {

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from course import kept
 from matrixworld import analysis
-from matrixworld.tutorial import kept
 
 # Exercise 5.1. Which of the four races is which?
 #

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 import matrixworld as mw
-from matrixworld.tutorial.chapter_9 import WORLD, pack
+from course.chapter_9 import WORLD, pack
 
 # 9.1  Six weights: fewer than 10 of 1000 agent-steps at fault, at most 15 steps.
 #

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from matrixworld.tutorial import kept
-from matrixworld.tutorial.chapter_10 import STAKES
+from course import kept
+from course.chapter_10 import STAKES
 
 
 # 10.1. The opponent that knows the mixture chooses the column in which it scores least.

@@ -1,6 +1,6 @@
 """How a class voted: the predictions of the course that students hand in.
 
-Lines are those that `matrixworld.tutorial.predict` writes. Files come from strangers: names and
+Lines are those that `predict` of the course writes. Files come from strangers: names and
 choices are checked, and lines of any other form refuse the file.
 """
 

@@ -2,7 +2,7 @@
 
 const KEY = "matrixworld lesson";
 
-/** A line of `predictions.jsonl`, as `matrixworld.tutorial.predict` writes it. */
+/** A line of `predictions.jsonl`, as `predict` of the course writes it. */
 interface Choice {
   readonly prediction: string;
   readonly choice: string;

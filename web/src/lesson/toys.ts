@@ -1,4 +1,4 @@
-// Games with known answers, as `matrixworld.toys` has them: the page computes every number that it shows of them.
+// Games with known answers, as `tutorials/course/toys.py` has them: the page computes every number that it shows of them.
 
 /** Returns numbers from [0, 1). */
 export type Draw = () => number;

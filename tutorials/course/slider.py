@@ -14,7 +14,7 @@ from jinja2 import StrictUndefined, Template
 from matplotlib.figure import Figure
 from PIL import Image
 
-PAGE = Path(__file__).parent / "templates" / "slider.html"
+PAGE = Path(__file__).with_name("slider.html")
 DPI = 90
 COLORS = 256
 """Of the pictures; with a palette they are less than half as large."""

@@ -10,15 +10,12 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import analysis, coevolution, plots, toys
-from matrixworld.coevolution import competitive_sharing, reduced_virulence
-from matrixworld.toys import play_episodes
-from matrixworld.tutorial import UnansweredError, chapter_3, chapter_10, check, kept
-from matrixworld.tutorial.chapter_5 import four_races, noisy_race
-from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
-from matrixworld.tutorial.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
-from matrixworld.tutorial.chapter_8 import verdict_on
-from matrixworld.tutorial.chapter_9 import (
+from course import UnansweredError, chapter_3, chapter_10, check, kept, toys
+from course.chapter_5 import four_races, noisy_race
+from course.chapter_6 import ROCK_PAPER_SCISSORS, WELL
+from course.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
+from course.chapter_8 import verdict_on
+from course.chapter_9 import (
     BRISK,
     WEIGHTS,
     WORLD,
@@ -28,6 +25,9 @@ from matrixworld.tutorial.chapter_9 import (
     play_masked,
     right_of_way,
 )
+from course.synthetic_races import play_episodes
+from matrixworld import analysis, coevolution, plots
+from matrixworld.coevolution import competitive_sharing, reduced_virulence
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from student_functions import STEPS, gains, last_beats_first, left_waits
 from student_functions import right_of_way as as_on_a_road

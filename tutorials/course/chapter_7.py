@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from course.checks import NUMBER, Check, array, function, number, tried, value
+from course.questions import UnansweredError
+from course.synthetic_races import play_episodes, synthetic_race
+from course.toys import hosts_and_parasites
 from matrixworld import analysis
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.toys import hosts_and_parasites, play_episodes, synthetic_race
-from matrixworld.tutorial.checks import NUMBER, Check, array, function, number, tried, value
-from matrixworld.tutorial.course import UnansweredError
 
 # ---- Races to judge ------------------------------------------------------------------------------
 

@@ -1,8 +1,19 @@
-"""Two populations of bit strings that evolve against each other, in one short loop.
+"""Toys with known answers: co-evolution in plain NumPy that takes seconds.
+
+They use the schedules, opponent samplers and fitness sharing of the real races. What these do here
+they do there, too.
+
+>>> from course import toys
+>>> toys.numbers_game("scalar", seed=0).final_objective.round()
+array([99., 99.])
+
+*Rock-paper-scissors* between two teams with a perfect learner: it plays a best response, so only
+the schedule matters. Specialists cycle with period three. A team that answers all past hands of the
+other plays fictitious play (Brown 1951), whose average approaches the equilibrium (Robinson 1951).
 
 *Numbers games* (Watson & Pollack 2001, "Coevolutionary dynamics in a minimal substrate", GECCO):
-more ones win, in one dimension or another. Selection uses wins alone; the number of ones, the
-objective, is only observed.
+two populations of bit strings, where more ones win, in one dimension or another. Selection uses
+wins alone; the number of ones, the objective, is only observed.
 
 - scalar: more ones win. Both populations climb.
 - focusing: the dimension with the greatest difference decides. Other dimensions drift away.
@@ -12,7 +23,7 @@ objective, is only observed.
 A mutation rate of 0.005 a bit can be read in two ways: flip the bit, or redraw it (0 or 1 with
 equal chance). A redrawn bit changes in half of the cases, so redrawing at 0.005 is flipping at
 0.0025. This toy flips, so that the rate is the probability of a change; ``flips=0.0025`` is the
-other reading, and `docs/coevolution.md` has the results of both.
+other reading, and ``docs/coevolution.md`` has the results of both.
 
 *Hosts and parasites* (Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing
 parasite virulence", Evolutionary Computation 12(2)): the scalar game, but a bit that mutates
@@ -33,11 +44,73 @@ from numpy.typing import ArrayLike
 
 from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.opponents.samplers import OpponentSampler
-from matrixworld.coevolution.runs.race import pairings
-from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, IntArray
+from matrixworld.coevolution.opponents import OpponentSampler
+from matrixworld.coevolution.runs.race import Pairings, pairings
+from matrixworld.coevolution.schedules import SCHEDULES, available
+from matrixworld.coevolution.types import (
+    TEAMS,
+    BoolArray,
+    FloatArray,
+    Indices,
+    IntArray,
+    Team,
+    other,
+)
 
-Samplers = tuple[OpponentSampler, OpponentSampler]
+# ---- Rock-paper-scissors -------------------------------------------------------------------------
+
+HandHistory = dict[Team, list[int]]
+"""Team -> its hand in each generation: `ROCK`, `PAPER` or `SCISSORS`."""
+
+ROCK, PAPER, SCISSORS = range(3)
+PAYOFF = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+"""Of the pursuers' hands (rows) against the evaders', whose own payoff is one minus it."""
+ROUNDING = 1e-9
+"""Sums of payoffs that differ by less are equal."""
+
+
+def capture_probabilities(
+    pursuers: FloatArray, evaders: FloatArray, *, luck: float = 0.0
+) -> FloatArray:
+    """Return the probability (n, m) that each pursuer captures each evader; a draw is one half.
+
+    Strategies (n, 3) and (m, 3) are probabilities of the hands; ``np.eye(3)[hands]`` are pure ones.
+    `luck`, in [0, 1/2], is the probability that the worse hand wins.
+    """
+    if not 0.0 <= luck <= 0.5:
+        raise ValueError(f"luck: expected a number in [0, 0.5], got {luck}")
+    return np.asarray(luck + (1.0 - 2.0 * luck) * (pursuers @ PAYOFF @ evaders.T))
+
+
+def best_response(team: Team, opponents: ArrayLike, rng: np.random.Generator) -> int:
+    """Return the hand with the highest mean payoff to a team against hands (c,); ties by lot."""
+    counts = np.bincount(np.asarray(opponents), minlength=3)
+    payoffs = PAYOFF @ counts if team == "pursuer" else -(counts @ PAYOFF)
+    # Equal sums may differ in their last bits, and a tie must stay a tie.
+    best = np.flatnonzero(payoffs > payoffs.max() - ROUNDING)
+    return int(rng.choice(best))
+
+
+def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> HandHistory:
+    """Play an alternating race, and return the hands of each team; both start with rock.
+
+    A generation responds to the opponents that the sampler of a schedule of `coevolution.SCHEDULES`
+    chooses in its epochs, each weighted by how often it was chosen. `generations` are those after
+    the first one.
+    """
+    rng = np.random.default_rng(seed)
+    samplers = {team: SCHEDULES[schedule].new_sampler(team) for team in TEAMS}
+    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
+    for k in range(1, generations + 1):
+        for team in TEAMS:
+            count = available(team, k)
+            chosen = [int(samplers[team].sample(count, i, rng)[0]) for i in range(epochs)]
+            opponents = [hands[other(team)][index] for index in chosen]
+            hands[team].append(best_response(team, opponents, rng))
+    return hands
+
+
+# ---- Populations of bits -------------------------------------------------------------------------
 
 BITS = 100
 """Bits of an individual, over all dimensions."""
@@ -45,42 +118,38 @@ POPULATION = 25
 """Individuals of each population."""
 REDRAWN = 0.03
 """Probability that a mutation of hosts and parasites redraws a bit."""
-NOBODY = np.zeros(0, dtype=np.intp)
-"""A choice of no champions."""
 HOST_BIAS, PARASITE_BIAS = 0.5, 0.75
 """Probability that a redrawn bit is a one."""
 
-
-# ---- Games ---------------------------------------------------------------------------------------
+Samplers = tuple[OpponentSampler, OpponentSampler]
 
 
 @dataclass(frozen=True)
 class Game:
     """A game between two individuals, decided by their ones in each dimension.
 
-    `shape` is (dimensions, bits in each). `beats` gets the ones of M individuals a and b, each
-    (M, dimensions), and returns (M,) whether a beats b. If neither does, the match is a draw.
+    `shape` is (dimensions, bits in each). The dimension with the `extreme` difference decides.
     """
 
     shape: tuple[int, int]
-    beats: Callable[[IntArray, IntArray], BoolArray]
+    extreme: Callable[..., Indices]
 
+    def beats(self, a: IntArray, b: IntArray) -> BoolArray:
+        """Return (M,) whether a beats b, by ones (M, dimensions); if neither does, it is a draw."""
+        each, dimension = np.arange(len(a)), self.extreme(np.abs(a - b), axis=1)
+        return np.asarray(a[each, dimension] > b[each, dimension])
 
-def beats_where(a: IntArray, b: IntArray, *, extreme: Callable[..., Indices]) -> BoolArray:
-    """Return (M,) whether a has more ones in the dimension with the `extreme` difference."""
-    each, dimension = np.arange(len(a)), extreme(np.abs(a - b), axis=1)
-    return np.asarray(a[each, dimension] > b[each, dimension])
+    def scores(self, a: IntArray, b: IntArray) -> FloatArray:
+        """Return the scores (M,) of a against b: 1 for a win, 1/2 for a draw, 0 for a loss."""
+        return np.asarray((1.0 + self.beats(a, b) - self.beats(b, a)) / 2.0)
 
 
 GAMES = {
-    "scalar": Game((1, BITS), partial(beats_where, extreme=np.argmax)),
-    "focusing": Game((10, BITS // 10), partial(beats_where, extreme=np.argmax)),
-    "intransitive": Game((2, BITS // 2), partial(beats_where, extreme=np.argmin)),
+    "scalar": Game((1, BITS), np.argmax),
+    "focusing": Game((10, BITS // 10), np.argmax),
+    "intransitive": Game((2, BITS // 2), np.argmin),
 }
 """Numbers games by name."""
-
-
-# ---- Selection and mutation ----------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -116,9 +185,6 @@ def mutate_biased(
     return np.asarray(np.where(rng.random(bits.shape) < probability, drawn, bits))
 
 
-# ---- The loop ------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class History:
     """G generations of two populations of n individuals."""
@@ -145,8 +211,7 @@ class History:
     def scores(self, generations: ArrayLike, episodes: int, rng: np.random.Generator) -> FloatArray:
         """Play matches between k generations, each of two individuals drawn with replacement.
 
-        Returns the scores (k, k, episodes) of side 0 (rows) against side 1 (columns): 1 for a win,
-        1/2 for a draw, 0 for a loss.
+        Returns the scores (k, k, episodes) of side 0 (rows) against side 1 (columns).
         """
         picked = np.asarray(generations)
         shape = (len(picked), len(picked), episodes)
@@ -154,8 +219,7 @@ class History:
         first, second = (rng.integers(self.ones.shape[2], size=shape).ravel() for _ in (0, 1))
         i, j, _ = (index.ravel() for index in np.indices(shape))
         a, b = self.ones[picked[i], 0, first], self.ones[picked[j], 1, second]
-        won, lost = self.game.beats(a, b), self.game.beats(b, a)
-        return np.asarray((1.0 + won - lost) / 2.0).reshape(shape)
+        return self.game.scores(a, b).reshape(shape)
 
 
 def evolve(
@@ -180,16 +244,19 @@ def evolve(
     champions: tuple[list[BoolArray], list[BoolArray]] = ([], [])
     ones, wins = [_ones(bits)], []
     for generation in range(generations):
-        chosen = [NOBODY, NOBODY]
+        chosen = [np.zeros(0, dtype=np.intp)] * 2
         if samplers is not None and generation:
             # There is a champion of each earlier generation.
             chosen = [sampler.sample(generation, generation, rng) for sampler in samplers]
-        playing = [[champions[s][i] for i in chosen[1 - s]] for s in (0, 1)]
-        matches = _play(game, bits, playing, opponents, rng)
-        won = [matches.wins(s) for s in (0, 1)]
+        halls = [[champions[s][i] for i in chosen[1 - s]] for s in (0, 1)]
+        one_group = np.zeros(POPULATION, dtype=np.intp)
+        pairs = pairings(one_group, opponents, (len(halls[0]), len(halls[1])), rng)
+        players = [np.array([*bits[s], *halls[s]]).sum(axis=2) for s in (0, 1)]
+        scores = game.scores(players[0][pairs.pursuer], players[1][pairs.evader])
+        won = [_wins(pairs.pursuer, scores), _wins(pairs.evader, 1.0 - scores)]
         for s, side in enumerate(sides):
             if samplers is not None and len(chosen[s]):
-                samplers[s].tell(chosen[s], matches.scores_on_champions(s))
+                samplers[s].tell(chosen[s], _scores_on_champions(pairs, scores, s))
             # After the matches, so that the champions of a generation are past ones in the next.
             champions[s].append(bits[s][np.argmax(won[s])])
             parents = side.select(side.fitness(won[s]), POPULATION, rng)
@@ -199,51 +266,22 @@ def evolve(
     return History(game, np.array(ones), np.array(wins))
 
 
-@dataclass(frozen=True)
-class _Matches:
-    """The matches of one generation.
-
-    `index` holds the players of each side in each match, champions from `POPULATION` on; `won`
-    whether that side won it.
-    """
-
-    index: tuple[Indices, Indices]
-    won: tuple[BoolArray, BoolArray]
-
-    def wins(self, side: int) -> FloatArray:
-        """Return the wins (n,) of a population."""
-        # The wins of champions count for no individual.
-        totals = np.bincount(self.index[side], weights=self.won[side], minlength=POPULATION)
-        return np.asarray(totals[:POPULATION], dtype=np.float64)
-
-    def scores_on_champions(self, side: int) -> FloatArray:
-        """Return the scores (n, c) of a population against c champions; a draw is 1/2."""
-        # `pairings` lists each champion's matches in the order of the population.
-        champion = self.index[1 - side] >= POPULATION
-        won, lost = (self.won[s][champion].reshape(-1, POPULATION).T for s in (side, 1 - side))
-        return np.asarray((1.0 + won - lost) / 2.0)
-
-
-def _play(
-    game: Game,
-    bits: list[BoolArray],
-    champions: list[list[BoolArray]],
-    opponents: int,
-    rng: np.random.Generator,
-) -> _Matches:
-    """Play all matches of a generation, those with some champions of each side included."""
-    one_group = np.zeros(POPULATION, dtype=np.intp)
-    pairs = pairings(one_group, opponents, (len(champions[0]), len(champions[1])), rng)
-    index = (pairs.pursuer, pairs.evader)
-    ones = [np.array([*bits[side], *champions[side]]).sum(axis=2)[index[side]] for side in (0, 1)]
-    return _Matches(index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))
-
-
 def _ones(bits: list[BoolArray]) -> IntArray:
     return np.array([team.sum(axis=2) for team in bits])
 
 
-# ---- The two experiments -------------------------------------------------------------------------
+def _wins(players: Indices, scores: FloatArray) -> FloatArray:
+    """Return the wins (n,) of a population; those of champions do not count."""
+    totals = np.bincount(players, weights=scores == 1.0, minlength=POPULATION)
+    return np.asarray(totals[:POPULATION], dtype=np.float64)
+
+
+def _scores_on_champions(pairs: Pairings, scores: FloatArray, side: int) -> FloatArray:
+    """Return the scores (n, c) of a population against c champions."""
+    opponents = pairs.evader if side == 0 else pairs.pursuer
+    own = scores if side == 0 else 1.0 - scores
+    # `pairings` lists each champion's matches in the order of the population.
+    return own[opponents >= POPULATION].reshape(-1, POPULATION).T
 
 
 def numbers_game(
@@ -272,19 +310,12 @@ def numbers_game(
     samplers : tuple of OpponentSampler, optional
         Per side, chooses among the other side's past champions. By default there are no matches
         with champions.
-
-    Raises
-    ------
-    ValueError
-        If there is no game of that name.
     """
-    if name not in GAMES:
-        raise ValueError(f"game: expected one of {', '.join(GAMES)}, got {name!r}")
     side = Side(
         # Wins are the fitness: the objective must not leak into selection.
         fitness=lambda wins: wins,
         select=select_proportionate,
-        mutate=lambda bits, rng: flip(bits, rng, probability=flips),
+        mutate=partial(flip, probability=flips),
     )
     return evolve(
         GAMES[name],
@@ -319,11 +350,10 @@ def hosts_and_parasites(
     biases : tuple of float, optional
         Probability that a redrawn bit is a one, of the hosts and of the parasites.
     """
-    select = partial(select_tournament, size=tournament)
     hosts, parasites = (
         Side(
             fitness=own if callable(own) else partial(reduced_virulence, virulence=own),
-            select=select,
+            select=partial(select_tournament, size=tournament),
             mutate=partial(mutate_biased, probability=REDRAWN, bias=bias),
         )
         for own, bias in zip((1.0, virulence), biases, strict=True)

@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from course.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
 from matrixworld._util.checks import check_floats
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.episodes.safety import SafetyMonitor
 from matrixworld.play.rollout import Matches, rollout
-from matrixworld.tutorial.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import action_masks, forbidding_cells

@@ -1,6 +1,6 @@
 """What the notebooks of the course in ``tutorials/`` need besides the package itself.
 
->>> from matrixworld.tutorial import check
+>>> from course import check
 >>> check("1.1", ...)
 No answer yet. Replace the dots with your answer, run the cell, and check again.
 """
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 
-from matrixworld.tutorial.course import (
+from course.questions import (
     BANNER,
     UnansweredError,
     check,
@@ -19,7 +19,7 @@ from matrixworld.tutorial.course import (
     predict,
     size,
 )
-from matrixworld.tutorial.slider import Slider
+from course.slider import Slider
 
 __all__ = ["Slider", "UnansweredError", "check", "hint", "kept", "outcome", "predict", "size"]
 

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from course.checks import NUMBER, Check, function, number, numbers, tried, value
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.checks import NUMBER, Check, function, number, numbers, tried, value
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
 """Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""

@@ -6,9 +6,9 @@ from dataclasses import fields
 from operator import index
 from typing import Any
 
+from course.boards import Cell, Situation, after_step, pack, situations
+from course.checks import Check, FormError, Kind, actions, function, value
 from matrixworld.explorer.scenes import drawn_world
-from matrixworld.tutorial.boards import Cell, Situation, after_step, pack, situations
-from matrixworld.tutorial.checks import Check, FormError, Kind, actions, function, value
 from matrixworld.world.rules import Action, Capture, Interaction, Outcome, Rules
 
 # 1.1: a way through a maze.

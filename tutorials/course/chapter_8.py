@@ -8,9 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld import analysis
-from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.checks import (
+from course.checks import (
     WHOLE,
     Check,
     array,
@@ -20,6 +18,8 @@ from matrixworld.tutorial.checks import (
     one_of,
     value,
 )
+from matrixworld import analysis
+from matrixworld.coevolution.types import FloatArray
 
 # ---- A curriculum that chooses itself ------------------------------------------------------------
 

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from deap import base, tools
 
+from course.checks import NUMBER, Check, function
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.learners.toolbox import Individual
 from matrixworld.coevolution.types import FloatArray, Genome, Team
 from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
-from matrixworld.tutorial.checks import NUMBER, Check, function
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
 

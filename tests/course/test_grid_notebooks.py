@@ -9,10 +9,8 @@ import pytest
 from PIL import Image
 
 import matrixworld as mw
-from matrixworld import Action, World
-from matrixworld.explorer.scenes import drawn_world
-from matrixworld.tutorial import check
-from matrixworld.tutorial.boards import (
+from course import check
+from course.boards import (
     Picture,
     actions_to,
     before_and_after,
@@ -21,8 +19,10 @@ from matrixworld.tutorial.boards import (
     random_pack,
     target,
 )
-from matrixworld.tutorial.chapter_1 import MAZE, SHORTEST
-from matrixworld.tutorial.chapter_2 import JAM, JAM_ACTIONS, true_cells
+from course.chapter_1 import MAZE, SHORTEST
+from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
+from matrixworld import Action, World
+from matrixworld.explorer.scenes import drawn_world
 from notebooks import TEACHER, cells
 from student_functions import by_index
 

@@ -6,9 +6,9 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pytest
 
-import matrixworld.tutorial
+import course
 from browser import Browser, browser  # noqa: F401  # a fixture
-from matrixworld.tutorial import Slider
+from course import Slider
 
 
 def test_a_slider_shows_the_picture_of_its_value(tmp_path: Path, browser: Browser) -> None:  # noqa: F811
@@ -43,6 +43,6 @@ def test_small_runs_of_notebooks_say_so(
 ) -> None:
     for quick in ("1", "0"):
         monkeypatch.setenv("MATRIXWORLD_QUICK", quick)
-        importlib.reload(matrixworld.tutorial)  # what the first cell of every notebook imports
+        importlib.reload(course)  # what the first cell of every notebook imports
         shown = capsys.readouterr().out
         assert ("The text of this notebook does not apply" in shown) == (quick == "1")

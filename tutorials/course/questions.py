@@ -16,9 +16,9 @@ from pathlib import Path
 from textwrap import fill
 from typing import Any, TypeVar
 
+from course.checks import Check, mistake_of
 from matrixworld._util.checks import shown
 from matrixworld._util.files import Arrays, DamagedFileError, load_arrays, load_toml
-from matrixworld.tutorial.checks import Check, mistake_of
 
 CHAPTERS = range(1, 11)
 """Numbers of the notebooks."""
@@ -202,7 +202,7 @@ def hint(name: str) -> Feedback:
 
 def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
     """Return the exercises and predictions of a notebook, from 1, by name, in their order."""
-    checks: Mapping[str, Check] = import_module(f"matrixworld.tutorial.chapter_{chapter}").CHECKS
+    checks: Mapping[str, Check] = import_module(f"course.chapter_{chapter}").CHECKS
     return {
         name: Prediction(**text) if "outcome" in text else Exercise(checks[name], **text)
         for name, text in _texts().items()

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from matrices import ROCK_PAPER_SCISSORS
-from matrixworld import analysis, toys
-from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized, Uniform
-from matrixworld.coevolution.types import TEAMS
-from matrixworld.toys.bit_strings import (
+from course import synthetic_races, toys
+from course.toys import (
+    PAPER,
+    ROCK,
+    SCISSORS,
     History,
     Side,
     evolve,
@@ -15,7 +15,10 @@ from matrixworld.toys.bit_strings import (
     mutate_biased,
     select_proportionate,
 )
-from matrixworld.toys.rock_paper_scissors import PAPER, ROCK, SCISSORS
+from matrices import ROCK_PAPER_SCISSORS
+from matrixworld import analysis
+from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized, Uniform
+from matrixworld.coevolution.types import TEAMS
 
 # Rock-paper-scissors
 
@@ -159,11 +162,6 @@ def test_selection_in_proportion_to_fitness():
     assert counts.tolist() == [pytest.approx(2000, rel=0.1)] * 2
 
 
-def test_unknown_game_is_refused():
-    with pytest.raises(ValueError, match="game: expected one of"):
-        toys.numbers_game("chess", 0)
-
-
 def test_scores_of_a_history_by_hand() -> None:
     ones = np.array([[[[3], [3]], [[1], [1]]], [[[2], [2]], [[2], [2]]]])
     history = History(toys.GAMES["scalar"], ones, np.zeros((1, 2, 2)))
@@ -216,16 +214,16 @@ def test_parasites_may_have_a_fitness_of_your_own():
 
 def test_an_unknown_kind_and_too_few_generations_are_refused():
     with pytest.raises(ValueError, match="kind: expected one of"):
-        toys.synthetic_race("chess", 20, 0)
+        synthetic_races.synthetic_race("chess", 20, 0)
     with pytest.raises(ValueError, match="n: expected"):
-        toys.synthetic_race("cycle", 3, 0)
+        synthetic_races.synthetic_race("cycle", 3, 0)
 
 
 @pytest.mark.parametrize("evaders", [1, 30])
 @pytest.mark.parametrize(("episodes", "matchups"), [(1, 0.0), (10, 0.0), (50, 0.0), (10, 0.02)])
 def test_mean_and_variance_of_matches(evaders, episodes, matchups):
     rng, rates = np.random.default_rng(1), np.full(40_000 // episodes, 0.3)
-    played = toys.play_episodes(rates, episodes, rng, evaders=evaders, matchups=matchups)
+    played = synthetic_races.play_episodes(rates, episodes, rng, evaders=evaders, matchups=matchups)
     means = played.mean(axis=-1)
     # Binomial variance with evaders that share their fate to 1/5, and that of the matchups.
     expected = 0.3 * 0.7 * (1 + (evaders - 1) / 5) / evaders / episodes + matchups**2
@@ -235,5 +233,5 @@ def test_mean_and_variance_of_matches(evaders, episodes, matchups):
 
 def test_certain_matches_end_as_they_must():
     rng = np.random.default_rng(0)
-    assert toys.play_episodes(np.ones(3), 5, rng).tolist() == [[1.0] * 5] * 3
-    assert toys.play_episodes(np.zeros(3), 5, rng, evaders=30).max() == 0.0
+    assert synthetic_races.play_episodes(np.ones(3), 5, rng).tolist() == [[1.0] * 5] * 3
+    assert synthetic_races.play_episodes(np.zeros(3), 5, rng, evaders=30).max() == 0.0

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from course.checks import WHOLE, Check, choices, function, numbers, tried, value
+from course.questions import kept
+from course.synthetic_races import play_episodes, synthetic_race
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.toys import play_episodes, synthetic_race
-from matrixworld.tutorial.checks import WHOLE, Check, choices, function, numbers, tried, value
-from matrixworld.tutorial.course import kept
 
 ENDINGS = {"A": "one side only", "B": "cycle", "C": "arms race", "D": "equilibrium"}
 """What happens in the four races of the first exercise."""

@@ -14,16 +14,16 @@ import pytest
 
 import matrixworld as mw
 import student_functions as student
+from course import check, hint
+from course.chapter_1 import BUMPER_CARS
+from course.chapter_2 import JAM_ACTIONS
+from course.chapter_5 import ENDINGS
+from course.chapter_6 import ROCK_PAPER_SCISSORS, WELL
+from course.chapter_8 import CASES, verdict_on
+from course.chapter_9 import break_even
+from course.questions import Prediction, exercises
 from matrixworld import Action, analysis
 from matrixworld.coevolution import reduced_virulence
-from matrixworld.tutorial import check, hint
-from matrixworld.tutorial.chapter_1 import BUMPER_CARS
-from matrixworld.tutorial.chapter_2 import JAM_ACTIONS
-from matrixworld.tutorial.chapter_5 import ENDINGS
-from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
-from matrixworld.tutorial.chapter_8 import CASES, verdict_on
-from matrixworld.tutorial.chapter_9 import break_even
-from matrixworld.tutorial.course import Prediction, exercises
 from notebooks import NOTEBOOKS, cells, source
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]

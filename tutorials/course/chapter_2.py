@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from matrixworld.explorer.scenes import drawn_world
-from matrixworld.tutorial.boards import Cell, Situation, after_step, situations
-from matrixworld.tutorial.checks import (
+from course.boards import Cell, Situation, after_step, situations
+from course.checks import (
     WHOLE,
     Check,
     FormError,
@@ -17,6 +16,7 @@ from matrixworld.tutorial.checks import (
     numbers,
     value,
 )
+from matrixworld.explorer.scenes import drawn_world
 from matrixworld.world.rules import Action
 
 # 2.1: one other action.

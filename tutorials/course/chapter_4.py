@@ -9,8 +9,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.toys import GAMES
-from matrixworld.tutorial.checks import NUMBER, Check, array, function, numbers, value
+from course.checks import NUMBER, Check, array, function, numbers, value
+from course.toys import GAMES
 
 UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
 """How prediction 4.b names the games."""

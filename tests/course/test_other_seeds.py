@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
+from course import kept
 from matrixworld import analysis
-from matrixworld.tutorial import kept
 from notebooks import TUTORIALS
 
 MORE, LESS = 1, -1

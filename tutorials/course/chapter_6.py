@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from course.checks import NUMBER, Check, array, function, tried, value
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.checks import NUMBER, Check, array, function, tried, value
 
 WELL = np.array(
     [[0.5, 0.0, 1.0, 0.0], [1.0, 0.5, 0.0, 1.0], [0.0, 1.0, 0.5, 0.0], [1.0, 0.0, 1.0, 0.5]]
