@@ -18,7 +18,7 @@ import numpy as np
 
 from matrixworld.coevolution import RaceSettings, Team
 from matrixworld.coevolution.learners import actor_critic
-from matrixworld.coevolution.runs.training_matches import experience
+from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.world.policy import Population
 from timing import bind, print_table
 

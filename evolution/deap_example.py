@@ -36,6 +36,7 @@ import matrixworld as mw
 from common import play, script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import Team
+from matrixworld.coevolution.learners.toolbox import Candidates
 from matrixworld.coevolution.types import other
 
 OVERLAP_PENALTY = 0.2  # for evaders that share cells
@@ -210,7 +211,7 @@ def best_response(
     noise = coevolution.NoiseTable(network.genome_size, rng, sigma=SIGMA)
     learner = coevolution.EvolutionStrategy(network.initial(rng), noise, samples=budget.lambda_)
 
-    def evaluate(candidates: coevolution.Candidates) -> np.ndarray:
+    def evaluate(candidates: Candidates) -> np.ndarray:
         # Mirrored candidates share a match seed.
         seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.seed_groups]
         return score(team, budget.world, candidates.genomes, rival[np.newaxis], seeds[:, None])

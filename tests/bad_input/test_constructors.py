@@ -11,6 +11,8 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution
+from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.sections import Section
 from matrixworld.episodes import replay
 from matrixworld.play.rollout import match_seed
@@ -38,7 +40,7 @@ MONITOR = mw.SafetyMonitor()
 MONITOR.add_episode(EPISODE)
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
 
-GENETIC, GRADIENTS = coevolution.GeneticAlgorithmSettings(), coevolution.ActorCriticSettings()
+GENETIC, GRADIENTS = GeneticAlgorithmSettings(), ActorCriticSettings()
 
 SECTIONS = (*vars(tiny_race()).values(), tiny_single().schedule, GENETIC, GRADIENTS)
 TEAMS = {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}

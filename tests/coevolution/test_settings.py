@@ -13,12 +13,12 @@ from matrixworld.coevolution import (
     Against,
     Alternating,
     DrawnOpponents,
-    EvolutionStrategySettings,
     HallOfFame,
     MetaOpponents,
     PolicySettings,
     RaceSettings,
 )
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from matrixworld.coevolution.sections import different_settings, hints_of, leaves, sections_in
 from matrixworld.coevolution.settings import MOST_SEED

@@ -24,14 +24,15 @@ import matrixworld as mw
 from matrixworld import analysis, classroom, coevolution, explorer, solve
 from matrixworld.analysis.meta_strategies import META_SOLVERS
 from matrixworld.analysis.strength import strength_gain
-from matrixworld.coevolution import Candidates, opponents, resume, start
+from matrixworld.coevolution import opponents, resume, start
 from matrixworld.coevolution.jobs.evolve import job_of
+from matrixworld.coevolution.learners.toolbox import Candidates
 from matrixworld.episodes import replay
 from matrixworld.plots.game import SITUATIONS, resolve
 from rows import random_walks
 from tiny_race import results, tiny_race, tiny_single
 
-INTERFACES = ("Archive", "Learner", "LearnerSettings", "OpponentSampler", "Run", "Stateless")
+INTERFACES = ("Archive", "Learner", "OpponentSampler", "Run", "Stateless")
 NOT_COPIED = {
     **dict.fromkeys(INTERFACES, "an interface or a base class, which has no instances"),
     "Batch": "its buffers belong to the caller",
@@ -216,7 +217,7 @@ def _of_learning() -> Iterator[Any]:
         yield learner
         learner.tell(np.arange(len(asked)))
         yield learner
-    candidates = coevolution.Candidates(np.zeros((2, 12), np.float32))
+    candidates = Candidates(np.zeros((2, 12), np.float32))
     for number, individual in enumerate(candidates):
         individual.fitness.values = (float(number),)
     yield candidates
@@ -324,12 +325,6 @@ def test_a_changed_copy_is_not_equal() -> None:
     assert same(network, pickled(network))
     assert not same(network, mw.Network((5,)))
     assert not same(np.zeros(2), np.zeros(2, np.float32))
-
-
-def test_rows_of_copied_candidates_are_views_of_their_array() -> None:
-    copies = copy.deepcopy(Candidates(np.zeros((2, 5), np.float32)))
-    copies.genomes[1] = 3.0
-    np.testing.assert_array_equal(copies[1].genome, copies.genomes[1])
 
 
 def test_a_copied_run_continues_from_the_last_stage(tmp_path: Path) -> None:

@@ -27,18 +27,11 @@ from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulen
 from matrixworld.coevolution.jobs.best_responses import best_responses
 from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
 from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
-from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
-from matrixworld.coevolution.learners.cma_es import CmaEs, CmaEsSettings
-from matrixworld.coevolution.learners.evolution_strategy import (
-    EvolutionStrategy,
-    EvolutionStrategySettings,
-)
-from matrixworld.coevolution.learners.genetic_algorithm import (
-    GeneticAlgorithm,
-    GeneticAlgorithmSettings,
-)
-from matrixworld.coevolution.learners.learner import Learner, LearnerSettings, NoiseTable
-from matrixworld.coevolution.learners.toolbox import Candidates, generate_update_toolbox
+from matrixworld.coevolution.learners.cma_es import CmaEs
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
+from matrixworld.coevolution.learners.learner import Learner, NoiseTable
+from matrixworld.coevolution.learners.toolbox import generate_update_toolbox
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
 from matrixworld.coevolution.progress import OnEpoch, Progress, ProgressBar, StopRun
 from matrixworld.coevolution.runs.race import DisengagementWarning, Race
@@ -75,25 +68,19 @@ from matrixworld.coevolution.types import TEAMS, Payoff, Team
 __all__ = [
     "SCHEDULES",
     "TEAMS",
-    "ActorCriticSettings",
     "Against",
     "Alternating",
     "ArchivedOpponents",
-    "Candidates",
     "CmaEs",
-    "CmaEsSettings",
     "DamagedFileError",
     "DisengagementWarning",
     "DrawnOpponents",
     "EvolutionStrategy",
-    "EvolutionStrategySettings",
     "FailedRunsError",
     "FitnessSettings",
     "GeneticAlgorithm",
-    "GeneticAlgorithmSettings",
     "HallOfFame",
     "Learner",
-    "LearnerSettings",
     "LockedError",
     "MetaOpponents",
     "NoiseTable",

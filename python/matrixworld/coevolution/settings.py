@@ -14,11 +14,9 @@ import numpy as np
 
 from matrixworld._util.checks import EPISODE_BYTES
 from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
-from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings, orthogonal
-from matrixworld.coevolution.learners.cma_es import CmaEsSettings
+from matrixworld.coevolution.learners import BuiltInLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
-from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
+from matrixworld.coevolution.learners.learner import Learner, LearnerSettings, Task
 from matrixworld.coevolution.learners.masked_network import (
     FixedWeights,
     mask_weights,
@@ -44,7 +42,7 @@ from matrixworld.coevolution.sections import (
     setting,
 )
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
+from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import (
     MASKS,
@@ -158,16 +156,14 @@ class OwnLearnerSettings(OwnCode, LearnerSettings):
         parameters = find(self.code, LEARNER).signature.parameters
         return self.population if "genomes" in parameters else 1
 
-    def new(
-        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-    ) -> Learner:
+    def new(self, task: Task) -> Learner:
         """Return a new learner of a team; imports its code."""
         return CheckedLearner(
             find(self.code, LEARNER),
-            genomes,
-            rng,
+            task.genomes,
+            task.rng,
             samples=self.population,
-            epochs=run.schedule.total_epochs(team),
+            epochs=task.epochs,
             settings=self.settings,
         )
 
@@ -184,13 +180,7 @@ class RaceSettings(Section):
 
     world: WorldConfig = setting(WorldConfig(), "the world; its max_steps are those of evaluation")
     policy: PolicySettings = setting(PolicySettings(), "the policy networks")
-    learner: (
-        EvolutionStrategySettings
-        | GeneticAlgorithmSettings
-        | CmaEsSettings
-        | ActorCriticSettings
-        | OwnLearnerSettings
-    ) = setting(
+    learner: BuiltInLearner | OwnLearnerSettings = setting(
         EvolutionStrategySettings(),
         "how teams learn: es (evolution strategy), ga (genetic algorithm), cma, actor-critic or "
         "module:object",
@@ -227,14 +217,16 @@ class RaceSettings(Section):
             object.__setattr__(self, item.name, self._usual(item) if value is None else value)
         self._check_mask()
         self._check_idle()
-        self.learner.check_run(self)
+        self.learner.check_fits(self.world, self.network)
 
     def _usual(self, item: Field[Any]) -> Any:
         """Return the default of a field with this learner and this schedule."""
         by: Mapping[str, Any] = item.metadata["by"]
         conditions = (self.learner.kind, *self.schedule.conditions)
         usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
-        return usual(self) if callable(usual) else usual
+        return (
+            usual(self.schedule.total_epochs(self.learning_teams[0])) if callable(usual) else usual
+        )
 
     def _check_mask(self) -> None:
         mask, rules = self.policy.mask, self.world.rules
@@ -344,19 +336,11 @@ class RaceSettings(Section):
             return None
         return mask_weights(self.network, forbidding_cells(self.world, self.policy.mask, team))
 
-    def fixed_genes(self, team: Team) -> BoolArray | None:
-        """Return which genes (genes,) of a team no learner changes, None for none."""
-        weights = self.mask_weights(team)
-        return None if weights is None else weights.fixed
-
     def untrained(self, team: Team, count: int) -> Genomes:
         """Return the first `count` untrained genomes (count, genes) of a team."""
         rng = keyed_generator(self.seed, Purpose.INITIAL, TEAMS.index(team))
-        network, head = self.network, self.policy.initial_head
-        new = partial(network.initial, rng, weight=self.policy.initial_weight, head=head)
-        if self.learner.by_gradients:
-            # Gradients vanish or explode from other beginnings.
-            new = partial(orthogonal, network.sizes, rng, head=head)
+        scales = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
+        new = partial(self.learner.untrained, self.network, rng, **scales)
         # One after the other from one generator: the first genomes do not depend on `count`.
         return np.stack([new() for _ in range(count)])
 
@@ -368,9 +352,9 @@ class RaceSettings(Section):
         """
         # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
         rng = keyed_generator(self.seed, Purpose.NOISE, TEAMS.index(team))
-        mask = self.mask_weights(team)
-        start = genomes if mask is None else mask.write(genomes)
-        return self.learner.new(self, team, start, rng)
+        mask, epochs = self.mask_weights(team), self.schedule.total_epochs(team)
+        start, fixed = (genomes, None) if mask is None else (mask.write(genomes), mask.fixed)
+        return self.learner.new(Task(start, rng, self.world, self.network, epochs, fixed))
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.

@@ -13,7 +13,6 @@ from command_line import matrixworld_command
 from matrixworld.analysis import interval_over_runs
 from matrixworld.cli import exploit
 from matrixworld.coevolution import (
-    EvolutionStrategySettings,
     SavedRun,
     best_responses,
     evolve,
@@ -23,6 +22,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.jobs.best_responses import BestResponse, response_settings
 from matrixworld.coevolution.jobs.evolve import job_of, save_job
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import Matches, rollout

@@ -18,7 +18,7 @@ from matrixworld.coevolution.learners.actor_critic import (
     advantages,
     orthogonal,
 )
-from matrixworld.coevolution.runs.training_matches import experience
+from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.schedules import SCHEDULES
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
@@ -53,7 +53,7 @@ def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -
         "random",
         np.zeros(matches, int),
         seeds,
-        states=by.sees_states,
+        states=by.chosen.central_critic,
         threads=1,
     )
 

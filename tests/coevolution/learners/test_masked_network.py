@@ -8,7 +8,7 @@ import pytest
 
 from matrixworld import coevolution
 from matrixworld.coevolution.learners.masked_network import FORBIDDEN, mask_weights, masked_network
-from matrixworld.coevolution.runs.training_matches import experience
+from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import forbidding_cells

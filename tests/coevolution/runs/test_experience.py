@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from matrixworld.coevolution.learners.actor_critic import Experience
-from matrixworld.coevolution.runs.training_matches import experience
+from matrixworld.coevolution.learners.transitions import Experience, experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig

@@ -21,21 +21,29 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import chain, cycle, islice, pairwise
 from math import sqrt
-from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, shown
-from matrixworld.coevolution.learners.learner import Adam, LearnerSettings, annealed
+from matrixworld.coevolution.learners.learner import Adam, LearnerSettings, Task, annealed
+from matrixworld.coevolution.learners.transitions import Experience, Reals, Views, experience
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State, Team
+from matrixworld.coevolution.types import (
+    BoolArray,
+    Genome,
+    Genomes,
+    Indices,
+    IntArray,
+    Seeds,
+    State,
+    Team,
+)
 from matrixworld.version import imported
-from matrixworld.world.policy import CHANNELS, Network
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import CHANNELS, Network, Population, TeamPolicy
 from matrixworld.world.rules import Interaction
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings
 
 CHUNK = 2**20
 """Outputs of the widest layer that are computed at one time: larger ones leave a core's cache.
@@ -45,40 +53,8 @@ COST_RATE = 0.05
 SMALL = 1e-8
 """Added to a standard deviation by which is divided."""
 
-Views = NDArray[np.uint8]
-Reals = NDArray[np.float32]
 Tensor: TypeAlias = Any
 """A ``torch.Tensor``: PyTorch may be missing where types are checked."""
-
-
-@dataclass(frozen=True)
-class Experience:
-    """Transitions of the agents of one team in W episodes of at most T steps.
-
-    The n transitions of all agents are in the order of (step, episode, agent). An agent has one in
-    each step at whose begin it is alive.
-    """
-
-    acted: BoolArray
-    """(T, W, A): which agents of the team acted in each step."""
-    views: Views
-    """(n, 3 * fov * fov): what each one saw before."""
-    actions: IntArray
-    rewards: Reals
-    costs: Reals
-    """(n,): number of kinds of collision in which the agent was at fault."""
-    last: BoolArray
-    """(T, W, A): agents alive when `max_steps` ended their episode, in its last step. What they
-    would have earned later has to be estimated from their last views."""
-    last_views: Views
-    """(m, 3 * fov * fov): what these saw after that step, in the same order."""
-    states: Views | None = None
-    """(T, W, 3 * rows * cols): the worlds before each step, for a central critic only."""
-    last_states: Views | None = None
-    """(W, 3 * rows * cols): the worlds after the last step."""
-
-    def __len__(self) -> int:
-        return len(self.actions)
 
 
 def advantages(
@@ -289,32 +265,36 @@ class ActorCriticSettings(LearnerSettings):
                 f"cost_rate: expected no value without cost_limit, got {self.cost_rate}"
             )
 
-    def check_run(self, run: RaceSettings) -> None:
+    def check_fits(self, world: WorldConfig, network: Network) -> None:
         """Raise ValueError unless all agents act at the same time, by networks without memory."""
-        interaction = run.world.rules.interaction
+        interaction = world.rules.interaction
         if interaction is not Interaction.SIMULTANEOUS:
             raise ValueError(
                 f"world.rules: expected agents that act at the same time with actor-critic, got "
                 f"{interaction.name}"
             )
-        if run.policy.memory != "none":
+        if network.memory != "none":
             raise ValueError(
                 f"policy.memory: expected none with actor-critic, which learns from each step by "
-                f"itself, got {run.policy.memory!r}"
+                f"itself, got {network.memory!r}"
             )
 
-    def new(
-        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-    ) -> ActorCritic:
+    def untrained(
+        self, network: Network, rng: np.random.Generator, *, weight: float, head: float
+    ) -> Genome:
+        """Return orthogonal weights: gradients vanish or explode from other beginnings."""
+        return orthogonal(network.sizes, rng, head=head)
+
+    def new(self, task: Task) -> ActorCritic:
         """Return a new learner of a team."""
         return ActorCritic(
-            genomes[0],
-            run.network,
-            rng,
+            task.genomes[0],
+            task.network,
+            task.rng,
             self,
-            state_size=CHANNELS * run.world.rows * run.world.cols,
-            anneal_over=run.schedule.total_epochs(team) if self.anneal else None,
-            fixed=run.fixed_genes(team),
+            state_size=CHANNELS * task.world.rows * task.world.cols,
+            anneal_over=task.epochs if self.anneal else None,
+            fixed=task.fixed,
         )
 
 
@@ -349,6 +329,7 @@ class ActorCritic:
         fixed: BoolArray | None = None,
     ) -> None:
         self.chosen = chosen
+        self.network = network
         self.anneal_over = anneal_over
         self._device = _usable_device(self._torch, chosen.device)
         weights, shape = check_floats("genome", genome, np.float32), network.sizes
@@ -377,17 +358,30 @@ class ActorCritic:
         """Each match has a seed of its own."""
         return np.arange(self.chosen.population)
 
-    @property
-    def sees_states(self) -> bool:
-        """Whether the critic needs the states of the worlds."""
-        return self.chosen.central_critic
-
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the actor once for each match."""
         return np.repeat(self.genome[np.newaxis], self.chosen.population, axis=0)
 
     def tell(self, fitness: ArrayLike) -> None:
         """Do nothing: this learner has learned from the transitions, and fitness is for the log."""
+
+    def learn_from(
+        self,
+        world: WorldConfig,
+        team: Team,
+        opponents: TeamPolicy,
+        chosen: Indices,
+        seeds: Seeds,
+        *,
+        worlds: int = 1,
+        threads: int | None = None,
+    ) -> None:
+        """Learn from matches (M,) against the opponents `chosen` (M,), which are played for it."""
+        found = experience(
+            world, team, Population(self.genome, self.network), opponents, chosen, seeds,
+            worlds=worlds, states=self.chosen.central_critic, threads=threads,
+        )  # fmt: skip
+        self.learn(found)
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def learn(self, experience: Experience) -> None:

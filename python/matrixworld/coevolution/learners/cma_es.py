@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from deap import cma
@@ -12,12 +12,16 @@ from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import DivergedError, LearnerSettings, checked_fitness
+from matrixworld.coevolution.learners.learner import (
+    DivergedError,
+    LearnerSettings,
+    Task,
+    checked_fitness,
+)
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Saved, State, Team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Saved, State
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network
 
 MOST_GENES = 1000
 """Largest number of genes.
@@ -162,12 +166,10 @@ class CmaEsSettings(LearnerSettings):
 
     sigma: float = setting(0.8, "standard deviation of the first samples", positive=True)
 
-    def check_run(self, run: RaceSettings) -> None:
+    def check_fits(self, world: WorldConfig, network: Network) -> None:
         """Raise ValueError if the network has too many genes."""
-        check_genes(run.network.genome_size)
+        check_genes(network.genome_size)
 
-    def new(
-        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-    ) -> CmaEs:
+    def new(self, task: Task) -> CmaEs:
         """Return a new learner of a team."""
-        return CmaEs(genomes[0], sigma=self.sigma, samples=self.population)
+        return CmaEs(task.genomes[0], sigma=self.sigma, samples=self.population)

@@ -1,13 +1,10 @@
-"""The evolution strategy of Salimans et al. 2017.
-
-"Evolution strategies as a scalable alternative to reinforcement learning", arXiv:1703.03864.
-"""
+"""The evolution strategy of Salimans et al. 2017, with mirrored samples and ranks."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,15 +15,13 @@ from matrixworld.coevolution.learners.learner import (
     LearnerSettings,
     Momentum,
     NoiseTable,
+    Task,
     annealed,
     check_momentum,
     checked_fitness,
 )
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State
 
 
 def centred_ranks(fitness: FloatArray) -> FloatArray:
@@ -78,7 +73,8 @@ class EvolutionStrategy:
 
     References
     ----------
-    Salimans et al. 2017, arXiv:1703.03864, algorithm 1 with mirrored sampling.
+    Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement
+    learning", arXiv:1703.03864, algorithm 1 with mirrored sampling.
     """
 
     def __init__(
@@ -140,29 +136,25 @@ class EvolutionStrategy:
             np.subtract(self.genome, noise, out=minus[i])
         return candidates.reshape(self.samples, -1)
 
-    @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
+    @np.errstate(over="ignore", invalid="ignore")
     def tell(self, fitness: ArrayLike) -> None:
         """Move the mean towards the better samples."""
         if not self._noise:
             raise RuntimeError("tell: expected a call of ask before it, got none")
-        gradient = self._gradient(centred_ranks(checked_fitness(fitness, self.samples)))
-        # A new array, not in place: archives keep a reference to the genome of their generation.
-        self.genome = self.genome + self._optimizer.step(gradient, self.rate)
-        self._noise = []
-
-    def _gradient(self, utility: FloatArray) -> Genome:
-        plus, minus = utility.reshape(2, -1)
+        plus, minus = centred_ranks(checked_fitness(fitness, self.samples)).reshape(2, -1)
         # The table's numbers are e_i times its sigma, hence the square; with a larger s, too, so
         # that steps of momentum do not shrink as s grows. Those of Adam hardly change with it.
         weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)
         gradient = np.zeros(self._table.size, dtype=np.float32)
-        term = np.empty_like(gradient)
         # Term by term, not as a matrix product: the order in which BLAS adds, and with it the
         # rounding, depends on the machine.
+        term = np.empty_like(gradient)
         for weight, noise in zip(weights, self._noise, strict=True):
             np.multiply(weight, noise, out=term)
             gradient += term
-        return gradient
+        # A new array, not in place: archives keep a reference to the genome of their generation.
+        self.genome = self.genome + self._optimizer.step(gradient, self.rate)
+        self._noise = []
 
     def state(self) -> State:
         """Return the mean and the state of the optimizer."""
@@ -181,15 +173,14 @@ class EvolutionStrategy:
 # trial: docs/coevolution.md, "Steps of a team that learns alone".
 
 
-def rate_alone(run: RaceSettings) -> float:
+def rate_alone(epochs: int) -> float:
     """1.25 / sqrt(epochs)."""
-    (team,) = run.schedule.learning_teams
-    return 1.25 / math.sqrt(run.schedule.total_epochs(team))
+    return 1.25 / math.sqrt(epochs)
 
 
-def sigma_alone(run: RaceSettings) -> float:
+def sigma_alone(epochs: int) -> float:
     """sqrt(1.25 / sqrt(epochs) / 2)."""
-    return math.sqrt(rate_alone(run) / 2.0)
+    return math.sqrt(rate_alone(epochs) / 2.0)
 
 
 @documented
@@ -226,17 +217,15 @@ class EvolutionStrategySettings(LearnerSettings):
         if self.momentum is not None:
             check_momentum(self.momentum)
 
-    def new(
-        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-    ) -> EvolutionStrategy:
+    def new(self, task: Task) -> EvolutionStrategy:
         """Return a new learner of a team."""
-        genes = genomes.shape[1]
+        genome = task.genomes[0]
         return EvolutionStrategy(
-            genomes[0],
-            NoiseTable(genes, rng, sigma=self.sigma, fixed=run.fixed_genes(team)),
+            genome,
+            NoiseTable(genome.size, task.rng, sigma=self.sigma, fixed=task.fixed),
             samples=self.population,
             learning_rate=self.learning_rate,
-            anneal_over=run.schedule.total_epochs(team) if self.anneal else None,
+            anneal_over=task.epochs if self.anneal else None,
             momentum=self.momentum,
             relative_sigma=self.relative_sigma,
         )

@@ -8,22 +8,23 @@ DEAP, mating and mutation change their argument and return it.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from deap import base
 from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerSettings, NoiseTable, checked_fitness
+from matrixworld.coevolution.learners.learner import (
+    MUTATION,
+    LearnerSettings,
+    NoiseTable,
+    Task,
+    checked_fitness,
+)
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Saved, Team
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Saved
 
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings
-
-MUTATION = 0.05
-"""Standard deviation of a mutation, unless another one is given."""
 TOURNAMENT = 5
 """Individuals in a tournament, unless another number is given."""
 
@@ -43,10 +44,13 @@ def select_truncation(
     fitness: FloatArray, k: int, rng: np.random.Generator, *, fraction: float
 ) -> Indices:
     """Return k parents drawn evenly from the fittest `fraction` of the population, in (0, 1]."""
-    # Stable: individuals of equal fitness keep their order on every machine.
-    best_first = np.argsort(-fitness, kind="stable")
-    survivors = best_first[: max(1, round(fraction * len(fitness)))]
+    survivors = fittest(fitness, max(1, round(fraction * len(fitness))))
     return survivors[rng.integers(0, len(survivors), size=k)]
+
+
+def fittest(fitness: FloatArray, k: int) -> Indices:
+    """Return the k fittest individuals, the fittest first; of equals the first."""
+    return np.argsort(-fitness, kind="stable")[:k]
 
 
 def mate_uniform(
@@ -114,6 +118,10 @@ class GeneticAlgorithm(Saved):
     ----------
     toolbox : deap.base.Toolbox
         The operators `select`, `mate` and `mutate`.
+
+    References
+    ----------
+    Such et al. 2017, "Deep neuroevolution", arXiv:1712.06567, for mutation alone and truncation.
     """
 
     saved: ClassVar[tuple[str, ...]] = ("population", "fitness", "champion")
@@ -165,8 +173,7 @@ class GeneticAlgorithm(Saved):
         """Indices (elites,) of the fittest of the last scored population, the fittest first."""
         if not len(self.fitness):
             raise RuntimeError("elite: expected a call of tell before it, got none")
-        # Stable: individuals of equal fitness keep their order on every machine.
-        return np.argsort(-self.fitness, kind="stable")[: self.elites]
+        return fittest(self.fitness, self.elites)
 
     def elite_genomes(self) -> Genomes:
         """Return the genomes (elites, genes) of the elite, the fittest first."""
@@ -188,10 +195,9 @@ class GeneticAlgorithm(Saved):
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the next population: at first as given, later elites and then children."""
-        self._candidates = self._offspring(rng) if len(self.fitness) else self.population
-        return self._candidates
-
-    def _offspring(self, rng: np.random.Generator) -> Genomes:
+        if not len(self.fitness):
+            self._candidates = self.population
+            return self.population
         n_children = len(self.population) - self.elites
         # Both parents are selected independently, so that they may be the same individual.
         fathers = self.toolbox.select(self.fitness, n_children, rng)
@@ -204,6 +210,7 @@ class GeneticAlgorithm(Saved):
         mutants = self.toolbox.mutate(mated, rng)
         if mutants is not children:  # another operator in the toolbox
             children[:] = mutants
+        self._candidates = offspring
         return offspring
 
     def tell(self, fitness: ArrayLike) -> None:
@@ -222,6 +229,7 @@ class GeneticAlgorithmSettings(LearnerSettings):
 
     kind: ClassVar[str] = "ga"
     keeps_fixed_genes: ClassVar[bool] = True
+    keeps_population: ClassVar[bool] = True
     steps: ClassVar[tuple[str, ...]] = ("mutation",)
 
     mutation: float = setting(
@@ -258,23 +266,21 @@ class GeneticAlgorithmSettings(LearnerSettings):
             )
 
     @property
-    def starting_genomes(self) -> int:
-        """The population."""
-        return self.population
+    def first_sigma(self) -> float:
+        """Standard deviation of a mutation."""
+        return self.mutation
 
     @property
     def elite_matches(self) -> int:
         """New matches of all elites against one opponent."""
         return self.elites * self.elite_episodes
 
-    def new(
-        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-    ) -> GeneticAlgorithm:
+    def new(self, task: Task) -> GeneticAlgorithm:
         """Return a new learner of a team."""
-        genes = genomes.shape[1]
+        genes = task.genomes.shape[1]
         return GeneticAlgorithm(
-            genomes,
-            NoiseTable(genes, rng, sigma=self.mutation, fixed=run.fixed_genes(team)),
+            task.genomes,
+            NoiseTable(genes, task.rng, sigma=self.mutation, fixed=task.fixed),
             tournament=self.tournament or TOURNAMENT,
             truncation=self.truncation,
             elites=self.elites,

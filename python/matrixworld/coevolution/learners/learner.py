@@ -1,10 +1,10 @@
-"""The interface of learners, the base of their settings, and parts that learners share."""
+"""The interface of learners, the base of their settings, and parts that several learners share."""
 
 from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, runtime_checkable
+from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,13 +18,15 @@ from matrixworld.coevolution.types import (
     Genomes,
     Indices,
     Saved,
+    Seeds,
     Stateful,
     Team,
 )
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, TeamPolicy
 
-if TYPE_CHECKING:  # both import this module
-    from matrixworld.coevolution.learners.actor_critic import Experience
-    from matrixworld.coevolution.settings import RaceSettings
+MUTATION = 0.05
+"""Standard deviation of a mutation, unless another one is given."""
 
 
 class DivergedError(ArithmeticError):
@@ -78,30 +80,53 @@ class Learner(Stateful, Protocol):
 
 
 @runtime_checkable
-class GradientLearner(Protocol):
-    """What learners have besides `Learner` that learn from transitions instead of fitness.
+class LearnsFromMatches(Protocol):
+    """A learner that needs more of its matches than their fitness; a run calls it before `tell`."""
 
-    After the matches of an epoch a run collects what the agents of the team experienced in them::
+    def learn_from(
+        self,
+        world: WorldConfig,
+        team: Team,
+        opponents: TeamPolicy,
+        chosen: Indices,
+        seeds: Seeds,
+        *,
+        worlds: int,
+        threads: int | None,
+    ) -> None:
+        """Learn from matches (M,) of the team against the opponents `chosen` (M,)."""
 
-        candidates = learner.ask(rng)        # (n, genes), n times the genome
-        learner.learn(experience)            # transitions of all agents of the team
-        learner.tell(fitness)
-    """
 
-    @property
-    def sees_states(self) -> bool:
-        """Whether the experience must have the states of the worlds."""
+@runtime_checkable
+class Elitist(Protocol):
+    """A learner whose champion a run may choose, by new matches of its elites."""
 
-    def learn(self, experience: Experience) -> None:
-        """Learn from the transitions of an epoch."""
+    def elite_genomes(self) -> Genomes:
+        """Return the genomes (elites, genes) of the elite, the fittest first."""
+
+    def choose_champion(self, fitness: ArrayLike) -> None:
+        """Make the best of the elite the champion, by its new fitness (elites,)."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a run gives to a new learner of a team."""
+
+    genomes: Genomes
+    """(n, genes) to start from, with n as `LearnerSettings.starting_genomes` says."""
+    rng: np.random.Generator
+    """For what is drawn once, such as a table of noise."""
+    world: WorldConfig
+    network: Network
+    epochs: int
+    """Epochs of the whole run in which the team learns."""
+    fixed: BoolArray | None = None
+    """Genes (genes,) that do not change, such as those of a mask."""
 
 
 @dataclass(frozen=True)
 class LearnerSettings(Section):
-    """Base of the settings of a learner; each has a class in the file of its learner.
-
-    `new` returns the learner of a team, from genomes (n, genes) with n as `starting_genomes` says,
-    and a generator for tables of noise.
+    """Base of the settings of a learner: what a run has to know of it, and how it is made.
 
     Parameters
     ----------
@@ -110,11 +135,13 @@ class LearnerSettings(Section):
     """
 
     by_gradients: ClassVar[bool] = False
-    """Whether the learner learns from transitions (`GradientLearner`) instead of fitness."""
+    """Whether the learner learns from transitions instead of fitness."""
     rounds_by_processor: ClassVar[bool] = False
     """Whether results depend on the kind of processor, which workers of a cluster then share."""
     keeps_fixed_genes: ClassVar[bool] = False
     """Whether the learner leaves genes as they are, such as those of a mask."""
+    keeps_population: ClassVar[bool] = False
+    """Whether candidates are individuals of a population, instead of samples around one genome."""
     steps: ClassVar[tuple[str, ...]] = ()
     """Settings that say how far the learner goes at a time: too far, if it diverges."""
 
@@ -125,15 +152,33 @@ class LearnerSettings(Section):
     @property
     def starting_genomes(self) -> int:
         """Number of genomes from which the learner starts."""
-        return 1
+        return self.population if self.keeps_population else 1
+
+    @property
+    def first_sigma(self) -> float:
+        """Standard deviation of the mutants of a genome from which a population starts."""
+        return MUTATION
 
     @property
     def elite_matches(self) -> int:
         """New matches against each opponent at the end of a generation, to choose a champion."""
         return 0
 
-    def check_run(self, run: RaceSettings) -> None:
-        """Raise ValueError if the learner cannot work with the other settings of a run."""
+    def check_fits(self, world: WorldConfig, network: Network) -> None:
+        """Raise ValueError if the learner cannot learn in a world, or such a network."""
+
+    def untrained(
+        self, network: Network, rng: np.random.Generator, *, weight: float, head: float
+    ) -> Genome:
+        """Return an untrained genome; `weight` and `head` are scales of hidden and last layer."""
+        return network.initial(rng, weight=weight, head=head)
+
+    def population_of(self, genome: Genome, rng: np.random.Generator) -> Genomes:
+        """Return genomes (`starting_genomes`, genes) to start from: a genome, and mutants of it."""
+        population = np.repeat(genome[np.newaxis], self.starting_genomes, axis=0)
+        noise = rng.standard_normal(population[1:].shape, dtype=np.float32)
+        population[1:] += np.float32(self.first_sigma) * noise
+        return population
 
     def diverged(self) -> DivergedError:
         """Return the error for genes that are not finite."""
@@ -144,9 +189,7 @@ class LearnerSettings(Section):
         )
 
     @abstractmethod
-    def new(
-        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-    ) -> Learner:
+    def new(self, task: Task) -> Learner:
         """Return a new learner of a team."""
 
 
@@ -167,17 +210,13 @@ VECTORS_PER_TABLE = 256
 MOST_EXTRA_NUMBERS = 2**24
 """Bound of the table's memory: 64 MiB beyond one noise vector."""
 
-BETA1, BETA2 = 0.9, 0.999
-"""Decay of Adam's moving averages of the gradient and of its square."""
-EPSILON = 1e-8
-"""Added to the denominator of Adam."""
-
 
 class NoiseTable:
     """Noise vectors as windows of one long row of normal numbers.
 
     To draw a normal number for each gene of each candidate costs more time than all other work of a
-    learner. A window at a random place of a long shared table serves as well and costs nothing.
+    learner. A window at a random place of a long shared table serves as well and costs nothing
+    (Salimans et al. 2017, section 2.1; for genetic algorithms Such et al. 2017, arXiv:1712.06567).
 
     Parameters
     ----------
@@ -189,12 +228,6 @@ class NoiseTable:
         Standard deviation of the numbers, in units of the genes, above 0.
     fixed : ndarray of bool, shape (size,), optional
         Genes without noise. By default none.
-
-    References
-    ----------
-    Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement
-    learning", arXiv:1703.03864, section 2.1. For genetic algorithms: Such et al. 2017, "Deep
-    neuroevolution", arXiv:1712.06567.
     """
 
     def __init__(
@@ -205,10 +238,8 @@ class NoiseTable:
         sigma: float,
         fixed: BoolArray | None = None,
     ) -> None:
-        check_integer("size", size, 1)
-        check_number("sigma", sigma, least=0.0, positive=True)
-        self.size: int = size
-        self.sigma: float = sigma
+        self.size: int = check_integer("size", size, 1)
+        self.sigma: float = check_number("sigma", sigma, least=0.0, positive=True)
         self.fixed: BoolArray | None = fixed
         numbers = size + min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
         self._numbers = rng.standard_normal(numbers, dtype=np.float32)
@@ -237,7 +268,7 @@ def annealed(updates: int, over: int | None) -> float:
 
 
 class Adam(Saved):
-    """Steps of Adam, in ascent (Kingma & Ba 2015, algorithm 1)."""
+    """Steps of Adam, in ascent (Kingma & Ba 2015, algorithm 1), with the constants given there."""
 
     saved: ClassVar[tuple[str, ...]] = ("mean", "square", "updates")
 
@@ -248,14 +279,15 @@ class Adam(Saved):
 
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
+        beta1, beta2, epsilon = 0.9, 0.999, 1e-8
         self.updates += 1
         # In place, and in float32 throughout: both averages are as long as the genome.
-        self.mean += (1 - BETA1) * (gradient - self.mean)
-        self.square += (1 - BETA2) * (gradient * gradient - self.square)
+        self.mean += (1 - beta1) * (gradient - self.mean)
+        self.square += (1 - beta2) * (gradient * gradient - self.square)
         # Both averages start at zero; the divisions correct their bias in the first steps.
-        mean = self.mean / (1 - BETA1**self.updates)
-        square = self.square / (1 - BETA2**self.updates)
-        change: Genome = rate * mean / (np.sqrt(square) + EPSILON)
+        mean = self.mean / (1 - beta1**self.updates)
+        square = self.square / (1 - beta2**self.updates)
+        change: Genome = rate * mean / (np.sqrt(square) + epsilon)
         return change
 
 
@@ -282,7 +314,7 @@ class Momentum(Saved):
         return self.velocity
 
 
-def check_momentum(momentum: Any) -> None:
+def check_momentum(momentum: float) -> None:
     """Raise ValueError unless the share of the last step that is kept is in [0, 1)."""
     if check_number("momentum", momentum, least=0.0) >= 1.0:
         raise ValueError(f"momentum: expected a number below 1, got {shown(momentum)}")

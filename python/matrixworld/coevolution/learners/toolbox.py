@@ -35,34 +35,18 @@ class Individual:
 
 
 class Candidates(list[Individual]):
-    """A DEAP population whose individuals are the rows of one array.
-
-    Parameters
-    ----------
-    genomes : ndarray of float32, shape (n, genes)
-        One genome a row; the attribute `genomes` keeps the array, to be evaluated in bulk.
-    """
+    """A DEAP population; its attribute `genomes` (n, genes) is one array, to be scored in bulk."""
 
     def __init__(self, genomes: Genomes) -> None:
         # The genome of an individual is a view of its row, so both always agree.
         super().__init__(Individual(genome) for genome in genomes)
         self.genomes = genomes
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle array and fitness; copies of single genomes would not be views of the array."""
-        return type(self), (self.genomes,), [individual.fitness for individual in self]
-
-    def __setstate__(self, fitness: list[Maximize]) -> None:
-        for individual, each in zip(self, fitness, strict=True):
-            individual.fitness = each
-
-
-Evaluate = Callable[[Candidates], ArrayLike]
-"""Function that scores all candidates in one call and returns their fitness (n,)."""
-
 
 def generate_update_toolbox(
-    learner: Learner, evaluate: Evaluate, generators: Iterator[np.random.Generator]
+    learner: Learner,
+    evaluate: Callable[[Candidates], ArrayLike],
+    generators: Iterator[np.random.Generator],
 ) -> base.Toolbox:
     """Return a toolbox with which `deap.algorithms.eaGenerateUpdate` drives a learner.
 
@@ -73,7 +57,8 @@ def generate_update_toolbox(
     learner : Learner
         The learner.
     evaluate : callable
-        Scores all candidates in one call: `Candidates` -> fitness (n,).
+        Scores all candidates in one call: takes a DEAP population whose attribute `genomes` is
+        an array (n, genes), and returns the fitness (n,).
     generators : iterator of numpy.random.Generator
         Yields the generator of each epoch in turn.
     """
@@ -81,9 +66,9 @@ def generate_update_toolbox(
     def generate() -> Candidates:
         return Candidates(learner.ask(next(generators)))
 
-    def evaluate_all(evaluate: Evaluate, population: Candidates) -> list[tuple[float]]:
+    def evaluate_all(score: Callable[..., ArrayLike], population: Candidates) -> list[Any]:
         # Called as DEAP's `map`: matches are played in bulk.
-        return [(float(value),) for value in np.asarray(evaluate(population))]
+        return [(float(value),) for value in np.asarray(score(population))]
 
     def update(population: list[Any]) -> None:
         learner.tell([individual.fitness.values[0] for individual in population])

@@ -109,9 +109,8 @@ class Run(ABC):
         self.network: Network = self.training.network
         self.stage: int = 0
         self.stage_capture_rates: list[float] = []
-        count = settings.learner.starting_genomes
         self.learners: dict[Team, Learner] = {
-            team: settings.new_learner(team, self.first_population(team, count))
+            team: settings.new_learner(team, self.first_population(team))
             for team in settings.learning_teams
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
@@ -150,9 +149,9 @@ class Run(ABC):
 
     # Each kind of run may replace the following methods:
 
-    def first_population(self, team: Team, count: int) -> Genomes:
-        """Return `count` genomes from which a learner starts; the first one is generation 0."""
-        return self.settings.untrained(team, count)
+    def first_population(self, team: Team) -> Genomes:
+        """Return the genomes from which a learner starts; the first one is generation 0."""
+        return self.settings.untrained(team, self.settings.learner.starting_genomes)
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the archive of a new run."""
@@ -353,9 +352,8 @@ class TeamPhase:
             epoch=matchup.epoch,
             opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
-        if self.run.settings.learner.by_gradients:
-            learner, chosen = self.run.learners[team], np.tile(opponents, len(candidates))
-            training.teach(learner, team, self.opponents, chosen, matchup.seeds.ravel())
+        learner, chosen = self.run.learners[team], np.tile(opponents, len(candidates))
+        training.teach(learner, team, self.opponents, chosen, matchup.seeds.ravel())
         self.run.report(self.activity)
         return fitness
 

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import does_not_vary, t_ends
-from matrixworld.coevolution.learners.genetic_algorithm import MUTATION, GeneticAlgorithmSettings
 from matrixworld.coevolution.opponents import RoundRobin
 from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import Against, Schedule
@@ -85,18 +84,12 @@ class SingleTeam(Run):
             settings = replace(settings, schedule=replace(schedule, **given))
         super().__init__(settings, directory, threads=threads, play=play)
 
-    def first_population(self, team: Team, count: int) -> Genomes:
+    def first_population(self, team: Team) -> Genomes:
         """Return untrained genomes, or the genome to start from and mutants of it."""
         if self._start is None:
-            return super().first_population(team, count)
-        # The genome itself stays in the population; only the others are mutated.
-        population = np.repeat(self._start[np.newaxis], count, axis=0)
+            return super().first_population(team)
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
-        learner = self.settings.learner
-        sigma = learner.mutation if isinstance(learner, GeneticAlgorithmSettings) else MUTATION
-        noise = rng.standard_normal(population[1:].shape, dtype=np.float32)
-        population[1:] += np.float32(sigma) * noise
-        return population
+        return self.settings.learner.population_of(self._start, rng)
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the genome to start from, and the opponents if they have genomes."""
