@@ -6,7 +6,7 @@
 // web/, so that a test can tell built files that are older than their sources.
 
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync, statSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { dirname, join, relative, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -14,7 +14,8 @@ import { build } from "esbuild";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const BUILT = join(HERE, "..", "python", "matrixworld", "explorer", "built");
-const PAGES = ["explorer", "playground", "class", "play", "lesson"];
+/** A folder of src with a main.ts is a page; the list has no other place. */
+const PAGES = readdirSync(join(HERE, "src")).filter((name) => existsSync(join(HERE, "src", name, "main.ts")));
 /** What the pages are built from. The engine is built by itself, see build_engine.py. */
 const SOURCES = ["src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json"];
 
@@ -24,7 +25,7 @@ function files(path) {
   return readdirSync(path).flatMap((name) => files(join(path, name)));
 }
 
-/** Return the digest of paths and contents of the sources; tests/explorer/test_page.py computes the same. */
+/** Return the digest of paths and contents of the sources; tests/explorer/test_pages.py computes the same. */
 function digest() {
   const hash = createHash("sha256");
   const paths = SOURCES.flatMap((source) => files(join(HERE, source)));

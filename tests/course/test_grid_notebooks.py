@@ -22,7 +22,7 @@ from course.boards import (
 from course.chapter_1 import MAZE, SHORTEST
 from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
 from matrixworld import Action, World
-from matrixworld.explorer.scenes import drawn_world
+from matrixworld.explorer.playground import drawn_world
 from notebooks import TEACHER, cells
 from student_functions import by_index
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.explorer.guided_minute import guided_minute
 from PIL import Image, ImageSequence
 
 from browser import DESKTOP, LAPTOP, PHONE, READY, Browser
@@ -22,7 +23,6 @@ from matrixworld.analysis.report import headline_numbers
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import explore
-from matrixworld.explorer.guided_minute import guided_minute
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import (
     archives_of,

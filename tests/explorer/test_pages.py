@@ -25,8 +25,7 @@ from matrixworld.episodes.render import rgb
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer import Explorer, Playground, explore
 from matrixworld.explorer.page import BUILT, SUFFIXES, render_page
-from matrixworld.explorer.playground import PIXELS, page_data
-from matrixworld.explorer.scenes import GALLERY, scene_link
+from matrixworld.explorer.playground import GALLERY, PIXELS, page_data, scene_link
 from matrixworld.world.policy import SCRIPTS
 from tiny_race import tiny_race
 

@@ -12,7 +12,7 @@ import pytest
 import matrixworld as mw
 from browser import DESKTOP, LAPTOP, PHONE, Browser
 from matrixworld.explorer import Playground
-from matrixworld.explorer.scenes import GALLERY, Example, drawn_world, scene_link
+from matrixworld.explorer.playground import GALLERY, Example, drawn_world, scene_link
 from slow import quickly
 
 SHOW = """

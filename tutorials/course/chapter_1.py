@@ -8,7 +8,7 @@ from typing import Any
 
 from course.boards import Cell, Situation, after_step, pack, situations
 from course.checks import Check, FormError, Kind, actions, function, value
-from matrixworld.explorer.scenes import drawn_world
+from matrixworld.explorer.playground import drawn_world
 from matrixworld.world.rules import Action, Capture, Interaction, Outcome, Rules
 
 # 1.1: a way through a maze.

@@ -16,7 +16,7 @@ from course.checks import (
     numbers,
     value,
 )
-from matrixworld.explorer.scenes import drawn_world
+from matrixworld.explorer.playground import drawn_world
 from matrixworld.world.rules import Action
 
 # 2.1: one other action.

@@ -10,9 +10,8 @@ from __future__ import annotations
 import secrets
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -24,7 +23,7 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.storage import SavedRun, open_run
 from matrixworld.coevolution.types import TEAMS, Payoff
-from matrixworld.explorer.runs_page import explorer_page
+from matrixworld.explorer.runs_page import Live, explorer_page
 from matrixworld.world.policy import Population, TeamPolicy
 
 HOST = "127.0.0.1"
@@ -44,17 +43,6 @@ WAITING = (
 )
 
 
-@dataclass(frozen=True)
-class LiveRun(SavedRun):
-    """A run that is going on, with what was played of its generations so far."""
-
-    played: Payoff
-
-    def payoff(self) -> Payoff:
-        """Return the payoff of the generations that there are."""
-        return self.played
-
-
 class LivePage:
     """A server of one page, at an address with a random token, and the thread that plays for it.
 
@@ -63,15 +51,14 @@ class LivePage:
 
     def __init__(self, root: Path, names: Sequence[str]) -> None:
         self._root, self._names = root, names
-        self._runs: dict[str, LiveRun] = {}
+        self._runs: dict[str, tuple[SavedRun, Payoff]] = {}
         self._stages: dict[str, int] = {}
         self._version = 0
         self._finished: Path | None = None
         self._asked = -LEFT
         self._taken, self._closed = threading.Event(), threading.Event()
         self._place = f"/{secrets.token_urlsafe(16)}/"
-        answers = {self._place: self._page, f"{self._place}version": self._told}
-        self._server = ThreadingHTTPServer((HOST, 0), partial(_Handler, answers, self._sent))
+        self._server = ThreadingHTTPServer((HOST, 0), partial(_Handler, self))
         self.url: str = f"http://{HOST}:{self._server.server_port}{self._place}"
         self._threads = [
             threading.Thread(target=work, daemon=True)
@@ -98,20 +85,27 @@ class LivePage:
 
     # What a browser gets:
 
-    def _told(self) -> str:
-        self._asked = time.monotonic()
-        return "end" if self._finished else str(self._version)
+    def answer(self, path: str) -> str | None:
+        """Return what is at an address; None if nothing is."""
+        if path == f"{self._place}version":
+            self._asked = time.monotonic()
+            return "end" if self._finished else str(self._version)
+        return self._page() if path == self._place else None
+
+    def sent(self, path: str) -> None:
+        """Note that a browser has got what is at an address."""
+        if self._finished and path == self._place:
+            self._taken.set()
 
     def _page(self) -> str:
         if self._finished:
             return self._finished.read_text(encoding="utf-8")
-        version, known = self._version, {**self._runs}
-        runs = [known[name] for name in self._names if name in known]
-        return explorer_page(runs, note=NOTE, live=str(version)) if runs else WAITING
-
-    def _sent(self, path: str) -> None:
-        if self._finished and path == self._place:
-            self._taken.set()
+        version, known = str(self._version), {**self._runs}
+        found = [known[name] for name in self._names if name in known]
+        if not found:
+            return WAITING
+        runs, payoffs = zip(*found, strict=True)
+        return explorer_page(runs, note=NOTE, live=Live(payoffs, version))
 
     # What is played for it:
 
@@ -131,9 +125,8 @@ class LivePage:
             return  # it is being made, or mended: the end of the job tells what is damaged
         if not all(team_size(run.teams[team]) > 1 for team in run.settings.learning_teams):
             return
-        before = self._runs.get(name)
-        played = extended(run, before.played if before else None, self._check)
-        self._runs[name] = LiveRun(run.files, run.settings, run.teams, played)
+        known = self._runs[name][1] if name in self._runs else None
+        self._runs[name] = run, extended(run, known, self._check)
         self._stages[name] = stages
         self._version += 1
 
@@ -174,19 +167,18 @@ def _part(team: TeamPolicy, first: int, last: int | None = None) -> TeamPolicy:
 class _Handler(BaseHTTPRequestHandler):
     """Answers the addresses of the page, to browsers that name this machine; nothing else."""
 
-    def __init__(
-        self, answers: Mapping[str, Callable[[], str]], sent: Callable[[str], None], *args: Any
-    ) -> None:
-        self._answers, self._sent = answers, sent
-        super().__init__(*args)
+    def __init__(self, page: LivePage, *connection: Any) -> None:
+        self._page = page
+        super().__init__(*connection)
 
     def do_GET(self) -> None:
         host = "{}:{}".format(*self.connection.getsockname())
         # Another name would be that of a web site which points to this machine.
-        if self.path not in self._answers or self.headers["Host"] != host:
+        text = self._page.answer(self.path) if self.headers["Host"] == host else None
+        if text is None:
             self.send_error(404)
             return
-        content = self._answers[self.path]().encode()
+        content = text.encode()
         with suppress(ConnectionError):  # the tab may be closed meanwhile
             self.send_response(200)
             self.send_header("Content-Type", "text/html; charset=utf-8")
@@ -194,7 +186,7 @@ class _Handler(BaseHTTPRequestHandler):
             self.send_header("Cache-Control", "no-store")
             self.end_headers()
             self.wfile.write(content)
-            self._sent(self.path)
+            self._page.sent(self.path)
 
     def log_message(self, *args: object) -> None:
         """Print nothing: the progress has the terminal."""

@@ -1,9 +1,8 @@
-"""A self-contained page: template, script, style sheet and data in one file.
+"""A self-contained page: template, engine, script, style sheet and data in one file.
 
-The page loads nothing: its content security policy allows the two scripts (the engine and the
-page's own) and the style sheet that it holds, named by their digests, and nothing from elsewhere.
-Scripts and style sheets are built from the directory ``web/`` of the repository; ``npm ci && npm
-run build`` there writes them anew.
+The page loads nothing: its content security policy allows the scripts and the style sheet that it
+holds, named by their digests, and nothing from elsewhere. A page is a directory of ``web/src`` in
+the repository; ``npm ci && npm run build`` in ``web/`` writes its script and its style sheet anew.
 """
 
 from __future__ import annotations
@@ -20,17 +19,13 @@ from matrixworld._util.files import replacing
 from matrixworld.version import __version__
 
 if TYPE_CHECKING:
-    from jinja2 import Environment
     from markupsafe import Markup
 
 BUILT = Path(__file__).parent / "built"
-SUFFIXES = ("js", "css")
+PAGES = tuple(sorted(path.stem for path in BUILT.glob("*.css")))
+"""All pages by name."""
 ENGINE = "engine"
 """Name of the script that holds the engine as WebAssembly, which all pages share."""
-
-# Markup that would end or change an element; the bundler writes none of it.
-_ENDS = {"js": ("</script", "<!--", "<script"), "css": ("</style",)}
-
 ENGINE_PLACE = "/* the engine */"
 """What stands for the engine in a page without it; the page's script looks for the same."""
 
@@ -44,40 +39,13 @@ def render_page(
     opens: Sequence[str] = (),
     asks: bool = False,
 ) -> str:
-    """Return a page ("explorer", "playground" or "class") as HTML.
+    """Return one of `PAGES` as HTML.
 
     The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
     data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
     are named in `opens`. A page that `asks` may load from the server that it comes from, and from
     nowhere else. ValueError if a number is not finite.
     """
-    scripts = {name: _inline(name, "js") for name in (ENGINE, page)}
-    style = _inline(page, "css")
-    more_scripts, more_styles = ([_inline(name, suffix) for name in opens] for suffix in SUFFIXES)
-    return (
-        _environment()
-        .get_template("page.html")
-        .render(
-            title=title,
-            version=__version__,
-            policy=_policy([*scripts.values(), *more_scripts], [style, *more_styles], asks),
-            scripts=scripts,
-            style=style,
-            data=data,
-            blobs={
-                name: base64.b64encode(content).decode() for name, content in (blobs or {}).items()
-            },
-        )
-    )
-
-
-def write_page(path: str | os.PathLike[str], page: str) -> None:
-    """Write a page, complete or not at all."""
-    with replacing(path) as file:
-        file.write(page.encode())
-
-
-def _environment() -> Environment:
     # Jinja takes 0.1 s to import, which commands without pages need not wait for.
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -90,24 +58,32 @@ def _environment() -> Environment:
     )
     # The filter `tojson` escapes <, > and &, so that no text can end the element that holds it.
     environment.policies["json.dumps_kwargs"] = {"allow_nan": False, "separators": (",", ":")}
-    return environment
+    scripts = {name: built(name, "js") for name in (ENGINE, page, *opens)}
+    styles = {name: built(name, "css") for name in (page, *opens)}
+    policy = _policy([*scripts.values()], [*styles.values()], asks)
+    return environment.get_template("page.html").render(
+        title=title,
+        version=__version__,
+        policy=policy,
+        scripts={name: scripts[name] for name in (ENGINE, page)},
+        style=styles[page],
+        data=data,
+        blobs={name: base64.b64encode(blob).decode() for name, blob in (blobs or {}).items()},
+    )
 
 
-def _inline(page: str, suffix: str) -> Markup:
+def built(page: str, suffix: str) -> Markup:
     """Return a built file as it stands in a page."""
     from markupsafe import Markup
 
     # The first line names the sources of all pages: a page changes only with its own.
     text = (BUILT / f"{page}.{suffix}").read_text(encoding="utf-8").partition("\n")[2]
-    found = [markup for markup in _ENDS[suffix] if markup in text.lower()]
-    if found:
-        raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
     return Markup(text)  # not escaped: browsers read scripts and style sheets as they are
 
 
 def without_engine(page: str) -> str:
     """Return a page whose engine is left out; a page that opens it has the engine already."""
-    return page.replace(_inline(ENGINE, "js"), ENGINE_PLACE)
+    return page.replace(built(ENGINE, "js"), ENGINE_PLACE)
 
 
 def _policy(scripts: Sequence[str], styles: Sequence[str], asks: bool) -> str:
@@ -129,6 +105,18 @@ def _policy(scripts: Sequence[str], styles: Sequence[str], asks: bool) -> str:
 def _digests(texts: Sequence[str]) -> str:
     digests = [base64.b64encode(hashlib.sha256(text.encode()).digest()) for text in texts]
     return " ".join(f"'sha256-{digest.decode()}'" for digest in digests)
+
+
+def write_page(path: str | os.PathLike[str], page: str) -> None:
+    """Write a page, complete or not at all."""
+    with replacing(path) as file:
+        file.write(page.encode())
+
+
+def check_new(path: str | os.PathLike[str], force: bool) -> None:
+    """FileExistsError if a file exists, unless it may be replaced."""
+    if Path(path).exists() and not force:
+        raise FileExistsError(f"{os.fspath(path)}: exists; force=True replaces it")
 
 
 def mime_bundle(page: str, title: str, picture: bytes) -> dict[str, str]:

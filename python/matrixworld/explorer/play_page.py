@@ -11,12 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import render_page
-from matrixworld.explorer.runs_page import archives_of, kept_generations, packed
+from matrixworld.explorer.runs_page import archives_of, kept_generations, packed, plain_network
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPT_TEXTS, Population, TeamPolicy
@@ -24,7 +23,6 @@ from matrixworld.world.rules import Capture, Rules, rules_of
 
 PAGE = "play.html"
 """Name of the page where no other is given."""
-
 LIVELY = "clumsy-fleer"
 """The evaders that a match begins with where they are there: the strongest are hardly caught."""
 NETWORK_TEXT = "a network that evolved in a race"
@@ -46,9 +44,8 @@ def shipped(variant: Rules | str) -> tuple[WorldConfig, Players]:
 
 def _by_strength(players: Mapping[str, TeamPolicy]) -> dict[str, TeamPolicy]:
     """Return players with the networks between weak and strong scripts (see docs/held_out.md)."""
-    names = list(players)
-    networks = [name for name in names if isinstance(players[name], Population)]
-    scripts = [name for name in names if name not in networks]
+    networks = [name for name, each in players.items() if isinstance(each, Population)]
+    scripts = [name for name in players if name not in networks]
     return {name: players[name] for name in [*scripts[:2], *networks, *scripts[2:]]}
 
 
@@ -67,28 +64,26 @@ def _generations(team: TeamPolicy, step: int) -> dict[str, TeamPolicy]:
 
 def play_page(title: str, config: WorldConfig, players: Players) -> str:
     """Return the page as HTML."""
-    data = {
-        "version": __version__,
-        "title": title,
-        "world": config.to_json(),
-        "teams": {team: _plain(players[team]) for team in TEAMS},
-    }
-    blobs = {str(team): _genomes(players[team]) for team in TEAMS}
+    teams, blobs = {}, {}
+    for team in TEAMS:
+        teams[team], blobs[str(team)] = _plain_players(players[team])
+    data = {"version": __version__, "title": title, "world": config.to_json(), "teams": teams}
     return render_page("play", title, data, blobs)
 
 
-def _plain(players: Mapping[str, TeamPolicy]) -> dict[str, Any]:
-    """Return the players of a team as plain values; None stands for the next genome."""
-    networks = [each.network for each in players.values() if isinstance(each, Population)]
-    known = [{**plain_values(each), "genome_size": each.genome_size} for each in networks[:1]]
+def _plain_players(players: Mapping[str, TeamPolicy]) -> tuple[dict[str, Any], bytes]:
+    """Return the players of a team as plain values, and their genomes, as `packed` does."""
+    networks = [each for each in players.values() if isinstance(each, Population)]
+    known = [plain_network(each) for each in networks[:1]]
     names = list(players)
     return {
         "names": names,
         "texts": [_text(name, each) for name, each in players.items()],
         "usual": names.index(LIVELY) if LIVELY in names else len(names) - 1,
+        # None stands for the next genome.
         "scripts": [each if isinstance(each, str) else None for each in players.values()],
         "network": known[0] if known else None,
-    }
+    }, packed(np.concatenate([each.genomes for each in networks])) if networks else b""
 
 
 def _text(name: str, player: TeamPolicy) -> str:
@@ -96,8 +91,3 @@ def _text(name: str, player: TeamPolicy) -> str:
     if isinstance(player, str):
         return SCRIPT_TEXTS[player]
     return NETWORK_TEXT if name.startswith("evolved") else ""
-
-
-def _genomes(players: Mapping[str, TeamPolicy]) -> bytes:
-    genomes = [each.genomes[0] for each in players.values() if isinstance(each, Population)]
-    return packed(np.stack(genomes)) if genomes else b""

@@ -6,36 +6,66 @@
 >>> world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
 >>> Playground(world, ["hunter", mw.Action.WEST, "fleer"]).url()
 'playground.html#rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=f4d'
+
+A scene follows ``#`` in a link. It has the parts below, joined by ``&``; parts that have their
+default are left out.
+
+==========  ========================================================================================
+rules       a variant, or the fields of `Rules` in their order, joined by ``.``
+others      the rules to compare with, likewise
+rewards     ``paper``, ``published``, or the fields of `Rewards` in their order, joined by ``_``
+size        rows and columns: ``3x5``
+diagonal    ``1`` for eight directions
+fov         side of the fields of view; the default is 11
+limit       steps of an episode; the default is 500
+seed        seed, episode and number of steps so far: ``0.0.0``
+ended       ``1`` if the episode has ended
+walls       cells of the obstacles: ``0.3_1.3``
+pursuers    cells of the agents: ``0.0_0.2``; ``x`` marks one that is gone and disappeared there,
+evaders     ``c`` an evader that is captured, ``e`` one that was
+played      the steps since then, in each a character for each agent: an action, or a script's
+            letter: ``a`` for the first of `SCRIPTS` and so on
+next        what the agents do next, likewise
+==========  ========================================================================================
 """
 
 from __future__ import annotations
 
+import json
 import os
 import re
+import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import astuple, dataclass
 from enum import Enum
 from inspect import cleandoc
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from matrixworld._util.checks import check_choice, check_instance, check_integer
+from matrixworld._util.files import load_toml
 from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes.render import png
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.explorer.page import mime_bundle, render_page, write_page
-from matrixworld.explorer.scenes import GALLERY, Command, drawn_world, scene_link
-from matrixworld.world.policy import SCRIPT_TEXTS
+from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
     OUTCOME_TEXTS,
     REWARDS,
     VARIANTS,
+    Action,
     Capture,
     Interaction,
     Outcome,
     Rewards,
     Rules,
+    rules_of,
+    variant_name,
 )
 from matrixworld.world.world import World
 
@@ -44,27 +74,8 @@ PAGE = "playground.html"
 PIXELS = 400
 """Wanted length of the longer side of the picture of a scene."""
 
-LABELS = {
-    "interaction": "Agents move",
-    "obstacle": "Obstacle or border: agent",
-    "teammate": "Teammates collide: both",
-    "evader": "Adversaries collide: evader",
-    "pursuer": "Adversaries collide: pursuer",
-    "capture": "Evaders are captured by",
-    "captured_disappear": "A surrounded evader",
-}
-"""The fields of `Rules`, as the page names them."""
-
-VALUES: Mapping[type, Mapping[Any, str]] = {
-    Interaction: INTERACTION_TEXTS,
-    Outcome: {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()},
-    Capture: CAPTURE_TEXTS,
-    bool: {False: "stays", True: "disappears"},
-}
-"""The values of fields by their type, as the page names them."""
-
-DOCUMENTED = re.compile(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", re.MULTILINE)
-"""Names of parameters in a docstring, and their text."""
+Command = int | str
+"""What an agent does in a step: an `Action`, or what a script decides."""
 
 
 class Playground:
@@ -83,7 +94,7 @@ class Playground:
     Attributes
     ----------
     scene : str
-        The scene as it stands in a link; see `matrixworld.explorer.scenes`.
+        The scene as it stands in a link; see `matrixworld.explorer.playground`.
     picture : bytes
         The scene as a PNG file: what a notebook shows where it shows no frame.
 
@@ -137,8 +148,7 @@ class Playground:
         FileExistsError
             If the file exists.
         """
-        if Path(path).exists() and not force:
-            raise FileExistsError(f"{os.fspath(path)}: exists; force=True replaces it")
+        check_new(path, force)
         write_page(path, self.html())
 
     def __repr__(self) -> str:
@@ -148,12 +158,46 @@ class Playground:
         return mime_bundle(self.html(), "playground", self.picture)
 
 
+# ---- What the page knows of the package ----------------------------------------------------------
+
+LABELS = {
+    "interaction": "Agents move",
+    "obstacle": "Obstacle or border: agent",
+    "teammate": "Teammates collide: both",
+    "evader": "Adversaries collide: evader",
+    "pursuer": "Adversaries collide: pursuer",
+    "capture": "Evaders are captured by",
+    "captured_disappear": "A surrounded evader",
+}
+"""The fields of `Rules`, as the page names them."""
+
+VALUES: Mapping[type, Mapping[Any, str]] = {
+    Interaction: INTERACTION_TEXTS,
+    Outcome: {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()},
+    Capture: CAPTURE_TEXTS,
+    bool: {False: "stays", True: "disappears"},
+}
+"""The values of fields by their type, as the page names them."""
+
+
 def page_data(scene: str = "") -> dict[str, Any]:
     """Return what the page knows of the package: rules, scripts, rewards and examples."""
+    documented = _documented()
     return {
         "variants": {name: _plain(rules) for name, rules in VARIANTS.items()},
         "titles": {name: VARIANT_TEXTS[name].title for name in VARIANTS},
-        "fields": [_field(name) for name in LABELS],
+        "fields": [
+            {
+                "name": name,
+                "label": label,
+                "text": documented.get(name, ""),
+                "values": [
+                    {"name": getattr(value, "name", str(value).lower()), "label": text}
+                    for value, text in VALUES[type(getattr(Rules(), name))].items()
+                ],
+            }
+            for name, label in LABELS.items()
+        ],
         "rewards": {name: _plain(rewards) for name, rewards in REWARDS.items()},
         "scripts": [{"name": name, "text": text} for name, text in SCRIPT_TEXTS.items()],
         "gallery": [
@@ -165,26 +209,159 @@ def page_data(scene: str = "") -> dict[str, Any]:
 
 
 def _plain(row: Rules | Rewards) -> dict[str, Any]:
-    return {
-        name: value.name if isinstance(value, Enum) else value
-        for name, value in asdict(row).items()
-    }
-
-
-def _field(name: str) -> dict[str, Any]:
-    """Return a field of `Rules`: its label, its documentation and its values."""
-    texts = VALUES[type(getattr(Rules(), name))]
-    values = [
-        {"name": value.name if isinstance(value, Enum) else str(value).lower(), "label": text}
-        for value, text in texts.items()
-    ]
-    text = _documented().get(name, "")  # without docstrings (python -OO) there are none
-    return {"name": name, "label": LABELS[name], "text": text, "values": values}
+    return {name: getattr(value, "name", value) for name, value in vars(row).items()}
 
 
 def _documented() -> dict[str, str]:
-    """Return the texts of the fields in the docstring of `Rules`."""
+    """Return the texts of the fields in the docstring of `Rules`; python -OO leaves none."""
     texts: dict[str, str] = {}
-    for names, text in DOCUMENTED.findall(cleandoc(Rules.__doc__ or "")):
+    parameter = re.compile(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", re.MULTILINE)
+    for names, text in parameter.findall(cleandoc(Rules.__doc__ or "")):
         texts |= dict.fromkeys(names.split(", "), " ".join(text.split()))
     return texts
+
+
+# ---- A scene as text -----------------------------------------------------------------------------
+
+MOST = {"rows": 64, "cols": 64, "n_pursuers": 100, "n_evaders": 100}
+"""The largest worlds of the playground."""
+DEFAULTS = {"diagonal": "0", "fov": "11", "limit": "500", "seed": "0.0.0", "rewards": "paper"}
+
+
+def scene_link(
+    world: World,
+    actions: Sequence[Command] | None = None,
+    *,
+    compare: Rules | str | None = None,
+) -> str:
+    """Return the scene that a world is in, between two rounds; it goes on there as it would here.
+
+    An action is an `Action` or the name of a script; by default all agents stay. With rules to
+    compare with, a second board plays the same actions.
+    """
+    check_instance("world", world, World)
+    config = world.config
+    if world.turn:
+        raise ValueError(f"world: expected the end of a round, got turn {world.turn}")
+    for name, most in MOST.items():
+        check_integer(f"world, {name}", getattr(config, name), 1, most)
+    parts = {
+        "rules": _rules_text(config.rules),
+        "others": "" if compare is None else _rules_text(rules_of(compare)),
+        "rewards": _rewards_text(config.rewards),
+        "size": f"{config.rows}x{config.cols}",
+        "diagonal": str(int(config.diagonal)),
+        "fov": str(config.fov),
+        "limit": str(config.max_steps),
+        "seed": f"{world.seed}.{world.episode}.{world.steps}",
+        "ended": "1" if world.terminated else "",
+        "walls": "_".join(f"{row}.{col}" for row, col in zip(*world.map.nonzero(), strict=True)),
+        **_agents_text(world),
+        "next": "" if actions is None else _commands_text(config, actions),
+    }
+    return "&".join(
+        f"{name}={text}" for name, text in parts.items() if text and text != DEFAULTS.get(name)
+    )
+
+
+def _agents_text(world: World) -> dict[str, str]:
+    texts = [f"{row}.{col}" for row, col in world.last_positions.tolist()]
+    first = world.config.n_pursuers
+    for evader, (now, ever) in enumerate(zip(world.captured, world.ever_captured, strict=True)):
+        texts[first + evader] += "c" if now else "e" if ever else ""
+    texts = [text + ("" if alive else "x") for text, alive in zip(texts, world.alive, strict=True)]
+    return {"pursuers": "_".join(texts[:first]), "evaders": "_".join(texts[first:])}
+
+
+def _commands_text(config: WorldConfig, actions: Sequence[Command]) -> str:
+    if len(actions) != config.n_agents:
+        raise ValueError(f"actions: expected {config.n_agents} (agents), got {len(actions)}")
+    text = "".join(_command_text(config, action) for action in actions)
+    return text if text.strip("0") else ""
+
+
+def _command_text(config: WorldConfig, action: Command) -> str:
+    if isinstance(action, str):
+        check_choice("actions", action, SCRIPTS)
+        return chr(ord("a") + [str(script) for script in SCRIPTS].index(action))
+    return str(check_integer("actions", action, 0, config.n_actions - 1))
+
+
+def _rules_text(rules: Rules) -> str:
+    return variant_name(rules) or ".".join(map(_field_text, astuple(rules))).lower()
+
+
+def _rewards_text(rewards: Rewards) -> str:
+    known = (name for name, each in REWARDS.items() if each == rewards)
+    return next(known, "_".join(map(_field_text, astuple(rewards))))
+
+
+def _field_text(value: object) -> str:
+    """Return a value as JavaScript writes it."""
+    if isinstance(value, tuple):
+        return ",".join(map(_field_text, value))
+    if isinstance(value, Enum):
+        return value.name
+    return json.dumps(value).removesuffix(".0")
+
+
+# ---- The gallery ---------------------------------------------------------------------------------
+
+ARROWS = {"^": Action.NORTH, ">": Action.EAST, "v": Action.SOUTH, "<": Action.WEST}
+
+
+@dataclass(frozen=True)
+class Example:
+    """A scene of the gallery, which teaches one thing."""
+
+    title: str
+    ask: str  # what to predict
+    text: str  # what happens, and what to try
+    rules: str
+    drawing: str
+    moves: str  # what agents do next, such as "A> b^", or a script: "A=chaser"; the others stay
+    compare: str | None = None
+
+    @property
+    def commands(self) -> list[Command]:
+        """What each agent does next."""
+        letters = sorted(letter for letter in self.drawing if letter.isalpha())
+        moves = {move[0]: move[1:] for move in self.moves.split()}
+        texts = [moves.get(letter, "") for letter in letters]
+        return [
+            text[1:] if text.startswith("=") else ARROWS.get(text, Action.STAY) for text in texts
+        ]
+
+    @property
+    def scene(self) -> str:
+        """The scene as it stands in a link."""
+        world = drawn_world(self.rules, self.drawing)
+        return scene_link(world, self.commands, compare=self.compare)
+
+
+def drawn_world(rules: Rules | str, drawing: str) -> World:
+    """Return the world of a drawing.
+
+    Rows are lines, or separated by slashes, and cells by spaces: ``.`` is free, ``#`` an obstacle;
+    ``A``, ``B``, ... are pursuers and ``a``, ``b``, ... evaders, in the order of their numbers.
+    """
+    cells = np.array([row.split() for row in drawing.replace("/", "\n").splitlines()])
+    found = {str(cells[cell]): cell for cell in np.ndindex(cells.shape) if cells[cell].isalpha()}
+    pursuers, evaders = (
+        [found[letter] for letter in sorted(found) if letter.isupper() == upper]
+        for upper in (True, False)
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # rules that capture no evader may be what a scene is about
+        world = World(
+            rules, n_pursuers=len(pursuers), n_evaders=len(evaders), obstacles=cells == "#"
+        )
+    world.reset(0, pursuers=pursuers, evaders=evaders)
+    return world
+
+
+GALLERY = tuple(
+    Example(**{**row, **{name: " ".join(row[name].split()) for name in ("ask", "text")}})
+    for row in load_toml(Path(__file__).with_name("gallery.toml"))["example"]
+)
+"""The examples, in the order of the page."""

@@ -1,4 +1,4 @@
-"""The page of finished runs: payoff matrices whose matches it plays, and all that belongs to them.
+"""The page of runs: payoff matrices whose matches it plays, and all that belongs to them.
 
 Numbers and verdicts come from `matrixworld.analysis`, from the same functions that the command line
 and the figures use; the page computes none of its own.
@@ -16,14 +16,14 @@ import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
-from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
+from matrixworld.analysis.cycles import MARGIN, Checkerboard, strongest_checkerboards
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.report import headline_numbers
 from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked, curve_window
@@ -34,8 +34,13 @@ from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
 from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes import replay
-from matrixworld.explorer.guided_minute import guided_minute
-from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
+from matrixworld.explorer.page import (
+    check_new,
+    mime_bundle,
+    render_page,
+    without_engine,
+    write_page,
+)
 from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.version import __version__
 from matrixworld.world.policy import Population, TeamPolicy
@@ -43,10 +48,12 @@ from matrixworld.world.rules import variant_name
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
-MOST_RUNS = 12
+NUMBERS = (
+    "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven",
+    "Twelve",
+)  # fmt: skip
+MOST_RUNS = len(NUMBERS)
 """The most runs of a page."""
-
-Path_ = str | os.PathLike[str]
 
 
 @dataclass(frozen=True, repr=False)
@@ -71,7 +78,11 @@ class Explorer:
         return mime_bundle(self.path.read_text(encoding="utf-8"), self.path.name, self.picture)
 
 
-def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Explorer:
+def explore(
+    *runs: str | os.PathLike[str],
+    file: str | os.PathLike[str] | None = None,
+    force: bool = False,
+) -> Explorer:
     """Write the page of finished runs; the last expression of a notebook's cell shows it.
 
     Parameters
@@ -100,11 +111,8 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
     saved = [run for path in paths for run in open_runs(path) or [open_run(path)]]
     if not 1 <= len(saved) <= MOST_RUNS:
         raise ValueError(f"runs: expected 1 to {MOST_RUNS} finished runs, got {len(saved)}")
-    # By default beside what it shows.
-    common = Path(os.path.commonpath([path.absolute() for path in paths]))
-    page = common / PAGE if file is None else Path(file)
-    if page.exists() and not force:
-        raise FileExistsError(f"{page}: exists; force=True replaces it")
+    page = _common(paths) / PAGE if file is None else Path(file)
+    check_new(page, force)
     write_page(page, explorer_page(saved))
     # Three moments of the match of the last generations.
     picture = io.BytesIO()
@@ -112,61 +120,56 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
     return Explorer(page, picture.getvalue())
 
 
+def _common(paths: Sequence[Path]) -> Path:
+    """Return the directory that holds all of them."""
+    return Path(os.path.commonpath([path.absolute() for path in paths]))
+
+
+class Live(NamedTuple):
+    """What a page shows of runs that go on: their payoffs so far, and the number of its version."""
+
+    payoffs: Sequence[Payoff]
+    version: str
+
+
 def explorer_page(
     runs: Sequence[SavedRun],
     *,
     judgements: Mapping[Path, analysis.Judgement] | None = None,
     note: str = "",
-    live: str | None = None,
+    live: Live | None = None,
 ) -> str:
-    """Return the page of finished runs as HTML, in this order.
+    """Return the page of runs as HTML, in this order.
 
     By run directory, `judgements` has those that are known; other races are judged here. A `note`
     says what the page does not show, such as further runs of the job. FileNotFoundError if a run is
-    not finished. A page that is `live` (see `matrixworld.explorer.live`) has this version, and no
-    judgement.
+    not finished, unless the page is `live`.
     """
-    paths = [run.files.path.absolute() for run in runs]
-    common = Path(os.path.commonpath(paths))
+    common = _common([run.files.path for run in runs])
     # Each by its path below the directory that holds all of them.
+    paths = [run.files.path.absolute() for run in runs]
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
     archives = archives_of(runs)
-    known = judgements or {}
-    plain = [
-        {
-            **run_data(name, run, known.get(run.files.path), step=archives.step, live=live),
-            "teams": teams,
-        }
-        for name, run, teams in zip(names, runs, archives.teams, strict=True)
-    ]
+    plain = []
+    for number, (name, run, teams) in enumerate(zip(names, runs, archives.teams, strict=True)):
+        judgement = (judgements or {}).get(run.files.path)
+        payoff = live.payoffs[number] if live else None
+        shown = run_data(name, run, judgement, step=archives.step, so_far=payoff)
+        plain.append({**shown, "teams": teams})
     title = names[0] if len(names) == 1 else common.name
     data = {
         "version": __version__,
         "title": title,
         "heading": heading(runs),
         "note": note,
-        "live": live,
+        "live": live.version if live else None,
         "playground": page_data(),
         "runs": plain,
     }
     playground = without_engine(Playground().html()).encode()
     blobs = {**archives.blobs, "playground": playground}
-    return render_page(
-        "explorer",
-        f"{title} - matrixworld",
-        data,
-        blobs,
-        opens=["playground"],
-        asks=live is not None,
-    )
-
-
-# fmt: off
-NUMBERS = (
-    "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven",
-    "Twelve",
-)
-# fmt: on
+    shown_title, asks = f"{title} - matrixworld", live is not None
+    return render_page("explorer", shown_title, data, blobs, opens=["playground"], asks=asks)
 
 
 def heading(runs: Sequence[SavedRun]) -> str:
@@ -192,20 +195,22 @@ def run_data(
     judgement: analysis.Judgement | None = None,
     *,
     step: int = 1,
-    live: str | None = None,
+    so_far: Payoff | None = None,
 ) -> dict[str, Any]:
     """Return what a page shows of a run, without its teams.
 
-    A race without `judgement` is judged here, unless the page is `live`. The page holds the genomes
-    of every generation by a `step`.
+    A race without `judgement` is judged here. A run that goes on is not: its payoff is given. The
+    page holds the genomes of every generation by a `step`.
     """
-    settings, payoff = run.settings, run.payoff()
+    settings, payoff = run.settings, so_far or run.payoff()
     teams = [run.teams[team] for team in TEAMS]
     shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in teams)
-    race = settings.is_race
+    found = None
+    if settings.is_race:
+        found = so_far_found(payoff) if so_far else findings(payoff, judgement, step=step)
     return {
         "name": name,
-        "schedule": settings.schedule.name if race else "one team",
+        "schedule": settings.schedule.name if settings.is_race else "one team",
         "learning": list(settings.learning_teams),
         "seed": str(settings.seed),
         "world": settings.world.to_json(),
@@ -217,8 +222,8 @@ def run_data(
             [str(evaluation_seed(settings.seed, g, h)) for h in range(shape[1])]
             for g in range(shape[0])
         ],
-        "findings": findings(payoff, judgement, step=step, live=live) if race else None,
-        "limits": too_few_episodes(payoff) if race else "",
+        "findings": found,
+        "limits": too_few_episodes(payoff) if settings.is_race else "",
     }
 
 
@@ -250,9 +255,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
     many ``epochs``; ``window`` has the points of a moving average.
     """
     learner = (log["team"] == "evader").astype(int)
-    schedule = settings.schedule
-    both = isinstance(schedule, HallOfFame)
-    if both:
+    if isinstance(settings.schedule, HallOfFame):
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
@@ -264,7 +267,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
         "generation": log["generation"][starts].tolist(),
         "learner": learner[starts].tolist(),
         "epochs": every,
-        "window": max(1, round(curve_window(schedule) / every)),
+        "window": max(1, round(curve_window(settings.schedule) / every)),
         "matches": int(log["matches"][-1]) if len(learner) else 0,
     }
 
@@ -293,9 +296,7 @@ def _usual(settings: RaceSettings) -> RaceSettings:
 def _shown(value: Any) -> str:
     if isinstance(value, str):
         return value
-    if value is None:
-        return "default"
-    return json.dumps(value)
+    return "default" if value is None else json.dumps(value)
 
 
 # ---- What the analysis says ----------------------------------------------------------------------
@@ -310,55 +311,41 @@ OF_GAME = (
 
 
 def findings(
-    payoff: Payoff,
-    judgement: analysis.Judgement | None = None,
-    *,
-    step: int = 1,
-    live: str | None = None,
+    payoff: Payoff, judgement: analysis.Judgement | None = None, *, step: int = 1
 ) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
-    if live is not None:
-        last = min(payoff.capture_rate.shape) - 1
-        return {
-            "headline": f"generation {last} so far",
-            "table": [],
-            "guided_minute": [],
-            **curves(payoff),
-        }
     matrix = payoff.capture_rate
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
-    rows, columns = (kept_generations(size, step) for size in matrix.shape)
+    kept = [kept_generations(size, step) for size in matrix.shape]
     judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
+    scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
+    of_game = (analysis.MEASURES[name] for name in OF_GAME)
     return {
         "headline": analysis.headline(judgement),
         "numbers": headline_numbers(judgement),
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
         "checkerboards": plain_values(boards),
-        "guided_minute": [
-            stop._asdict() for stop in guided_minute(matrix, judgement, boards, (rows, columns))
-        ],
+        "guided_minute": plain_values(guided_minute(matrix, judgement, boards, kept)),
         "margin": MARGIN,
-        "game": game_numbers(payoff),
+        "game": [f"{each.label}: {each.shown(each.of(scores))}" for each in of_game],
         **curves(payoff),
     }
 
 
-def game_numbers(payoff: Payoff) -> list[str]:
-    """Return what the race is as a game, with intervals, a line for each measure."""
-    scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
-    rows = (analysis.MEASURES[name] for name in OF_GAME)
-    return [f"{row.label}: {row.shown(row.of(scores))}" for row in rows]
+def so_far_found(payoff: Payoff) -> dict[str, Any]:
+    """Return what is shown of a race that goes on: curves, and no judgement."""
+    headline = f"generation {min(payoff.capture_rate.shape) - 1} so far"
+    return {"headline": headline, "table": [], "guided_minute": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:
     """Return what is drawn of a race and claims nothing."""
     matrix, several = payoff.capture_rate, payoff.capture_rates.shape[2] >= 2
     ratings = analysis.elo(matrix)
+    top = plain_values(analysis.spinning_top(payoff.capture_rates)) if several else None
     return {
-        "spinning_top": plain_values(analysis.spinning_top(payoff.capture_rates))
-        if several
-        else None,
+        "spinning_top": top,
         "generalization": _with_bands(
             analysis.generalization(matrix), analysis.generalization_over_episodes, payoff
         ),
@@ -406,6 +393,105 @@ def too_few_episodes(payoff: Payoff) -> str:
     )
 
 
+# ---- A guided minute -----------------------------------------------------------------------------
+#
+# A caption states what cells measured, or a verdict as the judgement gives it. Cells that were
+# chosen because they stand out illustrate a verdict; they are never the reason for it.
+
+
+class Stop(NamedTuple):
+    """A caption, the match that it speaks of, and the part of the page to look at."""
+
+    text: str
+    pursuer: int
+    evader: int
+    shows: Literal["match", "checkerboard", "judgement"] = "match"
+
+
+def guided_minute(
+    matrix: Rates,
+    judgement: analysis.Judgement,
+    boards: Sequence[Checkerboard],
+    kept: Sequence[Sequence[int]],
+) -> list[Stop]:
+    """Return the captions of a race.
+
+    `boards` are its checkerboards, the strongest first; `kept` are the pursuer and evader
+    generations that the page can play.
+    """
+    g, h = (size - 1 for size in matrix.shape)
+    before = (
+        f"Before learning: pursuers 0 capture {matrix[0, 0]:.0%} of evaders 0, on average. "
+        "Triangles pursue, discs evade."
+    )
+    end = (
+        f"At the end: pursuers {g} capture {matrix[g, h]:.0%} of evaders {h}. Both teams have "
+        "trained, so it takes other opponents to tell which one became better."
+    )
+    judged = (
+        f"The judgement: {analysis.headline(judgement)}. It weighs all cells and episodes of "
+        "this race; another seed may give another one."
+    )
+    lost, board = _early_opponent(matrix, kept), _checkerboard(matrix, boards)
+    return [
+        Stop(before, 0, 0),
+        Stop(end, g, h),
+        lost._replace(text=f"{lost.text} {_verdict(judgement, 'forgetting')}"),
+        board._replace(text=f"{board.text} {_verdict(judgement, 'intransitivity')}"),
+        Stop(judged, g, h, "judgement"),
+    ]
+
+
+def _verdict(judgement: analysis.Judgement, condition: str) -> str:
+    """Return the verdicts on a condition, with the windows where they are not the same."""
+    by_verdict: dict[str, list[str]] = {}
+    for window, found in judgement.windows.items():
+        name = "whole race" if window == "whole" else window
+        by_verdict.setdefault(found[condition].verdict, []).append(name)
+    told = [f"{each} in the {' and the '.join(by_verdict[each])}" for each in by_verdict]
+    return f"The judgement on {condition}: {'; '.join(told if len(told) > 1 else by_verdict)}."
+
+
+def _early_opponent(matrix: Rates, kept: Sequence[Sequence[int]]) -> Stop:
+    """Return the opponent of the first half against which a newest generation lost most."""
+    g, h = (size - 1 for size in matrix.shape)
+    early = [[each for each in kept[axis] if 2 * each <= last] for axis, last in enumerate((g, h))]
+    losses = [(matrix[:, each].max() - matrix[g, each], "pursuers", each) for each in early[1]]
+    losses += [(matrix[each, h] - matrix[each].min(), "evaders", each) for each in early[0]]
+    loss, team, other = max(losses)
+    if loss <= 0:
+        none = "Against early opponents, no earlier generation did better than the newest ones."
+        return Stop(none, g, 0)
+    if team == "pursuers":
+        best = matrix[:, other].argmax()
+        text = (
+            f"The newest pursuers lost most against evaders {other}: pursuers {g} capture "
+            f"{matrix[g, other]:.0%} of them, pursuers {best} {matrix[best, other]:.0%}."
+        )
+        return Stop(text, g, other)
+    best = matrix[other].argmin()
+    text = (
+        f"The newest evaders lost most against pursuers {other}: these capture "
+        f"{matrix[other, h]:.0%} of evaders {h}, and {matrix[other, best]:.0%} of evaders {best}."
+    )
+    return Stop(text, other, h)
+
+
+def _checkerboard(matrix: Rates, boards: Sequence[Checkerboard]) -> Stop:
+    if not boards:
+        g, h = (size - 1 for size in matrix.shape)
+        return Stop(
+            f"No four cells differ crosswise by more than {MARGIN}, as in a checkerboard.", g, h
+        )
+    (p, q), (a, b) = boards[0].pursuers, boards[0].evaders
+    text = (
+        f"A checkerboard: pursuers {p} capture {matrix[p, a]:.0%} of evaders {a} and "
+        f"{matrix[p, b]:.0%} of evaders {b}; pursuers {q} capture {matrix[q, a]:.0%} and "
+        f"{matrix[q, b]:.0%}. The strongest of many, some of which noise makes."
+    )
+    return Stop(text, p, a, "checkerboard")
+
+
 # ---- Teams ---------------------------------------------------------------------------------------
 
 MOST_BYTES = 48 * 2**20
@@ -427,21 +513,17 @@ class Archives(NamedTuple):
 def archives_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> Archives:
     """Return the teams of runs, with the genomes of as many generations as fit into so many bytes.
 
-    The first and the last generation of each team are always there.
+    The first and the last generation of each team are always there. The step is the same for all
+    runs, so that linked generations exist everywhere.
     """
     learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
     longest = max(len(team.genomes) for team in learned)
 
     def size(step: int) -> int:
-        return sum(
-            len(kept_generations(len(team.genomes), step)) * team.genomes[0].nbytes
-            for team in learned
-        )
+        kept = (len(kept_generations(len(team.genomes), step)) for team in learned)
+        return sum(n * team.genomes[0].nbytes for n, team in zip(kept, learned, strict=True))
 
-    step = 1
-    # The step is the same for all runs, so that linked generations exist everywhere.
-    while size(step) > most and step < longest:
-        step += 1
+    step = next((each for each in range(1, longest) if size(each) <= most), longest)
     blobs: dict[str, bytes] = {}
     teams = tuple(
         {team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, blobs) for team in TEAMS}
@@ -461,14 +543,19 @@ def _plain_team(
     """Return a team as plain values, and add its genomes to the blobs."""
     if isinstance(team, str):
         return {"script": team, "network": None, "kept": [0], "genomes": ""}
-    network, kept = team.network, kept_generations(len(team.genomes), step)
+    kept = kept_generations(len(team.genomes), step)
     blobs[identifier] = packed(team.genomes[kept])
     return {
         "script": None,
-        "network": {**plain_values(network), "genome_size": network.genome_size},
+        "network": plain_network(team),
         "kept": kept,
         "genomes": identifier,
     }
+
+
+def plain_network(team: Population) -> dict[str, Any]:
+    """Return the network of a population as a page reads it."""
+    return {**plain_values(team.network), "genome_size": team.network.genome_size}
 
 
 def packed(genomes: Genomes) -> bytes:

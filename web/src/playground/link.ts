@@ -1,6 +1,6 @@
 // Scenes as text in a link:  #rules=SB&size=2x5&pursuers=0.0_0.2&evaders=1.4&next=240
 //
-// `matrixworld.explorer.scenes` writes the same in Python and explains the parts. A text from elsewhere
+// `matrixworld.explorer.playground` writes the same in Python and explains the parts. A text from elsewhere
 // may hold anything: every part is checked, and the message says what was expected.
 
 import type { Cell, Penalty, Rewards, Rules } from "../engine/types.ts";

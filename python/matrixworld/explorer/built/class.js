@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 7b507241a57c4c84e0dac3feae237d11f568626fe9db207b2a831c2595c0a2e3 */
+/* built from web/ by "npm run build"; sources f49bbb9f030e7395e0ad41285f7dbf71ba2e1c0e503254b2a5ba93bdea0cabb3 */
 "use strict";(()=>{var G=[.5,1,2,4,8,16,32,64],re=0,ne=12,gr=2,te=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#c=[];#d=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#i(
