@@ -18,12 +18,12 @@ import pytest
 from course import predict
 from matrixworld.classroom.submissions import (
     MOST_UNPACKED,
+    count_votes,
     read_file,
     read_genome,
     read_submissions,
     save_genome,
 )
-from matrixworld.classroom.votes import count_votes
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network, Population
@@ -192,17 +192,15 @@ def genome(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     return path.read_bytes()
 
 
-@pytest.mark.parametrize("seed", range(200))
-def test_a_genome_with_altered_bytes_is_read_or_refused(
-    genome: bytes, seed: int, tmp_path: Path
-) -> None:
+def test_a_genome_with_altered_bytes_is_read_or_refused(genome: bytes, tmp_path: Path) -> None:
     """Also in headers and in the directory of the archive."""
-    rng, content = np.random.default_rng(seed), bytearray(genome)
-    for place in rng.integers(len(content), size=rng.integers(1, 4)):
-        content[place] = rng.integers(256)
-    (tmp_path / "a.npz").write_bytes(content)
-    with suppress(DamagedFileError):  # any other error fails
-        load(tmp_path / "a.npz")
+    for seed in range(200):
+        rng, content = np.random.default_rng(seed), bytearray(genome)
+        for place in rng.integers(len(content), size=rng.integers(1, 4)):
+            content[place] = rng.integers(256)
+        (tmp_path / "a.npz").write_bytes(content)
+        with suppress(DamagedFileError):  # any other error fails
+            load(tmp_path / "a.npz")
 
 
 # ---- Predictions ---------------------------------------------------------------------------------

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matrixworld.explorer.guided_minute import guided_minute
 from PIL import Image, ImageSequence
 
 from browser import DESKTOP, LAPTOP, PHONE, READY, Browser
@@ -27,6 +26,7 @@ from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import (
     archives_of,
     explorer_page,
+    guided_minute,
     heading,
     kept_generations,
     packed,

@@ -16,7 +16,7 @@ import pytest
 from browser import Browser
 from course.questions import Prediction, exercises
 from course.toys import GAMES, PAYOFF, alternate
-from matrixworld.classroom.votes import first_choices
+from matrixworld.classroom.submissions import first_choices
 from node import run_node
 
 DOCS = Path(__file__).parents[2] / "docs"

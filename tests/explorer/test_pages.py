@@ -24,11 +24,12 @@ from matrixworld.coevolution import start
 from matrixworld.episodes.render import rgb
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer import Explorer, Playground, explore
-from matrixworld.explorer.page import BUILT, SUFFIXES, render_page
+from matrixworld.explorer.page import BUILT, render_page
 from matrixworld.explorer.playground import GALLERY, PIXELS, page_data, scene_link
 from matrixworld.world.policy import SCRIPTS
 from tiny_race import tiny_race
 
+SUFFIXES = ("js", "css")
 PAGES = ("explorer", "playground", "class", "play", "lesson")
 REPOSITORY = Path(__file__).parents[2]
 WEB = REPOSITORY / "web"

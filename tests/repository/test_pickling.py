@@ -267,7 +267,7 @@ def _of_classes(directory: Path) -> Iterator[Any]:
     config = mw.WorldConfig("O", rows=6, cols=6, n_pursuers=1, n_evaders=1, fov=5, max_steps=3)
     result = classroom.play_class(submissions, config, episodes=2, threads=1)
     assert result.refusals
-    yield from (result, classroom.standings(result, "evader"))
+    yield from (result, result.standings)
 
 
 def _of_jobs(directory: Path) -> Iterator[Any]:

@@ -6,9 +6,9 @@ is played in the process of the teacher, which never runs a line of a program.
 
 from __future__ import annotations
 
+from matrixworld.classroom.results import Standing
+from matrixworld.classroom.round_robin import play_class
 from matrixworld.classroom.sandbox import Limits
-from matrixworld.classroom.standings import Standing, standings
 from matrixworld.classroom.submissions import save_genome
-from matrixworld.classroom.tournament import play_class
 
-__all__ = ["Limits", "Standing", "play_class", "save_genome", "standings"]
+__all__ = ["Limits", "Standing", "play_class", "save_genome"]

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import hashlib
 import io
+import json
 import math
 import os
 import re
 import sys
 import unicodedata
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from itertools import islice
@@ -119,21 +120,22 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
         )
     submissions: list[Submission] = []
     refusals: list[Refusal] = []
-    pending = _listed(directory, MOST_FILES)[::-1]
-    names = students([_own_name(path) for path in pending])
-    while pending:
-        path = pending.pop()
-        inside = path.relative_to(directory)
-        name, file = _shown_name(names[_own_name(Path(inside.parts[0]))]), one_line(inside)
+    listed = _listed(directory, MOST_FILES)
+    names = students([_own_name(path) for path in listed])
+    for path in listed:
+        name = _shown_name(names[_own_name(path)])
         try:
-            if len(inside.parts) == 1 and not path.is_symlink() and path.is_dir():
-                pending += _listed(path, MOST_OWN)[::-1]
-                continue
-            submissions.append(Submission(name, file, *read_file(path), path))
-        except DamagedFileError as error:
-            refusals.append(Refusal(name, file, without_path(error)))
-        except OSError as error:
-            refusals.append(Refusal(name, file, f"cannot be read: {error.strerror}"))
+            is_directory = not path.is_symlink() and path.is_dir()
+            files = _listed(path, MOST_OWN) if is_directory else [path]
+        except (DamagedFileError, OSError) as error:
+            refusals.append(Refusal(name, one_line(path.name), told(error)))
+            continue
+        for file in files:
+            shown = one_line(file.relative_to(directory))
+            try:
+                submissions.append(Submission(name, shown, *read_file(file), file))
+            except (DamagedFileError, OSError) as error:
+                refusals.append(Refusal(name, shown, told(error)))
         if len(submissions) + len(refusals) > MOST_FILES:
             raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
     return submissions, refusals
@@ -174,9 +176,11 @@ def _listed(directory: Path, most: int) -> list[Path]:
     return [directory / name for name in found]
 
 
-def without_path(error: DamagedFileError) -> str:
+def told(error: Exception) -> str:
     """Return what is wrong with a file, without its path: students know their file's name."""
-    return one_line(error.args[1])
+    if isinstance(error, OSError):
+        return f"cannot be read: {error.strerror}"
+    return one_line(error.args[1] if isinstance(error, DamagedFileError) else error)
 
 
 def _shown_name(name: str) -> str:
@@ -188,12 +192,12 @@ def _shown_name(name: str) -> str:
     return f"{line[:LONGEST_NAME]} #{digest[:8]}"
 
 
-def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
+def without_rivals(entries: Sequence[Entry]) -> tuple[list[Entry], list[Refusal]]:
     """Refuse all entries of a student who handed in several for one team."""
     groups: dict[tuple[str, Team], list[Entry]] = {}
     for entry in entries:
-        groups.setdefault(_student_and_team(entry), []).append(entry)
-    kept = [entry for entry in entries if len(groups[_student_and_team(entry)]) == 1]
+        groups.setdefault((_folded(entry.name), entry.team), []).append(entry)
+    kept = [entry for entry in entries if len(groups[_folded(entry.name), entry.team]) == 1]
     refusals = [
         Refusal(
             entry.name,
@@ -208,12 +212,8 @@ def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
     return kept, refusals
 
 
-def _student_and_team(entry: Entry) -> tuple[str, Team]:
-    """Return student and team of an entry; the case and the form of a name do not matter."""
-    return _folded(entry.name), entry.team
-
-
 def _folded(name: str) -> str:
+    """Return a name whose case and form do not matter."""
     return unicodedata.normalize("NFKC", name).casefold().strip()
 
 
@@ -371,3 +371,50 @@ def _header(file: IO[bytes]) -> tuple[tuple[int, ...], np.dtype[Any]]:
     except MemoryError:  # of Python's parser, in which the header is deeper than its stack
         raise ValueError("expected the header of an array, got deeper nested text") from None
     return shape, dtype
+
+
+# ---- Predictions ---------------------------------------------------------------------------------
+#
+# Lines are those that `predict` of the course writes. Names and choices are checked, and lines of
+# any other form refuse the file.
+
+Votes: TypeAlias = dict[str, dict[str, int]]
+"""How many students made each choice, by prediction and choice, such as ``votes["4.a"]["b"]``."""
+PREDICTION = re.compile(r"(0|[1-9][0-9]?)\.([a-z])")
+"""The notebook and its prediction; 0 is the lesson that needs no notebook, ``docs/lesson.html``."""
+
+
+def count_votes(files: Iterable[Submission]) -> tuple[Votes, list[Refusal]]:
+    """Count the first choice of each student for each prediction; what is damaged is refused."""
+    votes: Votes = {}
+    refusals: list[Refusal] = []
+    voted: set[tuple[str, str]] = set()  # a student may hand in several files
+    for file in files:
+        try:
+            choices = first_choices(file.content)
+        except ValueError as error:
+            refusals.append(Refusal(file.name, file.file, one_line(error)))
+            continue
+        for name, choice in choices.items():
+            if (file.name, name) not in voted:
+                counts = votes.setdefault(name, {})
+                counts[choice] = counts.get(choice, 0) + 1
+                voted.add((file.name, name))
+    order = sorted(votes, key=lambda name: (int(name[:-2]), name))  # of the notebooks
+    return {name: dict(sorted(votes[name].items())) for name in order}, refusals
+
+
+def first_choices(content: bytes) -> dict[str, str]:
+    """Return what was chosen before the experiment, by prediction; ValueError if damaged."""
+    found: dict[str, str] = {}
+    for number, line in enumerate(content.decode("utf-8", "replace").splitlines(), 1):
+        try:
+            entry = json.loads(line)
+            name, choice = entry["prediction"], entry["choice"]
+            known = PREDICTION.fullmatch(name) and one_line(choice) == choice
+        except (ValueError, RecursionError, LookupError, TypeError):
+            known = False
+        if not (known and 0 < len(choice) <= LONGEST_NAME):
+            raise ValueError(f"line {number}: expected a prediction and its choice")
+        found.setdefault(name, choice)
+    return found

@@ -11,11 +11,10 @@ import click
 
 from matrixworld._util.checks import INT_MAX
 from matrixworld._util.files import one_line
-from matrixworld.classroom.page import class_json, class_page
+from matrixworld.classroom.results import ClassResult, class_json, class_page
+from matrixworld.classroom.round_robin import play_class
 from matrixworld.classroom.sandbox import Limits
-from matrixworld.classroom.standings import Standing, standings
 from matrixworld.classroom.submissions import save_genome
-from matrixworld.classroom.tournament import ClassResult, play_class
 from matrixworld.cli.arguments import race_option, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import open_option, open_page
@@ -152,11 +151,10 @@ def play_command(
         )
     except ValueError as error:
         raise click.ClickException(str(error)) from error
-    tables = {team: standings(result, team) for team in TEAMS}
-    _print(result, tables)  # first: a page that cannot be written must not lose the results
-    write_page(page, class_page(result, tables, title=one_line(directory.absolute().name)))
+    _print(result)  # first: a page that cannot be written must not lose the results
+    write_page(page, class_page(result, title=one_line(directory.absolute().name)))
     say(f"\nWritten: {page}")
-    write_json(json_file, class_json(result, tables))
+    write_json(json_file, class_json(result))
     if opens:
         open_page(page)
 
@@ -173,14 +171,14 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
         return config, Limits(**limits)
 
 
-def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
+def _print(result: ClassResult) -> None:
     for team in TEAMS:
         opponents = len(result.entries[other(team)])
         say(f"\nThe {team}s: mean {SCORE[team]} against all {opponents} opponents")
         rows = [("rank", "name", "", "mean and 95 % interval")]
         rows += [
             (each.rank or "-", each.entry.name, each.entry.kind, str(each.score))
-            for each in tables[team]
+            for each in result.standings[team]
         ]
         print_table(rows, "><<<")
     if result.refusals:

@@ -1,4 +1,4 @@
-// What the page holds of a class tournament; `matrixworld.classroom.page` writes it.
+// What the page holds of a class tournament; `matrixworld.classroom.results` writes it.
 
 import type { WorldConfig } from "../engine/types.ts";
 import type { Matrix, Team } from "../explorer/data.ts";

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources f49bbb9f030e7395e0ad41285f7dbf71ba2e1c0e503254b2a5ba93bdea0cabb3 */
+/* built from web/ by "npm run build"; sources 4cc5c38583d400ea1ee95effd07cffa02a1e77ffeb84596e61ef09204fe6d66d */
 "use strict";(()=>{var G=[.5,1,2,4,8,16,32,64],re=0,ne=12,gr=2,te=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#s=!1;#a=null;#l=0;#c=[];#d=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#i(

@@ -1,4 +1,4 @@
-"""The tournament: every pursuer of a class against every evader.
+"""The tournament of a class: every pursuer that was handed in against every evader.
 
 Every submission is read, loaded and tried first. What breaks a rule is left out, and its matches
 count for no one. The world is played here: a program gets the views of its agents and returns
@@ -14,20 +14,17 @@ import secrets
 import signal
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager, nullcontext
-from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
-from matrixworld._util.files import DamagedFileError
-from matrixworld._util.readable import Parts, Readable, Table
 from matrixworld.classroom.policy_process import (
     CAN_FORK,
     NO_FORK,
@@ -36,19 +33,20 @@ from matrixworld.classroom.policy_process import (
     RefusedError,
 )
 from matrixworld.classroom.policy_server import FUNCTIONS
+from matrixworld.classroom.results import ClassResult
 from matrixworld.classroom.sandbox import Limits, Used, rest
 from matrixworld.classroom.submissions import (
     Entry,
     Refusal,
     Submission,
+    count_votes,
     read_genome,
     read_submissions,
-    without_path,
+    told,
     without_rivals,
 )
-from matrixworld.classroom.votes import Votes, count_votes
 from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
+from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.matches import Chooser, play_episodes
 from matrixworld.play.network_policy import check_fits
 from matrixworld.world.config import WorldConfig
@@ -61,44 +59,6 @@ SCRIPTS: dict[Team, tuple[Script, ...]] = {
 """The package's scripts that take part, for comparison."""
 TRIAL_OPPONENT: Script = "random"
 """The script against which every program plays an episode first."""
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class ClassResult(Readable):
-    """A tournament of P pursuers and E evaders; what broke a rule while it played is refused."""
-
-    config: WorldConfig
-    seed: int  # the secret from which all random numbers of the tournament come
-    entries: dict[Team, tuple[Entry, ...]]  # scripts come last
-    refusals: tuple[Refusal, ...]
-    capture_rates: NDArray[np.float64]  # (P, E, episodes)
-    lengths: NDArray[np.int64]  # (P, E, episodes), in steps
-    recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
-    """All actions of the first episode of each pair, (steps, A)."""
-    votes: Votes = field(default_factory=dict)  # on the predictions of the course
-
-    def _parts(self) -> Parts:
-        from matrixworld.classroom.standings import standings
-
-        parts: list[str | Table] = []
-        for team in TEAMS:
-            rows = ((e.rank or "-", e.entry.name, str(e.score)) for e in standings(self, team))
-            parts += [f"The {team}s:", [("rank", "name", f"mean {SCORE[team]}"), *rows]]
-        return [*parts, f"Refused: {len(self.refusals)}"]
-
-    @property
-    def match_seed(self) -> int:
-        """The seed of all worlds."""
-        return derived(self.seed, "worlds")
-
-
-def derived(seed: int, *parts: object) -> int:
-    """Return a seed of 64 bits from the secret of a tournament and what the seed is for.
-
-    SHA-256: who has one of them, as a program has that of its `rng`, cannot tell the secret.
-    """
-    digest = hashlib.sha256(json.dumps([seed, *parts]).encode()).digest()
-    return int.from_bytes(digest[:8], "little")
 
 
 def play_class(
@@ -145,44 +105,51 @@ def play_class(
         If it holds nothing that can play and no predictions, or an argument is out of range.
     """
     check_integer("episodes", episodes, 2)
+    threads = check_threads(threads)
     seed = secrets.randbits(63) if seed is None else check_integer("seed", seed, 0, SEED_MAX)
-    handed_in, unreadable = read_submissions(directory)
+    handed_in, refusals = read_submissions(directory)
     submissions = [each for each in handed_in if each.kind != "predictions"]
     votes, spoilt = count_votes(each for each in handed_in if each.kind == "predictions")
+    programs = any(each.kind == "program" for each in submissions)
     pool = MatchPool(
-        config,
-        seed=seed,
-        limits=limits or Limits(),
-        trust=trust,
-        threads=check_threads(threads),
-        programs=any(each.kind == "program" for each in submissions),
+        config, seed, limits or Limits(), trust=trust, threads=threads, programs=programs
     )
     with _one_interruption(), closing(pool):
         with progress("submissions") as report:
             students, refused = admit(submissions, pool, report)
-        refusals = [*unreadable, *spoilt, *refused]
-        _require(students or votes, refusals, directory)
         with progress("episodes") as report:
-            teams = _with_scripts(students)
+            teams = {team: _with_scripts(students, team) for team in TEAMS}
             played, failed = _round_robin(teams, pool, episodes, report)
+    refusals += [*spoilt, *refused]
     refusals += [Refusal(each.name, each.file, reason) for each, reason in failed.items()]
-    _require([each for each in students if each not in failed] or votes, refusals, directory)
+    if not (votes or any(each not in failed for each in students)):
+        reasons = "".join(f"\n  {each.file}: {each.reason}" for each in refusals)
+        raise ValueError(f"{directory}: expected a submission that can play, got none{reasons}")
     pursuers, evaders = (
         tuple(each for each in teams[team] if each not in failed) for team in TEAMS
     )
-    results = [played[pair] for pair in product(pursuers, evaders)]
     shape = len(pursuers), len(evaders)
-    cells = product(range(shape[0]), range(shape[1]))
+    results = [played[pair] for pair in product(pursuers, evaders)]
     return ClassResult(
         config,
         seed,
+        pool.match_seed,
         {"pursuer": pursuers, "evader": evaders},
         tuple(sorted(refusals, key=lambda each: (each.file, each.reason))),
-        np.stack([each.capture_rates for each in results]).reshape(*shape, -1),
-        np.stack([each.lengths for each in results]).reshape(*shape, -1),
-        {cell: each.actions for cell, each in zip(cells, results, strict=True)},
+        np.reshape([each.capture_rates for each in results], (*shape, episodes)),
+        np.reshape([each.lengths for each in results], (*shape, episodes)),
+        dict(zip(np.ndindex(shape), (each.actions for each in results), strict=True)),
         votes,
     )
+
+
+def derived(seed: int, *parts: object) -> int:
+    """Return a seed of 64 bits from the secret of a tournament and what the seed is for.
+
+    SHA-256: who has one of them, as a program has that of its `rng`, cannot tell the secret.
+    """
+    digest = hashlib.sha256(json.dumps([seed, *parts]).encode()).digest()
+    return int.from_bytes(digest[:8], "little")
 
 
 @contextmanager
@@ -201,17 +168,7 @@ def _one_interruption() -> Iterator[None]:
         yield
 
 
-def _require(handed_in: Collection[object], refusals: Sequence[Refusal], directory: Path) -> None:
-    """Raise ValueError with all reasons if there is neither an entry of a student nor a vote."""
-    if not handed_in:
-        reasons = "".join(f"\n  {each.file}: {each.reason}" for each in refusals)
-        raise ValueError(f"{directory}: expected a submission that can play, got none{reasons}")
-
-
 # ---- Matches -------------------------------------------------------------------------------------
-
-Servers: TypeAlias = dict[Team, PolicyServer]
-"""Where the programs of the teams run; empty if there are no programs."""
 
 
 class Played(NamedTuple):
@@ -234,37 +191,37 @@ class MatchPool:
     def __init__(
         self,
         config: WorldConfig,
-        *,
         seed: int,
         limits: Limits,
+        *,
         trust: bool,
         threads: int,
         programs: bool,
     ) -> None:
         self.config, self.limits, self._seed = config, limits, seed
+        self.match_seed = derived(seed, "worlds")
         self.executor = ThreadPoolExecutor(threads)
         self.used: defaultdict[Entry, list[Used]] = defaultdict(list)
-        self._all: list[PolicyServer] = []
-        self._free: queue.SimpleQueue[Servers] = queue.SimpleQueue()
         teams = TEAMS if programs and CAN_FORK else ()
-        for _ in range(threads):
-            servers = {team: PolicyServer(limits, trust) for team in teams}
-            self._all += servers.values()
-            self._free.put(servers)
+        made = [{team: PolicyServer(limits, trust) for team in teams} for _ in range(threads)]
+        self._servers = [server for each in made for server in each.values()]
+        # As many as threads, so that no thread waits.
+        self._free: queue.SimpleQueue[dict[Team, PolicyServer]] = queue.SimpleQueue()
+        for each in made:
+            self._free.put(each)
         # All of them start at the same time, and find the same.
-        found = "".join({server.ready() for server in self._all})
+        found = "".join({server.ready() for server in self._servers})
         self.problem = found if CAN_FORK else NO_FORK
 
     def close(self) -> None:
         """End all that was started, also where a match is played."""
         # The servers first: a thread that waits for a program gets the end of the connection.
-        for server in self._all:
+        for server in self._servers:
             server.close()
         self.executor.shutdown(cancel_futures=True)
 
     @contextmanager
-    def _servers(self) -> Iterator[Servers]:
-        """Hold a server of each team; there are as many as threads, so no thread waits."""
+    def _own_servers(self) -> Iterator[dict[Team, PolicyServer]]:
         servers = self._free.get()
         try:
             yield servers
@@ -276,9 +233,8 @@ class MatchPool:
 
         RefusedError if it fails while it is loaded.
         """
-        with self._servers() as servers:
-            settings = self._settings("pursuer")
-            program = PolicyProcess(servers["pursuer"], code, settings)
+        with self._own_servers() as servers:
+            program = PolicyProcess(servers["pursuer"], code, self._settings("pursuer"))
             program.close()
             return program.functions
 
@@ -306,7 +262,7 @@ class MatchPool:
         programs: dict[Entry, PolicyProcess] = {}
         choosers: list[TeamPolicy | Chooser] = []
         with ExitStack() as stack:
-            servers = stack.enter_context(self._servers())
+            servers = stack.enter_context(self._own_servers())
             for team, entry in zip(TEAMS, entries, strict=True):
                 if not isinstance(entry.policy, bytes):
                     choosers.append(entry.policy)
@@ -317,7 +273,7 @@ class MatchPool:
                 programs[entry] = program
                 choosers.append(_asking(program))
             rates = play_episodes(
-                self.config, *choosers, seed=derived(self._seed, "worlds"), episodes=episodes,
+                self.config, *choosers, seed=self.match_seed, episodes=episodes,
                 on_round=record_round, on_decision=count, threads=1,
             )  # fmt: skip
         for entry, seconds in zip(entries, taken, strict=True):
@@ -371,10 +327,8 @@ def _genome(submission: Submission, config: WorldConfig) -> Entry:
     try:
         team, population = read_genome(submission.path, submission.content)
         check_fits("genome", population.network, config)
-    except DamagedFileError as error:
-        raise RefusedError(without_path(error)) from error
     except ValueError as error:
-        raise RefusedError(str(error)) from error
+        raise RefusedError(told(error)) from error
     return Entry(submission.name, team, "genome", submission.file, population)
 
 
@@ -403,8 +357,8 @@ def _program(submission: Submission, pool: MatchPool) -> Admitted:
 def _reason(entry: Entry, error: RefusedError) -> str:
     """Return why an entry is refused, for a program beginning with its function."""
     text, function = str(error), FUNCTIONS[entry.team]
-    told = entry.kind == "genome" or text.startswith(f"{function} ")
-    return text if told else f"{function}: {text}"
+    named = entry.kind == "genome" or text.startswith(f"{function} ")
+    return text if named else f"{function}: {text}"
 
 
 # ---- All pairs -----------------------------------------------------------------------------------
@@ -413,14 +367,9 @@ Teams = dict[Team, tuple[Entry, ...]]
 Pair = tuple[Entry, Entry]
 
 
-def _with_scripts(students: Sequence[Entry]) -> Teams:
-    return {
-        team: (
-            *(entry for entry in students if entry.team == team),
-            *(Entry(name, team, "script", "", name) for name in SCRIPTS[team]),
-        )
-        for team in TEAMS
-    }
+def _with_scripts(students: Sequence[Entry], team: Team) -> tuple[Entry, ...]:
+    scripts = (Entry(name, team, "script", "", name) for name in SCRIPTS[team])
+    return (*(entry for entry in students if entry.team == team), *scripts)
 
 
 def _round_robin(

@@ -1,0 +1,259 @@
+"""The results of a class tournament: standings, values for a JSON file, and the page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations, product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld._util.readable import Parts, Readable, Table
+from matrixworld.analysis import Estimate, difference_over_episodes, linear_over_episodes
+from matrixworld.analysis.intervals import UNIT
+from matrixworld.analysis.plain_values import plain_values
+from matrixworld.classroom.submissions import Entry, Refusal, Votes
+from matrixworld.coevolution.types import SCORE, TEAMS, Team
+from matrixworld.explorer.page import render_page
+from matrixworld.version import __version__
+from matrixworld.world.config import WorldConfig
+
+ERROR = 0.05
+"""Chance that the range of an entry's rank misses its true rank."""
+MOST_BYTES = 3 * 2**20
+"""Recordings of a page, in bytes; base64 adds a third. 56 x 56 default matches take 0.8 MB."""
+
+Pair = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Standing:
+    """The place of one entry among those of its team.
+
+    Parameters
+    ----------
+    entry : Entry
+        What played.
+    number : int
+        Its row of the matrix, or its column.
+    score : Estimate
+        Mean payoff against all opponents, with a 95 % interval over episodes: the capture rate of
+        pursuers, one minus it of evaders.
+    ranks : tuple of int, or None
+        The best and the worst rank that it may have among the students; None for a script.
+    best, worst : int
+        The opponents against which its payoff is highest and lowest.
+    """
+
+    entry: Entry
+    number: int
+    score: Estimate
+    ranks: tuple[int, int] | None
+    best: int
+    worst: int
+
+    @property
+    def rank(self) -> str:
+        """The rank as text, such as "3" or "2 to 5"; empty for a script."""
+        if self.ranks is None:
+            return ""
+        first, last = self.ranks
+        return str(first) if first == last else f"{first} to {last}"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ClassResult(Readable):
+    """A tournament of P pursuers and E evaders; what broke a rule while it played is refused."""
+
+    config: WorldConfig
+    seed: int  # the secret from which all random numbers of the tournament come
+    match_seed: int  # of all worlds
+    entries: dict[Team, tuple[Entry, ...]]  # scripts come last
+    refusals: tuple[Refusal, ...]
+    capture_rates: NDArray[np.float64]  # (P, E, episodes)
+    lengths: NDArray[np.int64]  # (P, E, episodes), in steps
+    recordings: dict[Pair, NDArray[np.uint8]]  # all actions of each first episode, (steps, A)
+    votes: Votes = field(default_factory=dict)  # on the predictions of the course
+
+    @cached_property
+    def standings(self) -> dict[Team, list[Standing]]:
+        """The students and scripts of each team, the highest score first.
+
+        Entries with equal scores are in the order of the submissions.
+        """
+        return {team: _standings(self.entries[team], self.payoffs(team)) for team in TEAMS}
+
+    def payoffs(self, team: Team) -> NDArray[np.float64]:
+        """Return the payoffs of a team, (entries, opponents, episodes)."""
+        rates = self.capture_rates
+        return rates if team == "pursuer" else 1.0 - rates.transpose(1, 0, 2)
+
+    def _parts(self) -> Parts:
+        parts: list[str | Table] = []
+        for team, found in self.standings.items():
+            rows = ((each.rank or "-", each.entry.name, str(each.score)) for each in found)
+            parts += [f"The {team}s:", [("rank", "name", f"mean {SCORE[team]}"), *rows]]
+        return [*parts, f"Refused: {len(self.refusals)}"]
+
+
+# ---- Standings -----------------------------------------------------------------------------------
+
+
+def _standings(entries: Sequence[Entry], payoffs: NDArray[np.float64]) -> list[Standing]:
+    means = payoffs.mean(axis=2)
+    students = [number for number, entry in enumerate(entries) if entry.kind != "script"]
+    ranks = dict(zip(students, rank_ranges(payoffs[students]), strict=True))
+    found = [
+        Standing(
+            entry,
+            number,
+            score=linear_over_episodes(
+                payoffs[number : number + 1], lambda means: float(means.mean()), bounds=UNIT
+            ),
+            ranks=ranks.get(number),
+            best=int(means[number].argmax()),
+            worst=int(means[number].argmin()),
+        )
+        for number, entry in enumerate(entries)
+    ]
+    return sorted(found, key=lambda each: -each.score.value)
+
+
+def rank_ranges(payoffs: NDArray[np.float64]) -> list[tuple[int, int]]:
+    """Return the best and the worst rank that each of n entries may have.
+
+    Payoffs are (n, opponents, episodes) in [0, 1]; episode e of all cells has the same start. The
+    best rank is 1 + the number of entries that are surely better, the worst one n minus the number
+    of those that are surely worse: the interval of the difference does not include 0.
+
+    Mogstad, Romano, Shaikh and Wilhelm (2024), "Inference for ranks with applications to mobility
+    across neighbourhoods and academic achievement across countries": each of the n - 1 differences
+    of an entry has an interval of level ``1 - ERROR / (n - 1)``, so that all of them hold at once
+    with a probability of at least 0.95; then so does the range.
+    """
+    n = len(payoffs)
+    worse_than, better_than = np.zeros(n, int), np.zeros(n, int)
+    for one, other in combinations(range(n), 2):
+        sign = _surely(payoffs[one], payoffs[other], 1.0 - ERROR / (n - 1))
+        if sign:
+            better, worse = (one, other) if sign > 0 else (other, one)
+            better_than[better] += 1
+            worse_than[worse] += 1
+    return [(1 + int(up), n - int(down)) for up, down in zip(worse_than, better_than, strict=True)]
+
+
+def _surely(one: NDArray[np.float64], other: NDArray[np.float64], level: float) -> int:
+    """Return 1 if one entry is surely better than another, -1 if worse, 0 if nobody can tell."""
+    found = linear_over_episodes(
+        np.stack([one, other]), lambda means: float(means[0].mean() - means[1].mean()), level=level
+    )
+    if found.low is None:
+        # Equal differences in all episodes have no t interval; this one needs no variation.
+        found = difference_over_episodes(one.mean(axis=0), other.mean(axis=0), level=level)
+    return found.sign
+
+
+# ---- The file and the page -----------------------------------------------------------------------
+
+
+def class_json(result: ClassResult) -> dict[str, Any]:
+    """Return a tournament as values that JSON can hold, with the results of all episodes."""
+    return {
+        **_summary(result),
+        "capture_rates": plain_values(result.capture_rates),
+        "lengths": plain_values(result.lengths),
+    }
+
+
+def _summary(result: ClassResult) -> dict[str, Any]:
+    return {
+        "matrixworld": __version__,
+        "world": result.config.to_json(),
+        # As text: a number of JavaScript holds 53 of the 64 bits.
+        "seed": str(result.seed),
+        "match_seed": str(result.match_seed),
+        "episodes": result.capture_rates.shape[2],
+        "names": {team: [entry.name for entry in result.entries[team]] for team in TEAMS},
+        "standings": {team: list(map(_row, found)) for team, found in result.standings.items()},
+        "refusals": plain_values(result.refusals),
+        "votes": result.votes,
+    }
+
+
+def _row(standing: Standing) -> dict[str, Any]:
+    return {
+        "name": standing.entry.name,
+        "kind": standing.entry.kind,
+        "file": standing.entry.file,
+        "number": standing.number,
+        "rank": standing.rank,
+        "ranks": plain_values(standing.ranks),
+        "score": standing.score.value,
+        "low": standing.score.low,
+        "high": standing.score.high,
+        "best": standing.best,
+        "worst": standing.worst,
+    }
+
+
+def class_page(result: ClassResult, *, title: str, most: int = MOST_BYTES) -> str:
+    """Return the page of a class tournament as HTML.
+
+    It holds `most` bytes of recordings: the best and the worst match of each entry come first.
+    """
+    packed = _chosen(result, most)
+    rows, columns, _ = result.capture_rates.shape
+    data = {
+        **_summary(result),
+        "title": title,
+        "n_actions": result.config.n_actions,
+        "capture_rate": _rounded(result.capture_rates.mean(axis=2)),
+        "lowest": _rounded(result.capture_rates.min(axis=2)),
+        "highest": _rounded(result.capture_rates.max(axis=2)),
+        "length": _rounded(result.lengths.mean(axis=2)),
+        "first": _rounded(result.capture_rates[:, :, 0]),
+        "steps": [
+            [len(result.recordings[g, h]) if (g, h) in packed else -1 for h in range(columns)]
+            for g in range(rows)
+        ],
+    }
+    blob = b"".join(packed[pair] for pair in sorted(packed))
+    return render_page("class", f"{title} - matrixworld", data, {"recordings": blob})
+
+
+def _rounded(values: NDArray[np.floating[Any]]) -> Any:
+    return plain_values(np.round(values, 4))
+
+
+def _chosen(result: ClassResult, most: int) -> dict[Pair, bytes]:
+    """Return the recordings of the page by pair, as many as fit."""
+    wanted: list[Pair] = []
+    for standing in result.standings["pursuer"]:
+        wanted += [(standing.number, standing.best), (standing.number, standing.worst)]
+    for standing in result.standings["evader"]:
+        wanted += [(standing.best, standing.number), (standing.worst, standing.number)]
+    rows, columns, _ = result.capture_rates.shape
+    wanted += product(range(rows), range(columns))
+    kept: dict[Pair, bytes] = {}
+    for pair in dict.fromkeys(wanted):
+        packed = pack_actions(result.recordings[pair], result.config.n_actions)
+        if len(packed) <= most:
+            kept[pair] = packed
+            most -= len(packed)
+    return kept
+
+
+def pack_actions(actions: NDArray[np.uint8], n_actions: int) -> bytes:
+    """Return actions with several to a byte: digits of a number with base `n_actions`.
+
+    The first is the lowest digit. The page's script reads them (``web/src/class/recordings.ts``).
+    """
+    count = 3 if n_actions == 5 else 2  # of 5 actions, or of 9, fit into a byte
+    flat = actions.ravel()
+    padded = np.zeros(-(-len(flat) // count) * count, np.uint8)
+    padded[: len(flat)] = flat
+    weights = n_actions ** np.arange(count)
+    return (padded.reshape(-1, count) @ weights).astype(np.uint8).tobytes()
