@@ -78,7 +78,7 @@ def test_the_page_shows_the_published_tables():
 @pytest.mark.slow
 def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path: Path):
     options = ("--threads", "1", "--responses", "--schedules", "generalist-generalist")
-    printed = run_quickly("ground_truth", tmp_path, *options)
+    printed = run_quickly("validation/ground_truth", tmp_path, *options)
     results = tmp_path / "ground_truth"
     assert {path.name for path in results.iterdir()} == {
         "races.json",
@@ -92,5 +92,5 @@ def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path: Path):
     kept = tmp_path / "runs/ground_truth/numbers/generalist-generalist-1.json"
     assert json.loads(read(kept))["truth"]["evader"][-1] == pytest.approx(1 - best)
     written = kept.stat().st_mtime_ns
-    assert run_quickly("ground_truth", tmp_path, *options) == printed
+    assert run_quickly("validation/ground_truth", tmp_path, *options) == printed
     assert kept.stat().st_mtime_ns == written

@@ -448,7 +448,7 @@ def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on() -> 
 
 @pytest.mark.slow
 def test_the_script_writes_counts_and_their_table(tmp_path: Path) -> None:
-    printed = run_quickly("interval_coverage", tmp_path, "--repetitions", "8")
+    printed = run_quickly("validation/interval_coverage", tmp_path, "--repetitions", "8")
     counts = coverage.read_counts(tmp_path / "coverage/coverage.csv")
     assert printed.startswith(coverage.table(counts))
     assert read(tmp_path / "coverage/coverage.md") == coverage.table(counts) + "\n"

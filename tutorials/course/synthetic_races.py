@@ -183,7 +183,7 @@ SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
     "disengagement, .985": partial(disengagement, rate=0.985),
     "disengagement, .995": partial(disengagement, rate=0.995),
 }
-"""Kinds of races by name; `evolution/judgement_races.py` measures the judgement with more kinds."""
+"""Kinds of races by name; `evolution/validation/judgement_races.py` has more of them."""
 
 
 def synthetic_race(kind: str, n: int, seed: int) -> SyntheticRace:

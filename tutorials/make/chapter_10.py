@@ -2,9 +2,10 @@
 
     python tutorials/make/chapter_10.py
 
-Reads ``evolution/results/ground_truth/races.json``, which ``evolution/ground_truth.py`` makes, and
-writes ``tutorials/course/data/chapter_10.npz`` in a second. Run it again when these results
-change, and then the notebook (``python tutorials/run.py 10``).
+Reads ``evolution/results/ground_truth/races.json``, which
+``evolution/validation/ground_truth.py`` makes, and writes ``tutorials/course/data/chapter_10.npz``
+in a second. Run it again when these results change, and then the notebook (``python
+tutorials/run.py 10``).
 """
 
 from __future__ import annotations

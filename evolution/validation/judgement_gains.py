@@ -1,7 +1,7 @@
 """How often a team is said to become stronger, and a race to cycle, by kind of race.
 
-    python evolution/judgement_gains.py           300 groups of each kind, about 12 minutes
-    python evolution/judgement_gains.py --quick   a few groups, seconds
+    python evolution/validation/judgement_gains.py           300 groups of each kind, 12 minutes
+    python evolution/validation/judgement_gains.py --quick   a few groups, seconds
 
 The share of teams whose gain over the whole race is above 0. Kinds in which nobody gains have the
 size of the test, of which .05 is allowed; the others have its power. Matches are 30 evaders, 10
@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
+import _paths  # noqa: F401
 from common import script_parser
 from course.synthetic_races import play_episodes
 from judgement_races import synthetic_races

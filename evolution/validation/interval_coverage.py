@@ -1,7 +1,7 @@
 """How often do the package's intervals contain the truth? Simulated data whose truth is known.
 
-    python evolution/interval_coverage.py             400 repetitions, some ten minutes on one core
-    python evolution/interval_coverage.py --quick     20 repetitions of the small cases, seconds
+    python evolution/validation/interval_coverage.py           400 repetitions, some ten minutes
+    python evolution/validation/interval_coverage.py --quick   20 repetitions, seconds
 
 An interval of level 95 % should contain the true value in 95 of 100 repetitions. The data are runs
 (normal, skewed, heavy-tailed, bounded shares, two outcomes), their scores against several opponents
@@ -27,6 +27,7 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 from tqdm import tqdm
 
+import _paths  # noqa: F401
 import matrixworld as mw
 from common import script_parser
 from coverage_of_runs import (

@@ -1,7 +1,7 @@
 """Which measure tells the truth? Races in a world whose perfect play is known.
 
-    python evolution/ground_truth.py             ten seeds of each schedule, 15 minutes of one core
-    python evolution/ground_truth.py --quick     two seeds of tiny races, some seconds
+    python evolution/validation/ground_truth.py           ten seeds of each schedule, 15 minutes
+    python evolution/validation/ground_truth.py --quick   two seeds of tiny races, some seconds
 
 The world is that of ``small_world.toml``. The truth about a generation is what it *guarantees*: its
 score (capture rate of pursuers, escape rate of evaders) against the best response, computed exactly
@@ -45,6 +45,7 @@ import numpy as np
 from scipy import stats
 from tqdm import tqdm
 
+import _paths  # noqa: F401
 import matrixworld as mw
 from common import SMALL_STEPS, finish_all, kept, long_race, script_parser, written
 from judgement_counts import count_verdicts, read_counts
@@ -64,7 +65,7 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.types import FloatArray, other
 from matrixworld.solve import States, expected_payoff, guarantees
 
-SMALL = load_toml(Path(__file__).with_name("small_world.toml"))
+SMALL = load_toml(Path(__file__).parents[1] / "small_world.toml")
 SHORT = {"match_episodes": 4, "schedule.generations": 20}
 """Races shorter than those of the file, of which many are needed."""
 QUICK = {
@@ -447,8 +448,8 @@ def report(rows: Sequence[Row], toys: Path) -> str:
     parts = [
         "# Which measure tells the truth?",
         f"{len(rows)} races of {seeds} seeds; perfect play captures {rows[0]['value']:.3f}. "
-        "Definitions: the docstring of `evolution/ground_truth.py`. In brackets: 95 % intervals "
-        "over seeds.",
+        "Definitions: the docstring of `evolution/validation/ground_truth.py`. In brackets: 95 % "
+        "intervals over seeds.",
         "## What the teams guarantee",
         table_of_truth(rows),
         "## Correlations with the truth",
@@ -523,7 +524,7 @@ def main() -> None:
     args.results.mkdir(parents=True, exist_ok=True)
     lines = ",\n".join(map(json.dumps, rows))
     (args.results / "races.json").write_text(f"[{lines}]\n", encoding="utf-8")
-    text = report(rows, Path(__file__).parent / "results" / "judgement")
+    text = report(rows, Path(__file__).parents[1] / "results" / "judgement")
     (args.results / "measures.md").write_text(text, encoding="utf-8")
     draw(rows, args.results / "measures.png")
     print(text)

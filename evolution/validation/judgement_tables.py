@@ -144,7 +144,7 @@ INTRODUCTION = (
     '"absent" on a race that has it. "At most" is the upper end of a one-sided 95 % interval '
     "(Clopper and Pearson) of the rate of false alarms. Kinds marked *development* may have served "
     "to set constants, with other seeds; all others are *held back*. Races of which the "
-    "definitions (`evolution/judgement_truths.py`) leave the truth open are not counted."
+    "definitions (`evolution/validation/judgement_truths.py`) leave the truth open are not counted."
 )
 SETTINGS = (
     "Synthetic races, headline window: hits (of races that have the condition) / false alarms (of "

@@ -1,7 +1,7 @@
 """How often is the judgement of a race wrong? A benchmark of races whose truth is known.
 
-    python evolution/judgement_errors.py --processes 2    the published tables, about 20 minutes
-    python evolution/judgement_errors.py --quick          small samples, less than a minute
+    python evolution/validation/judgement_errors.py --processes 2   the published tables, 20 minutes
+    python evolution/validation/judgement_errors.py --quick         small samples, a minute
 
 Three sources of races, none of which uses the judgement:
 
@@ -37,6 +37,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from tqdm import tqdm
 
+import _paths  # noqa: F401
 import judgement_cases
 import judgement_races
 import judgement_toys
