@@ -1,4 +1,4 @@
-"""The option for slow tests, settings of random ones, quick jobs, a race, and worlds of cases."""
+"""Options for slow tests, settings of random ones, quick jobs, a race, and worlds of cases."""
 
 import os
 from collections.abc import Iterator
@@ -32,13 +32,16 @@ settings.register_profile(
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="run the tests that are marked as slow")
+    parser.addoption("--nightly", action="store_true", help="run all tests")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    if not config.getoption("--slow"):
-        for item in items:
-            if "slow" in item.keywords:
-                item.add_marker(pytest.mark.skip(reason="slow: give --slow"))
+    nightly = config.getoption("--nightly")
+    run = {"nightly": nightly, "slow": nightly or config.getoption("--slow")}
+    for item in items:
+        for mark in run:
+            if mark in item.keywords and not run[mark]:
+                item.add_marker(pytest.mark.skip(reason=f"{mark}: give --{mark}"))
 
 
 def pytest_configure(config: pytest.Config) -> None:

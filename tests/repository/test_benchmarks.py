@@ -29,7 +29,7 @@ def test_all_benchmarks_are_tested() -> None:
     assert sorted(FEW) == sorted(path.stem for path in FOLDER.glob("bench_*.py"))
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", FEW)
 def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     if name == "bench_actor_critic":

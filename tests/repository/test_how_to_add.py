@@ -182,7 +182,7 @@ def test_a_recipe_in_python(recipe: Recipe, project: Path) -> None:
     follow([recipe], project)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_recipes_with_a_compiler(project: Path) -> None:
     """All of them in one copy, so that the engine is compiled once."""
     follow([recipe for recipe in RECIPES if recipe.needs_compiler], project)

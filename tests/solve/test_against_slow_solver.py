@@ -9,6 +9,7 @@ import pytest
 import matrixworld as mw
 from matrixworld.solve import solve
 from rows import CUSTOM, OCCUPATION, SURROUND, TOGETHER, B, D, R
+from slow import quickly
 from slow_solver import SlowSolver
 
 TABLES = list(product((D, R, B), repeat=3))  # of a teammate, an evader and a pursuer
@@ -35,7 +36,7 @@ def world(rules: mw.Rules, rows: int = 3, **changes: int) -> mw.WorldConfig:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(len(TABLES)))
+@quickly("number", range(len(TABLES)), lambda number: number % 9 == 4)
 def test_all_tables_of_collisions_on_3_x_3(number: int) -> None:
     teammate, evader, pursuer = TABLES[number]
     obstacle = (D, R, B)[number % 3]
@@ -43,7 +44,7 @@ def test_all_tables_of_collisions_on_3_x_3(number: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CUSTOM)
+@quickly("name", CUSTOM, lambda name: name in ("swarm-SD", "agents-R"))
 def test_rules_with_turns(name: str) -> None:
     compare(world(CUSTOM[name]), STEPS)
 

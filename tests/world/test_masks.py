@@ -15,6 +15,7 @@ from matrixworld.world.masks import MASKS, ActionMasks, action_masks, forbidding
 from matrixworld.world.rules import VARIANTS
 from reference import MOVES
 from right_of_way import MASK, ROWS, forbidden_in_s, play, random_teams
+from slow import quickly
 
 UNUSUAL = (
     mw.Rules(evader=mw.Outcome.DISAPPEAR, pursuer=mw.Outcome.BOUNCE),
@@ -85,7 +86,7 @@ def test_no_choice_on_a_small_board_is_at_fault(rules: Any, keeps: tuple[Team, .
 
 @pytest.mark.slow
 @pytest.mark.parametrize("keeps", KEEPERS, ids="+".join)
-@pytest.mark.parametrize("rules", [*VARIANTS, *ROWS[::200], *UNUSUAL], ids=str)
+@quickly("rules", [*VARIANTS, *ROWS[::200], *UNUSUAL], lambda rules: rules in ("S", "SB"))
 def test_no_choice_of_four_agents_is_at_fault(rules: Any, keeps: tuple[Team, ...]) -> None:
     for teams in ((3, 1), (2, 2), (1, 3)):
         for walls in ({}, {"obstacles": WALL}):
