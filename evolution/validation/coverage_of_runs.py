@@ -11,6 +11,7 @@ import numpy as np
 
 from matrixworld import analysis
 from matrixworld.analysis import Estimate
+from matrixworld.analysis.intervals import Band
 
 RUNS = (2, 3, 5, 10, 20)
 SCORED_RUNS = (3, 5, 6, 10, 20)
@@ -164,7 +165,7 @@ def of_scores(name: str, runs: int) -> Simulation:
     return Simulation(0, runs, true_scores(name), estimates)
 
 
-def _point(band: analysis.Band, place: int, runs: int) -> Estimate:
+def _point(band: Band, place: int, runs: int) -> Estimate:
     """Return one point of a band."""
     value = float(band.mean[place])
     if band.low is None or band.high is None or math.isnan(band.low[place]):

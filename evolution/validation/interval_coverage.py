@@ -45,6 +45,9 @@ from matrixworld import analysis
 from matrixworld.analysis import MEASURES, Estimate
 from matrixworld.analysis.cycles import squared_intransitivity
 from matrixworld.analysis.games import effective_diversity_over_episodes
+from matrixworld.analysis.intervals import difference_over_episodes, linear_over_episodes
+from matrixworld.analysis.measures import Measure
+from matrixworld.analysis.ratings import ELO_POINTS
 
 EPISODES = (4, 10, 50, 200)
 SIZES = (8, 15, 31)
@@ -121,7 +124,7 @@ def shares_of_evaders(rates: Matrix, episodes: int, rng: np.random.Generator) ->
 SCORES = {"win or loss": win_or_loss, f"shares of {EVADERS}": shares_of_evaders}
 
 
-def linear_weights(measure: analysis.Measure, size: int) -> Matrix:
+def linear_weights(measure: Measure, size: int) -> Matrix:
     """Return the weights of the cells in a linear measure, which make it fast to compute."""
     weights = np.empty((size, size))
     for cell in np.ndindex(size, size):
@@ -152,7 +155,7 @@ def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping
         drawn = SCORES[scores](rates, episodes, rng)
         share = analysis.transitive_share_over_episodes(drawn)
         linear = {
-            (name, data): analysis.linear_over_episodes(
+            (name, data): linear_over_episodes(
                 drawn, lambda m, w=weights[name, size]: float(np.vdot(w, m)),
                 bounds=LINEAR[name],
             )
@@ -217,7 +220,7 @@ def of_rating(kind: str, scores: str, size: int, episodes: int) -> Simulation:
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
         return {case: _last_rating(SCORES[scores](rates, episodes, rng), 0)}
 
-    truth = analysis.ELO_POINTS * float(analysis.elo(rates).pursuers[-1])
+    truth = ELO_POINTS * float(analysis.elo(rates).pursuers[-1])
     return Simulation(size, episodes, {case: truth}, estimates)
 
 
@@ -232,7 +235,7 @@ def of_rated_runs(spread: float, runs: int) -> Simulation:
         walks = rng.normal(0.0, spread / size**0.5, (2, runs, size)).cumsum(axis=2)
         pursuers, evaders = 0.2 * np.arange(size) + walks
         rates = _logistic(pursuers[:, :, None] - evaders[:, None])
-        truth = analysis.ELO_POINTS * float(analysis.elo(rates[0]).pursuers[-1])
+        truth = ELO_POINTS * float(analysis.elo(rates[0]).pursuers[-1])
         found = _last_rating(win_or_loss(rates, 10, rng), 0)
         low, high = (end - truth for end in found.ends)
         return {case: Estimate(found.value - truth, low, high)}
@@ -254,7 +257,7 @@ def of_pair(rate: float, scores: str, episodes: int) -> Simulation:
         one, other = SCORES[scores](np.array([rate, 0.5]), episodes, rng)
         return {
             ("mean of episodes", data): analysis.mean_over_episodes(one),
-            ("difference of episodes", data): analysis.difference_over_episodes(one, other),
+            ("difference of episodes", data): difference_over_episodes(one, other),
         }
 
     truths = {("mean of episodes", data): rate, ("difference of episodes", data): rate - 0.5}

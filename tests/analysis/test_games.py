@@ -10,11 +10,8 @@ from scipy.optimize import minimize
 
 from matrices import ROCK_PAPER_SCISSORS, circular, logistic, payoffs, staircase
 from matrixworld import analysis
-from matrixworld.analysis.games import (
-    effective_diversity_over_episodes,
-    fixation_probability,
-    game_value,
-)
+from matrixworld.analysis.dynamics import fixation_probability
+from matrixworld.analysis.games import effective_diversity_over_episodes, game_value
 
 PENNIES = np.eye(2)
 

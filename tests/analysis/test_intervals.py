@@ -9,10 +9,16 @@ from scipy import stats
 from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis.cycles import _sums_without_noise
-from matrixworld.analysis.intervals import BIASED
+from matrixworld.analysis.intervals import (
+    BIASED,
+    difference_over_episodes,
+    generalization_over_episodes,
+    linear_over_episodes,
+)
 from matrixworld.analysis.judge import RULES
 from matrixworld.analysis.progress import lag_rise
-from matrixworld.analysis.runs import expanded_tail
+from matrixworld.analysis.ratings import ELO_POINTS
+from matrixworld.analysis.runs import expanded_tail, fewest_runs, race_bands
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK, THRESHOLDS
 
 
@@ -69,7 +75,7 @@ def test_bands_are_pointwise() -> None:
 # ---- Over the episodes of one run ----------------------------------------------------------------
 
 
-DECIDING = {name for names, _ in RULES.values() for name in names} - {"checkerboards"}
+DECIDING = {name for row in RULES.values() for name in row.measures} - {"checkerboards"}
 MATRIX_MEASURES = [
     name for name in analysis.MEASURES if name not in DECIDING and "global" not in name
     and "rungs" not in name and "intransitivity" not in name and name != "effective_diversity"
@@ -100,11 +106,11 @@ def test_differences_cover_and_lie_within_their_bounds() -> None:
     rng = np.random.default_rng(0)
     covered = []
     for _ in range(300):
-        found = analysis.difference_over_episodes(rng.random(10) < 0.9, rng.random(20) < 0.6)
+        found = difference_over_episodes(rng.random(10) < 0.9, rng.random(20) < 0.6)
         low, high = found.ends
         covered.append(low <= 0.3 <= high)
     assert np.mean(covered) > 0.94
-    low, high = analysis.difference_over_episodes(np.ones(5), np.zeros(5)).ends
+    low, high = difference_over_episodes(np.ones(5), np.zeros(5)).ends
     assert 0.2 < low < high == 1.0
 
 
@@ -113,14 +119,14 @@ def test_linear_measures_cover_the_noise_free_measure() -> None:
     covered = []
     for _ in range(300):
         scores = rng.random((8, 8, 5)) < truth[:, :, None]
-        low, high = analysis.linear_over_episodes(scores, lag_rise).ends
+        low, high = linear_over_episodes(scores, lag_rise).ends
         covered.append(low <= lag_rise(truth) <= high)
     assert 0.91 < np.mean(covered) < 0.99
 
 
 def test_generalization_has_the_interval_of_each_mean() -> None:
     scores = np.random.default_rng(3).random((4, 3, 5))
-    pursuers, evaders = analysis.generalization_over_episodes(scores, level=0.9)
+    pursuers, evaders = generalization_over_episodes(scores, level=0.9)
     expected = analysis.generalization(scores.mean(axis=2))
     for band, curve, cells in (
         (pursuers, expected.pursuers, scores),
@@ -128,16 +134,16 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
     ):
         np.testing.assert_allclose(band.mean, curve)
         for g in range(len(curve)):
-            one = analysis.linear_over_episodes(cells[g : g + 1], np.mean, level=0.9)
+            one = linear_over_episodes(cells[g : g + 1], np.mean, level=0.9)
             assert (band.low[g], band.high[g]) == pytest.approx(one.ends)
-    sure = analysis.generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
+    sure = generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
     assert sure.high.max() < 1
 
 
 def test_cells_may_share_their_episodes() -> None:
     rng = np.random.default_rng(4)
     shared = rng.random((300, 1, 1, 6)) * np.ones((1, 4, 4, 1))
-    found = [analysis.linear_over_episodes(each, np.mean).ends for each in shared]
+    found = [linear_over_episodes(each, np.mean).ends for each in shared]
     assert 0.91 < np.mean([low <= 0.5 <= high for low, high in found]) < 0.98
 
 
@@ -201,7 +207,7 @@ def test_linear_measures_are_linear(name: str) -> None:
 
 
 def test_episodes_without_variation_have_no_interval() -> None:
-    found = analysis.linear_over_episodes(np.ones((3, 3, 5)), np.mean)
+    found = linear_over_episodes(np.ones((3, 3, 5)), np.mean)
     assert (found.value, found.low) == (1.0, None)
     assert found.note == "no interval: all episodes are equal"
 
@@ -246,7 +252,7 @@ def test_scores_of_one_run_are_resampled_together() -> None:
 
 
 def test_scores_of_few_runs_have_no_interval() -> None:
-    assert [analysis.fewest_runs(level) for level in (0.5, 0.9, 0.95, 0.99)] == [2, 5, 6, 8]
+    assert [fewest_runs(level) for level in (0.5, 0.9, 0.95, 0.99)] == [2, 5, 6, 8]
     for found in (
         analysis.interquartile_mean(ONE[:5]),
         analysis.probability_of_improvement(ONE, OTHER[:5]),
@@ -292,7 +298,7 @@ PAYOFFS = np.random.default_rng(0).random((4, 7, 5))
 
 
 def test_bands_are_those_of_the_curves() -> None:
-    bands = analysis.race_bands(PAYOFFS)
+    bands = race_bands(PAYOFFS)
     curves = [analysis.generalization(payoff) for payoff in PAYOFFS]
     profiles = [analysis.lag_profile(payoff) for payoff in PAYOFFS]
     for band, of_runs in (
@@ -305,14 +311,14 @@ def test_bands_are_those_of_the_curves() -> None:
         np.testing.assert_allclose(band.low, expected.low)
         np.testing.assert_array_equal(band.runs, 4)
     np.testing.assert_array_equal(bands["lag_profile"].places, profiles[0].lags)
-    ratings = [analysis.ELO_POINTS * analysis.elo(payoff).evaders for payoff in PAYOFFS]
+    ratings = [ELO_POINTS * analysis.elo(payoff).evaders for payoff in PAYOFFS]
     np.testing.assert_allclose(bands["evader_ratings"].mean, np.mean(ratings, axis=0))
     assert bands["evader_ratings"].low.min() < -20  # ratings have no bounds
 
 
 def test_runs_that_lack_generations_count_where_they_are() -> None:
     runs = [PAYOFFS[0, :4, :3], *PAYOFFS[1:3]]
-    bands = analysis.race_bands(runs)
+    bands = race_bands(runs)
     np.testing.assert_array_equal(bands["pursuer_generalization"].runs, [3, 3, 3, 3, 2, 2, 2])
     np.testing.assert_array_equal(bands["evader_generalization"].runs, [3, 3, 3, 2, 2])
     np.testing.assert_array_equal(bands["lag_profile"].places, np.arange(-4, 7))
@@ -327,8 +333,8 @@ def test_runs_that_lack_generations_count_where_they_are() -> None:
 
 
 def test_a_point_of_one_run_has_no_interval() -> None:
-    band = analysis.race_bands([PAYOFFS[0], PAYOFFS[1, :4, :3]])["pursuer_generalization"]
+    band = race_bands([PAYOFFS[0], PAYOFFS[1, :4, :3]])["pursuer_generalization"]
     assert np.isnan(band.low).tolist() == [False] * 4 + [True] * 3
     np.testing.assert_allclose(band.mean[4:], PAYOFFS[0].mean(axis=1)[4:])
-    alone = analysis.race_bands(PAYOFFS[:1])
+    alone = race_bands(PAYOFFS[:1])
     assert (alone["pursuer_generalization"].low, alone["lag_profile"].high) == (None, None)

@@ -13,7 +13,7 @@ from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Estimate, Judgement, judge
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, Finding
-from matrixworld.analysis.report import headline_numbers
+from matrixworld.analysis.words import headline_numbers
 
 
 def played(

@@ -9,7 +9,8 @@ from scipy import stats
 from matrices import additive, circular, logistic, payoffs, staircase
 from matrixworld import analysis
 from matrixworld.analysis.cycles import squared_intransitivity, transitive_fit
-from matrixworld.analysis.engagement import one_sidedness
+from matrixworld.analysis.measures import over_runs
+from matrixworld.analysis.progress import one_sidedness
 from matrixworld.analysis.strength import (
     gain_of_runs,
     late_forgetting_over_episodes,
@@ -263,11 +264,9 @@ def test_the_most_one_sided_stretch_counts() -> None:
 
 
 def test_means_over_runs_rest_on_values_that_err_to_a_known_side() -> None:
-    runs = analysis.read_payoffs(np.zeros((3, 12, 12)))
     singles = [
         analysis.Estimate(0.2, 0.0, 0.5, biased_low=x - 0.1, biased_high=x + 0.1)
         for x in (0.1, 0.2, 0.3)
     ]
-    estimate, whole = analysis.MEASURES["one_sidedness"].estimate, runs.windows["whole"]
     reach = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5
-    assert estimate(runs, whole, 0.95, singles).ends == pytest.approx((0.1 - reach, 0.3 + reach))
+    assert over_runs(singles, 0.95).ends == pytest.approx((0.1 - reach, 0.3 + reach))

@@ -22,10 +22,9 @@ from matrices import (
 from matrixworld import analysis
 from matrixworld.analysis import cycles
 from matrixworld.analysis.cycles import Checkerboard, strongest_checkerboards
-from matrixworld.analysis.engagement import Disengagement
-from matrixworld.analysis.payoffs import logits
-from matrixworld.analysis.progress import lag_rise, swing
-from matrixworld.analysis.ratings import RIDGE
+from matrixworld.analysis.payoffs import check_payoff, logits
+from matrixworld.analysis.progress import Disengagement, lag_rise, swing
+from matrixworld.analysis.ratings import ELO_POINTS, RIDGE
 
 PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
 
@@ -40,7 +39,7 @@ margins = st.integers(0, 15).map(lambda n: n / 16)
 
 def test_a_payoff_matrix_may_be_lists_booleans_or_float32() -> None:
     for given_matrix in ([[0, 1], [1, 0]], np.eye(2, dtype=bool), np.eye(2, dtype=np.float32)):
-        checked = analysis.check_payoff(given_matrix)
+        checked = check_payoff(given_matrix)
         assert checked.dtype == np.float64
         assert checked.shape == (2, 2)
 
@@ -360,10 +359,10 @@ def test_intervals_of_ratings_are_those_of_a_jackknife() -> None:
     found = analysis.elo_over_episodes(scores)
     left_out = [analysis.elo(np.delete(scores, e, axis=2).mean(axis=2)) for e in range(200)]
     for team in ("pursuers", "evaders"):
-        each = analysis.ELO_POINTS * np.array([getattr(one, team) for one in left_out])
+        each = ELO_POINTS * np.array([getattr(one, team) for one in left_out])
         ratings, error = getattr(found, team), np.sqrt(199**2 / 200 * each.var(axis=0, ddof=1))
         whole = getattr(analysis.elo(scores.mean(axis=2)), team)
-        np.testing.assert_allclose(ratings.mean[0], analysis.ELO_POINTS * whole, atol=1e-6)
+        np.testing.assert_allclose(ratings.mean[0], ELO_POINTS * whole, atol=1e-6)
         half = (ratings.high - ratings.low)[0] / 2
         np.testing.assert_allclose(half, t.ppf(0.975, 199) * error, rtol=0.03)
 
@@ -376,7 +375,7 @@ def test_ratings_of_several_runs_borrow_what_noise_leaves_open(spread: float) ->
         rates = sigmoid(strengths[0][:, :, None] - strengths[1][:, None])
         scores = (rng.random((*rates.shape, 10)) < rates[..., None]).astype(float)
         found = analysis.elo_over_episodes(scores).pursuers
-        truth = analysis.ELO_POINTS * np.array([analysis.elo(each).pursuers for each in rates])
+        truth = ELO_POINTS * np.array([analysis.elo(each).pursuers for each in rates])
         covered.append((found.low <= truth) & (truth <= found.high))
         alone = [analysis.elo_over_episodes(each).pursuers.mean[0] for each in scores]
         errors.append([np.mean((guess - truth) ** 2) for guess in (found.mean, alone)])

@@ -8,7 +8,7 @@ from scipy.optimize import linprog, minimize
 
 from matrices import ROCK_PAPER_SCISSORS, payoffs
 from matrixworld import analysis
-from matrixworld.analysis.meta_strategies import (
+from matrixworld.analysis.games import (
     META_SOLVERS,
     MetaSolver,
     _projected,

@@ -9,7 +9,13 @@ import pytest
 
 from matrices import ROCK_PAPER_SCISSORS, logistic
 from matrixworld import analysis
-from matrixworld.analysis.payoffs import check_runs
+from matrixworld.analysis.intervals import (
+    difference_over_episodes,
+    generalization_over_episodes,
+    linear_over_episodes,
+)
+from matrixworld.analysis.payoffs import check_payoff, check_runs
+from matrixworld.analysis.runs import race_bands
 from rliable_numbers import ONE, TASK
 
 PENNIES = np.eye(2)
@@ -34,7 +40,7 @@ MATRICES = [
 @pytest.mark.parametrize(
     "function",
     [
-        analysis.check_payoff,
+        check_payoff,
         analysis.generalization,
         analysis.lag_profile,
         analysis.transitive_share,
@@ -51,7 +57,7 @@ def test_bad_matrices_are_refused(
 stretches = analysis.disengagements
 over_runs, difference = analysis.interval_over_runs, analysis.difference_of_runs
 band, judge = analysis.band_over_runs, analysis.judge
-mean, linear = analysis.mean_over_episodes, analysis.linear_over_episodes
+mean, linear = analysis.mean_over_episodes, linear_over_episodes
 middle, profile = analysis.interquartile_mean, analysis.performance_profile
 dominance, cross = analysis.dominance_tournament, analysis.global_progress
 alpha_rank = partial(analysis.alpha_rank, ROCK_PAPER_SCISSORS)
@@ -104,8 +110,8 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: band([[0.1, np.inf]]), "finite curves"),
     (lambda: band([[0.1, np.nan], [0.2, np.nan]]), "a run with a value at each point"),
     (lambda: linear(np.zeros((2, 2, 1)), np.mean), "at least 2 episodes a cell, got 1"),
-    (lambda: analysis.generalization_over_episodes(np.zeros((4, 3, 1))), "2 episodes a cell"),
-    (lambda: analysis.difference_over_episodes([0.5, 1.5], [0.0, 1.0]), "got 1.5 at index"),
+    (lambda: generalization_over_episodes(np.zeros((4, 3, 1))), "2 episodes a cell"),
+    (lambda: difference_over_episodes([0.5, 1.5], [0.0, 1.0]), "got 1.5 at index"),
     (lambda: mean([0.5]), "at least 2 episodes, got 1"),
     (lambda: mean([0.5, 1.0], level=0), r"level in \(0, 1\), got 0"),
     # Several runs
@@ -118,8 +124,8 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: profile(ONE, [1, 0]), "ascending thresholds"),
     (lambda: profile(ONE, [0, np.inf]), "finite thresholds"),
     (lambda: analysis.probability_of_improvement(ONE, TASK), "the same 5 opponents, got 1"),
-    (lambda: analysis.race_bands([]), "at least one run, got none"),
-    (lambda: analysis.race_bands([[[0.5, 2.0]]]), "got 2"),
+    (lambda: race_bands([]), "at least one run, got none"),
+    (lambda: race_bands([[[0.5, 2.0]]]), "got 2"),
     # Reports and the judgement
     (lambda: analysis.report(np.zeros((1, 5))), r"at least 2 x 2 generations, got \(1, 5\)"),
     (lambda: analysis.report(np.zeros((3, 3)), level=0.0), r"level in \(0, 1\), got 0.0"),

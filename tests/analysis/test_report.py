@@ -14,6 +14,7 @@ from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN
 from matrixworld.analysis.games import game_value
 from matrixworld.analysis.progress import swing
+from matrixworld.analysis.words import all_results
 
 small_payoffs = payoffs(least=2, most=5)
 noisy = np.random.default_rng(0)
@@ -48,7 +49,7 @@ def test_a_single_run_has_no_intervals_and_says_so() -> None:
     found = analysis.measure_all(circular(13))
     scatter = {"pursuer_gain", "evader_gain", "pursuer_change", "evader_change"}
     assert all(one.low is None and one.note for name, one in found.items() if name not in scatter)
-    assert analysis.all_results(circular(13))["bands"]["lag_profile"]["low"] is None
+    assert all_results(circular(13))["bands"]["lag_profile"]["low"] is None
     text = analysis.report(circular(13))
     assert "1 run, 13 pursuer and 13 evader generations\n" in text
     assert "Judgement: cannot tell\n" in text
@@ -85,8 +86,7 @@ def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> N
 def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:
     part = SCORES[:4, :4, :5]
     single, stacked = (
-        analysis.all_results(analysis.read_payoffs(each, per_episode=True))
-        for each in (part, part[None])
+        all_results(analysis.read_payoffs(each, per_episode=True)) for each in (part, part[None])
     )
     assert single == stacked
 
@@ -96,12 +96,12 @@ def test_cross_tests_give_global_progress() -> None:
     payoffs = analysis.read_payoffs(RUNS[:2], cross=cross)
     found = analysis.MEASURES["pursuer_global_gain"].of(payoffs)
     assert found.value == pytest.approx(analysis.global_progress(cross).pursuers.mean_gain)
-    assert "global_progress" in analysis.all_results(payoffs)
+    assert "global_progress" in all_results(payoffs)
 
 
 @pytest.mark.parametrize("matrix", [circular(12), staircase(9), additive(7, 12), np.zeros((2, 3))])
 def test_results_are_json(matrix: np.ndarray) -> None:
-    plain = analysis.all_results(matrix)
+    plain = all_results(matrix)
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
     assert plain["runs"][0]["payoff"] == matrix.tolist()
     assert len(plain["runs"][0]["alpha_rank"]["ranks"]["pursuers"]) == len(matrix)
@@ -111,10 +111,10 @@ def test_results_are_json(matrix: np.ndarray) -> None:
 
 
 def test_longer_runs_are_ranked_by_every_kth_generation(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(import_module("matrixworld.analysis.report"), "RANKED_PAIRS", 64)
-    [run] = analysis.all_results(logistic(15))["runs"]
+    monkeypatch.setattr(import_module("matrixworld.analysis.words"), "RANKED_PAIRS", 64)
+    [run] = all_results(logistic(15))["runs"]
     assert run["alpha_rank"]["pursuers"] == run["alpha_rank"]["evaders"] == [*range(0, 15, 2)]
-    [uneven] = analysis.all_results(logistic(18)[:, :9])["runs"]
+    [uneven] = all_results(logistic(18)[:, :9])["runs"]
     assert (uneven["alpha_rank"]["pursuers"][-1], uneven["alpha_rank"]["evaders"][-1]) == (17, 8)
 
 

@@ -12,7 +12,7 @@ from matrices import circular, logistic
 from matrixworld import plots
 from matrixworld._util.files import load_json
 from matrixworld.analysis import CONDITIONS, MEASURES, headline, judge
-from matrixworld.analysis.report import headline_numbers
+from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.figures import group_figure, planned
 from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import open_run, start

@@ -15,7 +15,7 @@ from command_line import PNG, judged_in, matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld._util.files import load_json
 from matrixworld.analysis import CONDITIONS
-from matrixworld.analysis.report import headline_numbers
+from matrixworld.analysis.words import all_results, headline_numbers
 from matrixworld.cli.groups import Group, groups_of, open_result, place_of
 from matrixworld.cli.report import report
 from matrixworld.cli.tables import print_strip
@@ -209,7 +209,7 @@ def test_judge_takes_each_group_with_its_strip(job):
     for name in SCHEDULES:
         expected = analysis.read_payoffs(payoffs(job, name), per_episode=True)
         judgement = {"judgement": analysis.judge(expected).to_json()}
-        assert found[str(job / name)] == judgement | analysis.all_results(expected)
+        assert found[str(job / name)] == judgement | all_results(expected)
     alone = matrixworld_command("judge", job / SECOND).stdout
     assert judged_in(alone) == judged_in(said.split(str(job / SECOND))[1])
     assert "together" not in matrixworld_command("judge", job / SECOND / "seed-0").stdout

@@ -413,7 +413,7 @@ def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
     counts = coverage.read_counts(COVERAGE)
     published = {row.interval for row in counts}
     # The measures of the evaders are those of the pursuers on the swapped matrix.
-    decided = {name for names, _ in RULES.values() for name in names}
+    decided = {name for row in RULES.values() for name in row.measures}
     unbiased = {
         name
         for name, one in MEASURES.items()

@@ -18,7 +18,7 @@ from PIL import Image, ImageSequence
 from browser import DESKTOP, LAPTOP, PHONE, READY, Browser
 from matrixworld import World, WorldConfig, analysis
 from matrixworld.analysis.cycles import Checkerboard
-from matrixworld.analysis.report import headline_numbers
+from matrixworld.analysis.words import all_results, headline_numbers
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import explore
@@ -515,9 +515,7 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
     # Its numbers as a game, and the dots of the panel, are those of `judge --all`.
-    results = analysis.all_results(
-        analysis.read_payoffs(race.payoff().capture_rates, per_episode=True)
-    )
+    results = all_results(analysis.read_payoffs(race.payoff().capture_rates, per_episode=True))
     assert found["spinning_top"] == results["runs"][0]["spinning_top"]
     assert found["ratings"]["pursuers"]["high"] == results["ratings"]["pursuers"]["high"][0]
     row = analysis.MEASURES["middle_intransitivity"]

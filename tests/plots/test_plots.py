@@ -20,6 +20,8 @@ from matrices import ROCK_PAPER_SCISSORS, circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS
+from matrixworld.analysis.intervals import generalization_over_episodes
+from matrixworld.analysis.runs import race_bands
 from matrixworld.plots.style import DPI
 from slow import quickly
 
@@ -108,9 +110,7 @@ def test_generalization_curves_show_the_interval_over_episodes() -> None:
     for line, curve in zip(axes.lines, expected, strict=True):
         np.testing.assert_allclose(line.get_ydata(), curve)
     pursuers, evaders, _ = axes.collections
-    for drawn, band in zip(
-        (pursuers, evaders), analysis.generalization_over_episodes(scores), strict=True
-    ):
+    for drawn, band in zip((pursuers, evaders), generalization_over_episodes(scores), strict=True):
         heights = drawn.get_paths()[0].vertices[:, 1]
         assert heights.min() == pytest.approx(band.low.min())
         assert heights.max() == pytest.approx(band.high.max())
@@ -307,7 +307,7 @@ def test_generalization_over_seeds_shows_means_and_intervals() -> None:
         {"one": seeds, "two": [RACE]}, evader_baselines={"one": {"trained alone": scores}}
     )
     one, two = figure.axes
-    bands = analysis.race_bands(seeds)
+    bands = race_bands(seeds)
     for line, band in zip(
         one.lines, (bands["pursuer_generalization"], bands["evader_generalization"]), strict=False
     ):
@@ -351,7 +351,7 @@ def thick(axes: Axes) -> list[np.ndarray]:
 def test_bands_show_means_and_intervals_over_seeds() -> None:
     figure = plots.seed_bands({"one": MATRICES[:4], "two": MATRICES[4:6]}, {"one": judged_seeds(4)})
     scores, other, strength, _, lags, _ = figure.axes
-    bands = analysis.race_bands(MATRICES[:4])
+    bands = race_bands(MATRICES[:4])
     for axes, expected in (
         (scores, (bands["pursuer_generalization"], bands["evader_generalization"])),
         (strength, (bands["pursuer_ratings"], bands["evader_ratings"])),

@@ -22,8 +22,10 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import analysis, classroom, coevolution, explorer, solve
-from matrixworld.analysis.meta_strategies import META_SOLVERS
+from matrixworld.analysis.games import META_SOLVERS
+from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import strength_gain
+from matrixworld.analysis.words import all_results
 from matrixworld.coevolution import opponents, resume, start
 from matrixworld.coevolution.jobs.evolve import job_of
 from matrixworld.coevolution.learners.toolbox import Candidates
@@ -182,7 +184,7 @@ def _of_analysis() -> Iterator[Any]:
     functions = "alpha_rank checkerboards ciao elo forgetting generalization lag_profile"
     functions += " local_progress nash_averaging two_way_parts"
     yield from (getattr(analysis, name)(payoff) for name in functions.split())
-    yield from (analysis.measure_all([payoff, payoff**2]), analysis.all_results(payoff))
+    yield from (analysis.measure_all([payoff, payoff**2]), all_results(payoff))
     yield analysis.judge(scores, per_episode=True)
     yield (payoffs := analysis.read_payoffs(scores, per_episode=True))
     yield payoffs.late
@@ -195,7 +197,7 @@ def _of_analysis() -> Iterator[Any]:
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
     yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
     yield from (analysis.band_over_runs(payoff), analysis.MEASURES)
-    yield from (analysis.race_bands([payoff, payoff**2]), analysis.performance_profile(payoff))
+    yield from (race_bands([payoff, payoff**2]), analysis.performance_profile(payoff))
 
 
 def _of_teaching() -> Iterator[Any]:

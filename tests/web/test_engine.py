@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.analysis.plain_values import plain_values
+from matrixworld._util.readable import plain_values
 from matrixworld.solve import solve
 from matrixworld.solve.solution import PAYOFFS, Payoff
 from matrixworld.world.arrays import WORLD_FIELDS

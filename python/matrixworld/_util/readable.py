@@ -1,10 +1,11 @@
-"""How results are shown: a line of code, a table where they are printed, HTML in a notebook."""
+"""How results are shown: a line of code, a table in print, HTML in a notebook, JSON in a file."""
 
 from __future__ import annotations
 
 import html
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from itertools import chain, zip_longest
 from typing import Any
 
@@ -53,6 +54,25 @@ class Readable:
         cells = [[_cell(v[i]) if i < len(v) else "" for v in columns.values()] for i in rows]
         table = [["", *columns], *([str(i), *row] for i, row in zip(rows, cells, strict=True))]
         return [others, table] if columns else [others]
+
+
+def plain_values(value: Any) -> Any:
+    """Return a result as dictionaries, lists, numbers, strings and None, nested as needed.
+
+    Dataclasses and named tuples become dictionaries by field, arrays and tuples lists. Numbers that
+    are not finite become None, since JSON cannot represent them.
+    """
+    if is_dataclass(value):
+        return {item.name: plain_values(getattr(value, item.name)) for item in fields(value)}
+    if hasattr(value, "_asdict"):  # a named tuple; before tuples, which lose the names
+        return plain_values(value._asdict())
+    if isinstance(value, Mapping):
+        return {key: plain_values(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain_values(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [plain_values(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def matrix_table(matrix: NDArray[Any]) -> Table:

@@ -23,36 +23,26 @@ from matrixworld.analysis.cycles import (
     transitive_share_over_episodes,
     two_way_parts,
 )
-from matrixworld.analysis.dynamics import replicator_dynamics
-from matrixworld.analysis.engagement import disengagements
+from matrixworld.analysis.dynamics import alpha_rank, replicator_dynamics
 from matrixworld.analysis.games import (
-    alpha_rank,
     effective_diversity,
     exploitability,
     nash_averaging,
     response_gain,
 )
 from matrixworld.analysis.intervals import (
-    Band,
     Estimate,
     band_over_runs,
     difference_of_runs,
-    difference_over_episodes,
-    generalization_over_episodes,
     interval_over_runs,
-    linear_over_episodes,
     mean_over_episodes,
 )
 from matrixworld.analysis.judge import CONDITIONS, Judgement, judge
-from matrixworld.analysis.measures import MEASURES, Measure, measure_all
-from matrixworld.analysis.meta_strategies import (
-    META_SOLVERS,
-    projected_replicator_dynamics,
-    rectified_nash,
-)
-from matrixworld.analysis.payoffs import check_payoff, last_half, read_payoffs
+from matrixworld.analysis.measures import MEASURES, measure_all
+from matrixworld.analysis.payoffs import last_half, read_payoffs
 from matrixworld.analysis.progress import (
     ciao,
+    disengagements,
     dominance_tournament,
     generalization,
     global_progress,
@@ -61,40 +51,30 @@ from matrixworld.analysis.progress import (
     local_progress,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import ELO_POINTS, elo, elo_over_episodes, log_loss
-from matrixworld.analysis.report import (
-    all_results,
+from matrixworld.analysis.ratings import elo, elo_over_episodes, log_loss
+from matrixworld.analysis.runs import (
+    interquartile_mean,
+    performance_profile,
+    probability_of_improvement,
+)
+from matrixworld.analysis.strength import forgetting
+from matrixworld.analysis.words import (
     explain,
     headline,
     judgement_table,
     report,
 )
-from matrixworld.analysis.runs import (
-    fewest_runs,
-    interquartile_mean,
-    performance_profile,
-    probability_of_improvement,
-    race_bands,
-)
-from matrixworld.analysis.strength import forgetting
 
 __all__ = [
     "CONDITIONS",
-    "ELO_POINTS",
     "MEASURES",
-    "META_SOLVERS",
-    "Band",
     "Estimate",
     "Judgement",
-    "Measure",
-    "all_results",
     "alpha_rank",
     "band_over_runs",
-    "check_payoff",
     "checkerboards",
     "ciao",
     "difference_of_runs",
-    "difference_over_episodes",
     "disengagements",
     "dominance_tournament",
     "effective_diversity",
@@ -102,10 +82,8 @@ __all__ = [
     "elo_over_episodes",
     "explain",
     "exploitability",
-    "fewest_runs",
     "forgetting",
     "generalization",
-    "generalization_over_episodes",
     "global_progress",
     "headline",
     "historical_progress",
@@ -115,7 +93,6 @@ __all__ = [
     "judgement_table",
     "lag_profile",
     "last_half",
-    "linear_over_episodes",
     "local_progress",
     "log_loss",
     "mean_over_episodes",
@@ -123,10 +100,7 @@ __all__ = [
     "nash_averaging",
     "performance_profile",
     "probability_of_improvement",
-    "projected_replicator_dynamics",
-    "race_bands",
     "read_payoffs",
-    "rectified_nash",
     "replicator_dynamics",
     "report",
     "response_gain",

@@ -1,9 +1,9 @@
-"""Games between generations: Nash averaging, exploitability and alpha-Rank."""
+"""Games between generations: Nash averaging, exploitability, diversity, and meta-solvers."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -399,134 +399,113 @@ def _excess_weights(matrix: Rates) -> Rates:
     return weights
 
 
-# ---- alpha-Rank of two populations ---------------------------------------------------------------
+# ---- Meta-solvers of PSRO ------------------------------------------------------------------------
 
-ALPHA = 100.0
-"""Default selection strength: a mutant that gains .01 takes over a population of 50 with
-probability .63."""
-POPULATION = 50
-"""Default size of each population (the paper's m)."""
-MOST_STATES = 4096
-"""Largest number of pairs (n times m); 64 x 64 generations take a few seconds."""
-
-_BLOCK = 64  # states that are eliminated together
-# Smallest fixation probability. Smaller ones matter only between attractors without a more
-# frequent connection, and there the shares would leave the range of floating-point numbers.
-_RAREST = 1e-60
+MetaSolver = Callable[[ArrayLike], Rates]
+"""Payoffs (n, m) of a team's generations against those of the other -> weights (m,) with which the
+next generation of the team meets these."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class AlphaRank(Readable):
-    """Share of time that the populations spend at each pair and at each generation.
+def projected_replicator_dynamics(
+    payoff: ArrayLike, *, steps: int = 2_000, rate: float = 0.1, least: float = 1e-6
+) -> tuple[Rates, Rates]:
+    """Return the mean mixtures of both teams, (n,) and (m,), under projected replicator dynamics.
 
-    Shapes (n, m), (n,) and (m,); each has the sum 1.
-    """
+    ::
 
-    pairs: Rates
-    pursuers: Rates
-    evaders: Rates
+        p, q = uniform mixtures
+        repeat steps times:
+            p = project(p + rate p (M q - p M q));  q = project(q + rate q (p M q - p M))
+        project(x) = the nearest mixture whose weights are all at least `least`
 
-
-def alpha_rank(
-    payoff: ArrayLike, *, alpha: float = ALPHA, population: int = POPULATION
-) -> AlphaRank:
-    """Return the stationary distribution of two populations under mutation and selection.
+    In zero-sum games these means approach an equilibrium; the mixtures themselves need not.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        With ``n m <= 4096``.
-    alpha : float, optional
-        Selection strength, above 0. ``inf``: only mutants that lose nothing take over.
-    population : int, optional
-        Size of each population (m in the paper), at least 2.
-
-    Notes
-    -----
-    In each state all pursuers are of one generation g and all evaders of one generation h. A mutant
-    of each of the ``n + m - 2`` other generations appears with the same probability
-    ``eta = 1 / (n + m - 2)``. It takes over its team with the `fixation_probability` of its gain.
-
-    The stationary distribution is solved by an elimination that never subtracts: it is exact to
-    rounding even if a state is left once in 1e60 steps, the smallest probability that is used. Time
-    O(n^3 m^3), memory O(n^2 m^2).
+    steps : int, optional
+        Number of steps, at least 1.
+    rate : float, optional
+        Length of a step, above 0.
+    least : float, optional
+        Smallest weight, from 0 to one over the number of generations of either team.
 
     References
     ----------
-    Omidshafiei et al. (2019), "alpha-Rank: multi-agent evaluation by evolution". Grassmann, Taksar
-    and Heyman (1985), "Regenerative analysis and steady state distributions for Markov chains".
+    Lanctot et al. (2017), "A unified game-theoretic approach to multiagent reinforcement learning".
     """
     matrix = check_payoff(payoff)
-    # The chain has n m states and its matrix (n m)^2 entries: 134 MB at the limit.
-    require(matrix.size <= MOST_STATES, f"at most {MOST_STATES} pairs (n times m)", matrix.size)
-    pairs = _stationary(_transitions(matrix, alpha, population)).reshape(matrix.shape)
-    return AlphaRank(pairs, pairs.sum(axis=1), pairs.sum(axis=0))
+    most = 1.0 / max(matrix.shape)
+    require(steps >= 1, "at least 1 step", steps)
+    require(rate > 0.0, "a rate above 0", rate)
+    require(0.0 <= least <= most, f"a smallest weight from 0 to {most:g}", least)
+    p, q = (np.full(size, 1.0 / size) for size in matrix.shape)
+    total_p, total_q = p.copy(), q.copy()
+    for _ in range(steps):
+        of_p, of_q = matrix @ q, p @ matrix
+        mean = p @ of_p
+        p = _projected(p + rate * p * (of_p - mean), least)
+        q = _projected(q + rate * q * (mean - of_q), least)
+        total_p += p
+        total_q += q
+    return total_p / total_p.sum(), total_q / total_q.sum()
 
 
-def fixation_probability(
-    gain: ArrayLike, *, alpha: float = ALPHA, population: int = POPULATION
-) -> Rates:
-    """Return the probability that one mutant with a gain d takes over a population of size m.
+def _projected(mixture: Rates, least: float) -> Rates:
+    """Return the nearest mixture (Euclidean) whose weights are at least `least`."""
+    # A step keeps the sum of 1, but rounding errors of the sum would grow from step to step.
+    mixture = mixture / mixture.sum()
+    if mixture.min() >= least:
+        return mixture
+    # As many of the largest weights as possible are shifted alike; the others are the smallest.
+    largest = np.sort(mixture)[::-1]
+    count = np.arange(1, len(mixture) + 1)
+    shift = (1.0 - (len(mixture) - count) * least - np.cumsum(largest)) / count
+    free = int(np.flatnonzero(largest + shift > least)[-1])
+    nearest: Rates = np.maximum(mixture + shift[free], least)
+    return nearest
 
-    ``(1 - e^(-alpha d)) / (1 - e^(-m alpha d))``, and ``1 / m`` for d = 0, in the shape of `gain`.
-    With ``alpha = inf``: 1 for gains, ``1 / m`` for d = 0, 0 for losses.
+
+def _nash(payoff: ArrayLike) -> Rates:
+    return nash_averaging(payoff).evaders
+
+
+def _prd(payoff: ArrayLike) -> Rates:
+    return projected_replicator_dynamics(payoff)[1]
+
+
+def rectified_nash(payoff: ArrayLike) -> Rates:
+    """Return weights (m,) of the opponents that the newest row should meet: its rectified Nash.
+
+    In PSRO_rN every member v of a population in the support of its Nash equilibrium learns against
+    the members w that it beats or ties, with their weights in the equilibrium, in order to amplify
+    what it is good at. That is defined for one population in a symmetric game, where a tie has the
+    payoff 0 and as many members are added as the support has. With two populations the members w
+    are the other team's; neither team beats the other at the value of the game, which therefore
+    stands for 0. One learner adds one generation at a time, and starts from the newest one, which
+    is v. If v is not in the support, PSRO_rN would not train it: then it meets the whole
+    equilibrium.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoffs of the learning team; its newest generation is the last row.
+
+    References
+    ----------
+    Balduzzi et al. (2019), "Open-ended learning in symmetric zero-sum games", algorithm 4.
     """
-    require(alpha > 0.0, "an alpha above 0", alpha)
-    require(population >= 2, "a population of at least 2", population)
-    d = np.asarray(gain, dtype=np.float64)
-    if math.isinf(alpha):
-        return np.where(d > 0.0, 1.0, np.where(d < 0.0, 0.0, 1.0 / population))
-    # expm1 of -alpha |d|, times e^((m - 1) alpha d) for d < 0: nothing overflows or cancels.
-    strength = -alpha * np.abs(d)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        better = np.expm1(strength) / np.expm1(population * strength)
-    falling = np.exp(np.minimum(0.0, (population - 1) * alpha * d))
-    # Below 1e-300 numerator and denominator lose digits; the ratio is 1/m to rounding.
-    return np.where(np.abs(strength) < 1e-300, 1.0 / population, better * falling)
+    nash = nash_averaging(payoff)
+    beaten = check_payoff(payoff)[-1] >= nash.value - _TIE
+    # A member of the support has the value as its mean, so that it beats or ties some opponent.
+    weights = nash.evaders * (beaten if nash.pursuers[-1] > 0.0 else 1.0)
+    total = float(weights.sum())
+    return weights / total if total > 0.0 else nash.evaders
 
 
-def _transitions(matrix: Rates, alpha: float, population: int) -> Rates:
-    """Return probabilities between different states ``g * m + h``; the diagonal is 0."""
-    rows, columns = matrix.shape
-    eta = 1.0 / max(1, rows + columns - 2)  # a single pair stays
-    chain = np.zeros((rows, columns, rows, columns))
-    # [g, h, g']: gain of pursuers g' over g; [g, h, h']: gain of evaders h' over h.
-    pursuers = matrix.T[None, :, :] - matrix[:, :, None]
-    evaders = matrix[:, :, None] - matrix[:, None, :]
-
-    def rate(gain: Rates) -> Rates:
-        # A positive rate between all neighbours keeps the chain irreducible: one solution.
-        return np.maximum(fixation_probability(gain, alpha=alpha, population=population), _RAREST)
-
-    for h in range(columns):
-        chain[:, h, :, h] = rate(pursuers[:, h])
-    for g in range(rows):
-        chain[g, :, g, :] = rate(evaders[g])
-    flat: Rates = eta * chain.reshape(matrix.size, matrix.size)
-    # The elimination never uses the probability to stay.
-    np.fill_diagonal(flat, 0.0)
-    return flat
-
-
-def _stationary(chain: Rates) -> Rates:
-    """Return the stationary distribution of an irreducible chain, which is overwritten.
-
-    States are eliminated from the last to the second: a transition to an eliminated state becomes a
-    transition to its successors (Grassmann et al., 1985). They are eliminated in blocks, so that
-    most of the work is one matrix product.
-    """
-    for end in range(len(chain), 1, -_BLOCK):
-        begin = max(end - _BLOCK, 1)
-        for k in range(end - 1, begin - 1, -1):
-            done = slice(k + 1, end)  # eliminated in this block, not yet applied to row, column k
-            chain[k, :k] += chain[k, done] @ chain[done, :k]
-            chain[:k, k] += chain[:k, done] @ chain[done, k]
-            chain[:k, k] /= max(chain[k, :k].sum(), np.finfo(float).tiny)
-        block = slice(begin, end)
-        chain[:begin, :begin] += chain[:begin, block] @ chain[block, :begin]
-    # Back substitution; normalising at each state keeps the shares in the floating-point range.
-    shares = np.ones(len(chain))
-    for k in range(1, len(chain)):
-        shares[k] = shares[:k] @ chain[:k, k]
-        shares[: k + 1] /= shares[: k + 1].sum()
-    return shares
+META_SOLVERS: dict[str, MetaSolver] = {
+    "nash": _nash,
+    "prd": _prd,
+    "rectified": rectified_nash,
+}
+"""Name -> meta-solver. The uniform mixture is the opponent sampler `Uniform`."""

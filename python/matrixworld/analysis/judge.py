@@ -5,17 +5,15 @@ All commands, figures and pages take their verdicts from `judge`.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from matrixworld._util.readable import Parts, Readable
-from matrixworld.analysis.engagement import PURSUERS_WIN
+from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
 from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
-from matrixworld.analysis.plain_values import plain_values
+from matrixworld.analysis.progress import PURSUERS_WIN
 
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 
@@ -83,7 +81,7 @@ class Judgement(Readable):
     windows: Mapping[str, Findings]
 
     def _parts(self) -> Parts:
-        from matrixworld.analysis.report import judgement_cells
+        from matrixworld.analysis.words import judgement_cells
 
         return [judgement_cells(self)]
 
@@ -143,23 +141,13 @@ def judge(
 
 
 def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
-    missing = {name: _missing(payoffs, window, name) for name in CONDITIONS}
-    known = (RULES[name][0] for name in CONDITIONS if not missing[name])
-    keys = dict.fromkeys(itertools.chain(*known))
-    singles = [
-        {key: MEASURES[key].estimate(run, window, level, ()) for key in keys}
-        for run in payoffs.runs
-    ]
-    by_run = [_findings(estimates, missing) for estimates in singles]
-    found = by_run[0]
-    if len(payoffs) > 1:
-        found = _findings_together(payoffs, window, level, singles, missing)
+    by_run = [_findings(run, window, level) for run in payoffs.runs]
+    found = _findings(payoffs, window, level) if len(payoffs) > 1 else by_run[0]
     # Disengagement is judged over all runs, the other conditions over the engaged ones.
     engaged = [run for run, each in enumerate(by_run) if not _is_disengaged(each)]
     if not _is_disengaged(found) and len(engaged) < len(by_run):
         if len(engaged) >= 2:
-            chosen, numbers = payoffs.select(engaged), [singles[run] for run in engaged]
-            others = _findings_together(chosen, window, level, numbers, missing)
+            others = _findings(payoffs.select(engaged), window, level)
         else:
             others = {
                 name: replace(each, verdict=CANNOT_TELL, reason=ALL_DISENGAGED)
@@ -172,42 +160,21 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
     }
 
 
-def _missing(payoffs: Payoffs, window: Window, condition: str) -> str:
-    """Return what it would take to know the numbers of a condition; empty if they are known."""
-    if window.generations < GENERATIONS_TO_JUDGE:
-        return TOO_SHORT
-    if condition in ("disengagement", "intransitivity", "cycling") and not payoffs.shows_noise:
-        return NO_EPISODES
-    if condition == "forgetting" and (payoffs.scores is None or not payoffs.shows_noise):
-        return NO_SINGLE_EPISODES
-    return ""
-
-
-def _findings_together(
-    payoffs: Payoffs,
-    window: Window,
-    level: float,
-    singles: Sequence[Estimates],
-    missing: Mapping[str, str],
-) -> Findings:
-    """Return the findings on several runs, from the estimates of the single ones."""
-    estimates = {
-        key: MEASURES[key].estimate(payoffs, window, level, [each[key] for each in singles])
-        for key in singles[0]
-    }
-    return _findings(estimates, missing)
-
-
-def _findings(estimates: Estimates, missing: Mapping[str, str]) -> Findings:
+def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
     """Return the verdict on each condition; later rules may use earlier verdicts."""
     found: dict[str, Finding] = {}
-    for name, (keys, rule) in RULES.items():
-        if missing[name]:
-            found[name] = Finding(CANNOT_TELL, missing[name])
+    for name, condition in RULES.items():
+        too_short = window.generations < GENERATIONS_TO_JUDGE
+        missing = TOO_SHORT if too_short else condition.missing(payoffs)
+        if missing:
+            found[name] = Finding(CANNOT_TELL, missing)
             continue
+        estimates = {
+            key: MEASURES[key].estimate(payoffs, window, level) for key in condition.measures
+        }
         hidden = name != "disengagement" and _is_disengaged(found)
-        verdict, reason = (CANNOT_TELL, HIDDEN) if hidden else rule(estimates, found)
-        found[name] = Finding(verdict, reason, {key: estimates[key] for key in keys})
+        verdict, reason = (CANNOT_TELL, HIDDEN) if hidden else condition.rule(estimates, found)
+        found[name] = Finding(verdict, reason, estimates)
     return found
 
 
@@ -343,21 +310,75 @@ def _ends(estimates: Estimates, *keys: str) -> list[tuple[float, float]]:
     return [estimates[key].ends for key in keys]
 
 
+# ---- The table -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A condition of the judgement, in a row of `RULES`; nothing else has to know of it.
+
+    `measures`: the numbers that decide, by their names in `MEASURES`. `rule`: the verdict from
+    these, and from the findings on the rows above. `missing`: what it would take to know them,
+    empty if they are known. A headline leaves out the condition that this one `implies`.
+    `numbers`: what its numbers are called in the line under a headline, which has one if it is
+    present; empty for none. `advice`: what to try next where it is present.
+    """
+
+    measures: tuple[str, ...]
+    rule: Callable[[Estimates, Findings], Decision]
+    missing: Callable[[Payoffs], str]
+    implies: str = ""
+    numbers: str = ""
+    advice: str = ""
+
+
+def _nothing(payoffs: Payoffs) -> str:
+    return ""
+
+
+def _noise(payoffs: Payoffs) -> str:
+    return "" if payoffs.shows_noise else NO_EPISODES
+
+
+def _single_episodes(payoffs: Payoffs) -> str:
+    return "" if payoffs.has_episodes and payoffs.shows_noise else NO_SINGLE_EPISODES
+
+
 GAINS, CHANGES = ("pursuer_gain", "evader_gain"), ("pursuer_change", "evader_change")
 DROPS = ("pursuer_forgetting", "evader_forgetting")
 RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
+AGAINST_CYCLES = "let both teams meet opponents of all generations, or a hall of fame"
+GO_ON = "more generations show how long it goes on"
 
-RULES: Mapping[str, tuple[tuple[str, ...], Callable[[Estimates, Findings], Decision]]] = {
-    "disengagement": (("one_sidedness",), _disengagement),
-    "arms race": (GAINS, _arms_race),
-    "one-sided progress": (GAINS, _one_sided_progress),
-    "rise": (CHANGES, _rise),
-    "intransitivity": (("squared_intransitivity", "checkerboards"), _intransitivity),
-    "cycling": (RECURRENCES, _cycling),
-    "forgetting": (DROPS, _forgetting),
-    "stagnation": (CHANGES, _stagnation),
-}
-"""The numbers that decide on each condition, by their names in `MEASURES`, and the rule."""
+RULES: Mapping[str, Condition] = {
+    "disengagement": Condition(
+        ("one_sidedness",), _disengagement, _noise,
+        advice="make the weaker team stronger, or reward no candidate for winning everything",
+    ),
+    "arms race": Condition(
+        GAINS, _arms_race, _nothing, implies="rise", numbers="gains", advice=GO_ON
+    ),
+    "one-sided progress": Condition(
+        GAINS, _one_sided_progress, _nothing, implies="rise", numbers="gains",
+        advice="give the team that does not gain more time to learn",
+    ),
+    "rise": Condition(CHANGES, _rise, _nothing, numbers="changes", advice=GO_ON),
+    "intransitivity": Condition(
+        ("squared_intransitivity", "checkerboards"), _intransitivity, _noise,
+        advice=AGAINST_CYCLES,
+    ),
+    "cycling": Condition(
+        RECURRENCES, _cycling, _noise, implies="intransitivity", advice=AGAINST_CYCLES
+    ),
+    "forgetting": Condition(
+        DROPS, _forgetting, _single_episodes, numbers="drops", advice=AGAINST_CYCLES
+    ),
+    "stagnation": Condition(
+        CHANGES, _stagnation, _nothing,
+        advice="more candidates, another learner or a larger network",
+    ),
+}  # fmt: skip
+"""All conditions by name, in the order in which they are judged."""
 
 CONDITIONS = tuple(RULES)
-"""Names of the conditions, in the order in which they are judged."""
+"""Names of the conditions."""

@@ -1,14 +1,15 @@
 """The measures of a race: one table, which the judgement, reports and tables of commands read.
 
-A measure is a row of `MEASURES`: a name, words, and a function of the payoffs of one run or several
-and of a window of the race, which returns an `Estimate`.
+A measure is a row of `MEASURES`: a name, words, and a plain function of the payoffs of one run or
+several, of a window of the race, and of the level of the interval, which returns an `Estimate`.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,6 @@ from matrixworld.analysis.cycles import (
     transitive_share,
     transitive_share_over_episodes,
 )
-from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.games import effective_diversity_over_episodes, game_value
 from matrixworld.analysis.intervals import (
     BIASED,
@@ -40,7 +40,6 @@ from matrixworld.analysis.intervals import (
 from matrixworld.analysis.payoffs import (
     EPISODES_TO_JUDGE,
     GENERATIONS_TO_JUDGE,
-    ByTeam,
     Payoffs,
     Rates,
     Source,
@@ -49,7 +48,6 @@ from matrixworld.analysis.payoffs import (
     require,
     swap_teams,
 )
-from matrixworld.analysis.progress import TeamProgress
 from matrixworld.analysis.ratings import ELO_POINTS, elo, elo_over_episodes, log_loss
 from matrixworld.analysis.strength import (
     gain_of_runs,
@@ -65,41 +63,26 @@ NO_EPISODES = (
     "noise"
 )
 TOO_FEW_FOR_DIVERSITY = f"it takes at least {EPISODES_TO_JUDGE} single episodes of each pair"
-
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 
-Number = Callable[[Rates], float]
-"""A number of the payoff matrix of a window, of at least 2 x 2 generations."""
-Singles = Sequence[Estimate]
-"""The same number of each single run, if it is known already."""
-Estimator = Callable[[Payoffs, Window, float, Singles], Estimate]
-"""Estimates a number of one run, with an interval over episodes if they are known, or of several,
-with an interval over runs."""
+GAIN: Bounds = (-1.0, 1.0)
+"""Bounds of a difference of two rates."""
+POSITIVE: Bounds = (0.0, math.inf)
 
 
 @dataclass(frozen=True)
 class Measure:
-    """A named number of a race.
+    """A named number of a race, in a row of `MEASURES`; use `of`.
 
-    Parameters
-    ----------
-    name : str
-        Key in `MEASURES`.
-    label : str
-        Name in words, for tables.
-    estimate : callable
-        How it is estimated; use `of`.
-    late : bool, optional
-        Whether tables show it in the window that headlines speak of, and not of the whole race.
-    form : str, optional
-        How it is printed, as in an f-string.
-    squared : bool, optional
-        Whether it is a square, whose root is printed.
+    `label` names it in tables, and `short` in the table of a judgement. `late`: tables show it in
+    the window that headlines speak of, and not of the whole race. `form`: how it is printed, as in
+    an f-string. `squared`: it is a square, whose root is printed.
     """
 
     name: str
     label: str
-    estimate: Estimator
+    estimate: Callable[[Payoffs, Window, float], Estimate]
+    short: str = ""
     late: bool = False
     form: str = ".3f"
     squared: bool = False
@@ -118,7 +101,7 @@ class Measure:
         part = payoffs.windows[window] if window else self.window_in(payoffs)
         if part.generations < 2:
             return Estimate(math.nan, note="it takes at least 2 generations of each team")
-        return self.estimate(payoffs, part, level, ())
+        return self.estimate(payoffs, part, level)
 
     def window_in(self, payoffs: Payoffs) -> Window:
         """Return the window in which tables show the number."""
@@ -133,14 +116,6 @@ class Measure:
             low, high = (end and max(0.0, end) ** 0.5 for end in (estimate.low, estimate.high))
             estimate = Estimate(max(0.0, estimate.value) ** 0.5, low, high)
         return format(estimate, self.form)
-
-    def __reduce__(self) -> str | tuple[Any, ...]:
-        """Pickle a row of `MEASURES` by its name, because its functions may be closures."""
-        return (_row, (self.name,)) if MEASURES.get(self.name) is self else super().__reduce__()
-
-
-def _row(name: str) -> Measure:
-    return MEASURES[name]
 
 
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
@@ -162,39 +137,63 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
 
 # ---- Numbers of the matrix of a window -----------------------------------------------------------
 
-
-def _of_matrix(
-    number: Number, bounds: Bounds, over_episodes: Callable[[Rates, float], Estimate]
-) -> Estimator:
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        # A single episode shows no variation.
-        if len(payoffs) == 1 and payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
-            return over_episodes(payoffs.scores[0][window.cells], level)
-        values = (number(matrix[window.cells]) for matrix in payoffs.matrices)
-        return _over_runs(values, level, bounds)
-
-    return estimate
+Number = Callable[[Rates], float]
+"""A number of the payoff matrix of a window, of at least 2 x 2 generations."""
 
 
-def _linear(number: Number, bounds: Bounds = UNIT) -> Estimator:
-    """Return how a sum of cells is estimated, which episode noise does not shift."""
-
-    def over_episodes(scores: Rates, level: float) -> Estimate:
-        return linear_over_episodes(scores, number, level=level, bounds=bounds)
-
-    return _of_matrix(number, bounds, over_episodes)
-
-
-def _biased(number: Number, bounds: Bounds = UNIT) -> Estimator:
-    """Return how a number is estimated that noise shifts by an unknown amount."""
-
-    def over_episodes(scores: Rates, level: float) -> Estimate:
-        return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=BIASED)
-
-    return _of_matrix(number, bounds, over_episodes)
+def _linear(
+    payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
+) -> Estimate:
+    """Estimate a sum of cells, which episode noise does not shift."""
+    scores = _episodes(payoffs, window)
+    if scores is None:
+        return _mean(payoffs, window, level, number, bounds)
+    return linear_over_episodes(scores, number, level=level, bounds=bounds)
 
 
-def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
+def _biased(
+    payoffs: Payoffs, window: Window, level: float, *, number: Number, bounds: Bounds = UNIT
+) -> Estimate:
+    """Estimate a number that noise shifts by an unknown amount."""
+    scores = _episodes(payoffs, window)
+    if scores is None:
+        return _mean(payoffs, window, level, number, bounds)
+    return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=BIASED)
+
+
+def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    scores = _episodes(payoffs, window)
+    if scores is None:
+        return _mean(payoffs, window, level, transitive_share, UNIT)
+    return transitive_share_over_episodes(scores, level=level)
+
+
+def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    scores, number = _episodes(payoffs, window), partial(_last_rating, team=team)
+    if scores is None:
+        return _mean(payoffs, window, level, number, UNBOUNDED)
+    found = getattr(elo_over_episodes(scores, level=level), team)
+    ends = float(found.low[0, -1]), float(found.high[0, -1])
+    if math.isnan(ends[0]):
+        return Estimate(number(scores.mean(axis=2)), note="no interval: all episodes are equal")
+    return Estimate(float(found.mean[0, -1]), *ends, "episodes", scores.shape[2])
+
+
+def _episodes(payoffs: Payoffs, window: Window) -> Rates | None:
+    """Return the episodes (n, m, episodes) of a single run if they show how much they vary."""
+    if len(payoffs) > 1 or payoffs.scores is None or not payoffs.has_episodes:
+        return None
+    scores: Rates = payoffs.scores[0][window.cells]
+    return scores
+
+
+def _mean(
+    payoffs: Payoffs, window: Window, level: float, number: Number, bounds: Bounds
+) -> Estimate:
+    return _mean_of((number(each[window.cells]) for each in payoffs.matrices), level, bounds)
+
+
+def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
     """Return the estimate over the runs for which a number is defined."""
     known = [value for value in map(float, values) if math.isfinite(value)]
     if not known:
@@ -202,59 +201,96 @@ def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimat
     return interval_over_runs(known, level=level, bounds=bounds)
 
 
+def _local_gain(matrix: Rates, team: str) -> float:
+    return float(getattr(progress.local_progress(matrix), team).mean_gain)
+
+
+def _historical_gain(matrix: Rates, team: str) -> float:
+    return float(getattr(progress.historical_progress(matrix), team).mean_gain)
+
+
+def _last_score(matrix: Rates, team: str) -> float:
+    return float(getattr(progress.generalization(matrix), team)[-1])
+
+
+def _last_rating(matrix: Rates, team: str) -> float:
+    return ELO_POINTS * float(getattr(elo(matrix), team)[-1])
+
+
+def _fading(matrix: Rates, team: str) -> float:
+    return float(getattr(progress.ciao(matrix), team).fading)
+
+
+def _stripes(matrix: Rates, team: str) -> float:
+    return float(getattr(progress.ciao(matrix), team).stripes)
+
+
+def _checkerboards(matrix: Rates) -> float:
+    return clear_checkerboards(matrix).share
+
+
+def _elo_loss(matrix: Rates, cycles: int) -> float:
+    return log_loss(matrix, elo(matrix, cycles=cycles).predict())
+
+
 # ---- Numbers that take single episodes, or tests between runs ------------------------------------
 
 
-def _dominant(team: str) -> Estimator:
-
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        if payoffs.scores is None or payoffs.scores.shape[3] < 2:
-            return Estimate(math.nan, note="it takes at least 2 single episodes of each pair")
-        parts = (scores[window.cells] for scores in payoffs.scores)
-        lengths = (len(getattr(progress.dominance_tournament(part), team)) for part in parts)
-        return _over_runs(lengths, level, (0.0, math.inf))
-
-    return estimate
+def _rungs(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    if payoffs.scores is None or not payoffs.has_episodes:
+        return Estimate(math.nan, note="it takes at least 2 single episodes of each pair")
+    parts = (scores[window.cells] for scores in payoffs.scores)
+    lengths = (len(getattr(progress.dominance_tournament(part), team)) for part in parts)
+    return _mean_of(lengths, level, POSITIVE)
 
 
-def _global(team: str) -> Estimator:
-
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        if payoffs.cross is None:
-            return Estimate(math.nan, note="it takes cross tests between runs")
-        pursuers, evaders = window.cells
-        found = getattr(progress.global_progress(payoffs.cross[..., pursuers, evaders]), team)
-        return _over_runs(found.gains.mean(axis=1), level, GAIN)
-
-    return estimate
+def _global_gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    if payoffs.cross is None:
+        return Estimate(math.nan, note="it takes cross tests between runs")
+    pursuers, evaders = window.cells
+    found = getattr(progress.global_progress(payoffs.cross[..., pursuers, evaders]), team)
+    return _mean_of(found.gains.mean(axis=1), level, GAIN)
 
 
 # ---- Numbers that decide on conditions -----------------------------------------------------------
 
-OfRun = Callable[[Payoffs, Window, float], Estimate]
 
-
-def _deciding(of_run: OfRun) -> Estimator:
-    """Return how a number of the judgement is estimated, for windows that are long enough.
+def _deciding(
+    payoffs: Payoffs,
+    window: Window,
+    level: float,
+    *,
+    of_run: Callable[..., Estimate],
+    **options: Any,
+) -> Estimate:
+    """Estimate a number of the judgement by a function of one run, a window and the level.
 
     The mean over several runs has the lower end of Student's t interval of the values
-    `biased_low`, and the upper end of that of the values `biased_high`.
+    `biased_low`, and the upper end of that of the values `biased_high`. The judgement asks for
+    single runs and for all together, so numbers of single runs are kept.
     """
+    if window.generations < GENERATIONS_TO_JUDGE:
+        return Estimate(math.nan, note=TOO_SHORT)
+    if len(payoffs) == 1:
+        known: dict[tuple[Any, ...], Estimate] = payoffs.known
+        key = (of_run, window, level, *options.values())
+        if key not in known:
+            found = of_run(payoffs, window, level, **options)
+            known[key] = replace(found, samples=payoffs.episodes or 0)
+        return known[key]
+    return over_runs(
+        [_deciding(run, window, level, of_run=of_run, **options) for run in payoffs.runs], level
+    )
 
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        if window.generations < GENERATIONS_TO_JUDGE:
-            return Estimate(math.nan, note=TOO_SHORT)
-        if len(payoffs) == 1:
-            return replace(of_run(payoffs, window, level), samples=payoffs.episodes or 0)
-        each = singles or [estimate(run, window, level, ()) for run in payoffs.runs]
-        found = [one for one in each if math.isfinite(one.value)]
-        if len(found) < 2:
-            return next(one for one in each if math.isnan(one.value))
-        low, _ = t_ends([_or(one.biased_low, one.value) for one in found], level)
-        _, high = t_ends([_or(one.biased_high, one.value) for one in found], level)
-        return Estimate(float(np.mean([one.value for one in found])), low, high, "runs", len(found))
 
-    return estimate
+def over_runs(singles: list[Estimate], level: float) -> Estimate:
+    """Return the mean over runs with an interval that rests on values that err to a known side."""
+    found = [one for one in singles if math.isfinite(one.value)]
+    if len(found) < 2:
+        return next(one for one in singles if math.isnan(one.value))
+    low, _ = t_ends([_or(one.biased_low, one.value) for one in found], level)
+    _, high = t_ends([_or(one.biased_high, one.value) for one in found], level)
+    return Estimate(float(np.mean([one.value for one in found])), low, high, "runs", len(found))
 
 
 def _or(number: float | None, default: float) -> float:
@@ -266,7 +302,7 @@ def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]
     axis, span = (2, window.cells[0]) if team == "pursuers" else (1, window.cells[1])
     means = payoffs.matrices.mean(axis=axis)[:, span]
     noise = payoffs.noise.mean(axis=axis)[:, span] / payoffs.matrices.shape[axis]
-    if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
+    if payoffs.scores is not None and payoffs.has_episodes:
         # Pairs may share the worlds of an episode, so noise is that of a generation's whole mean.
         # What shifts all generations alike changes no strength.
         each = payoffs.scores.mean(axis=axis)[:, span]
@@ -276,230 +312,209 @@ def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]
     return (means if team == "pursuers" else 1.0 - means), noise
 
 
-def _gain(team: str) -> Estimator:
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        if window.generations < GENERATIONS_TO_JUDGE:
-            return Estimate(math.nan, note=TOO_SHORT)
-        found = gain_of_runs(*_courses(payoffs, window, team), level=level)
-        several = len(payoffs) > 1
-        samples = len(payoffs) if several else payoffs.episodes or 0
-        return replace(found, across="runs" if several else "episodes", samples=samples)
-
-    return estimate
+def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    if window.generations < GENERATIONS_TO_JUDGE:
+        return Estimate(math.nan, note=TOO_SHORT)
+    found = gain_of_runs(*_courses(payoffs, window, team), level=level)
+    if len(payoffs) > 1:
+        return replace(found, across="runs", samples=len(payoffs))
+    return replace(found, across="episodes", samples=payoffs.episodes or 0)
 
 
-def _change(team: str) -> Estimator:
-    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        [course], [noise] = _courses(payoffs, window, team)
-        return strength_change(course, noise, level=level)
-
-    deciding = _deciding(of_run)
-
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        found = deciding(payoffs, window, level, singles)
-        if found.low is None or found.low <= 0.0 <= (found.high or 0.0):
-            return found
-        course = _courses(payoffs, window, team)[0].mean(axis=0)
-        return found if is_sustained(course) else replace(found, note=NOT_SUSTAINED)
-
-    return estimate
+def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    found = _deciding(payoffs, window, level, of_run=_change_of_run, team=team)
+    if found.low is None or found.low <= 0.0 <= (found.high or 0.0):
+        return found
+    course = _courses(payoffs, window, team)[0].mean(axis=0)
+    return found if is_sustained(course) else replace(found, note=NOT_SUSTAINED)
 
 
-def _one_sidedness(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    if not payoffs.shows_noise:
+def _change_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
+    [course], [noise] = _courses(run, window, team)
+    return strength_change(course, noise, level=level)
+
+
+def _one_sidedness(run: Payoffs, window: Window, level: float) -> Estimate:
+    if not run.shows_noise:
         return Estimate(math.nan, note=NO_EPISODES)
     # Later generations of the longer side have no opponent of their own generation.
     start, stop = min(window.pursuers, window.evaders, key=lambda span: span[1])
     # Row k - 1 of the team phase rates belongs to generation k; generation 0 has none.
-    current = progress.team_phase_rates(payoffs.matrices[0])[max(0, start - 1) : stop - 1]
-    return one_sidedness(current, _effective_episodes(payoffs, window), level=level)
+    current = progress.team_phase_rates(run.matrices[0])[max(0, start - 1) : stop - 1]
+    return progress.one_sidedness(current, _effective_episodes(run, window), level=level)
 
 
-def _effective_episodes(payoffs: Payoffs, window: Window) -> float:
+def _effective_episodes(run: Payoffs, window: Window) -> float:
     """Return how many wins and losses of each cell would have the noise of its episodes."""
-    episodes, rates = payoffs.episodes or 0, payoffs.matrices[0][window.cells]
+    episodes, rates = run.episodes or 0, run.matrices[0][window.cells]
     wins_and_losses = float((rates * (1.0 - rates)).sum()) / (episodes - 1)
-    noise = float(payoffs.noise[0][window.cells].sum())
+    noise = float(run.noise[0][window.cells].sum())
     # Episodes without variation show none of their noise.
     return episodes * max(1.0, wins_and_losses / noise if noise else 1.0)
 
 
-def _cyclic(third: int | None = None) -> Estimator:
-    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        if not payoffs.shows_noise:
-            return Estimate(math.nan, note=NO_EPISODES)
-        matrix, noise = payoffs.matrices[0][window.cells], payoffs.noise[0][window.cells]
-        found = squared_intransitivity(matrix, noise, third=third, level=level)
-        if payoffs.scores is not None:
-            return found
-        # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
-        most = squared_intransitivity(matrix, np.zeros_like(noise), third=third, level=level)
-        return replace(found, high=most.high, biased_high=most.biased_high)
-
-    return _deciding(of_run)
-
-
-def _diversity() -> Estimator:
-    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        if payoffs.scores is None or not payoffs.shows_noise:
-            return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
-        return effective_diversity_over_episodes(payoffs.scores[0][window.cells], level=level)
-
-    deciding = _deciding(of_run)
-
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        found = deciding(payoffs, window, level, singles)
-        # Estimates without bias may be below 0, diversities not.
-        low = None if found.low is None else max(0.0, found.low)
-        return replace(found, value=found.value if low is None else max(0.0, found.value), low=low)
-
-    return estimate
+def _intransitivity(
+    run: Payoffs, window: Window, level: float, third: int | None = None
+) -> Estimate:
+    if not run.shows_noise:
+        return Estimate(math.nan, note=NO_EPISODES)
+    matrix, noise = run.matrices[0][window.cells], run.noise[0][window.cells]
+    found = squared_intransitivity(matrix, noise, third=third, level=level)
+    if run.scores is not None:
+        return found
+    # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
+    most = squared_intransitivity(matrix, np.zeros_like(noise), third=third, level=level)
+    return replace(found, high=most.high, biased_high=most.biased_high)
 
 
-def _recurrence(team: str) -> Estimator:
-    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        if payoffs.scores is None:
-            return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
-        scores = payoffs.scores[0][window.cells]
-        rows = scores if team == "pursuers" else 1.0 - scores.swapaxes(0, 1)
-        return recurrence_over_episodes(rows, level=level)
-
-    return _deciding(of_run)
+def _diversity(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    found = _deciding(payoffs, window, level, of_run=_diversity_of_run)
+    if found.low is None:
+        return found
+    # Estimates without bias may be below 0, diversities not.
+    return replace(found, value=max(0.0, found.value), low=max(0.0, found.low))
 
 
-def _forgetting(team: str) -> Estimator:
-    """Return how late forgetting is estimated: without bias where single episodes are known."""
-    rows = int(team == "evaders")
-
-    def sides(matrix: Rates) -> Rates:
-        return swap_teams(matrix) if rows else matrix
-
-    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        assert payoffs.scores is not None
-        # Episodes without a partner are left out, so that both halves are equally noisy.
-        scores, even = payoffs.scores[0], payoffs.scores.shape[3] // 2 * 2
-        one, other = (sides(scores[..., start:even:2].mean(axis=2)) for start in (0, 1))
-        noise = payoffs.noise[0].T if rows else payoffs.noise[0]
-        return late_forgetting_over_episodes((one, other), noise, window.cells[rows], level)
-
-    held_out = _deciding(of_run)
-
-    def estimate(payoffs: Payoffs, window: Window, level: float, singles: Singles) -> Estimate:
-        long_enough = window.generations >= GENERATIONS_TO_JUDGE
-        if payoffs.scores is not None and payoffs.shows_noise and long_enough:
-            return held_out(payoffs, window, level, singles)
-        each = (late_forgetting(sides(m), window.cells[rows]) for m in payoffs.matrices)
-        found = _over_runs(each, level, UNIT)
-        return found if len(payoffs) > 1 else replace(found, note=BIASED)
-
-    return estimate
+def _diversity_of_run(run: Payoffs, window: Window, level: float) -> Estimate:
+    if run.scores is None or not run.shows_noise:
+        return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
+    return effective_diversity_over_episodes(run.scores[0][window.cells], level=level)
 
 
-GAIN: Bounds = (-1.0, 1.0)
-"""Bounds of a difference of two rates."""
+def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
+    if run.scores is None:
+        return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
+    scores = run.scores[0][window.cells]
+    rows = scores if team == "pursuers" else 1.0 - scores.swapaxes(0, 1)
+    return recurrence_over_episodes(rows, level=level)
+
+
+def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
+    """Estimate late forgetting: without bias where single episodes are known."""
+    long_enough = window.generations >= GENERATIONS_TO_JUDGE
+    if payoffs.scores is not None and payoffs.shows_noise and long_enough:
+        return _deciding(payoffs, window, level, of_run=_forgetting_of_run, team=team)
+    span = window.cells[team == "evaders"]
+    each = (late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
+    found = _mean_of(each, level, UNIT)
+    return found if len(payoffs) > 1 else replace(found, note=BIASED)
+
+
+def _forgetting_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
+    assert run.scores is not None
+    # Episodes without a partner are left out, so that both halves are equally noisy.
+    scores, even = run.scores[0], run.scores.shape[3] // 2 * 2
+    one, other = (_from_side(scores[..., k:even:2].mean(axis=2), team) for k in (0, 1))
+    noise = run.noise[0] if team == "pursuers" else run.noise[0].T
+    span = window.cells[team == "evaders"]
+    return late_forgetting_over_episodes((one, other), noise, span, level)
+
+
+def _from_side(matrix: Rates, team: str) -> Rates:
+    return matrix if team == "pursuers" else swap_teams(matrix)
+
+
+# ---- The table -----------------------------------------------------------------------------------
 
 
 def _of_teams(
-    name: str, label: str, estimator: Callable[[str], Estimator], **look: Any
+    name: str,
+    label: str,
+    estimate: Callable[..., Estimate],
+    *,
+    number: Callable[[Rates, str], float] | None = None,
+    short: str = "",
+    **look: Any,
 ) -> list[Measure]:
-    return [
-        Measure(f"{team}_{name}", label.format(team=team), estimator(f"{team}s"), **look)
-        for team in ("pursuer", "evader")
-    ]
-
-
-def _mean_gain(kind: Callable[[Rates], ByTeam[TeamProgress]]) -> Callable[[str], Estimator]:
-    return lambda team: _linear(lambda m: getattr(kind(m), team).mean_gain, GAIN)
-
-
-def _rating(team: str) -> Estimator:
-
-    def number(matrix: Rates) -> float:
-        return ELO_POINTS * float(getattr(elo(matrix), team)[-1])
-
-    def over_episodes(scores: Rates, level: float) -> Estimate:
-        found = getattr(elo_over_episodes(scores, level=level), team)
-        ends = float(found.low[0, -1]), float(found.high[0, -1])
-        if math.isnan(ends[0]):
-            return Estimate(number(scores.mean(axis=2)), note="no interval: all episodes are equal")
-        return Estimate(float(found.mean[0, -1]), *ends, "episodes", scores.shape[2])
-
-    return _of_matrix(number, UNBOUNDED, over_episodes)
-
-
-def _log_loss(cycles: int) -> Estimator:
-    bounds = (0.0, math.inf)
-    return _biased(lambda m: log_loss(m, elo(m, cycles=cycles).predict()), bounds)
+    """Return the rows of both teams; the estimate takes the team, or else its number does."""
+    rows = []
+    for team in ("pursuer", "evader"):
+        of_team: dict[str, Any] = {"team": f"{team}s"}
+        if number is not None:
+            of_team = {"number": partial(number, **of_team)}
+        names = [text.format(team=team) for text in (label, short)]
+        rows.append(
+            Measure(f"{team}_{name}", names[0], partial(estimate, **of_team), names[1], **look)
+        )
+    return rows
 
 
 ROWS = (
     # What the judgement rests on, in its window.
-    Measure("one_sidedness", "payoff of the winning team", _deciding(_one_sidedness), late=True),
-    *_of_teams("gain", "gain of the {team}s", _gain, late=True, form="+.3f"),
-    *_of_teams("change", "change of the {team}s", _change, late=True, form="+.3f"),
     Measure(
-        "squared_intransitivity", "intransitivity", _cyclic(), late=True, squared=True
+        "one_sidedness", "payoff of the winning team", partial(_deciding, of_run=_one_sidedness),
+        short="winning team", late=True,
     ),
-    *_of_teams("recurrence", "recurrence of the {team}s", _recurrence, late=True, form="+.3f"),
+    *_of_teams("gain", "gain of the {team}s", _gain, short="{team}s", late=True, form="+.3f"),
+    *_of_teams("change", "change of the {team}s", _change, short="{team}s", late=True, form="+.3f"),
     Measure(
-        "checkerboards", "checkerboards", _biased(lambda m: clear_checkerboards(m).share),
+        "squared_intransitivity", "intransitivity", partial(_deciding, of_run=_intransitivity),
+        short="deviation", late=True, squared=True,
+    ),
+    *_of_teams(
+        "recurrence", "recurrence of the {team}s", partial(_deciding, of_run=_recurrence),
+        short="{team}s", late=True, form="+.3f",
+    ),
+    Measure(
+        "checkerboards", "checkerboards", partial(_biased, number=_checkerboards),
         late=True, form=".1%",
     ),
-    *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, late=True),
+    *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, short="{team}s", late=True),
     # Early generations mix untrained and trained teams.
-    Measure(
-        "transitive_share", "transitive share",
-        _of_matrix(
-            transitive_share, UNIT, lambda s, level: transitive_share_over_episodes(s, level=level)
-        ),
-        late=True,
-    ),
+    Measure("transitive_share", "transitive share", _transitive_share, late=True),
     Measure(
         "transitive_share_logits", "transitive share on logits",
-        _biased(lambda m: transitive_share(m, logits=True)), late=True,
+        partial(_biased, number=partial(transitive_share, logits=True)), late=True,
     ),
     # Of the whole race.
-    Measure("capture_rate", "mean capture rate", _linear(lambda m: float(m.mean()))),
-    Measure("swing", "swing between team phases", _biased(progress.swing)),
-    Measure("lag_rise", "gain of later over earlier pursuers", _linear(progress.lag_rise, GAIN)),
+    Measure("capture_rate", "mean capture rate", partial(_linear, number=np.mean)),
+    Measure("swing", "swing between team phases", partial(_biased, number=progress.swing)),
+    Measure(
+        "lag_rise", "gain of later over earlier pursuers",
+        partial(_linear, number=progress.lag_rise, bounds=GAIN),
+    ),
     Measure(
         "pursuer_generalization", "last pursuers against all evaders, capture",
-        _linear(lambda m: float(progress.generalization(m).pursuers[-1])),
+        partial(_linear, number=partial(_last_score, team="pursuers")),
     ),
     Measure(
         "evader_generalization", "last evaders against all pursuers, escape",
-        _linear(lambda m: float(progress.generalization(m).evaders[-1])),
+        partial(_linear, number=partial(_last_score, team="evaders")),
     ),
     *_of_teams(
         "local_gain", "local progress of the {team}s per generation",
-        _mean_gain(progress.local_progress),
+        partial(_linear, bounds=GAIN), number=_local_gain,
     ),
     *_of_teams(
         "historical_gain", "historical progress of the {team}s per generation",
-        _mean_gain(progress.historical_progress),
+        partial(_linear, bounds=GAIN), number=_historical_gain,
     ),
-    *_of_teams("global_gain", "global progress of the {team}s per generation", _global),
+    *_of_teams("global_gain", "global progress of the {team}s per generation", _global_gain),
     *_of_teams(
-        "fading", "CIAO, fading of the {team}s",
-        lambda team: _linear(lambda m: getattr(progress.ciao(m), team).fading, GAIN),
+        "fading", "CIAO, fading of the {team}s", partial(_linear, bounds=GAIN), number=_fading,
     ),
-    *_of_teams(
-        "stripes", "CIAO, stripes of the {team}s",
-        lambda team: _biased(lambda m: getattr(progress.ciao(m), team).stripes),
+    *_of_teams("stripes", "CIAO, stripes of the {team}s", _biased, number=_stripes),
+    *_of_teams("rungs", "dominant {team} generations", _rungs, form=".1f"),
+    Measure(
+        "game_value", "capture rate in the Nash equilibrium", partial(_biased, number=game_value)
     ),
-    *_of_teams("rungs", "dominant {team} generations", _dominant, form=".1f"),
-    Measure("game_value", "capture rate in the Nash equilibrium", _biased(game_value)),
-    Measure("effective_diversity", "effective diversity of the equilibrium", _diversity()),
+    Measure("effective_diversity", "effective diversity of the equilibrium", _diversity),
     *(
         Measure(
-            f"{which}_intransitivity", f"intransitivity of the {which} third", _cyclic(third),
-            squared=True,
+            f"{which}_intransitivity", f"intransitivity of the {which} third",
+            partial(_deciding, of_run=_intransitivity, third=third), squared=True,
         )
         for third, which in enumerate(("weakest", "middle", "strongest"))
     ),
     *_of_teams("rating", "Elo points of the last {team}s above their mean", _rating, form="+.0f"),
-    Measure("elo_log_loss", "log loss of Elo, nats", _log_loss(cycles=0)),
-    Measure("multi_elo_log_loss", "log loss of Elo with one cycle, nats", _log_loss(cycles=1)),
+    Measure(
+        "elo_log_loss", "log loss of Elo, nats",
+        partial(_biased, number=partial(_elo_loss, cycles=0), bounds=POSITIVE),
+    ),
+    Measure(
+        "multi_elo_log_loss", "log loss of Elo with one cycle, nats",
+        partial(_biased, number=partial(_elo_loss, cycles=1), bounds=POSITIVE),
+    ),
 )  # fmt: skip
 MEASURES = {row.name: row for row in ROWS}
 """All measures by name, in the order of tables."""

@@ -105,12 +105,25 @@ class Payoffs(Readable):
         """The payoffs of each run alone."""
         if len(self) == 1:
             return [self]
-        return [self.select(slice(run, run + 1)) for run in range(len(self))]
+        each = [slice(run, run + 1) for run in range(len(self))]
+        scores = [None if self.scores is None else self.scores[run] for run in each]
+        return [
+            Payoffs(self.matrices[run], of_run, self.episodes)
+            for run, of_run in zip(each, scores, strict=True)
+        ]
 
-    def select(self, runs: slice | list[int]) -> Payoffs:
+    def select(self, runs: list[int]) -> Payoffs:
         """Return the payoffs of some of the runs, without cross tests."""
         scores = None if self.scores is None else self.scores[runs]
-        return Payoffs(self.matrices[runs], scores, self.episodes)
+        chosen = Payoffs(self.matrices[runs], scores, self.episodes)
+        # What is known of single runs stays known.
+        vars(chosen)["runs"] = [self.runs[run] for run in runs]
+        return chosen
+
+    @cached_property
+    def known(self) -> dict[tuple[Any, ...], Any]:
+        """Numbers of a single run that have been computed, by what they are."""
+        return {}
 
     @cached_property
     def noise(self) -> Rates:
@@ -123,6 +136,11 @@ class Payoffs(Readable):
             return sampled
         # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
         return self.matrices * (1.0 - self.matrices) / (episodes - 1)
+
+    @property
+    def has_episodes(self) -> bool:
+        """Whether there are at least two single episodes of each cell."""
+        return self.scores is not None and self.scores.shape[3] >= 2
 
     @property
     def shows_noise(self) -> bool:

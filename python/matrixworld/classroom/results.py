@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.readable import Parts, Readable, Table
-from matrixworld.analysis import Estimate, difference_over_episodes, linear_over_episodes
-from matrixworld.analysis.intervals import UNIT
-from matrixworld.analysis.plain_values import plain_values
+from matrixworld._util.readable import Parts, Readable, Table, plain_values
+from matrixworld.analysis import Estimate
+from matrixworld.analysis.intervals import UNIT, difference_over_episodes, linear_over_episodes
 from matrixworld.classroom.submissions import Entry, Refusal, Votes
 from matrixworld.coevolution.types import SCORE, TEAMS, Team
 from matrixworld.explorer.page import render_page

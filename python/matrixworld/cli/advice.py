@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from matrixworld.analysis import Judgement
+from matrixworld.analysis.judge import RULES
 from matrixworld.cli.setting_options import option_of
 from matrixworld.coevolution import Alternating, RaceSettings
 from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule, Yoked
@@ -139,15 +140,6 @@ ADVICE = (
 )  # fmt: skip
 """What to try, in the order in which it is printed."""
 
-GENERAL = {
-    **dict.fromkeys(CYCLES, "let both teams meet opponents of all generations, or a hall of fame"),
-    "disengagement": "make the weaker team stronger, or reward no candidate for winning everything",
-    "one-sided progress": "give the team that does not gain more time to learn",
-    "stagnation": "more candidates, another learner or a larger network",
-    **dict.fromkeys(("rise", "arms race"), "more generations show how long it goes on"),
-}
-"""What to try if the settings are not known."""
-
 
 def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
     """Return what to try next, a line each: options with their values, and a reason.
@@ -158,5 +150,6 @@ def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
     if settings is not None and isinstance(settings.schedule, Yoked):
         return []  # its settings are those of the race that it replays
     if settings is None:
-        return list(dict.fromkeys(GENERAL[name] for name in present))
+        general = (RULES[name].advice for name in present)
+        return list(dict.fromkeys(filter(None, general)))
     return [row.line(settings) for row in ADVICE if row.helps(settings, present)]

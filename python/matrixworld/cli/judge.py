@@ -8,8 +8,8 @@ from typing import Any
 import click
 
 from matrixworld._util.checks import INT_MAX
-from matrixworld.analysis import all_results, explain
-from matrixworld.analysis.report import measure_table
+from matrixworld.analysis import explain
+from matrixworld.analysis.words import all_results, measure_table
 from matrixworld.cli.advice import advice
 from matrixworld.cli.console import TERMS, print_wrapped, say
 from matrixworld.cli.groups import Group, groups_of, runs_argument

@@ -16,9 +16,9 @@ import numpy as np
 from tqdm import tqdm
 
 from matrixworld._util.files import save_json
+from matrixworld._util.readable import plain_values
 from matrixworld.analysis import headline, interquartile_mean, measure_all
-from matrixworld.analysis.plain_values import plain_values
-from matrixworld.analysis.report import headline_numbers
+from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.console import WIDEST, command, print_table, print_wrapped, progress, say
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned

@@ -11,8 +11,9 @@ import click
 import numpy as np
 
 from matrixworld._util.files import save_json
-from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean
-from matrixworld.analysis.plain_values import plain_values
+from matrixworld._util.readable import plain_values
+from matrixworld.analysis import Estimate, interquartile_mean
+from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli.console import print_wrapped, progress, say
 from matrixworld.cli.groups import (
     SCORED_BY,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from matrixworld.analysis import Estimate, Judgement, interval_over_runs
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
-from matrixworld.analysis.report import headline, judgement_cells
+from matrixworld.analysis.words import headline, judgement_cells
 from matrixworld.cli.console import WIDEST, print_table, print_wrapped, say
 from matrixworld.cli.groups import Group
 from matrixworld.coevolution.types import Team

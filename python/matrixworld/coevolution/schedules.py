@@ -30,7 +30,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_integer
-from matrixworld.analysis.meta_strategies import META_SOLVERS
+from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, Interface, find
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
-from matrixworld._util.readable import Parts, Readable
+from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
-from matrixworld.analysis.plain_values import plain_values
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.arrays import WorldArrays

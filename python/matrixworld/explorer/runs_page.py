@@ -22,10 +22,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
+from matrixworld._util.readable import plain_values
 from matrixworld.analysis.cycles import MARGIN, Checkerboard, strongest_checkerboards
+from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
-from matrixworld.analysis.plain_values import plain_values
-from matrixworld.analysis.report import headline_numbers
+from matrixworld.analysis.ratings import ELO_POINTS
+from matrixworld.analysis.words import headline_numbers
 from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked, curve_window
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -347,7 +349,7 @@ def curves(payoff: Payoff) -> dict[str, Any]:
     return {
         "spinning_top": top,
         "generalization": _with_bands(
-            analysis.generalization(matrix), analysis.generalization_over_episodes, payoff
+            analysis.generalization(matrix), generalization_over_episodes, payoff
         ),
         # The triangles are the two halves of the payoff, which the page has.
         "ciao": {
@@ -359,8 +361,8 @@ def curves(payoff: Payoff) -> dict[str, Any]:
             for team, triangle in zip(("pursuers", "evaders"), analysis.ciao(matrix), strict=True)
         },
         "ratings": {
-            "offset": ratings.offset * analysis.ELO_POINTS,
-            **_with_bands(ratings, analysis.elo_over_episodes, payoff, analysis.ELO_POINTS),
+            "offset": ratings.offset * ELO_POINTS,
+            **_with_bands(ratings, analysis.elo_over_episodes, payoff, ELO_POINTS),
         },
     }
 

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis.payoffs import Rates, check_rates
+from matrixworld.analysis.intervals import Band, generalization_over_episodes
+from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates
+from matrixworld.analysis.runs import race_bands
 from matrixworld.plots import style
 
 Baselines = Mapping[str, Mapping[str, ArrayLike]]
@@ -87,7 +89,7 @@ def generalization_over_seeds(
     for axes in panels[len(payoffs) :]:
         axes.remove()
     for axes, (name, matrices) in zip(panels, payoffs.items(), strict=False):
-        bands = analysis.race_bands(matrices)
+        bands = race_bands(matrices)
         draw_teams(axes, (bands[f"{team}_generalization"] for team in TEAMS), OVER_SEEDS)
         style.unit_axis(axes)
         _draw_baselines(axes, [team.get(name, {}) for team in baselines])
@@ -117,9 +119,9 @@ def _draw_baselines(axes: Axes, teams: Sequence[Mapping[str, ArrayLike]]) -> Non
 def mean_of(payoff: ArrayLike, per_episode: bool) -> Rates:
     """Return the checked payoff matrix of a race, from capture rates of its episodes if given."""
     if not per_episode:
-        return analysis.check_payoff(payoff)
+        return check_payoff(payoff)
     # In float64: the sum of many float32 rates would round.
-    return analysis.check_payoff(np.asarray(payoff).mean(axis=2, dtype=np.float64))
+    return check_payoff(np.asarray(payoff).mean(axis=2, dtype=np.float64))
 
 
 def draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
@@ -127,13 +129,13 @@ def draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> Non
     curves = analysis.generalization(mean_of(payoff, per_episode))
     bands = [analysis.band_over_runs([curve]) for curve in curves]
     if per_episode and np.shape(payoff)[2] >= 2:
-        bands = [*analysis.generalization_over_episodes(payoff)]
+        bands = [*generalization_over_episodes(payoff)]
     draw_teams(axes, bands, "95% interval over episodes")
     axes.set_ylabel("mean score")
     style.unit_axis(axes)
 
 
-def draw_teams(axes: Axes, bands: Iterable[analysis.Band], interval: str) -> None:
+def draw_teams(axes: Axes, bands: Iterable[Band], interval: str) -> None:
     """Draw the curves of both teams, evaders dashed, and the intervals if they have some."""
     looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), SCORES, strict=True)
     for band, color, line, label in looks:

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis.payoffs import Rates
+from matrixworld.analysis.payoffs import Rates, check_payoff
 from matrixworld.plots import style
 from matrixworld.plots.generalization import draw_generalization, mean_of
 
@@ -43,7 +43,7 @@ def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against
     payoff : array_like of float, shape (n, m)
     title : str, optional
     """
-    rows, columns = analysis.check_payoff(payoff).shape
+    rows, columns = check_payoff(payoff).shape
     figure = style.new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
     axes = figure.add_subplot()
     image = _draw_heatmap(axes, payoff)
@@ -214,7 +214,7 @@ def _numbers(payoff: ArrayLike) -> str:
 
 
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
-    matrix = analysis.check_payoff(payoff)
+    matrix = check_payoff(payoff)
     image = _draw_cells(axes, matrix)
     _enclose_diagonal(axes, min(matrix.shape))
     axes.set(xlabel="evader generation", ylabel="pursuer generation")

@@ -15,10 +15,11 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis import CONDITIONS, Band, Judgement
-from matrixworld.analysis.intervals import UNBOUNDED, Bounds
+from matrixworld.analysis import CONDITIONS, Judgement
+from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
-from matrixworld.analysis.payoffs import Rates, check_rates
+from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates
+from matrixworld.analysis.runs import fewest_runs, race_bands
 from matrixworld.plots import style
 from matrixworld.plots.generalization import OVER_SEEDS, TEAMS, draw_teams
 
@@ -161,7 +162,7 @@ def seed_scores(
     A row for each team. On the left the share of all scores (runs times opponents) above each
     threshold, with its pointwise 95% interval over seeds. On the right the interquartile mean with
     its 95% interval, and the mean score of each seed as a dot. Groups with fewer seeds than
-    :func:`matrixworld.analysis.fewest_runs` have no intervals.
+    :func:`matrixworld.analysis.runs.fewest_runs` have no intervals.
 
     Parameters
     ----------
@@ -232,7 +233,7 @@ def _write_legend(figure: Figure, groups: Iterable[str]) -> None:
         group: Line2D([], [], color=color, linestyle=line, linewidth=1.6)
         for (color, line), group in zip(style.LINES, groups, strict=False)
     }
-    middle = f"interquartile mean, 95% interval from {analysis.fewest_runs()} seeds on"
+    middle = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
     entries[middle] = Line2D([], [], color=colors.MUTED, marker="D", linewidth=2.2)
     entries["mean of one run"] = Line2D(
         [], [], color=colors.MUTED, marker="o", markersize=4, linewidth=0, alpha=0.6
@@ -270,7 +271,7 @@ def seed_bands(
     lines, columns = style.rows_of(len(payoffs), style.beside(GROUPS))
     figure = style.new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
     panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.0, 1.0, 1.0))
-    groups = {name: [analysis.check_payoff(m) for m in each] for name, each in payoffs.items()}
+    groups = {name: [check_payoff(m) for m in each] for name, each in payoffs.items()}
     ratings = []
     for column, (name, matrices) in zip(panels, groups.items(), strict=True):
         ratings.append(_draw_group(column, matrices))
@@ -286,9 +287,9 @@ def seed_bands(
 
 def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[float, float]:
     """Draw the three panels of a group; return the limits of the axis of ratings."""
-    bands = analysis.race_bands(matrices)
+    bands = race_bands(matrices)
     few = len(matrices) <= style.MOST_LINES
-    singles = [analysis.race_bands([matrix]) for matrix in matrices] if few else []
+    singles = [race_bands([matrix]) for matrix in matrices] if few else []
     scores, strength, lags = column
     for axes, number in ((scores, "generalization"), (strength, "ratings")):
         names = [f"{team}_{number}" for team in TEAMS]

@@ -21,7 +21,7 @@ from matplotlib.ticker import MaxNLocator
 from matrixworld._util import colors
 from matrixworld._util.checks import check_number
 from matrixworld._util.files import replacing
-from matrixworld.analysis import Band
+from matrixworld.analysis.intervals import Band
 from matrixworld.analysis.payoffs import require
 
 DPI = 150

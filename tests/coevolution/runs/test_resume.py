@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution, rollout
-from matrixworld.analysis.meta_strategies import META_SOLVERS
+from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution.schedules import ARCHIVES, SAMPLERS
 from tiny_race import (
     StopAt,

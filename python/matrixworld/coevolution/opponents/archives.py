@@ -502,7 +502,7 @@ class MetaStrategy(ArchiveSampler):
     ----------
     solver : callable
         Payoffs (n, m) of the team -> weights (m,) of its opponents, such as those of
-        `matrixworld.analysis.meta_strategies`.
+        `matrixworld.analysis.games.META_SOLVERS`.
     count : int, optional
         Opponents an epoch; fewer, if fewer have a weight.
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import disengagements
-from matrixworld.analysis.engagement import PATIENCE, Disengagement
+from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction

@@ -8,40 +8,32 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.readable import plain_values
 from matrixworld.analysis import progress
 from matrixworld.analysis.cycles import spinning_top
-from matrixworld.analysis.dynamics import replicator_dynamics
-from matrixworld.analysis.games import alpha_rank, nash_averaging
+from matrixworld.analysis.dynamics import alpha_rank, replicator_dynamics
+from matrixworld.analysis.games import nash_averaging
 from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, SINGLE_RUN, Estimate, few_runs
 from matrixworld.analysis.judge import (
     ABSENT,
     CANNOT_TELL,
+    CONDITIONS,
     LEAST_FORGETTING,
     PRESENT,
+    RULES,
     Finding,
     Judgement,
     judge,
 )
 from matrixworld.analysis.measures import MEASURES, measure_all
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, read_payoffs
-from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.ratings import elo, elo_over_episodes
 from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import forgetting
 
-SHORT = {
-    f"{team}_{number}": f"{team}s"
-    for team in ("pursuer", "evader")
-    for number in ("gain", "change", "recurrence", "forgetting")
-} | {"one_sidedness": "winning team", "squared_intransitivity": "deviation"}
-"""Short names of some numbers in the table of a judgement; the others have their labels."""
 TIMES = {"first half": "early", "last half": "late"}
 """Windows in a headline."""
 OVERALL = "overall"
-IMPLIED = {"arms race": "rise", "one-sided progress": "rise", "cycling": "intransitivity"}
-"""Conditions that say what another one says, too; a headline leaves that one out."""
-GAINING = ("arms race", "one-sided progress", "rise")
-"""Conditions with gains under a headline."""
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
 
@@ -81,7 +73,7 @@ def _present(judgement: Judgement) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for window in judgement.windows:
         present = judgement.present(window)
-        implied = {IMPLIED.get(name) for name in present}
+        implied = {RULES[name].implies for name in present}
         for name in present:
             if name not in implied:
                 found.setdefault(name, []).append(window)
@@ -95,22 +87,22 @@ def headline_numbers(judgement: Judgement) -> list[str]:
     present there, else with the window. No line stands for numbers that are not known.
     """
     lines, present = [], _present(judgement)
-    forgets = present.get("forgetting", [])
-    name = next((name for name in GAINING if name in present), "arms race")
-    if name in present or not forgets:
+    told = {name: RULES[name].numbers for name in CONDITIONS if name in present}
+    # A rise is a change in what was played; a gain would come again. One of them is enough.
+    rising = [name for name, numbers in told.items() if numbers in ("gains", "changes")]
+    falling = [name for name, numbers in told.items() if numbers == "drops"]
+    if rising or not falling:
+        name = rising[0] if rising else "arms race"
         window, about = _where(present.get(name, []))
         known = judgement.windows[window][name].estimates
-        numbers = [f"{SHORT[key]} {each.value:+.2f}" for key, each in known.items()]
-        # A rise is a change in what was played; a gain would come again.
-        what = "changes" if name == "rise" else "gains"
-        lines += [f"{what}: {', '.join(numbers)}{about}"] if numbers else []
-    if forgets:
-        window, about = _where(forgets)
-        drops = judgement.windows[window]["forgetting"].estimates
+        numbers = [f"{MEASURES[key].short} {each.value:+.2f}" for key, each in known.items()]
+        lines += [f"{RULES[name].numbers}: {', '.join(numbers)}{about}"] if numbers else []
+    for name in falling:
+        window, about = _where(present[name])
         # Only of teams that are known to forget.
         numbers = [
-            f"{SHORT[key]} {each.value:.2f}"
-            for key, each in drops.items()
+            f"{MEASURES[key].short} {each.value:.2f}"
+            for key, each in judgement.windows[window][name].estimates.items()
             if each.ends[0] > LEAST_FORGETTING
         ]
         lines.append(f"{', '.join(numbers)} below their best{about}")
@@ -160,7 +152,7 @@ def judgement_cells(judgement: Judgement) -> list[tuple[str, ...]]:
 
 def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, str]:
     numbers = ", ".join(
-        f"{SHORT.get(key, MEASURES[key].label)} {MEASURES[key].shown(estimate)}"
+        f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
         for key, estimate in finding.estimates.items()
     )
     return condition, finding.verdict, numbers, window
