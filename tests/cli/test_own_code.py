@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from command_line import MAIN_JOB, RACE, READING, matrixworld_command, run_together, words
 from matrixworld.cli import main, report
-from matrixworld.coevolution import PluginError, open_run
+from matrixworld.coevolution import open_run
 from tiny_race import results
 
 RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}
@@ -154,25 +154,5 @@ def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine)
     mine.write_text(f"{MINE}\nfrom own_code import Fails\n")
     options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Fails"})
     done = CliRunner().invoke(main, ["evolve", "--out", "out", *options])
-    assert isinstance(done.exception, PluginError)
-    assert isinstance(done.exception.__cause__, ZeroDivisionError)
+    assert isinstance(done.exception, ZeroDivisionError)
     assert "matrixworld evolve --resume out" in done.stderr
-
-
-def test_a_learner_that_exits_is_a_failure():
-    options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "own_code:Exits"})
-    said = matrixworld_command("evolve", "--out", "out", *options, code=1).stderr
-    expected = "learner own_code:Exits: tell: expected code that returns, got sys.exit(0)"
-    assert said.splitlines()[-1] == f"Error: {expected}"
-    assert "matrixworld evolve --resume out" in said
-
-
-def test_help_lists_installed_learners_and_samplers(tmp_path):
-    info = tmp_path / "mypkg-1.0.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: mypkg\nVersion: 1.0\n")
-    (info / "entry_points.txt").write_text(
-        "[matrixworld.learners]\nhill = mypkg:Hill\n[matrixworld.opponents]\nhardest = mypkg:H\n"
-    )
-    shown = run_together(matrixworld_command("evolve", "--help-all").stdout)
-    assert "Installed learners: hill. Installed opponent samplers: hardest." in shown

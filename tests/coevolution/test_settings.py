@@ -271,9 +271,9 @@ def test_files_need_every_setting_and_no_other():
         for parent in parents:
             inside = inside[parent]
         del inside[name]
-        # A world says which of its fields it expects.
-        where = "config" if path.startswith("world.") else path
-        with pytest.raises(ValueError, match=f"^{where}: expected"):
+        # Without its kind, a section is of the default one, which has other fields.
+        message = "expected" if name == "kind" else f"^{path}: expected a value, got none$"
+        with pytest.raises(ValueError, match=message):
             RaceSettings.from_json(plain)
         inside[name] = settings.to_json()
         inside["speed"] = 1
@@ -284,11 +284,11 @@ def test_files_need_every_setting_and_no_other():
 def test_names_in_files_are_data():
     settings = tiny_race(learner="own_code:HillClimber")
     plain = settings.to_json()
-    plain["learner"]["code"] = "annealing"
+    plain["learner"]["code"] = "nowhere:Annealing"
     read = RaceSettings.from_json(plain)
-    assert read.learner.code == "annealing"
+    assert read.learner.code == "nowhere:Annealing"
     assert replace(read, seed=9).learner == read.learner
-    with pytest.raises(ValueError, match="^learner: expected .*'annealing', got none; install "):
+    with pytest.raises(ValueError, match="^learner: expected .*, got 'nowhere:Annealing'.*install"):
         read.new_learner("pursuer", read.untrained("pursuer", 1))
 
 

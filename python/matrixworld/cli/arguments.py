@@ -16,7 +16,6 @@ from matrixworld.cli.console import command
 from matrixworld.cluster import UnfitWorkerError
 from matrixworld.coevolution.jobs.evolve import JOB, FailedRunsError
 from matrixworld.coevolution.learners.learner import DivergedError
-from matrixworld.coevolution.own_code import ExitError
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
 from matrixworld.coevolution.storage import OtherVersionError, run_directories
 from matrixworld.version import MissingExtraError
@@ -131,7 +130,6 @@ FAILURES = (
     BrokenExecutor,  # a lost cluster
     DamagedFileError,
     DivergedError,
-    ExitError,
     FailedRunsError,
     LockedError,
     MissingExtraError,

@@ -6,7 +6,7 @@ import shlex
 import time
 import traceback
 from collections.abc import Iterator, Sequence
-from concurrent.futures import BrokenExecutor, Executor
+from concurrent.futures import Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +14,14 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import can_resume, find_runs, place_in_job, resume_command
+from matrixworld._util.files import LockedError
+from matrixworld.cli.arguments import (
+    FAILURES,
+    can_resume,
+    find_runs,
+    place_in_job,
+    resume_command,
+)
 from matrixworld.cli.bench import seconds_of
 from matrixworld.cli.console import (
     INTERRUPTED,
@@ -51,7 +58,7 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import PluginError, RaceSettings, RunDirectory
+from matrixworld.coevolution import RaceSettings, RunDirectory
 from matrixworld.coevolution.jobs.evolve import (
     BAD_FILES,
     Job,
@@ -304,11 +311,11 @@ def _resumable(root: Path) -> Iterator[None]:
 
     An error in the code of the user's own learner keeps its traceback.
     """
-    memory = ImportError, MemoryError
     try:
         yield
-    except (*memory, BrokenExecutor, KeyboardInterrupt, OSError, PluginError) as error:
-        if not can_resume(root):  # stopped before anything was made: the command itself is repeated
+    except (Exception, KeyboardInterrupt) as error:
+        # Stopped before anything was made, the command itself is repeated.
+        if isinstance(error, click.ClickException | LockedError) or not can_resume(root):
             raise
         note(f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}")
         if isinstance(error, KeyboardInterrupt):
@@ -455,7 +462,7 @@ def play_runs(
     for error in errors.values():
         if len(job) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code
-        if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
+        if not isinstance(error, FAILURES):  # such as of the user's own code
             note("".join(traceback.format_exception(error)))
     failed = {root / name: described(root / name, error) for name, error in errors.items()}
     results = []

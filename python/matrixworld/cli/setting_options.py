@@ -22,8 +22,7 @@ from matrixworld.cli.arguments import run_in
 from matrixworld.cli.console import say
 from matrixworld.cli.options import option_name
 from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
-from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
-from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, merged, put, sections_in
+from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 
@@ -114,48 +113,29 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     paths and their values; and ``config``, the settings of a file.
     """
     file: Mapping[str, Any] = given.get("config", {})
-    changes: dict[str, Any] = {}
-    for name, path in PATHS.items():
-        if name in given:
-            put(changes, path, given[name])
-    for path, value in given.get("sets", ()):
-        put(changes, path, value)
-    with usage_errors():
-        return [
-            _with_runs(RaceSettings.of(merged(RaceSettings, file, each)))
-            for each in _by_schedule(changes, given.get("schedule", ()), file)
-        ]
-
-
-def _by_schedule(
-    changes: Mapping[str, Any], named: Sequence[str], file: Mapping[str, Any]
-) -> Iterator[dict[str, Any]]:
-    """Yield the changes for each run: what its own schedule lacks belongs to another one."""
-    given = changes.get("schedule", {})
-    given = {"kind": given} if isinstance(given, str) else given
-    names = _schedules(named, given, file)
+    changes = {path: given[name] for name, path in PATHS.items() if name in given}
+    changes |= given.get("sets", ())
+    names = _schedules(given.get("schedule", ()), changes.pop("schedule", None), file)
     known = sections_in(HINTS["schedule"])
-    fields_of = {
-        name: {item.name for item in fields(known[name])} if name in known else set()
-        for name in names
-    }
-    every = set().union(*fields_of.values())
-    for name in names:
-        foreign = every - fields_of[name]
-        own = {key: value for key, value in given.items() if key not in foreign}
-        own |= {"kind": name} if name else {}
-        yield {**changes, **({"schedule": own} if own else {})}
+    own = [{item.name for item in fields(known[n])} if n in known else set() for n in names]
+    settings = []
+    with usage_errors():
+        for name, parts in zip(names, own, strict=True):
+            # What this schedule lacks and another one of the job has belongs to that one.
+            others = {f"schedule.{part}" for part in set().union(*own) - parts}
+            kept = {p: v for p, v in changes.items() if ".".join(p.split(".")[:2]) not in others}
+            named = {"schedule": name} if name else {}
+            settings.append(_with_runs(RaceSettings.of(file, {**named, **kept})))
+    return settings
 
 
-def _schedules(
-    named: Sequence[str], given: Mapping[str, Any], file: Mapping[str, Any]
-) -> list[str]:
+def _schedules(named: Sequence[str], set_to: Any, file: Mapping[str, Any]) -> list[str]:
     """Return the names of the schedules, one for each run; "" for that of the file."""
     if named:
         wanted = [*(SCHEDULES if ALL in named else ()), *named]
         return [name for name in dict.fromkeys(wanted) if name != ALL]
-    if "kind" in given:
-        return [str(given["kind"])]
+    if set_to is not None:
+        return [set_to]
     return [""] if "schedule" in file else list(MAIN_JOB)
 
 
@@ -285,8 +265,7 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     formatter.write_paragraph()
     formatter.write_text(
         "All settings, for --set and for files. A kind, such as learner=ga, chooses among the "
-        f"sections of a name. Installed learners: {', '.join(installed(LEARNER)) or 'none'}. "
-        f"Installed opponent samplers: {', '.join(installed(OPPONENT)) or 'none'}."
+        "sections of a name."
     )
     for title, rows in _help_sections().items():
         if rows:

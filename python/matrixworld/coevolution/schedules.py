@@ -32,7 +32,7 @@ import numpy as np
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, Interface, find
+from matrixworld.coevolution.own_code import OPPONENT, Interface, made
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.policy import SCRIPTS
@@ -140,13 +140,10 @@ class OwnOpponents(OwnCode):
 
     def new(self, count: int) -> opponents.OpponentSampler:
         """Return a new sampler; imports its code."""
-        return CheckedSampler(find(self.code, OPPONENT), count, self.settings)
-
-
-def archive_of(sampler: opponents.OpponentSampler) -> opponents.ArchiveSampler | None:
-    """Return the archive sampler that a sampler is, inside its checks or without; None if not."""
-    inner = sampler.made if isinstance(sampler, CheckedSampler) else sampler
-    return inner if isinstance(inner, opponents.ArchiveSampler) else None
+        sampler: opponents.OpponentSampler = made(
+            self.code, OPPONENT, {"count": count}, self.settings
+        )
+        return sampler
 
 
 # Schedules:

@@ -3,7 +3,8 @@
 A section is a part of `RaceSettings`, such as the settings of one learner. Each field is declared
 once, by `setting`: its default, its help text and its limits. A field may hold one of several
 sections, as a type such as ``EvolutionStrategySettings | GeneticAlgorithmSettings`` says; in files
-the ``kind`` of a section tells them apart. A setting that would have no effect has no place there.
+the ``kind`` of a section tells them apart. A text stands for the section of that kind, a mapping
+for one with these fields. A setting that would have no effect has no place there.
 """
 
 from __future__ import annotations
@@ -28,13 +29,7 @@ from matrixworld._util.checks import (
     check_number,
     shown,
 )
-from matrixworld.coevolution.own_code import (
-    Interface,
-    OwnSettings,
-    check_code,
-    check_known,
-    own_settings,
-)
+from matrixworld.coevolution.own_code import PATH, Interface, check_own_settings, name_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
@@ -78,6 +73,8 @@ def setting(
         "choices": choices,
         "limits": (least, most, positive),
     }
+    if isinstance(default, dict):  # which has no hash: equal sections have equal ones nevertheless
+        return field(default_factory=dict, hash=False, metadata=metadata)
     return field(default=None if by else default, metadata=metadata)
 
 
@@ -92,7 +89,7 @@ def documented(cls: type[AnySection]) -> type[AnySection]:
 
 @dataclass(frozen=True)
 class Section:
-    """Base of the sections: checks each field by its type and limits when it is made."""
+    """Base of the sections: converts and checks each field when it is made."""
 
     kind: ClassVar[str] = ""
     """Name of the section in files, where a field may hold one of several."""
@@ -100,9 +97,8 @@ class Section:
     """Other texts that may stand for the section, and the fields that each of them sets."""
 
     def __post_init__(self) -> None:
-        hints = hints_of(type(self))
         for item in fields(self):
-            value = _checked(item, hints[item.name], getattr(self, item.name))
+            value = _converted(item, hints_of(type(self))[item.name], getattr(self, item.name))
             # The dataclass is frozen; its own __post_init__ has no other way to set a field.
             object.__setattr__(self, item.name, value)
         self.check()
@@ -110,20 +106,30 @@ class Section:
     def check(self) -> None:
         """Raise ValueError or TypeError unless the fields fit together."""
 
+    def to_json(self) -> dict[str, Any]:
+        """Return the settings as values that JSON can hold."""
+        return by_path({leaf.path: leaf.value for leaf in leaves(self)})
+
 
 @dataclass(frozen=True)
 class OwnCode(Section):
-    """Base of the settings of a class from outside the package."""
+    """Base of the settings of a class of your own: its name or itself, and its settings."""
 
     kind: ClassVar[str] = "own"
     interface: ClassVar[Interface]
 
-    code: str = setting("", "module:object, or the name of an installed one")
-    settings: OwnSettings = setting(OwnSettings(), "its settings: numbers, text, true or false")
+    code: str = setting("", "module:object")
+    settings: Mapping[str, Any] = setting({}, "its settings: numbers, text, true or false")
+
+    def __post_init__(self) -> None:
+        if callable(self.code):
+            object.__setattr__(self, "code", name_of(self.code))
+        super().__post_init__()
 
     def check(self) -> None:
         """Raise ValueError unless a name is given."""
-        check_code("code", self.code)
+        if not PATH.fullmatch(self.code):
+            raise ValueError(f"code: expected module:object, got {shown(self.code)}")
 
 
 # Fields:
@@ -148,21 +154,6 @@ def kinds_in(hint: Any) -> list[str]:
     return [name for name in sections_in(hint) if name not in ("", "own")]
 
 
-def named(path: str, text: Any, hint: Any) -> tuple[type[Section], Mapping[str, Any]]:
-    """Return the section that a text stands for, and the fields that the text sets.
-
-    Where a section may be own code, any text that is no kind is the name of own code.
-    """
-    known = sections_in(hint)
-    if not isinstance(text, str) or (text not in known and "own" not in known):
-        raise ValueError(f"{path}: expected one of {', '.join(kinds_in(hint))}, got {shown(text)}")
-    if text in known:
-        return known[text], known[text].shorthands.get(text, {})
-    own: Any = known["own"]
-    check_known(path, text, kinds_in(hint), own.interface)
-    return own, {"code": text}
-
-
 @contextmanager
 def inside(path: str) -> Iterator[None]:
     """Begin the messages of errors with the path of the section that they speak of."""
@@ -171,12 +162,11 @@ def inside(path: str) -> Iterator[None]:
     except (TypeError, ValueError) as error:
         # Words, such as "more agents than free cells", are no field of the section.
         words = " " in str(error).partition(":")[0]
-        begin = f"{path[:-1]}: " if path and words else path
         kind = TypeError if isinstance(error, TypeError) else ValueError
-        raise kind(f"{begin}{error}") from error
+        raise kind(f"{path}{': ' if words else '.'}{error}") from error
 
 
-def _checked(item: Field[Any], hint: Any, value: Any) -> Any:
+def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
     """Return the value of a field as its type has it; TypeError or ValueError for a bad one."""
     name, accepted = item.name, {hint, *get_args(hint)}
     least, most, positive = item.metadata["limits"]
@@ -185,160 +175,153 @@ def _checked(item: Field[Any], hint: Any, value: Any) -> Any:
         value = value.item()
     if value is None and (NoneType in accepted or item.metadata["by"]):
         return None
-    if sections := sections_in(hint):
-        if isinstance(value, str) and kinds_in(hint):
-            cls, given = named(name, value, hint)
-            with inside(f"{name}."):
-                return cls(**given)
-        if not isinstance(value, tuple(sections.values())):
-            classes = " or ".join(dict.fromkeys(each.__name__ for each in sections.values()))
-            raise TypeError(f"{name}: expected {classes}, got {shown(value)}")
-        return value
+    if sections_in(hint):
+        return _section(item, hint, None, value)
     if hint is WorldConfig:
-        check_instance(name, value, WorldConfig)
-    elif hint is OwnSettings:
-        return own_settings(name, value)
-    elif get_origin(hint) is tuple:
+        found = _world(name, value) if isinstance(value, Mapping) else value
+        check_instance(name, found, WorldConfig)
+        return found
+    if get_origin(hint) is tuple:
         if isinstance(value, int) and not isinstance(value, bool):
             value = (value,)  # a single layer
         if not isinstance(value, Iterable) or isinstance(value, str | bytes | Mapping):
             raise TypeError(f"{name}: expected a sequence of ints, got {shown(value)}")
         return tuple(check_integer(name, size, 1) for size in value)
-    elif bool in accepted:
-        check_bool(name, value)
-    elif int in accepted:
-        return int(check_integer(name, value, least, INT_MAX if most == math.inf else int(most)))
-    elif float in accepted:
+    if get_origin(hint) is Mapping:
+        return check_own_settings(name, value)
+    if bool in accepted:
+        return check_bool(name, value)
+    if int in accepted:
+        return check_integer(name, value, least, INT_MAX if most == math.inf else int(most))
+    if float in accepted:
         return check_number(name, value, least=least, most=most, positive=positive)
-    elif item.metadata["choices"]:
+    if item.metadata["choices"]:
         check_choice(name, value, item.metadata["choices"])
-    elif not isinstance(value, str):
+    elif str in accepted and not isinstance(value, str):
         raise TypeError(f"{name}: expected a text, got {shown(value)}")
     return value
+
+
+def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
+    """Return the section of a field from a section, a text, a mapping, or a class of your own.
+
+    What is not given stays as in the section `before`, if there is one of the same class. A mapping
+    without a kind is of the class of that section, or of the default one.
+    """
+    known, kinds = sections_in(hint), kinds_in(hint)
+    if ("own" in known and callable(given)) or (kinds and isinstance(given, str)):
+        given = {"kind": given}
+    if not isinstance(given, Mapping):
+        if isinstance(given, Section) and isinstance(given, tuple(known.values())):
+            return given
+        classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
+        raise TypeError(f"{item.name}: expected {classes}, got {shown(given)}")
+    if "kind" not in given:
+        before = before or item.metadata["default"]
+    changes: dict[str, Any] = {"kind": getattr(before, "kind", None), **given}
+    kind = changes.pop("kind")
+    if "own" in known and callable(kind):
+        kind = name_of(kind)
+    if isinstance(kind, str) and kind in known:
+        cls, sets = known[kind], known[kind].shorthands.get(kind, {})
+    elif isinstance(kind, str) and "own" in known and PATH.fullmatch(kind):
+        cls, sets, before = known["own"], {"code": kind}, None
+    else:
+        own = ", or module:object" if "own" in known else ""
+        expected = f"one of {', '.join(kinds)}{own}"
+        raise ValueError(f"{item.name}: expected {expected}, got {shown(kind)}")
+    start = vars(before) if type(before) is cls else {}
+    with inside(item.name):
+        return cls(**merged(cls, merged(cls, start, sets), changes))
 
 
 # Sections as values that JSON and TOML can hold:
 
 
-def from_plain(
-    cls: type[AnySection], plain: Mapping[str, Any], path: str = "", *, complete: bool = False
-) -> AnySection:
-    """Return a section from nested values, which are all there if `complete`.
+def merged(
+    cls: type[Section], before: Mapping[str, Any], changes: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return the fields of a section with changes; ValueError for an unknown one.
 
-    Code is named only, and not imported. TypeError or ValueError if a field is missing, unknown or
-    has a bad value; the message begins with its path, `path` included.
+    A section in it that stays of its class keeps what is not changed; one of another class starts
+    from its defaults.
     """
-    items = {item.name: item for item in fields(cls)}
-    check_names(plain, items, path)
-    missing = [name for name in items if name not in plain]
-    if complete and missing:
-        raise ValueError(f"{path}{missing[0]}: expected a value, got none")
-    hints = hints_of(cls)
-    values = {
-        name: _restored(items[name], hints[name], value, f"{path}{name}", complete=complete)
-        for name, value in plain.items()
-    }
-    with inside(path):
-        return cls(**values)
+    check_names(changes, [item.name for item in fields(cls)])
+    values = dict(before)
+    for item in fields(cls):
+        if item.name not in changes:
+            continue
+        change, hint = changes[item.name], hints_of(cls)[item.name]
+        if sections_in(hint):
+            values[item.name] = _section(item, hint, values.get(item.name), change)
+        else:
+            values[item.name] = _joined(values.get(item.name), change)
+    return values
 
 
-def check_names(given: Iterable[str], known: Collection[str], path: str) -> None:
-    """Raise ValueError for a name that is unknown at a path."""
+def _joined(before: Any, change: Any) -> Any:
+    """Return a value, or of mappings both together; one with a kind stands for itself."""
+    if isinstance(before, WorldConfig):
+        before = before.to_json()
+    if not isinstance(before, Mapping) or not isinstance(change, Mapping) or "kind" in change:
+        return change
+    return {**before, **{name: _joined(before.get(name), each) for name, each in change.items()}}
+
+
+def check_names(given: Iterable[str], known: Collection[str]) -> None:
+    """Raise ValueError for a name that is unknown."""
     for name in given:
         if name not in known:
-            raise ValueError(f"{path}{name}: expected one of the settings {', '.join(known)}")
+            raise ValueError(f"{name}: expected one of the settings {', '.join(known)}")
 
 
-def _restored(item: Field[Any], hint: Any, plain: Any, path: str, *, complete: bool) -> Any:
-    """Return the value of a field from nested values; the section checks what is none of them."""
-    if not isinstance(plain, Mapping):
-        return plain
-    if hint is WorldConfig:
-        return WorldConfig.from_json(plain) if complete else _world(plain, path)
-    if not sections_in(hint):
-        return plain
-    values, default = dict(plain), item.metadata["default"]
-    kind = values.pop("kind", None)
-    if kind is not None:
-        cls, given = named(f"{path}.kind" if complete else path, kind, hint)
-    elif complete and kinds_in(hint):
-        raise ValueError(f"{path}.kind: expected a value, got none")
-    else:
-        # A part of the default section: its other fields stay.
-        cls, given = type(default), {} if complete else vars(default)
-    for name, part in values.items():
-        # A part of a section that the shorthand names: its other fields stay.
-        if isinstance(part, Mapping) and isinstance(given.get(name), str):
-            values[name] = {"kind": given[name], **part}
-    return from_plain(cls, {**given, **values}, f"{path}.", complete=complete)
+def check_complete(plain: Mapping[str, Any], expected: Mapping[str, Any], path: str = "") -> None:
+    """Raise ValueError for the first name of nested settings that is missing."""
+    for name, value in expected.items():
+        if name not in plain:
+            raise ValueError(f"{path}{name}: expected a value, got none")
+        if isinstance(value, Mapping) and isinstance(plain[name], Mapping):
+            check_complete(plain[name], value, f"{path}{name}.")
 
 
-def _world(plain: Mapping[str, Any], path: str) -> WorldConfig:
+def _world(name: str, plain: Mapping[str, Any]) -> WorldConfig:
     """Return the world of some fields; rules and rewards may be names, or both given one by one."""
-    check_names(plain, WORLD_HELP, f"{path}.")
     values = dict(plain)
     rows: Any = (("rules", VARIANTS, "O"), ("rewards", REWARDS, "paper"))
-    for name, kinds, usual in rows:
-        given = plain.get(name)
-        if given is None or isinstance(given, Rules | Rewards):
-            continue
-        parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
-        kind = parts.pop("kind", usual)
-        check_choice(f"{path}.{name}", kind, kinds)
-        # Those that are not given are as in the row of that kind.
-        base: Any = WorldConfig(**{name: kinds[kind]}).to_json()
-        world = WorldConfig.from_json({**base, name: {**base[name], **parts}})
-        values[name] = getattr(world, name)
-    with inside(f"{path}."):
+    with inside(name):
+        check_names(plain, WORLD_HELP)
+        for row, kinds, usual in rows:
+            given = plain.get(row)
+            if given is None or isinstance(given, Rules | Rewards):
+                continue
+            parts = dict(given) if isinstance(given, Mapping) else {"kind": given}
+            kind = parts.pop("kind", usual)
+            check_choice(row, kind, kinds)
+            # Those that are not given are as in the row of that kind.
+            base: Any = WorldConfig(**{row: kinds[kind]}).to_json()
+            with inside(row):
+                check_names(parts, base[row])
+                world = WorldConfig.from_json({**base, row: {**base[row], **parts}})
+            values[row] = getattr(world, row)
         return WorldConfig(**values)
 
 
 def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return values by path, such as ``"learner.sigma"``, as nested settings."""
+    """Return values by path, such as ``"learner.sigma"``, as nested settings.
+
+    A text that stands for a whole section becomes its kind where parts of it are given, too.
+    """
     plain: dict[str, Any] = {}
     for path, value in values.items():
-        put(plain, path, value)
+        *parents, name = path.split(".")
+        inner = plain
+        for parent in parents:
+            before = inner.get(parent, {})
+            inner[parent] = dict(before) if isinstance(before, Mapping) else {"kind": before}
+            inner = inner[parent]
+        is_section = isinstance(inner.get(name), Mapping) and not isinstance(value, Mapping)
+        inner[name] = {**inner[name], "kind": value} if is_section else value
     return plain
-
-
-def put(plain: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value of a path in nested settings; a text names the kind of a section."""
-    first, dot, rest = path.partition(".")
-    before: Any = plain.get(first)
-    is_section = isinstance(before, Mapping)
-    if not dot:
-        plain[first] = {**before, "kind": value} if is_section else value
-        return
-    # A text stands for a whole section, of which a part is now given, too.
-    plain[first] = dict(before or {}) if is_section or before is None else {"kind": before}
-    put(plain[first], rest, value)
-
-
-def merged(cls: Any, plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the nested settings of a class with changes.
-
-    A section of another class starts from its defaults; of the same class, it keeps what is not
-    changed.
-    """
-    found = dict(plain)
-    items = {item.name: item for item in fields(cls)} if cls else {}
-    for name, change in changes.items():
-        known = sections_in(hints_of(cls)[name]) if name in items else {}
-        before, after = (
-            {"kind": each} if known and isinstance(each, str) else each
-            for each in (found.get(name), change)
-        )
-        found[name] = after
-        if isinstance(before, Mapping) and isinstance(after, Mapping):
-            usual = items[name].metadata["default"].kind if known else ""
-            old = str(before.get("kind", usual))
-            new = str(after.get("kind", old))
-            inner = known.get(new)
-            if new == old or (inner and inner is known.get(old)):
-                sets = inner.shorthands.get(new, {}) if inner else {}
-                kind = {"kind": old} if old else {}
-                found[name] = merged(inner, {**before, **sets}, {**after, **kind})
-    return found
 
 
 class Leaf(NamedTuple):
@@ -361,20 +344,13 @@ def leaves(section: Section, path: str = "") -> Iterator[Leaf]:
                 yield Leaf(here, value.kind, text)
             yield from leaves(value, f"{here}.")
         elif isinstance(value, WorldConfig):
-            for name, plain in value.to_json().items():
-                yield Leaf(f"{here}.{name}", plain, WORLD_HELP[name])
+            for name, each in value.to_json().items():
+                yield Leaf(f"{here}.{name}", each, WORLD_HELP[name])
         else:
-            plain = dict(value) if isinstance(value, OwnSettings) else value
-            yield Leaf(here, list(plain) if isinstance(plain, tuple) else plain, text)
+            yield Leaf(here, list(value) if isinstance(value, tuple) else value, text)
 
 
-def different_settings(one: Section, *others: Section) -> list[str]:
-    """Return the paths of the settings in which sections differ."""
-    values = [{leaf.path: leaf.value for leaf in leaves(each)} for each in (one, *others)]
-    paths = dict.fromkeys(path for each in values for path in each)
-    missing = object()
-    return [
-        path
-        for path in paths
-        if any(each.get(path, missing) != values[0].get(path, missing) for each in values)
-    ]
+def different_settings(one: Section, other: Section) -> list[str]:
+    """Return the paths of the settings in which two sections differ."""
+    first, second = ({leaf.path: leaf.value for leaf in leaves(each)} for each in (one, other))
+    return [path for path in first | second if first.get(path) != second.get(path)]

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import Field, dataclass, fields, replace
 from functools import partial
+from inspect import signature
 from typing import Any, ClassVar
 
 import numpy as np
@@ -22,7 +23,7 @@ from matrixworld.coevolution.learners.masked_network import (
     mask_weights,
     masked_network,
 )
-from matrixworld.coevolution.own_code import LEARNER, CheckedLearner, Interface, find
+from matrixworld.coevolution.own_code import LEARNER, Interface, find, made
 from matrixworld.coevolution.schedules import (
     SCHEDULES,
     Against,
@@ -34,10 +35,9 @@ from matrixworld.coevolution.sections import (
     OwnCode,
     Section,
     by_path,
+    check_complete,
     documented,
-    from_plain,
     inside,
-    leaves,
     merged,
     setting,
 )
@@ -153,19 +153,20 @@ class OwnLearnerSettings(OwnCode, LearnerSettings):
     @property
     def starting_genomes(self) -> int:
         """The population for a class that starts from `genomes`; imports its code."""
-        parameters = find(self.code, LEARNER).signature.parameters
+        parameters = signature(find(self.code, LEARNER)).parameters
         return self.population if "genomes" in parameters else 1
 
     def new(self, task: Task) -> Learner:
         """Return a new learner of a team; imports its code."""
-        return CheckedLearner(
-            find(self.code, LEARNER),
-            task.genomes,
-            task.rng,
-            samples=self.population,
-            epochs=task.epochs,
-            settings=self.settings,
-        )
+        given = {
+            "genome": task.genomes[0],
+            "genomes": task.genomes,
+            "samples": self.population,
+            "epochs": task.epochs,
+            "rng": task.rng,
+        }
+        learner: Learner = made(self.code, LEARNER, given, self.settings)
+        return learner
 
 
 @documented
@@ -212,7 +213,7 @@ class RaceSettings(Section):
                     for each in fields(value)
                     if each.metadata["by"] and getattr(value, each.name) is None
                 }
-                with inside(f"{item.name}."):
+                with inside(item.name):
                     value = replace(value, **unfilled)
             object.__setattr__(self, item.name, self._usual(item) if value is None else value)
         self._check_mask()
@@ -369,29 +370,31 @@ class RaceSettings(Section):
         >>> settings.learner.kind, settings.schedule.generations
         ('ga', 5)
         """
-        return self.of(merged(RaceSettings, self.to_json(), by_path(changes)))
+        return RaceSettings(**merged(RaceSettings, vars(self), by_path(changes)))
 
     @classmethod
-    def of(cls, values: Mapping[str, Any]) -> RaceSettings:
+    def of(cls, *values: Mapping[str, Any]) -> RaceSettings:
         """Return settings from values by their paths, such as ``{"learner.sigma": 0.2}``.
 
         All other settings have their defaults; sections may be nested mappings, or texts that name
-        their kinds, rules and rewards names. TypeError or ValueError as in `changed`.
+        their kinds, rules and rewards names. Later mappings change earlier ones. TypeError or
+        ValueError as in `changed`.
         """
-        return from_plain(cls, by_path(values))
-
-    def to_json(self) -> dict[str, Any]:
-        """Return the settings as values that JSON can hold."""
-        return by_path({leaf.path: leaf.value for leaf in leaves(self)})
+        given: dict[str, Any] = {}
+        for each in values:
+            given = merged(cls, given, by_path(each))
+        return cls(**given)
 
     @classmethod
     def from_json(cls, plain: Mapping[str, Any]) -> RaceSettings:
         """Return settings from what `to_json` returned, all of it.
 
-        Learners and samplers of one's own are named only, and not imported. TypeError or ValueError
+        Learners and samplers of your own are named only, and not imported. TypeError or ValueError
         if a setting is missing, unknown or has a bad value; the message begins with its path.
         """
-        return from_plain(cls, plain, complete=True)
+        found = cls.of(plain)
+        check_complete(plain, found.to_json())
+        return found
 
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:

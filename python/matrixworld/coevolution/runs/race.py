@@ -21,7 +21,7 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.opponents import OpponentSampler
+from matrixworld.coevolution.opponents import ArchiveSampler, OpponentSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
 from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import (
@@ -30,7 +30,6 @@ from matrixworld.coevolution.schedules import (
     RaceSchedule,
     Schedule,
     Yoked,
-    archive_of,
     available,
 )
 from matrixworld.coevolution.sections import different_settings, leaves
@@ -167,8 +166,8 @@ class Race(Run):
         champion = self.settings.learner.elite_matches * met
         # Retention compares two genomes.
         retention = 2 * archived * self.schedule.retention_episodes
-        sampler = archive_of(self.samplers[team])
-        pairs = 0 if sampler is None else sampler.max_pairs(k, archived)
+        sampler = self.samplers[team]
+        pairs = sampler.max_pairs(k, archived) if isinstance(sampler, ArchiveSampler) else 0
         return champion + retention + pairs * self.schedule.archive_episodes(team)
 
     # Disengagement:
@@ -204,8 +203,8 @@ class Race(Run):
 
     def admit(self, team: Team, generation: int, opponents: range) -> None:
         """Add the team's newest genome and new `opponents` to its sampler's archive, if any."""
-        sampler = archive_of(self.samplers[team])
-        if sampler is not None:
+        sampler = self.samplers[team]
+        if isinstance(sampler, ArchiveSampler):
             payoff = self._payoff_function(team, graded=sampler.archive.graded)
             sampler.update(np.array([generation - 1]), np.array(opponents), payoff)
 

@@ -12,6 +12,7 @@ ends bit for bit as if it had never been stopped.
 
 from __future__ import annotations
 
+import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -155,7 +156,8 @@ class Run(ABC):
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the archive of a new run."""
-        return {team: [self.learners[team].genome] for team in TEAMS}
+        # Copies here and below: a learner of the user's own may change its genome in place.
+        return {team: [self.learners[team].genome.copy()] for team in TEAMS}
 
     def set_up(self) -> None:  # noqa: B027, optional
         """Make what else the run needs; called when learners and archive exist."""
@@ -172,7 +174,8 @@ class Run(ABC):
 
     def archive_genome(self, team: Team) -> None:
         """Add the genome of a team's learner to its archive; DivergedError if it is not finite."""
-        self.archive[team].extend(self.training.population(self.learners[team].genome).genomes)
+        genome = self.learners[team].genome.copy()
+        self.archive[team].extend(self.training.population(genome).genomes)
 
     def check_settings(self) -> None:
         """Raise TypeError or ValueError if this kind of run cannot have these settings."""
@@ -201,7 +204,12 @@ class Run(ABC):
             self._restore()
             self._before, self._total_matches = self.training.matches, self.total_matches()
             while self.stage < self.n_stages:
-                self.learn(self.stage)
+                try:
+                    self.learn(self.stage)
+                except Exception as error:
+                    if sys.version_info >= (3, 11):
+                        error.add_note(f"in stage {self.stage + 1} of the run {self.files.path}")
+                    raise
                 self.end_stage()
             if not self.files.finished:
                 payoff = self.evaluate()
