@@ -94,6 +94,15 @@ CALLS = [
 ACCEPTED = {
     ("Batch", "buffers", "a dict"): "no arrays are written",
     ("Episode", "config", "a dict"): "no settings",
+    **{
+        ("RaceSettings", section, "a dict"): "the default one"
+        for section in ("world", "policy", "learner", "schedule", "fitness")
+    },
+    **{
+        (kind, f"{team}s_meet", "a dict"): "the default one"
+        for kind in ("Alternating", "HallOfFame")
+        for team in ("pursuer", "evader")
+    },
     ("Against", "opponent", "text with a null"): "read when the run starts",
     ("Against", "start", "text with a null"): "read when the run starts",
     ("ActorCriticSettings", "device", "text with a null"): "read when the run starts",

@@ -66,8 +66,12 @@ def test_a_class_stands_for_its_name():
         "shrink": 1,
         "sigma": 0.5,
     }
-    with pytest.raises(ValueError, match="^code: expected a class or function of a module, got <f"):
-        OwnLearnerSettings(code=lambda genome: None)  # no import finds it again
+    with pytest.raises(ValueError, match="^code: expected a class or function of a module, got <c"):
+        OwnLearnerSettings(code=climber())  # no import finds it again
+    with pytest.raises(
+        ValueError, match="^learner: expected a class with ask, tell, .* got <built"
+    ):
+        RaceSettings(learner=len)
 
 
 @pytest.mark.parametrize(
@@ -153,7 +157,12 @@ def algorithm(genomes, rng, *, elites=2, mutation=0.05):
 
 
 def climber(base=HillClimber, **methods):
-    return type("Changed", (base,), methods)
+    class Changed(base):
+        pass
+
+    for name, method in methods.items():
+        setattr(Changed, name, method)
+    return Changed
 
 
 @pytest.mark.parametrize(

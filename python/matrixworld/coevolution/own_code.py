@@ -62,10 +62,11 @@ Code = str | Callable[..., Any]
 """A class or function of your own, or its name."""
 
 
-def name_of(code: Callable[..., Any]) -> str:
-    """Return ``module:object`` for a class or function; ValueError for one inside a function."""
-    name = f"{code.__module__}:{getattr(code, '__qualname__', '')}"
-    if not PATH.fullmatch(name):
+def name_of(code: Callable[..., Any], interface: Interface) -> str:
+    """Return ``module:object`` for a class or function; ValueError unless it may be one."""
+    _check_interface(code, shown(code), interface)
+    name = f"{code.__module__}:{code.__qualname__}"
+    if not PATH.fullmatch(name):  # an import would not find what is inside a function
         raise ValueError(f"code: expected a class or function of a module, got {shown(code)}")
     return name
 
@@ -119,20 +120,21 @@ def find(code: Code, interface: Interface) -> Callable[..., Any]:
             f"{interface.what}: expected the name of an object in {module}, got {attribute!r}"
         ) from error
     # Before it is called: the files of a stranger's run must not name any function at all.
-    if not all(hasattr(_class_of(found), method) for method in interface.methods):
-        raise ValueError(
-            f"{interface.what}: expected a class with {', '.join(interface.methods)}, or a "
-            f"function whose return annotation is one, got {code}"
-        )
+    _check_interface(found, code, interface)
     return found
 
 
-def _class_of(found: Any) -> Any:
-    """Return a class, or the one in a function's return annotation; None if there is none."""
+def _check_interface(found: Any, name: str, interface: Interface) -> None:
+    """Raise ValueError unless this is a class, or says that it returns one, with the methods."""
     try:
-        return found if inspect.isclass(found) else get_type_hints(found).get("return")
+        made = found if inspect.isclass(found) else get_type_hints(found).get("return")
     except (AttributeError, NameError, SyntaxError, TypeError):
-        return None
+        made = None
+    if not all(hasattr(made, method) for method in interface.methods):
+        raise ValueError(
+            f"{interface.what}: expected a class with {', '.join(interface.methods)}, or a "
+            f"function whose return annotation is one, got {name}"
+        )
 
 
 def made(code: Code, interface: Interface, run: Mapping[str, Any], own: Mapping[str, Any]) -> Any:

@@ -123,7 +123,7 @@ class OwnCode(Section):
 
     def __post_init__(self) -> None:
         if callable(self.code):
-            object.__setattr__(self, "code", name_of(self.code))
+            object.__setattr__(self, "code", name_of(self.code, self.interface))
         super().__post_init__()
 
     def check(self) -> None:
@@ -220,16 +220,16 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
         before = before or item.metadata["default"]
     changes: dict[str, Any] = {"kind": getattr(before, "kind", None), **given}
     kind = changes.pop("kind")
-    if "own" in known and callable(kind):
-        kind = name_of(kind)
+    own: Any = known.get("own")
+    if own and callable(kind):
+        kind = name_of(kind, own.interface)
     if isinstance(kind, str) and kind in known:
         cls, sets = known[kind], known[kind].shorthands.get(kind, {})
-    elif isinstance(kind, str) and "own" in known and PATH.fullmatch(kind):
-        cls, sets, before = known["own"], {"code": kind}, None
+    elif isinstance(kind, str) and own and PATH.fullmatch(kind):
+        cls, sets, before = own, {"code": kind}, None
     else:
-        own = ", or module:object" if "own" in known else ""
-        expected = f"one of {', '.join(kinds)}{own}"
-        raise ValueError(f"{item.name}: expected {expected}, got {shown(kind)}")
+        names = [*kinds, *(["or module:object"] if own else [])]
+        raise ValueError(f"{item.name}: expected one of {', '.join(names)}, got {shown(kind)}")
     start = vars(before) if type(before) is cls else {}
     with inside(item.name):
         return cls(**merged(cls, merged(cls, start, sets), changes))
