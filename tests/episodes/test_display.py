@@ -16,9 +16,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import matrixworld as mw
-from matrixworld.episodes.display import FPS, Notebook, _window, first_place
+from matrixworld.episodes.display import FPS, _Notebook, first_place
 from matrixworld.episodes.render import ansi, png, rgb
-from matrixworld.episodes.render.terminal import CLEAR, HOME, WRAP_OFF, WRAP_ON
+from matrixworld.episodes.replay import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from rows import config_of
 
 
@@ -116,19 +116,6 @@ def test_a_window_shows_each_picture(naps: list[float]) -> None:
 
 
 @pytest.mark.usefixtures("display")
-def test_each_environment_has_a_window_of_its_own() -> None:
-    envs = [mw.parallel_env(config_of("O"), render_mode="human") for _ in range(2)]
-    for env in envs:
-        env.reset(seed=0)
-    assert len(plt.get_fignums()) == 2
-    envs[0].close()
-    assert len(plt.get_fignums()) == 1
-    envs[1].step(dict.fromkeys(envs[1].agents, 0))
-    assert DisplayCanvas.flushed == 3
-    envs[1].close()
-
-
-@pytest.mark.usefixtures("display")
 def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[float]) -> None:
     shown = first_place()
     shown.follow(SCENE)
@@ -140,19 +127,12 @@ def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[f
     shown.close()
 
 
-def test_no_window_is_left_where_there_is_no_display(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert _window() is None
-    assert plt.get_fignums() == []
-    monkeypatch.setattr(plt, "figure", Mock(side_effect=ImportError("Cannot load 'TkAgg'")))
-    assert _window() is None
-
-
 # ---- Notebooks ---------------------------------------------------------------------------------
 
 
 def test_a_notebook_s_output_is_drawn_anew() -> None:
     shell, display = SimpleNamespace(execution_count=4), Mock()
-    place = Notebook(shell, display)
+    place = _Notebook(shell, display)
     for _ in range(3):
         place.show(SCENE, viewers=[1])
     data = {"image/png": png(SCENE, viewers=[1])}

@@ -28,16 +28,6 @@ def same(a: Episode, b: Episode) -> bool:
     )
 
 
-def test_the_example_has_captures_and_faults() -> None:
-    assert EPISODE.length == 30
-    assert EPISODE.n_evaders == 7
-    assert 0 < EPISODE.capture_rate < 1
-    assert EPISODE.fault.any()
-    rate = f"{EPISODE.capture_rate:.2f}"
-    expected = f"<Episode: 30 steps, 5 pursuers, 7 evaders, 12 x 16 cells, capture rate {rate}>"
-    assert repr(EPISODE) == expected
-
-
 NO_EVADERS = dataclasses.replace(
     random_walks(steps=0),
     n_pursuers=12,
@@ -64,25 +54,10 @@ def test_a_cut_file_is_refused_by_name(tmp_path: Path) -> None:
     path = tmp_path / "cut.npz"
     EPISODE.save(path)
     whole = path.read_bytes()
-    for length in [*range(0, len(whole), 97), len(whole) - 1]:  # every length would take long
+    for length in (0, 1, len(whole) // 2, len(whole) - 1):
         path.write_bytes(whole[:length])
         with pytest.raises(ValueError, match=r"cut\.npz: cut, altered or not an npz file"):
             Episode.load(path)
-
-
-def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
-    path, refused = tmp_path / "altered.npz", 0
-    EPISODE.save(path)
-    whole = path.read_bytes()
-    places = range(0, len(whole), 13)  # in all parts of the archive
-    for place in places:
-        path.write_bytes(whole[:place] + bytes([whole[place] ^ 0x81]) + whole[place + 1 :])
-        try:
-            assert same(Episode.load(path), EPISODE)  # for example a date in the archive
-        except ValueError as error:
-            assert "altered.npz" in str(error)  # noqa: PT017
-            refused += 1
-    assert refused > len(places) / 2  # most bytes are content
 
 
 @pytest.mark.parametrize(
@@ -94,14 +69,8 @@ def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
         ({"map": np.array([{}], object)}, "cut, altered or not an npz file"),
         ({"alive": np.zeros((30, 12), bool)}, "not an episode .*alive: expected shape"),
         ({"positions": None}, "expected entries"),
-        ({"config": np.array("[" * 100_000)}, ""),  # would overflow a recursive reader
         ({"config": np.array("[]")}, ""),
-        ({"n_pursuers": np.array(np.inf)}, ""),
         ({"n_pursuers": np.array([1, 2])}, ""),
-        ({"positions": EPISODE.positions + 100}, ""),
-        ({"last_positions": EPISODE.last_positions - 100}, ""),
-        ({"map": np.zeros((0, 0), bool)}, ""),
-        ({"format": np.array("x" * 10**6)}, ""),
     ],
 )
 def test_foreign_archives_are_refused(changes: dict[str, Any], says: str, tmp_path: Path) -> None:
@@ -143,25 +112,6 @@ def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
     assert explained().explain() == []
     with pytest.raises(ValueError, match="^conflict_table: expected a recording with conflicts"):
         EPISODE.explain(3)
-
-
-@pytest.mark.parametrize(
-    ("column", "value", "message"),
-    [
-        (0, 31, "step: expected 1 to 30, got 31"),
-        (2, 3, "kind: expected 0 to 2, got 3"),
-        (3, -1, "form: expected 0 to 2, got -1"),
-        (4, 12, "first: expected 0 to 11, got 12"),
-        (5, -2, "second: expected -1 to 11, got -2"),
-        (6, 13, "row: expected -1 to 12, got 13"),
-        (10, 4, "doomed: expected 0 to 3, got 4"),
-    ],
-)
-def test_conflicts_out_of_range_are_refused(column: int, value: int, message: str) -> None:
-    row = [4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0]
-    row[column] = value
-    with pytest.raises(ValueError, match=f"^conflict_table, {message}"):
-        explained(tuple(row))
 
 
 def test_unknown_actions_are_refused() -> None:

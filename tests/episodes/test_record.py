@@ -45,17 +45,6 @@ def test_an_episode_is_what_a_world_does_with_its_actions(name: str) -> None:
             episode.explain(step)
 
 
-def test_an_episode_from_given_positions() -> None:
-    config = mw.WorldConfig("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
-    ground = np.eye(3, dtype=bool)
-    where = {"pursuers": [[0, 1]], "evaders": [[2, 0]], "obstacles": ground}
-    episode = mw.record_actions(config, [[1, 1], [3, 0]], seed=1, **where)
-    np.testing.assert_array_equal(episode.positions[0], [[0, 1], [2, 0]])
-    np.testing.assert_array_equal(episode.positions[-1], [[0, 1], [1, 0]])
-    np.testing.assert_array_equal(episode.map, ground)
-    assert episode.length == 2
-
-
 @pytest.mark.parametrize("name", ["D", "SD", "TO"])
 def test_an_environment_records_its_episode(name: str) -> None:
     config = config_of(name, obstacles=0.1)
@@ -104,22 +93,6 @@ def test_a_recorder_refuses_missing_rounds() -> None:
     world.play_turn([0] * 4)
     with pytest.raises(RuntimeError, match=r"expected begin\(\) between two rounds, got turn 1"):
         recorder.begin()
-
-
-def test_a_recorder_may_begin_during_an_episode() -> None:
-    world = mw.World("S", rows=6, cols=6, n_pursuers=2, n_evaders=2)
-    whole = mw.Recorder(world)
-    rows = random_actions(5, 5, 6, 4)
-    for row in rows[:2]:
-        world.step(row)
-        whole.note(row)
-    later = mw.Recorder(world)
-    for row in rows[2:]:
-        world.step(row)
-        whole.note(row)
-        later.note(row)
-    np.testing.assert_array_equal(later.episode().positions, whole.episode().positions[2:])
-    assert later.scene().title == whole.scene().title == "step 6    captured 0 of 2 (0%)"
 
 
 @pytest.mark.parametrize("name", ["D", "SD", "O"])

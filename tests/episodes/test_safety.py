@@ -62,7 +62,7 @@ def assert_same(one: mw.SafetyMonitor, other: mw.SafetyMonitor) -> None:
 # ---- Where episodes come from --------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("max_steps", [1, 2, 20])
+@pytest.mark.parametrize("max_steps", [1, 20])
 @pytest.mark.parametrize("name", NAMES)
 def test_all_sources_agree_with_plain_counts(name: str, max_steps: int) -> None:
     config, seeds = config_of(name, obstacles=0.1, max_steps=max_steps), range(5)
@@ -116,30 +116,6 @@ def test_vector_environments_agree_with_recordings(mode: str) -> None:
     assert_same(vector, recorded)
 
 
-@pytest.mark.parametrize(
-    ("left_after", "seeds", "at_once"),
-    # Without an observation at once, the first step of a repeated episode looks like the last one.
-    [(1, (0, 0), True), (2, (0, 0), False), (1, (0, 1), False), (1, (0, None), False)],
-)
-def test_an_unfinished_episode_is_forgotten(
-    left_after: int, seeds: tuple[int, int | None], at_once: bool
-) -> None:
-    config, east = config_of("R", max_steps=3), 2
-    env, monitor, whole = mw.parallel_env(config), mw.SafetyMonitor(), mw.SafetyMonitor()
-    for steps, seed in zip((left_after, 3), seeds, strict=True):
-        env.reset(seed=seed)
-        if at_once:
-            monitor.observe(env.status)
-        for _ in range(steps):
-            env.step(dict.fromkeys(env.agents, east))
-            monitor.observe(env.status)
-    rows = np.full((3, config.n_agents), east)
-    number = int(env.status.episode)
-    whole.add_episode(mw.record_actions(config, rows, seed=seeds[1] or 0, episode=number))
-    assert monitor.episodes == 1
-    assert_same(monitor, whole)
-
-
 # ---- Numbers -----------------------------------------------------------------------------------
 
 
@@ -161,29 +137,6 @@ def test_numbers_by_hand() -> None:
     assert summary.safe_episodes == 0
     assert summary.fault_max.tolist() == [[1, 1, 0], [0, 0, 2]]
     assert summary.fault_mean.tolist() == [[0.5, 0.5, 0], [0, 0, 1]]
-
-
-def test_intervals() -> None:
-    config = config_of("SB", max_steps=40)
-    # So many that the normal approximation holds.
-    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, range(200)))
-    monitor = mw.SafetyMonitor()
-    monitor.add_statistics(scores)
-    summary = monitor.summary()
-    for kind in ("fault", "involved"):
-        rate, ends = (getattr(summary, f"{kind}_{what}") for what in ("rate", "interval"))
-        known = np.isfinite(ends).all(axis=-1)
-        assert known.any()
-        assert (ends[known, 0] <= rate[known]).all()
-        assert (rate[known] <= ends[known, 1]).all()
-    # The interval is as wide as in the normal approximation of a ratio.
-    faults, steps = scores.faults[:, 0, 0, 1], scores.agent_steps[:, 0, 0]
-    ratio = faults.sum() / steps.sum()
-    deviation = np.std(faults - ratio * steps, ddof=1) / np.sqrt(200) / steps.mean()
-    low, high = summary.fault_interval[0, 1] / 1000
-    assert high - low == pytest.approx(2 * 1.96 * deviation, rel=0.15)
-    assert_same(monitor, monitor)
-    assert (monitor.summary(seed=1).fault_interval[0, 1] != summary.fault_interval[0, 1]).any()
 
 
 @pytest.mark.parametrize(
@@ -224,47 +177,37 @@ def test_what_it_prints() -> None:
     assert len({len(line) for line in lines[2:]}) == 1
 
 
-def test_arrays_are_copied() -> None:
-    monitor = mw.SafetyMonitor()
-    counts = np.ones((2, 2, 3), int), np.ones((2, 2, 3), int), np.ones((2, 2), int), np.ones(2)
-    monitor.add(*counts)
-    before = monitor.summary()
-    for array in counts:
-        array.fill(0)
-    assert_summary(monitor.summary(), vars(before))
-
-
-@pytest.mark.parametrize(
-    ("changes", "error", "field"),
-    [
-        ({"faults": np.zeros((2, 3), int)}, ValueError, "faults"),
-        ({"agent_steps": [[1.5, 2]] * 2}, TypeError, "agent_steps"),
-        ({"collisions": np.full((2, 2, 3), -1)}, ValueError, "collisions"),
-        ({"capture_rate": [np.nan, 0]}, ValueError, "capture_rate"),
-        ({"faults": np.full((2, 2, 3), 2)}, ValueError, "safety"),
-        ({"collisions": np.full((2, 2, 3), 3)}, ValueError, "safety"),
-    ],
-)
-def test_refused_counts_are_not_collected(
-    changes: dict[str, Any], error: type[Exception], field: str
-) -> None:
-    monitor = mw.SafetyMonitor()
-    counts = np.ones((2, 2, 3), int)
-    fine = {"agent_steps": [[2, 2]] * 2, "capture_rate": np.zeros(2)}
-    with pytest.raises(error, match=f"^{field}: expected"):
-        monitor.add(**{"collisions": counts, "faults": counts, **fine, **changes})
-    assert monitor.episodes == 0
-    with pytest.raises(ValueError, match="at least one whole episode, got none"):
-        monitor.summary()
-
-
-def test_a_step_that_was_left_out_is_refused() -> None:
-    monitor = mw.SafetyMonitor()
-    env = mw.parallel_env(config_of("R"))
-    env.reset(seed=0)
+def test_an_unfinished_episode_is_forgotten_and_a_missing_step_refused() -> None:
+    env = mw.parallel_env(config_of("R", max_steps=3))
+    monitor, whole = mw.SafetyMonitor(), mw.SafetyMonitor()
+    for steps, seed in ((2, 1), (3, 0)):
+        env.reset(seed=seed)
+        for _ in range(steps):
+            env.step(dict.fromkeys(env.agents, 2))
+            monitor.observe(env.status)
+    whole.add_episode(mw.record_actions(env.config, np.full((3, env.config.n_agents), 2)))
+    assert_same(monitor, whole)
+    env.reset()
     env.step(dict.fromkeys(env.agents, 0))
     env.step(dict.fromkeys(env.agents, 0))
     with pytest.raises(ValueError, match="expected step 1, got step 2"):
         monitor.observe(env.status)
-    with pytest.raises(TypeError, match="unsupported operand"):
-        monitor + 1
+
+
+@pytest.mark.parametrize(
+    ("changes", "field"),
+    [
+        ({"faults": np.zeros((2, 3), int)}, "faults"),
+        ({"collisions": np.full((2, 2, 3), -1)}, "collisions"),
+        ({"capture_rate": [np.nan, 0]}, "capture_rate"),
+        ({"faults": np.full((2, 2, 3), 2)}, "safety"),
+    ],
+)
+def test_refused_counts_are_not_collected(changes: dict[str, Any], field: str) -> None:
+    monitor = mw.SafetyMonitor()
+    counts = np.ones((2, 2, 3), int)
+    fine = {"agent_steps": [[2, 2]] * 2, "capture_rate": np.zeros(2)}
+    with pytest.raises(ValueError, match=f"^{field}: expected"):
+        monitor.add(**{"collisions": counts, "faults": counts, **fine, **changes})
+    with pytest.raises(ValueError, match="at least one whole episode, got none"):
+        monitor.summary()

@@ -21,8 +21,8 @@ import matrixworld as mw
 from matrixworld._util import colors
 from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution import start
+from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.episodes.render import rgb
-from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer import Explorer, Playground, explore
 from matrixworld.explorer.page import BUILT, render_page
 from matrixworld.explorer.playground import GALLERY, PIXELS, page_data, scene_link

@@ -13,8 +13,8 @@ from PIL import Image, ImageDraw
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
 from matrixworld.episodes import render
+from matrixworld.episodes.canvas import Layout
 from matrixworld.episodes.record import Recorder
-from matrixworld.episodes.render.canvas import Layout
 from matrixworld.world.arrays import MOVES, integers
 from matrixworld.world.rules import Action, Rules
 from matrixworld.world.world import World

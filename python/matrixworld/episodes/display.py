@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Recorder
 from matrixworld.episodes.render import Scene, ansi, png, rgb
-from matrixworld.episodes.render.terminal import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
+from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
 from matrixworld.world.world import World
 
 FPS = 10.0
@@ -33,7 +33,7 @@ class Drawing:
         self._recorder = Recorder(world)
         self._mode = mode
         self._look: dict[str, Any] = {"fov": world.config.fov, "viewers": viewers}
-        self._place: Place | None = None
+        self._place: _Place | None = None
 
     def begin(self) -> None:
         """Start to record an episode; call it after a reset of the world."""
@@ -74,13 +74,10 @@ class Drawing:
         return self.__dict__ | {"_place": None}
 
 
-class Place:
-    """A place where scenes are shown one after the other.
+class _Place:
+    """A place where scenes are shown one after the other."""
 
-    `watched` is whether each scene replaces the one before, so that a person needs time to see it.
-    """
-
-    watched: bool = True
+    watched: bool = True  # whether a scene replaces the one before, which needs time to be seen
     _due = 0.0
 
     def follow(self, scene: Scene, **look: Any) -> None:
@@ -98,20 +95,16 @@ class Place:
         """Remove the place if it would be in the way; by default the last drawing stays."""
 
 
-class Notebook(Place):
-    """An output of a notebook cell that is redrawn; each cell run later gets its own.
-
-    `shell` is the IPython shell, `display` is `IPython.display.display`.
-    """
+class _Notebook(_Place):
+    """An output of a notebook cell that is redrawn; each cell run later gets its own."""
 
     def __init__(self, shell: Any, display: Any) -> None:
-        self._shell = shell
-        self._display = display
+        self._shell = shell  # of IPython
+        self._display = display  # `IPython.display.display`
         self._handle: Any = None
         self._run = -1  # execution count of the cell that shows it
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Replace the scene shown."""
         data = {"image/png": png(scene, **look)}
         if self._handle is not None and self._run == self._shell.execution_count:
             self._handle.update(data, raw=True)
@@ -120,48 +113,41 @@ class Notebook(Place):
         self._handle = self._display(data, raw=True, display_id=True)
 
 
-class Window(Place):
+class _Window(_Place):
     """A window of Matplotlib, which the key q closes.
 
     A window closed by its user stays closed. The program goes on, and no longer waits for it.
     """
 
     def __init__(self, plt: Any, figure: Any) -> None:
-        self._plt = plt
-        self._figure = figure
+        self._plt, self._figure = plt, figure
         self._image: Any = None
 
     @property
     def watched(self) -> bool:  # type: ignore[override]
-        """Whether the window is still open."""
         return bool(self._plt.fignum_exists(self._figure.number))
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Replace the scene shown."""
         if not self.watched:
             return
         picture = rgb(scene, **look)
         if self._image is None:
-            self._open(picture)
+            height, width, _ = picture.shape
+            self._figure.set_size_inches(width / self._figure.dpi, height / self._figure.dpi)
+            axes = self._figure.add_axes((0, 0, 1, 1))
+            axes.set_axis_off()
+            self._image = axes.imshow(picture)
+            self._figure.show()
         # Only the pixels change; drawing the axes anew would be slower.
         self._image.set_data(picture)
         self._figure.canvas.draw_idle()
         self._figure.canvas.flush_events()
 
-    def _open(self, picture: Any) -> None:
-        height, width, _ = picture.shape
-        self._figure.set_size_inches(width / self._figure.dpi, height / self._figure.dpi)
-        axes = self._figure.add_axes((0, 0, 1, 1))
-        axes.set_axis_off()
-        self._image = axes.imshow(picture)
-        self._figure.show()
-
     def close(self) -> None:
-        """Close the window."""
         self._plt.close(self._figure)
 
 
-class Text(Place):
+class _Text(_Place):
     """Text: in a terminal redrawn in place, with the cursor below it; else one below the other."""
 
     def __init__(self, stream: TextIO) -> None:
@@ -170,7 +156,6 @@ class Text(Place):
         self._start = WRAP_OFF + CLEAR
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene as text; `look` is for pictures only."""
         if not self.watched:
             self._stream.write(ansi(scene, color="none") + "\n\n")
             return
@@ -182,22 +167,22 @@ class Text(Place):
         self._start = WRAP_OFF
 
 
-def first_place() -> Place:
+def first_place() -> _Place:
     """Return the first place that exists: a notebook, a window, the terminal, or a file or pipe."""
-    return _notebook() or _window() or Text(sys.stdout)
+    return _notebook() or _window() or _Text(sys.stdout)
 
 
-def _notebook() -> Place | None:
+def _notebook() -> _Place | None:
     if "IPython" not in sys.modules:  # a notebook has imported it; importing it here is slow
         return None
     from IPython import get_ipython
     from IPython.display import display
 
     shell = get_ipython()
-    return Notebook(shell, display) if hasattr(shell, "kernel") else None
+    return _Notebook(shell, display) if hasattr(shell, "kernel") else None
 
 
-def _window() -> Place | None:
+def _window() -> _Place | None:
     import matplotlib.pyplot as plt
 
     try:
@@ -210,4 +195,4 @@ def _window() -> Place | None:
         plt.close(figure)  # this backend only writes files
         return None
     manager.set_window_title("matrixworld")
-    return Window(plt, figure)
+    return _Window(plt, figure)

@@ -15,19 +15,9 @@ from numpy.typing import NDArray
 from matrixworld._util.checks import check_instance, check_integer, shown
 from matrixworld._util.files import DamagedFileError, parse_json, read_npz, replacing
 from matrixworld.episodes.render import MARK_STEPS, Scene
-from matrixworld.world.conflicts import (
-    COLLISION_KINDS,
-    CONFLICT_COLUMNS,
-    FORMS,
-    Conflict,
-    conflict_of,
-)
+from matrixworld.world.conflicts import Conflict, conflict_of
 
 FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
-
-N_ACTIONS = 9  # stay and eight directions
-MOST_FOV = 255  # as in the engine
-BOTH_AGENTS = 0b11  # a set of the two agents of a conflict, as bits
 
 # Shape and dtype of each array. T is the number of steps, S = T + 1 that of moments.
 _ARRAYS: dict[str, tuple[str, str]] = {
@@ -43,14 +33,11 @@ _ARRAYS: dict[str, tuple[str, str]] = {
     "map": ("rows cols", "bool"),
     "conflict_table": ("N 11", "int32"),
 }
-CONFLICTS = "conflict_table"  # the only array that a recording may lack
-OPTIONAL = {CONFLICTS, "seat"}  # entries that a file may lack
+OPTIONAL = {"conflict_table", "seat"}  # entries that a file may lack
 # World arrays that a recording keeps, one of each moment or of each step. Actions are not among
 # them: they are the input of a step.
 MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
-STEP_ARRAYS = tuple(
-    name for name, (shape, _) in _ARRAYS.items() if shape.startswith("T") and name != "actions"
-)
+STEP_ARRAYS = ("rewards", "involved", "fault")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -93,11 +80,9 @@ class Episode:
 
     Raises
     ------
-    TypeError
-        For another dtype, and for a config that is not a mapping.
-    ValueError
-        For another shape, an action of a living agent outside 0 to 8, a position outside the map,
-        and for numbers of a conflict that are out of range.
+    ValueError, TypeError
+        For another dtype or shape, an action of a living agent outside 0 to 8, and a config that is
+        not a mapping.
     """
 
     positions: NDArray[np.int32]
@@ -116,54 +101,36 @@ class Episode:
     seat: int | None = None
 
     def __post_init__(self) -> None:
-        for name in self._names():
-            array, (_, dtype) = getattr(self, name), _ARRAYS[name]
-            if not isinstance(array, np.ndarray) or array.dtype != dtype:
-                got = getattr(array, "dtype", type(array).__name__)
-                raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         check_integer("n_pursuers", self.n_pursuers)
         if not isinstance(self.config, Mapping):
             raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
-        self._check_shapes()
-        if self.seat is not None:
-            check_integer("seat", self.seat, 0, self.alive.shape[1] - 1)
-        # Gone agents keep whatever action was passed for them.
-        played = self.actions[self.alive[:-1]]
-        if ((played < 0) | (played >= N_ACTIONS)).any():
-            raise ValueError(f"actions: expected 0 to {N_ACTIONS - 1}, got {np.unique(played)}")
-        self._check_cells()
-        if self.conflict_table is not None:
-            _check_conflicts(self.conflict_table, self.length, self.map.shape, self.alive.shape[1])
-
-    def _check_cells(self) -> None:
-        """Raise ValueError for a position outside the map; (-1, -1) stands for a gone agent."""
-        lowest = np.where(self.alive, 0, -1)[..., None]
-        for name in ("positions", "last_positions"):
-            cells = getattr(self, name)
-            outside = (cells < lowest) | (cells >= self.map.shape)
-            if outside.any():
-                got = cells[outside.any(axis=2)][0].tolist()
-                raise ValueError(f"{name}: expected cells of a map {self.map.shape}, got {got}")
-
-    def _names(self) -> list[str]:
-        """Return the names of the arrays that this recording has."""
-        return [name for name in _ARRAYS if name != CONFLICTS or self.conflict_table is not None]
-
-    def _check_shapes(self) -> None:
+        arrays = self._arrays()
+        for name, array in arrays.items():
+            dtype = _ARRAYS[name][1]
+            if not isinstance(array, np.ndarray) or array.dtype != dtype:
+                got = getattr(array, "dtype", type(array).__name__)
+                raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         steps, agents = (*self.actions.shape, 0, 0)[:2]
         if not 0 <= self.n_pursuers <= agents:
             raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
-        rows, cols = (*self.map.shape, 0, 0)[:2]
-        if not rows * cols:
-            raise ValueError(f"map: expected at least one cell, got shape {self.map.shape}")
         sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
-        sizes |= {"2": 2, "3": 3, "rows": rows, "cols": cols}
-        sizes |= {"N": 0 if self.conflict_table is None else len(self.conflict_table), "11": 11}
-        for name in self._names():
-            got = getattr(self, name).shape
+        sizes |= {"2": 2, "3": 3, "11": 11, "N": len(arrays.get("conflict_table", ()))}
+        sizes["rows"], sizes["cols"] = (*self.map.shape, 0, 0)[:2]
+        for name, array in arrays.items():
             expected = tuple(sizes[letter] for letter in _ARRAYS[name][0].split())
-            if got != expected:
-                raise ValueError(f"{name}: expected shape {expected}, got {got}")
+            if array.shape != expected:
+                raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+        if self.seat is not None:
+            check_integer("seat", self.seat, 0, agents - 1)
+        # Gone agents keep whatever action was passed for them.
+        played = self.actions[self.alive[:-1]]
+        if ((played < 0) | (played > 8)).any():
+            raise ValueError(f"actions: expected 0 to 8, got {np.unique(played)}")
+
+    def _arrays(self) -> dict[str, Any]:
+        """Return the arrays that this recording has."""
+        arrays = {name: getattr(self, name) for name in _ARRAYS}
+        return {name: array for name, array in arrays.items() if array is not None}
 
     def __repr__(self) -> str:
         rows, cols = self.map.shape
@@ -208,10 +175,8 @@ class Episode:
 
         Raises
         ------
-        IndexError
-            If the step is outside the episode.
-        ValueError
-            If the recording has no conflicts, because it was not made by `Recorder` or `record`.
+        IndexError, ValueError
+            If the step is outside the episode, and if the recording has no conflicts.
         """
         if self.conflict_table is None:
             raise ValueError("conflict_table: expected a recording with conflicts, got none")
@@ -224,7 +189,7 @@ class Episode:
 
         The file appears complete or not at all, and replaces an older one of this name.
         """
-        arrays = {name: getattr(self, name) for name in self._names()}
+        arrays = self._arrays()
         if self.seat is not None:
             arrays["seat"] = np.array(self.seat)
         with replacing(path) as file:
@@ -253,11 +218,12 @@ class Episode:
             raise DamagedFileError(path, problem)
         arrays = {name: entries[name] for name in _ARRAYS if name in entries}
         try:
-            config = parse_json(path, str(entries["config"]))
-            if "fov" in config:
-                check_integer("fov", config["fov"], 1, MOST_FOV)
-            seat = int(entries["seat"]) if "seat" in entries else None
-            return cls(n_pursuers=int(entries["n_pursuers"]), config=config, seat=seat, **arrays)
+            return cls(
+                n_pursuers=int(entries["n_pursuers"]),
+                config=parse_json(path, str(entries["config"])),
+                seat=int(entries["seat"]) if "seat" in entries else None,
+                **arrays,
+            )
         except DamagedFileError:
             raise
         except (OverflowError, TypeError, ValueError) as error:
@@ -269,21 +235,6 @@ def step_number(step: int, length: int) -> int:
     if not -length - 1 <= step <= length:
         raise IndexError(f"step: expected {-length - 1} to {length}, got {step}")
     return step % (length + 1)
-
-
-def _check_conflicts(
-    table: NDArray[np.int32], steps: int, shape: tuple[int, ...], agents: int
-) -> None:
-    last, (rows, cols) = agents - 1, shape
-    ranges = {"step": (1, steps), "turn": (0, last), "first": (0, last), "second": (-1, last)}
-    ranges |= {"row": (-1, rows), "col": (-1, cols)}
-    ranges |= {"kind": (0, len(COLLISION_KINDS) - 1), "form": (0, len(FORMS) - 1)}
-    for name, numbers in zip(("step", *CONFLICT_COLUMNS), table.T, strict=True):
-        low, high = ranges.get(name, (0, BOTH_AGENTS))
-        outside = numbers[(numbers < low) | (numbers > high)]
-        if outside.size:
-            problem = f"expected {low} to {high}, got {outside[0]}"
-            raise ValueError(f"conflict_table, {name}: {problem}")
 
 
 def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
@@ -305,12 +256,12 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     ------
     IndexError
         If the step is outside the episode.
-    TypeError, ValueError
-        If `step` or `trail` is not an integer, or `trail` is negative.
     """
     check_instance("episode", episode, Episode)
     now = step_number(check_integer("step", step), episode.length)
     check_integer("trail", trail, 0)
+    if title is None:
+        title = capture_title(episode, now, f"step {now} of {episode.length}")
     captures, deaths = _marks(episode, now)
     return Scene(
         positions=episode.last_positions[now],
@@ -323,9 +274,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
         trail=episode.positions[max(0, now - trail) : now],
         captures=captures,
         deaths=deaths,
-        title=capture_title(episode, now, f"step {now} of {episode.length}")
-        if title is None
-        else title,
+        title=title,
     )
 
 

@@ -26,13 +26,8 @@ class Recorder:
     Parameters
     ----------
     world : World
-        The world that the caller plays. Its present moment is the first of the recording. From now
-        on it keeps the conflicts of every step, which the recording contains.
-
-    Raises
-    ------
-    RuntimeError
-        If a round is being played turn by turn.
+        The world that the caller plays. Its present moment, between two rounds, is the first of the
+        recording. From now on it keeps the conflicts of every step, which the recording contains.
     """
 
     def __init__(self, world: World) -> None:
@@ -42,7 +37,7 @@ class Recorder:
         self.begin()
 
     def begin(self) -> None:
-        """Start a new recording with the world's present moment, which is between two rounds."""
+        """Start a new recording with the world's present moment; RuntimeError within a round."""
         if self.world.turn:
             raise RuntimeError(
                 f"expected begin() between two rounds, got turn {self.world.turn} of a round"
@@ -56,10 +51,7 @@ class Recorder:
         self._keep(*MOMENT_ARRAYS)
 
     def note(self, actions: ArrayLike) -> None:
-        """Record the round that was just played, with its actions (A,).
-
-        RuntimeError if a round was left out, or the world was reset without `begin`.
-        """
+        """Record the round that was just played, with its actions (A,)."""
         row = integers("actions", actions)
         if row.shape != (self.world.config.n_agents,):
             raise ValueError(
@@ -94,29 +86,24 @@ class Recorder:
 
     def _last(self, steps: int) -> Episode:
         """Return the last steps, with one moment more than steps, as an episode."""
-        specs = {
-            **array_specs(self.world.config),
-            "actions": ((self.world.config.n_agents,), np.int8),
-        }
+        config = self.world.config
+        specs = {**array_specs(config), "actions": ((config.n_agents,), np.int8)}
         arrays: dict[str, Any] = {}
         for name, kept in self._kept.items():
             count = steps + (name in MOMENT_ARRAYS)
             shape, dtype = specs[name]
             # An array of no steps at all has a shape, too.
             arrays[name] = np.array(kept[len(kept) - count :], dtype).reshape(count, *shape)
+        tables = self._conflicts[len(self._conflicts) - steps :]
+        numbered = [np.insert(table, 0, step, axis=1) for step, table in enumerate(tables, 1)]
+        none = np.empty((0, 1 + len(CONFLICT_COLUMNS)), np.int32)
         return Episode(
             **arrays,
             map=self._map,
-            n_pursuers=self.world.config.n_pursuers,
+            n_pursuers=config.n_pursuers,
             config=self._config,
-            conflict_table=_numbered(self._conflicts[len(self._conflicts) - steps :]),
+            conflict_table=np.concatenate([none, *numbered]),
         )
-
-
-def _numbered(tables: list[NDArray[np.int32]]) -> NDArray[np.int32]:
-    """Return the conflicts of all steps as one table that begins with the number of the step."""
-    numbered = [np.insert(table, 0, step, axis=1) for step, table in enumerate(tables, 1)]
-    return np.concatenate([np.empty((0, 1 + len(CONFLICT_COLUMNS)), np.int32), *numbered])
 
 
 def record_actions(
@@ -173,11 +160,6 @@ def record(
         Indices into the populations. The defaults are 0.
     episode : int, optional
         The number of the seed's episode: that of world ``episode`` of the match in `rollout`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `rollout` does.
     """
     config = WorldConfig.of(config)
     # The engine chooses the actions; a world that plays them again gives everything else.

@@ -6,47 +6,44 @@ import base64
 import html
 import io
 import os
+import shutil
 import sys
-from collections.abc import Sequence
+import time
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import Any, BinaryIO, TextIO, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageColor
 from PIL.PngImagePlugin import PngInfo
 from typing_extensions import Unpack
 
-from matrixworld._util.checks import check_instance, check_integer, check_keywords, check_number
+from matrixworld._util import colors
+from matrixworld._util.checks import (
+    check_instance,
+    check_integer,
+    check_keywords,
+    check_number,
+    check_real,
+    shown,
+)
 from matrixworld._util.files import replacing
+from matrixworld.episodes.canvas import SMALLEST_NUMBERED, Layout, fitting_cell
 from matrixworld.episodes.episode import Episode, scene
 from matrixworld.episodes.render import ansi, rgb
-from matrixworld.episodes.render.canvas import (
-    MOST_ANIMATED,
-    MOST_PIXELS,
-    SMALLEST_NUMBERED,
-    Layout,
-    check_pixels,
-    fitting_cell,
-)
-from matrixworld.episodes.render.film import check_timing, write_gif, write_mp4
-from matrixworld.episodes.render.terminal import play, text_look
+from matrixworld.version import imported
 
-__all__ = [
-    "Animation",
-    "animation",
-    "contact_sheet",
-    "save",
-    "scene",
-]
+__all__ = ["Animation", "animation", "contact_sheet", "save", "scene"]
 
-FRAMES = 120
-"""The most frames of an animation in a notebook."""
-PIXELS = 480
-"""Wanted length of the longer side of its field."""
-FOV = 11
-"""Side of a field of view if the episode does not state it."""
+FRAMES = 120  # the most frames of an animation in a notebook
+PIXELS = 480  # wanted length of the longer side of its field
+FOV = 11  # side of a field of view if the episode does not state it
+MOST_PIXELS = 2**26  # of a picture: 200 MB
+MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
+SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
+LONGEST_HOLD = 600.0  # seconds; a GIF has 16 bits for hundredths
 
 
 class Look(TypedDict, total=False):
@@ -66,12 +63,24 @@ def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> 
     moment is printed as plain text.
     """
     check_number("fps", fps, least=0.0, positive=True)
-    times = _times(episode, every)
-    if not sys.stdout.isatty():
+    times, stream = _times(episode, every), sys.stdout
+    if not stream.isatty():
         print_moment(episode)
         return
-    look = text_look(episode.map.shape, sys.stdout)
-    play((ansi(scene(episode, t), **look) for t in times), sys.stdout, fps=fps)
+    look = text_look(episode.map.shape, stream)
+    due = time.monotonic()
+    try:
+        stream.write(HIDE_CURSOR + WRAP_OFF + CLEAR)
+        for moment in times:
+            draw(ansi(scene(episode, moment), **look), stream)
+            # Waiting for a point in time, not for a period, makes up for the time to draw.
+            due += 1 / fps
+            time.sleep(max(0.0, due - time.monotonic()))
+    except KeyboardInterrupt:
+        return  # the viewer has seen enough
+    finally:
+        stream.write(WRAP_ON + SHOW_CURSOR + "\n")
+        stream.flush()
 
 
 def print_moment(episode: Episode, *, step: int = -1) -> None:
@@ -115,11 +124,9 @@ def save(
 
     Raises
     ------
-    ValueError
-        If the suffix is another, a value is out of range, or all frames together would have more
-        than 2**34 pixels.
-    IndexError
-        If `step` is outside the episode.
+    ValueError, IndexError
+        If the suffix is another, a value is out of range, `step` is outside the episode, or all
+        frames together would have more than 2**34 pixels.
     ImportError
         If the extra ``video`` is not installed, which MP4 needs.
 
@@ -157,7 +164,7 @@ class Animation:
     data : bytes
         The contents of the file.
     alt : str, optional
-        What it shows, in words, for readers who do not see it.
+        What it shows, in words.
     """
 
     data: bytes
@@ -188,18 +195,12 @@ def animation(
         Steps from one frame to the next. The default shows at most `FRAMES` frames.
     **look
         As for `save`. The default of ``cell`` gives about `PIXELS` pixels a side.
-
-    Raises
-    ------
-    ValueError
-        If a value is out of range, or all frames together would have more than 2**34 pixels.
     """
     check_keywords(look, Look.__annotations__, animation)
-    check_instance("episode", episode, Episode)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
+    pictures = _Pictures(episode, look, PIXELS)
     if every is None:
         every = -(-episode.length // FRAMES) or 1
-    pictures = _Pictures(episode, look, PIXELS)
     times = _times(episode, every)
     pictures.check_frames(times, fps=fps, hold=2.0)
     buffer = io.BytesIO()
@@ -229,7 +230,7 @@ def contact_sheet(
     check_keywords(look, Look.__annotations__, contact_sheet)
     pictures = _Pictures(episode, look)
     count = check_integer("rows", rows, 1) * check_integer("cols", cols, 1)
-    check_pixels("contact sheet", count * pictures.pixels, MOST_PIXELS)
+    _check_pixels("contact sheet", count * pictures.pixels, MOST_PIXELS)
     times = np.linspace(0, episode.length, count).round().astype(int)
     drawn = [pictures.draw(t) for t in times.tolist()]
     lines = [np.concatenate(drawn[i : i + cols], axis=1) for i in range(0, count, cols)]
@@ -252,13 +253,21 @@ class _Pictures:
             self._look["cell"] = cell = fitting_cell(shape, field, least)
         self.pixels: int = Layout.of(shape, cell, least=least).pixels
 
-    def draw(self, time: int) -> NDArray[np.uint8]:
-        return rgb(scene(self._episode, time, trail=self._trail), **self._look)
+    def draw(self, step: int) -> NDArray[np.uint8]:
+        return rgb(scene(self._episode, step, trail=self._trail), **self._look)
 
     def check_frames(self, times: list[int], *, fps: float, hold: float) -> None:
         """Raise ValueError or TypeError before a file is begun."""
-        check_timing(fps=fps, hold=hold)
-        check_pixels("animation", len(times) * self.pixels, MOST_ANIMATED)
+        if not SLOWEST <= check_real("fps", fps) <= FASTEST:
+            raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
+        if not 0 <= check_real("hold", hold) <= LONGEST_HOLD:
+            raise ValueError(f"hold: expected 0 to {LONGEST_HOLD:g} seconds, got {hold}")
+        _check_pixels("animation", len(times) * self.pixels, MOST_ANIMATED)
+
+
+def _check_pixels(what: str, pixels: int, most: int) -> None:
+    if pixels > most:
+        raise ValueError(f"{what}: expected at most {most:,} pixels in all, got {shown(pixels)}")
 
 
 def _times(episode: Episode, every: int) -> list[int]:
@@ -266,3 +275,162 @@ def _times(episode: Episode, every: int) -> list[int]:
     times = list(range(0, episode.length + 1, every))
     # The end is the most interesting moment, so it is shown whatever the stride.
     return times if times[-1] == episode.length else [*times, episode.length]
+
+
+# Terminals:
+
+# Control sequences of ECMA-48 that practically all terminals know.
+HOME, CLEAR, CLEAR_LINE, CLEAR_BELOW = "\x1b[H", "\x1b[2J", "\x1b[K", "\x1b[J"
+HIDE_CURSOR, SHOW_CURSOR = "\x1b[?25l", "\x1b[?25h"
+WRAP_OFF, WRAP_ON = "\x1b[?7l", "\x1b[?7h"  # off: what is too wide is cut, not broken
+
+
+def draw(frame: str, stream: TextIO) -> None:
+    """Replace the drawing in a terminal by another one, cut to the height of the terminal."""
+    height = terminal_size(stream).lines - 1
+    # Each line is cleared behind its text: clearing the whole screen first would flicker.
+    lines = (line + CLEAR_LINE for line in frame.split("\n")[:height])
+    stream.write(HOME + "\n".join(lines) + CLEAR_BELOW)
+    stream.flush()
+
+
+def color_mode(stream: TextIO, environ: Mapping[str, str] = os.environ) -> str:
+    """Return the colors that `ansi` may use on a stream, by NO_COLOR, TERM and COLORTERM."""
+    encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
+    plain = not stream.isatty() or environ.get("NO_COLOR") or environ.get("TERM") == "dumb"
+    if plain or not encoding.startswith("utf"):
+        return "none"
+    return "true" if environ.get("COLORTERM") in ("truecolor", "24bit") else "256"
+
+
+def terminal_size(stream: TextIO) -> os.terminal_size:
+    """Return columns and lines of a terminal; without one, of the variables COLUMNS and LINES."""
+    try:
+        return os.get_terminal_size(stream.fileno())
+    except OSError:
+        return shutil.get_terminal_size()
+
+
+def text_look(shape: tuple[int, ...], stream: TextIO) -> dict[str, Any]:
+    """Return the keyword arguments of `ansi` for a grid, in half blocks where it would not fit."""
+    mode, (columns, lines), (rows, cols) = color_mode(stream), terminal_size(stream), shape
+    fits = 2 * cols <= columns and rows + 2 <= lines  # cells of two characters, below a title
+    return {"color": mode, "compact": mode != "none" and not fits}
+
+
+# Films:
+
+Draw = Callable[[int], NDArray[np.uint8]]
+"""Takes a time and returns a frame, uint8 (height, width, 3); all have the same, even sides."""
+
+PALETTE_COLORS = 128  # pictures have few hues and their blends; fewer colours compress better
+TOO_CLOSE = 8  # levels; Pillow's coarse look-up could confuse a colour this near with one of ours
+UNCHANGED = np.uint8(255)  # palette index of a pixel that stays as it was, written as transparent
+SAMPLES = 8  # frames looked at to choose the palette
+TRAILER = b";"  # the last byte of a GIF
+
+
+def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
+    """Write an endless animation with one frame for each time, and the last one `hold` s longer.
+
+    Durations are rounded to hundredths of a second. Pillow would keep all frames in memory. Here it
+    encodes each as a file of its own, whose header is cut off except for the first.
+    """
+    looked_at = np.unique(np.linspace(0, len(times) - 1, SAMPLES).round().astype(int))
+    palette = _palette([draw(times[i]) for i in looked_at])
+    durations = [round(100 / fps)] * len(times)
+    durations[-1] += round(100 * hold)
+    before: NDArray[np.uint8] | None = None
+    for moment, duration in zip(times, durations, strict=True):
+        wanted = _indices(draw(moment), palette)
+        changes = wanted if before is None else np.where(wanted == before, UNCHANGED, wanted)
+        encoded = _encoded(changes, palette, duration)
+        file.write(encoded if before is None else encoded[_header_length(encoded) :])
+        before = wanted
+    file.write(TRAILER)
+
+
+def _indices(picture: NDArray[np.uint8], palette: Image.Image) -> NDArray[np.uint8]:
+    quantized = Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE)
+    numbers = np.array(quantized)
+    numbers[numbers >= PALETTE_COLORS] = 0  # unused entries of the palette repeat the first colour
+    return numbers
+
+
+def _encoded(indices: NDArray[np.uint8], palette: Image.Image, duration: int) -> bytes:
+    """Return a GIF of one image, without its last byte; the duration is in 1/100 s."""
+    image = Image.fromarray(indices)
+    image.putpalette(palette.getpalette() or [])
+    buffer = io.BytesIO()
+    image.save(
+        buffer,
+        "GIF",
+        duration=10 * duration,
+        loop=0,
+        comment=b"matrixworld",
+        transparency=int(UNCHANGED),
+        disposal=1,  # the next image is drawn over this one
+        optimize=False,  # which would renumber the palette
+    )
+    return buffer.getvalue().removesuffix(TRAILER)
+
+
+def _header_length(encoded: bytes) -> int:
+    """Return the number of bytes before the image: signature, screen, palette, loop request."""
+    flags = encoded[10]
+    length = 13 + (3 << ((flags & 7) + 1) if flags & 0x80 else 0)
+    while encoded[length : length + 2] in (b"!\xff", b"!\xfe"):  # application, comment
+        length += 2
+        while encoded[length]:  # blocks, each led by its length, up to an empty one
+            length += 1 + encoded[length]
+        length += 1
+    return length
+
+
+def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
+    """Return 256 colours: those of the project exactly, and the most frequent of some pictures."""
+    names = [*colors.TEAMS, colors.PAPER, colors.GRID, colors.INK, colors.OBSTACLE]
+    names += [colors.CAPTURE, colors.COLLISION]
+    exact = np.array([ImageColor.getrgb(name) for name in names])
+    together = Image.fromarray(np.concatenate(pictures)).quantize(PALETTE_COLORS - len(exact))
+    common = np.array(together.getpalette()).reshape(-1, 3)
+    distance = np.abs(common[:, None] - exact).max(axis=2).min(axis=1)
+    values = np.concatenate([exact, common[distance > TOO_CLOSE]])[:PALETTE_COLORS]
+    filled = np.concatenate([values, np.repeat(exact[:1], 256 - len(values), axis=0)])
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(filled.ravel().tolist())
+    return palette
+
+
+def write_mp4(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
+    """Write a film (H.264, yuv420p) as `write_gif` does, into an open file that has a name.
+
+    Raises MissingExtraError without imageio-ffmpeg.
+    """
+    imageio_ffmpeg = imported("imageio_ffmpeg", "video")
+    last = draw(times[-1])
+    height, width, _ = last.shape
+    color_space = "colorspace=bt709:color_primaries=bt709:color_trc=bt709"
+    writer = imageio_ffmpeg.write_frames(
+        file.name,
+        (width, height),
+        fps=fps,
+        quality=None,
+        macro_block_size=2,  # the least that yuv420p needs; a larger one would rescale frames
+        ffmpeg_log_level="error",
+        output_params=[
+            # A browser can start before it has the whole file.
+            *("-f", "mp4", "-movflags", "+faststart", "-metadata", "comment=matrixworld"),
+            *("-crf", "16", "-tune", "animation"),
+            # Without these tags browsers guess the colour space from the height of the film.
+            *("-vf", f"scale=out_color_matrix=bt709:out_range=tv,setparams={color_space}"),
+        ],
+    )
+    writer.send(None)
+    try:
+        for moment in times:
+            writer.send(draw(moment).tobytes())
+        for _ in range(round(hold * fps)):
+            writer.send(last.tobytes())
+    finally:
+        writer.close()

@@ -137,13 +137,12 @@ class SafetyMonitor:
         agent_steps: ArrayLike,
         capture_rate: ArrayLike,
     ) -> None:
-        """Collect episodes given as arrays, which are copied.
+        """Collect episodes given as arrays, which are copied; the leading axes (...) are episodes.
 
         Parameters
         ----------
         collisions, faults : array_like of int, shape (..., 2, 3)
-            Agent-steps involved in a collision, and at fault in one, by team and kind. The leading
-            axes are episodes.
+            Agent-steps involved in a collision, and at fault in one, by team and kind.
         agent_steps : array_like of int, shape (..., 2)
             Agent-steps of each team.
         capture_rate : array_like of float, shape (...)
@@ -152,8 +151,7 @@ class SafetyMonitor:
         Raises
         ------
         ValueError, TypeError
-            If a count is negative or no integer, the shapes do not fit, or not faults <= collisions
-            <= agent_steps. No episode is collected then.
+            If the shapes do not fit, or not 0 <= faults <= collisions <= agent_steps.
         """
         rates = np.array(capture_rate, np.float64)
         if not ((rates >= 0) & (rates <= 1)).all():
@@ -178,9 +176,10 @@ class SafetyMonitor:
 
     def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
-        counts = episode.involved, episode.fault, episode.alive[:-1]
-        by_agent = [each.sum(axis=0) for each in counts]
-        self._add_agents(by_agent, episode.n_pursuers, episode.capture_rate)
+        counts = [
+            each.sum(axis=0) for each in (episode.involved, episode.fault, episode.alive[:-1])
+        ]
+        self._add_agents(counts, episode.n_pursuers, episode.capture_rate)
 
     def _add_agents(
         self, counts: Iterable[NDArray[Any]], n_pursuers: int, capture_rate: float
@@ -199,19 +198,24 @@ class SafetyMonitor:
         status of the same round as the last one adds nothing, so this works after every step of an
         AEC environment as well. ValueError if a step was left out.
         """
-        current, steps = self._current, int(status.steps)
+        current = self._current
         # Another seed or number, or fewer steps than before, means another episode.
-        if current is None or _which(status) != current.which or steps < current.steps:
+        if current is None or current.which != _which(status) or status.steps < current.steps:
             current = _Current(status)
-        if steps not in (current.steps, current.steps + 1):
-            raise ValueError(f"status: expected step {current.steps + 1}, got step {steps}")
+        if status.steps not in (current.steps, current.steps + 1):
+            raise ValueError(f"status: expected step {current.steps + 1}, got step {status.steps}")
         self._current = current
-        if steps == current.steps:  # the AEC API calls several times per round
+        if status.steps == current.steps:  # the AEC API calls several times per round
             return
-        current.follow(status)
+        current.steps += 1
+        for total, step in zip(
+            current.counts, (status.involved, status.fault, current.alive), strict=True
+        ):
+            total += step
+        current.alive = status.alive
         if status.terminated or status.truncated:
-            counts = current.involved, current.fault, current.agent_steps
-            self._add_agents(counts, current.n_pursuers, float(status.capture_rate))
+            n_pursuers = len(status.alive) - len(status.captured)
+            self._add_agents(current.counts, n_pursuers, status.capture_rate)
 
     def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
         """Return a monitor of the episodes of both."""
@@ -245,27 +249,19 @@ class SafetyMonitor:
 
 
 class _Current:
-    """Counts of the episode that an environment is in, or has just ended."""
+    """The episode that an environment is in: its counts by agent, and who was alive last."""
 
     def __init__(self, status: WorldArrays) -> None:
         self.which = _which(status)
-        self.n_pursuers = len(status.alive) - len(status.captured)
         self.steps = 0
-        self.alive = np.ones_like(status.alive)
-        self.agent_steps = np.zeros(len(status.alive), np.int64)
-        self.involved = np.zeros(status.involved.shape, np.int64)
-        self.fault = np.zeros(status.fault.shape, np.int64)
-
-    def follow(self, status: WorldArrays) -> None:
-        self.steps += 1
-        self.agent_steps += self.alive  # as the step began
-        self.involved += status.involved
-        self.fault += status.fault
-        self.alive = status.alive
+        self.alive = np.ones_like(status.alive)  # as the next step begins
+        self.counts = [
+            np.zeros(each.shape, np.int64) for each in (status.involved, status.fault, status.alive)
+        ]
 
 
 def _which(status: WorldArrays) -> tuple[int, int]:
-    return int(status.seed), int(status.episode)
+    return status.seed, status.episode
 
 
 def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:

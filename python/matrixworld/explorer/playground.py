@@ -47,8 +47,8 @@ import numpy as np
 from matrixworld._util.checks import check_choice, check_instance, check_integer
 from matrixworld._util.files import load_toml
 from matrixworld.envs.variants import VARIANT_TEXTS
+from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.episodes.render import png
-from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS

@@ -14,7 +14,7 @@ from typing import ClassVar
 
 from PIL import Image, ImageDraw, ImageFont
 
-from matrixworld._util.checks import check_integer, shown
+from matrixworld._util.checks import check_integer
 
 OVERSAMPLING = 8  # Pillow draws without smooth edges; reducing a large drawing makes them
 FIELD_PIXELS = 720  # wanted length of the longer side of the field
@@ -22,16 +22,8 @@ LARGEST_CELL = 48
 SMALLEST_NUMBERED = 20  # cell size in pixels below which the number of an agent is unreadable
 NARROWEST = 464  # leaves room for the title above a small grid
 LARGEST_SIDE = 8192  # of a picture
-MOST_PIXELS = 2**26  # of a picture: 200 MB
-MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
 
 Point = tuple[float, float]
-
-
-def check_pixels(what: str, pixels: int, most: int) -> None:
-    """Raise ValueError if pictures together have more pixels than they may."""
-    if pixels > most:
-        raise ValueError(f"{what}: expected at most {most:,} pixels in all, got {shown(pixels)}")
 
 
 def fitting_cell(shape: tuple[int, ...], pixels: int, least: int = 1) -> int:
@@ -68,15 +60,17 @@ class Layout:
         """Pixels of the whole picture."""
         return self.width * self.height
 
+    # Width and height are even, because video needs it.
+
     @property
     def width(self) -> int:
-        """Width of the whole picture; even, because video needs it."""
+        """Width of the whole picture."""
         wide = max(self.cols * self.cell + 2 * self.margin, NARROWEST)
         return wide + wide % 2
 
     @property
     def height(self) -> int:
-        """Height of the whole picture; even, because video needs it."""
+        """Height of the whole picture."""
         high = self.header + self.rows * self.cell + self.margin
         return high + high % 2
 
@@ -86,35 +80,10 @@ class Layout:
         left = (self.width - self.cols * self.cell) // 2
         return left, self.header, left + self.cols * self.cell, self.header + self.rows * self.cell
 
-    @property
-    def agent(self) -> int:
-        """Diameter of an agent: most of a cell, but never too small to see."""
-        return max(4, round(self.cell * 0.86))
-
-    @property
-    def halo(self) -> int:
-        """Width of the light border around an agent."""
-        return 1 if self.cell >= 8 else 0
-
-    @property
-    def stroke(self) -> int:
-        """Width of an outline."""
-        return 2 if self.cell >= 12 else 1
-
-    def centre(self, row: int, col: int) -> tuple[float, float]:
+    def centre(self, row: float, col: float) -> Point:
         """Return x and y of the middle of a cell."""
         left, top, _, _ = self.field
         return left + (col + 0.5) * self.cell, top + (row + 0.5) * self.cell
-
-    def box(self, row0: int, col0: int, row1: int, col1: int) -> tuple[int, int, int, int]:
-        """Return left, top, right and bottom of a range of cells, cut to the grid."""
-        left, top, right, bottom = self.field
-        return (
-            max(left, left + col0 * self.cell),
-            max(top, top + row0 * self.cell),
-            min(right, left + (col1 + 1) * self.cell),
-            min(bottom, top + (row1 + 1) * self.cell),
-        )
 
 
 @lru_cache(maxsize=1024)

@@ -1,4 +1,8 @@
-"""One moment of a world as plain arrays, and its picture, drawn with Pillow."""
+"""One moment of a world as plain arrays, and its drawings.
+
+`Scene` holds the arrays. `rgb` and `png` draw it as a picture with Pillow, `ansi` as text for a
+terminal.
+"""
 
 from __future__ import annotations
 
@@ -6,23 +10,26 @@ import io
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import pairwise
-from typing import Any
+from itertools import groupby, pairwise, product
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw
+from PIL import Image, ImageColor, ImageDraw
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer
-from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
+from matrixworld.episodes.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
 from matrixworld.world.conflicts import agent_name
+
+__all__ = ["MARK_STEPS", "Cell", "Scene", "ansi", "png", "rgb"]
 
 Cell = tuple[int, int]
 
 MARK_STEPS = 4  # steps until the mark of a capture or a death has faded
 SMALLEST_BADGE = 14  # cell size in pixels below which a number on an agent is unreadable
 SMALLEST_GRID = 6  # cell size in pixels below which lines between cells would fill the picture
+AGENT_SCALE = 0.86  # in cells, but never too small to see
 TRIANGLE_SCALE = 1.16  # a triangle as wide as a disc looks smaller
 SHARED_SCALE, SHARED_SHIFT = 0.74, 0.19  # both teams on one cell, in diameters of an agent
 BURST_SCALE, CROSS_SCALE, RING_SCALE = 1.7, 0.9, 1.14  # marks, in cells
@@ -36,10 +43,7 @@ VIEW_LEVEL = 28  # of 255: tint of a field of view
 
 @dataclass
 class CellContents:
-    """The living agents on one cell, by their numbers in their teams.
-
-    `captured` is how many of the evaders are captured at this moment.
-    """
+    """The living agents on one cell, by their numbers in their teams; how many are captured."""
 
     pursuers: list[int] = field(default_factory=list)
     evaders: list[int] = field(default_factory=list)
@@ -53,78 +57,26 @@ class CellContents:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Scene:
-    """One moment of a world, to be drawn.
-
-    The world has P pursuers and E evaders, A = P + E agents, pursuers first.
-
-    Parameters
-    ----------
-    positions : ndarray of int, shape (A, 2)
-        Row and column of each agent. For an agent that is gone, the cell where it disappeared or
-        (-1, -1).
-    alive : ndarray of bool, shape (A,)
-        Whether each agent is alive.
-    captured : ndarray of bool, shape (E,)
-        Whether each evader is captured at this moment.
-    map : ndarray of bool, shape (rows, cols)
-        True for an obstacle.
-    n_pursuers : int
-        P.
-    involved, fault : ndarray of bool, shape (A, 3), optional
-        Collisions of the last step by kind: obstacle, teammate, adversary.
-    trail : ndarray of int, shape (K, A, 2), optional
-        Earlier positions, oldest first; (-1, -1) for an agent that is gone.
-    captures, deaths : ndarray of int, shape (n, 3), optional
-        Recent captures, and recent deaths by collision: row, column, and age in steps. Age 0 is the
-        last step.
-    title : str, optional
-        One line of text.
-
-    Raises
-    ------
-    ValueError
-        If an array has another shape or a living agent is outside the map.
-    TypeError
-        If an array is not a NumPy array.
-    """
+    """One moment of a world of P pursuers and E evaders, to be drawn; A = P + E, pursuers first."""
 
     positions: NDArray[np.integer]
+    """Row and column of each agent (A, 2); of one that is gone where it disappeared, or -1."""
     alive: NDArray[np.bool_]
+    """Whether each agent is alive (A,)."""
     captured: NDArray[np.bool_]
+    """Whether each evader is captured at this moment (E,)."""
     map: NDArray[np.bool_]
+    """Obstacles (rows, cols)."""
     n_pursuers: int
     involved: NDArray[np.bool_] | None = None
     fault: NDArray[np.bool_] | None = None
+    """Collisions of the last step (A, 3) by kind: obstacle, teammate, adversary."""
     trail: NDArray[np.integer] | None = None
+    """Earlier positions (K, A, 2), oldest first; -1 for an agent that is gone."""
     captures: NDArray[np.integer] | None = None
     deaths: NDArray[np.integer] | None = None
+    """Recent captures, and deaths by collision (n, 3): row, column, age; 0 is the last step."""
     title: str = ""
-
-    def __post_init__(self) -> None:
-        _check_shape("map", self.map, (None, None))
-        _check_shape("alive", self.alive, (None,))
-        agents = len(self.alive)
-        if not 0 <= self.n_pursuers <= agents:
-            raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
-        _check_shape("positions", self.positions, (agents, 2))
-        _check_shape("captured", self.captured, (agents - self.n_pursuers,))
-        _check_shape("involved", self.involved, (agents, 3))
-        _check_shape("fault", self.fault, (agents, 3))
-        _check_shape("trail", self.trail, (None, agents, 2))
-        _check_shape("captures", self.captures, (None, 3))
-        _check_shape("deaths", self.deaths, (None, 3))
-        self._check_inside()
-
-    def _check_inside(self) -> None:
-        beyond = (self.positions < 0) | (self.positions >= self.map.shape)
-        outside = self.alive & beyond.any(axis=1)
-        if outside.any():
-            agent = int(outside.argmax())
-            cell = tuple(self.positions[agent].tolist())
-            raise ValueError(
-                f"positions: expected cells of a {self.map.shape[0]} x {self.map.shape[1]} map, "
-                f"got {cell} for agent {agent}"
-            )
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -142,13 +94,13 @@ class Scene:
 
     def agent(self, who: int | str) -> int:
         """Return the number of an agent given by number or name; ValueError if there is none."""
-        agents = range(len(self.alive))
-        names = [agent_name(agent, self.n_pursuers) for agent in agents]
+        names = [agent_name(agent, self.n_pursuers) for agent in range(len(self.alive))]
         if isinstance(who, str) and who in names:
             return names.index(who)
-        if isinstance(who, str) or who not in agents:
-            expected = f"0 to {agents[-1]} or a name such as {names[0]}" if names else "no viewers"
-            raise ValueError(f"viewers: expected {expected}, got {who!r}")
+        if isinstance(who, str) or who not in range(len(names)):
+            raise ValueError(
+                f"viewers: expected 0 to {len(names) - 1} or a name such as pursuer_0, got {who!r}"
+            )
         return who
 
     def occupied_cells(self) -> dict[Cell, CellContents]:
@@ -186,23 +138,6 @@ class Scene:
             elif self.involved is not None and self.involved[agent, :2].any():  # no adversaries
                 involved.add((row, col))
         return at_fault, involved - at_fault
-
-
-def _check_shape(
-    name: str, array: NDArray[np.generic] | None, expected: tuple[int | None, ...]
-) -> None:
-    if array is None:
-        return
-    if not isinstance(array, np.ndarray):
-        raise TypeError(f"{name}: expected a NumPy array, got {type(array).__name__}")
-    # None in an expected shape stands for any length.
-    fits = array.ndim == len(expected) and all(
-        want in (None, have) for want, have in zip(expected, array.shape, strict=True)
-    )
-    if not fits:
-        wanted = tuple("any" if want is None else want for want in expected)
-        shown = "(" + ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "") + ")"
-        raise ValueError(f"{name}: expected shape {shown}, got {array.shape}")
 
 
 def rgb(
@@ -288,6 +223,7 @@ class _Picture:
         self.scene = scene
         self.layout = layout
         self.numbers = numbers
+        self.halo = 1 if layout.cell >= 8 else 0  # width of the light border around an agent
         self.badges: list[tuple[list[int], Point]] = []  # agents on one cell, and where to say so
         self.canvas = _ground(scene.map.astype(bool).tobytes(), layout).copy()
 
@@ -297,13 +233,14 @@ class _Picture:
             return
         row, col = self.scene.positions[viewer].tolist()
         colour = colors.TEAMS[viewer >= self.scene.n_pursuers]
-        left, top, right, bottom = self.layout.box(
-            row - reach, col - reach, row + reach, col + reach
-        )
+        cell, (x, y, right, bottom) = self.layout.cell, self.layout.field
+        left, top = max(x, x + (col - reach) * cell), max(y, y + (row - reach) * cell)
+        right = min(right, x + (col + reach + 1) * cell)
+        bottom = min(bottom, y + (row + reach + 1) * cell)
         tint = Image.new("L", (right - left, bottom - top), VIEW_LEVEL)
         self.canvas.paste(colour, (left, top), tint)
         ImageDraw.Draw(self.canvas).rectangle(
-            (left, top, right - 1, bottom - 1), outline=colour, width=self.layout.stroke
+            (left, top, right - 1, bottom - 1), outline=colour, width=2 if cell >= 12 else 1
         )
 
     def draw_trails(self) -> None:
@@ -334,7 +271,7 @@ class _Picture:
 
     def draw_agents(self) -> None:
         """Draw the living agents; two teams on one cell are smaller and side by side."""
-        size = self.layout.agent
+        size = max(4, round(self.layout.cell * AGENT_SCALE))
         for (row, col), contents in self.scene.occupied_cells().items():
             x, y = self.layout.centre(row, col)
             if contents.pursuers and contents.evaders:
@@ -350,7 +287,7 @@ class _Picture:
 
     def _draw_pursuers(self, contents: CellContents, centre: Point, size: int) -> None:
         wide = round(size * TRIANGLE_SCALE)
-        stamp(self.canvas, "triangle", colors.PAPER, centre, wide + 4 * self.layout.halo)
+        stamp(self.canvas, "triangle", colors.PAPER, centre, wide + 4 * self.halo)
         stamp(self.canvas, "triangle", colors.PURSUER, centre, wide)
         side = -1 if contents.evaders else 1  # evaders on the cell have their badge on the right
         badge = (centre[0] + side * size * 0.5, centre[1] - side * size * 0.4)
@@ -358,9 +295,9 @@ class _Picture:
         self._draw_label(contents.pursuers, inside, badge, round(size * 0.55), colors.PAPER)
 
     def _draw_evaders(self, contents: CellContents, centre: Point, size: int) -> None:
-        """Draw a disc, which is hollow if all evaders on the cell are captured."""
+        # A disc, which is hollow if all evaders on the cell are captured.
         shape = "thick ring" if contents.all_captured else "disc"
-        stamp(self.canvas, "disc", colors.PAPER, centre, size + 2 * self.layout.halo)
+        stamp(self.canvas, "disc", colors.PAPER, centre, size + 2 * self.halo)
         stamp(self.canvas, shape, colors.EVADER, centre, size)
         badge = (centre[0] + size * 0.45, centre[1] - size * 0.4)
         ink, scale = (colors.EVADER, 0.55) if contents.all_captured else (colors.PAPER, 0.65)
@@ -457,3 +394,162 @@ def _shortened(title: str, room: int, size: int) -> str:
     while title and text.getlength(title + "...") > room:
         title = title[:-1]
     return title.rstrip() + "..."
+
+
+# Text:
+
+MODES = ("true", "256", "none")
+RESET = "\x1b[0m"
+
+
+class Ink(NamedTuple):
+    """Colours of a piece of text, ``#rrggbb``; empty means the terminal's own."""
+
+    text: str = ""
+    ground: str = ""
+
+
+Run = tuple[str, Ink]  # a piece of text of one colour
+
+UNICODE = {"pursuer": "▲", "evader": "●", "captured": "○", "obstacle": "██", "free": "· "}
+ASCII = {"pursuer": "P", "evader": "E", "captured": "e", "obstacle": "##", "free": ". "}
+
+
+def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
+    """Draw a scene as lines of text, without a newline at the end.
+
+    A cell is two characters wide. The second one is the number of agents if there are several. If
+    both teams share a cell, colored text shows the sign or the number of each team in its color;
+    plain text shows X, and the number of agents if it is 3 or more.
+
+    Parameters
+    ----------
+    scene : Scene
+        What to draw.
+    color : {"true", "256", "none"}, optional
+        24-bit escape codes, the 256-color palette, or plain ASCII: P pursuer, E evader,
+        e captured evader, X both teams, x a death, # obstacle.
+    compact : bool, optional
+        Whether to draw half blocks: two rows of cells per line and one character per column. Only
+        colors tell the teams apart then, so it needs colors.
+
+    Raises
+    ------
+    ValueError
+        If `color` is unknown, or `compact` is combined with "none".
+    """
+    if color not in MODES:
+        raise ValueError(f"color: expected one of {MODES}, got {color!r}")
+    if compact and color == "none":
+        raise ValueError("compact: expected color 'true' or '256', got 'none'")
+    glyphs = ASCII if color == "none" else UNICODE
+    pursuers, evaders = scene.team_sizes()
+    legend = [
+        (scene.title + "   " if scene.title else "", Ink()),
+        (glyphs["pursuer"], Ink(colors.PURSUER)),
+        (f" {pursuers}  ", Ink()),
+        (glyphs["evader"], Ink(colors.EVADER)),
+        (f" {evaders}", Ink()),
+    ]
+    field = _half_blocks(scene) if compact else _cells(scene, glyphs)
+    return "\n".join(_painted(line, color) for line in (legend, *field))
+
+
+def _cells(scene: Scene, glyphs: dict[str, str]) -> list[list[Run]]:
+    occupied, grounds, deaths = scene.occupied_cells(), _grounds(scene), _last_step(scene.deaths)
+    lines: list[list[Run]] = []
+    for row, obstacles in enumerate(scene.map.tolist()):
+        line: list[Run] = []
+        for col, obstacle in enumerate(obstacles):
+            cell = (row, col)
+            ground = grounds.get(cell, colors.PAPER)
+            if cell in occupied:
+                line += _agents(occupied[cell], glyphs, ground)
+            elif cell in deaths:
+                line.append(("x " if glyphs is ASCII else "× ", Ink(colors.INK, ground)))
+            elif obstacle:
+                line.append((glyphs["obstacle"], Ink(colors.OBSTACLE, ground)))
+            else:
+                line.append((glyphs["free"], Ink(colors.FREE, ground)))
+        lines.append(line)
+    return lines
+
+
+def _agents(contents: CellContents, glyphs: dict[str, str], ground: str) -> list[Run]:
+    """Return two characters: the signs or the numbers of the teams on a cell."""
+    pursuer, evader = Ink(colors.PURSUER, ground), Ink(colors.EVADER, ground)
+    pursuers, evaders = len(contents.pursuers), len(contents.evaders)
+    sign = glyphs["captured" if contents.all_captured else "evader"]
+    if pursuers and evaders and glyphs is ASCII:
+        return [("X" + _number(pursuers + evaders, least=3), pursuer)]
+    if pursuers and evaders:
+        first = (_number(pursuers, alone=glyphs["pursuer"]), pursuer)
+        return [first, (_number(evaders, alone=sign), evader)]
+    if pursuers:
+        return [(glyphs["pursuer"] + _number(pursuers), pursuer)]
+    return [(sign + _number(evaders), evader)]
+
+
+def _number(count: int, alone: str = " ", least: int = 2) -> str:
+    """Return one character: a digit, + for 10 or more, and `alone` below `least`."""
+    return alone if count < least else str(count) if count < 10 else "+"
+
+
+def _grounds(scene: Scene) -> dict[Cell, str]:
+    """Return the cells whose background shows an event of the last step."""
+    collided = scene.collided()[0] | _last_step(scene.deaths)
+    return {
+        **dict.fromkeys(collided, colors.COLLISION_GROUND),
+        **dict.fromkeys(_last_step(scene.captures), colors.CAPTURE_GROUND),
+    }
+
+
+def _last_step(marks: NDArray[np.integer] | None) -> set[Cell]:
+    if marks is None:
+        return set()
+    return {(row, col) for row, col, age in marks.tolist() if age == 0}
+
+
+def _half_blocks(scene: Scene) -> list[list[Run]]:
+    rows, cols = scene.shape
+    fill: dict[Cell, str] = dict.fromkeys(zip(*scene.map.nonzero(), strict=True), colors.OBSTACLE)
+    fill |= _grounds(scene)
+    for cell, contents in scene.occupied_cells().items():
+        fill[cell] = colors.PURSUER if contents.pursuers else colors.EVADER
+
+    def color(row: int, col: int) -> str:
+        return fill.get((row, col), colors.PAPER) if row < rows else ""
+
+    return [
+        [("▀", Ink(color(row, col), color(row + 1, col))) for col in range(cols)]
+        for row in range(0, rows, 2)
+    ]
+
+
+def _painted(line: list[Run], color: str) -> str:
+    """Return the line with an escape code at each change of colour, reset at its end."""
+    number = _palette_number if color == "256" else _true_number
+    parts = []
+    for ink, runs in groupby(line, key=lambda run: run[1]):
+        text = "".join(run[0] for run in runs)
+        codes = [
+            f"{place};{number(colour)}"
+            for place, colour in (("38", ink.text), ("48", ink.ground))
+            if colour and color != "none"
+        ]
+        parts.append(f"\x1b[{';'.join(codes)}m{text}{RESET}" if codes and text else text)
+    return "".join(parts)
+
+
+def _true_number(colour: str) -> str:
+    return "2;{};{};{}".format(*ImageColor.getrgb(colour))
+
+
+@lru_cache(maxsize=64)
+def _palette_number(colour: str) -> str:
+    """Return the nearest colour of the 6 x 6 x 6 and 24 greys that xterm numbers 16 to 255."""
+    # The first 16 colours are left out, because users choose them.
+    greys = [(8 + 10 * grey,) * 3 for grey in range(24)]
+    palette = np.array([*product((0, 95, 135, 175, 215, 255), repeat=3), *greys])
+    distances = ((palette - ImageColor.getrgb(colour)) ** 2).sum(axis=1)
+    return f"5;{16 + distances.argmin()}"
