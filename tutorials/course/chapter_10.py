@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from itertools import permutations
 from typing import Any
 
 import numpy as np
 
-from course.checks import NUMBER, Check, function, number, numbers, tried, value
-from matrixworld._util.checks import shown
-from matrixworld.coevolution.settings import RaceSettings
+from course.checks import Mistake, compare, described, function, near, number, numbers
+from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.types import FloatArray
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
@@ -21,58 +19,60 @@ HALLS, GENERALISTS = 0.8305, 0.8431
 """NashConv of the last generations of the kept races, means over seeds; a test computes them."""
 
 
-def _guaranteed(payoff: FloatArray, mixture: FloatArray) -> float:
-    return float((mixture @ payoff).min())
+def exercise_1(answer: Any) -> None:
+    """Compute what a mixture guarantees."""
+    compare(
+        answer,
+        lambda payoff, mixture: float((mixture @ payoff).min()),
+        _games(),
+        clues={
+            "That is the score against the opponent that the mixture likes best.": (
+                lambda payoff, mixture: float((mixture @ payoff).max())
+            ),
+            "That is the mean over all opponents. Who knows your mixture does not draw by lot.": (
+                lambda payoff, mixture: float((mixture @ payoff).mean())
+            ),
+            "That is the worst single entry: you looked at one row at a time, not at the "
+            "mixture.": lambda payoff, mixture: float(payoff.min()),
+        },
+        otherwise="Weight the rows by the mixture: that gives one score against each opponent.",
+    )
 
 
-def _games() -> Iterable[tuple[FloatArray, FloatArray]]:
+def _games() -> list[tuple[FloatArray, FloatArray]]:
     rng = np.random.default_rng(101)
-    yield STAKES, np.full(3, 1 / 3)
-    for shape in ((3, 3), (2, 5), (6, 4)):
-        yield rng.random(shape), rng.dirichlet(np.ones(shape[0]))
+    shapes = ((3, 3), (2, 5), (6, 4))
+    drawn = [(rng.random(shape), rng.dirichlet(np.ones(shape[0]))) for shape in shapes]
+    return [(STAKES, np.full(3, 1 / 3)), *drawn]
 
 
-guarantee = function(
-    NUMBER,
-    _guaranteed,
-    _games,
-    clues={
-        "That is the score against the opponent that the mixture likes best.": lambda payoff, p: (
-            float((p @ payoff).max())
-        ),
-        "That is the mean over all opponents. Who knows your mixture does not draw by lot.": (
-            lambda payoff, p: float((p @ payoff).mean())
-        ),
-        "That is the worst single entry: you looked at one row at a time, not at the mixture.": (
-            lambda payoff, p: float(payoff.min())
-        ),
-    },
-    otherwise="Weight the rows by the mixture: that gives one score against each opponent.",
-)
-
-
-def _safe(shares: list[float]) -> str | None:
+def exercise_2(answer: Any) -> None:
+    """Find a safe mixture of rock, paper and scissors with stakes."""
+    shares = numbers(answer, "the shares of rock, paper and scissors", 3)
     if min(shares) < 0.0 or abs(sum(shares) - 1.0) > 1e-6:
-        return "Three shares are not negative, and their sum is 1."
+        raise Mistake("Three shares are not negative, and their sum is 1.")
     scores = np.array(shares) @ STAKES
-    if scores.min() >= 0.5 - NEAR:
-        return None
-    worst = ("rock", "paper", "scissors")[int(scores.argmin())]
-    return f"Against {worst} this mixture scores {scores.min():.3f}; it has to reach 0.495."
+    if scores.min() < 0.5 - NEAR:
+        worst = ("rock", "paper", "scissors")[int(scores.argmin())]
+        raise Mistake(
+            f"Against {worst} this mixture scores {scores.min():.3f}; it has to reach 0.495."
+        )
 
 
-nash_conv = number(
-    HALLS,
-    0.001,
-    clues={
-        GENERALISTS: "That is the NashConv of generalists.",
-        1.0 - HALLS: "That is what both teams guarantee together. How much is missing?",
-    },
-    low="Best responses gain more. The exploitabilities of both teams are added.",
-    high="A team falls short of what perfect play guarantees: of the value or of 1 - value.",
-)
+def exercise_3(answer: Any) -> None:
+    """Compute the NashConv of races with halls of fame."""
+    near(
+        number(answer),
+        HALLS,
+        0.001,
+        clues={
+            GENERALISTS: "That is the NashConv of generalists.",
+            1.0 - HALLS: "That is what both teams guarantee together. How much is missing?",
+        },
+        low="Best responses gain more. The exploitabilities of both teams are added.",
+        high="A team falls short of what perfect play guarantees: of the value or of 1 - value.",
+    )
 
-# ---- A search that remembers ---------------------------------------------------------------------
 
 CELLS, STEPS = 13, 23
 """Of the corridor; the slowest search that goes to one end and then to the other takes 22 steps."""
@@ -92,33 +92,26 @@ CORRIDOR = RaceSettings.of(
     }
 )
 """A pursuer that sees one cell to each side evolves there, and an evader stands still."""
+WAYS = {"west": -1, "east": 1}
 
 
-def _search(search: Callable[[bool, bool, Any], Any]) -> str | None:
+def exercise_4(answer: Any) -> None:
+    """Write a search of the corridor that remembers."""
+    search = function(answer)
     for start, evader in permutations(range(CELLS), 2):
         cell, memory = start, None
         path: list[int] = []
         while abs(cell - evader) > 1 and len(path) < STEPS - 1:  # the last step captures
-            answer = search(cell == 0, cell == CELLS - 1, memory)
-            if not isinstance(answer, tuple) or len(answer) != 2 or answer[0] not in _WAYS:
-                return f'Expected a pair of "west" or "east" and a memory, got {shown(answer)}.'
-            cell = min(max(cell + _WAYS[answer[0]], 0), CELLS - 1)
-            memory = answer[1]
+            found = search(cell == 0, cell == CELLS - 1, memory)
+            if not isinstance(found, tuple) or len(found) != 2 or found[0] not in WAYS:
+                raise Mistake(
+                    f'Expected a pair of "west" or "east" and a memory, got {described(found)}.'
+                )
+            cell = min(max(cell + WAYS[found[0]], 0), CELLS - 1)
+            memory = found[1]
             path.append(cell)
         if abs(cell - evader) > 1:
-            return (
+            raise Mistake(
                 f"From cell {start} it does not find the evader in cell {evader} (the westernmost "
                 f"cell is 0). These are the cells that it visits: {', '.join(map(str, path))}."
             )
-    return None
-
-
-_WAYS = {"west": -1, "east": 1}
-
-
-CHECKS: dict[str, Check] = {
-    "10.1": guarantee,
-    "10.2": value(numbers("the shares of rock, paper and scissors", 3), _safe),
-    "10.3": nash_conv,
-    "10.4": tried(_search),
-}

@@ -5,42 +5,29 @@ from __future__ import annotations
 from typing import Any
 
 from course.boards import Cell, Situation, after_step, situations
-from course.checks import (
-    WHOLE,
-    Check,
-    FormError,
-    Kind,
-    actions,
-    function,
-    number,
-    numbers,
-    value,
-)
+from course.checks import Mistake, about, actions, compare, near, numbers, whole
+from matrixworld import Action
 from matrixworld.explorer.playground import drawn_world
-from matrixworld.world.rules import Action
-
-# 2.1: one other action.
 
 JAM = ". . . . . b . / A B . C . . a / . . . . . . ."
 JAM_ACTIONS = [Action.EAST, Action.EAST, Action.WEST, Action.EAST, Action.SOUTH]
 """Pursuer 0 cannot move."""
 
 
-def _mistake_in_jam(moves: list[Action]) -> str | None:
+def exercise_1(answer: Any) -> None:
+    """Free pursuer 0 by one other action."""
+    moves = actions(answer, len(JAM_ACTIONS))
     changed = [agent for agent, move in enumerate(moves) if move != JAM_ACTIONS[agent]]
     if 0 in changed:
-        return "Pursuer 0 shall still go east. Change the action of another agent."
+        raise Mistake("Pursuer 0 shall still go east. Change the action of another agent.")
     if len(changed) != 1:
-        return f"Exactly one action shall be another one, and {len(changed)} are."
+        raise Mistake(f"Exactly one action shall be another one, and {len(changed)} are.")
     world = drawn_world("SB", JAM)
     world.step(moves, explain=True)
     if world.positions[0].tolist() != [1, 1]:
         reason = next(each for each in world.conflicts if 0 in each.held)
-        return f"Pursuer 0 still bounces: {reason}."
-    return None
+        raise Mistake(f"Pursuer 0 still bounces: {reason}.")
 
-
-# 2.2: rewards of a step under the rules -O.
 
 MARKET = ". . . . . . . / A . B . . b # / . . . . . . . / . C a . . . ."
 MARKET_ACTIONS = [Action.EAST, Action.WEST, Action.EAST, Action.STAY, Action.EAST]
@@ -57,47 +44,34 @@ REWARD_CLUES = {
     -0.1: "is an adversary beside it after the step?",
 }
 """What to say to a reward that is so much too large."""
+NOT_YET = "not yet. Add up the four rows of the table for this agent alone."
 
 
-def _mistake_in_rewards(answer: list[float]) -> str | None:
+def exercise_2(answer: Any) -> None:
+    """Compute the rewards of a step under the rules -O."""
     world = drawn_world("O", MARKET)
     world.step(MARKET_ACTIONS)
-    for agent, (given, reward) in enumerate(zip(answer, world.rewards.tolist(), strict=True)):
-        wrong = number(
-            reward,
-            1e-3,
-            clues={reward + part: text for part, text in REWARD_CLUES.items()},
-            low="not yet. Add up the four rows of the table for this agent alone.",
-            high="not yet. Add up the four rows of the table for this agent alone.",
-        )(given)
-        if wrong:
-            return f"{world.config.agent_name(agent).replace('_', ' ').capitalize()}: {wrong}"
-    return None
+    given = numbers(answer, "a list of 5 numbers", 5)
+    for agent, reward in enumerate(world.rewards.tolist()):
+        clues = {reward + part: text for part, text in REWARD_CLUES.items()}
+        with about(world.config.agent_name(agent).replace("_", " ").capitalize()):
+            near(given[agent], reward, 1e-3, clues=clues, low=NOT_YET, high=NOT_YET)
 
 
-# 2.3: caught at once, or surviving.
-
-at_least_steps = number(
-    202,
-    0,
-    kind=WHOLE._replace(name="a whole number of steps"),
-    clues={
-        201: "After 201 steps both totals are equal. It has to be worse.",
-        200: "An evader that is caught in its first step pays for this step, too.",
-        199: "An evader that is caught in its first step pays for this step, too.",
-    },
-    low=lambda n: f"After {n} steps its total is {-0.05 * n:.2f}. Compare that with -10.05.",
-    high="There is a smaller number.",
-)
-
-
-# 2.4: a resolver that judges all at once.
-
-
-def true_cells(cells: list[Cell], targets: list[Cell], side: int = 4) -> list[Cell]:
-    """Return the cells of a pack on a square after a step under -SB; no target is outside."""
-    world = after_step((cells, targets), side)
-    return [(row, col) for row, col in world.positions[:-1].tolist()]
+def exercise_3(answer: Any) -> None:
+    """Say after how many steps it is worse to survive than to be caught at once."""
+    near(
+        whole(answer, "a whole number of steps"),
+        202,
+        0,
+        clues={
+            201: "After 201 steps both totals are equal. It has to be worse.",
+            200: "An evader that is caught in its first step pays for this step, too.",
+            199: "An evader that is caught in its first step pays for this step, too.",
+        },
+        low=lambda n: f"After {n} steps its total is {-0.05 * n:.2f}. Compare that with -10.05.",
+        high="There is a smaller number.",
+    )
 
 
 ROW = [(0, 0), (0, 1), (0, 2)]
@@ -110,11 +84,28 @@ DRAWN: list[Situation] = [
 ]
 
 
+def exercise_4(answer: Any) -> None:
+    """Resolve a step with a function of one's own that judges all at once."""
+    compare(
+        answer,
+        true_cells,
+        situations(DRAWN, seed=2, most=14),
+        _cells,
+        otherwise=_difference,
+    )
+
+
+def true_cells(cells: list[Cell], targets: list[Cell], side: int = 4) -> list[Cell]:
+    """Return the cells of a pack on a square after a step under -SB; no target is outside."""
+    world = after_step((cells, targets), side)
+    return [(row, col) for row, col in world.positions[:-1].tolist()]
+
+
 def _cells(value: Any) -> list[Cell]:
     try:
         return [(int(row), int(col)) for row, col in value]
     except (TypeError, ValueError):
-        raise FormError(f"got {value!r}") from None
+        raise Mistake(f"Expected a list of cells, got {value!r}.") from None
 
 
 def _difference(
@@ -128,19 +119,3 @@ def _difference(
         f"For cells {cells} and targets {targets}, agent {agent} {does}; your function puts it on "
         f"{found[agent]}."
     )
-
-
-resolver = function(
-    Kind("a list of cells", _cells),
-    lambda cells, targets: true_cells(cells, targets),
-    lambda: situations(DRAWN, seed=2, most=14),
-    otherwise=_difference,
-)
-
-
-CHECKS: dict[str, Check] = {
-    "2.1": value(actions(len(JAM_ACTIONS)), _mistake_in_jam),
-    "2.2": value(numbers("a list of 5 numbers", 5), _mistake_in_rewards),
-    "2.3": at_least_steps,
-    "2.4": resolver,
-}

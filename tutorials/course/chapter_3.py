@@ -10,13 +10,10 @@ from typing import Any
 import numpy as np
 from deap import base, tools
 
-from course.checks import NUMBER, Check, function
-from matrixworld._util.checks import shown
+from course.checks import Mistake, compare, described
+from matrixworld import EpisodeStatistics, Matches, Network, Population, WorldConfig, rollout
 from matrixworld.coevolution.learners.toolbox import Individual
 from matrixworld.coevolution.types import FloatArray, Genome, Team
-from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network, Population
 
 # ---- Evolution -----------------------------------------------------------------------------------
 
@@ -114,21 +111,35 @@ def ask_and_tell(
 
 # ---- Exercises -----------------------------------------------------------------------------------
 
-genome_size = function(
-    NUMBER,
-    lambda side, hidden, moves: Network((hidden,), fov=side, n_actions=moves).genome_size,
-    lambda: ((5, 8, 5), (11, 32, 5), (3, 4, 9)),
-    case="For a view of {side} x {side}, {hidden} hidden units and {moves} moves",
-    clues={
-        "It counts the weights. What else does each unit have?": (
-            lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves
-        ),
-        "How many layers does a view have?": (
-            lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves
-        ),
-    },
-    otherwise="Expected another number.",
-)
+
+def exercise_1(answer: Any) -> None:
+    """Count the numbers of a genome."""
+    compare(
+        answer,
+        lambda side, hidden, moves: Network((hidden,), fov=side, n_actions=moves).genome_size,
+        [(5, 8, 5), (11, 32, 5), (3, 4, 9)],
+        case="For a view of {side} x {side}, {hidden} hidden units and {moves} moves",
+        clues={
+            "It counts the weights. What else does each unit have?": (
+                lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves
+            ),
+            "How many layers does a view have?": (
+                lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves
+            ),
+        },
+        otherwise="Expected another number.",
+    )
+
+
+def exercise_2(answer: Any) -> None:
+    """Say how many matches a standard error takes."""
+    compare(
+        answer,
+        lambda spread, error: math.ceil(round((spread / error) ** 2, 6)),
+        [(0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)],
+        case="For a spread of {spread} and an error of {error}",
+        otherwise=_why_matches,
+    )
 
 
 def _why_matches(found: float, right: int, spread: float, error: float) -> str:
@@ -142,14 +153,6 @@ def _why_matches(found: float, right: int, spread: float, error: float) -> str:
     return f"With so many matches the standard error is {error_then}, and {error:g} is asked for."
 
 
-matches_needed = function(
-    NUMBER,
-    lambda spread, error: math.ceil(round((spread / error) ** 2, 6)),
-    lambda: ((0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)),
-    case="For a spread of {spread} and an error of {error}",
-    otherwise=_why_matches,
-)
-
 TEAM = 10
 CROWDS: tuple[list[tuple[int, int]], ...] = (
     [(0, 0), (0, 0), (0, 0), (4, 7), (4, 7)],
@@ -159,23 +162,27 @@ CROWDS: tuple[list[tuple[int, int]], ...] = (
 )
 """Cells of living agents."""
 
-overlap = function(
-    NUMBER,
-    lambda cells, team: (len(cells) - len(set(cells))) / team,
-    lambda: ((cells, TEAM) for cells in CROWDS),
-    case="For the cells {cells} and a team of {team}",
-    clues={
-        "It counts all agents on shared cells; the first on each is not counted.": (
-            lambda cells, team: sum(cells.count(cell) > 1 for cell in cells) / team
+
+def exercise_3(answer: Any) -> None:
+    """Measure how much a team overlaps."""
+    compare(
+        answer,
+        lambda cells, team: (len(cells) - len(set(cells))) / team,
+        [(cells, TEAM) for cells in CROWDS],
+        case="For the cells {cells} and a team of {team}",
+        clues={
+            "It counts all agents on shared cells; the first on each is not counted.": (
+                lambda cells, team: sum(cells.count(cell) > 1 for cell in cells) / team
+            ),
+            "It is a share of the living; expected a share of the whole team.": (
+                lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team)
+            ),
+        },
+        otherwise=lambda found, right, cells, team: (
+            f"Expected {right:g}. How many different cells are there?"
         ),
-        "It is a share of the living; expected a share of the whole team.": (
-            lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team)
-        ),
-    },
-    otherwise=lambda found, right, cells, team: (
-        f"Expected {right:g}. How many different cells are there?"
-    ),
-)
+    )
+
 
 GENES, EPOCHS, NOISE = 60, 200, 0.01
 ENOUGH = 1 / 3
@@ -183,64 +190,48 @@ ENOUGH = 1 / 3
 MOST_CANDIDATES = 200
 
 
-def _learner(answer: Any) -> str | None:
+def exercise_4(answer: Any) -> None:
+    """Write a learner: a class with `ask` and `tell`."""
     if not isinstance(answer, type):
-        return "Expected a class: write `class Climber:` and then `answer = Climber`."
-    missing = [name for name in ("ask", "tell") if not callable(getattr(answer, name, None))]
-    if missing:
-        return f"The class has no method {missing[0]!r}."
-    gains = []
-    for seed in range(3):
-        gain = _gain(answer, seed)
-        if isinstance(gain, str):
-            return gain
-        gains.append(gain)
-    if min(gains) < ENOUGH:
-        return (
-            f"It ran without an error. After {EPOCHS} epochs it had covered {min(gains):.0%} of "
+        raise Mistake("Expected a class: write `class Climber:` and then `answer = Climber`.")
+    for name in ("ask", "tell"):
+        if not callable(getattr(answer, name, None)):
+            raise Mistake(f"The class has no method {name!r}.")
+    least = min(_gain(answer, seed) for seed in range(3))
+    if least < ENOUGH:
+        raise Mistake(
+            f"It ran without an error. After {EPOCHS} epochs it had covered {least:.0%} of "
             "the distance to the optimum; expected at least a third. Does `genome` move to the "
             "best candidate? Are the steps neither tiny nor huge?"
         )
-    return None
 
 
-def _gain(make: Any, seed: int) -> float | str:
-    """Return the share of the distance to an optimum that a learner covers, or what is wrong."""
+def _gain(make: Any, seed: int) -> float:
+    """Return the share of the distance to an optimum that a learner covers."""
     rng = np.random.default_rng(seed)
     start = rng.standard_normal(GENES).astype(np.float32) * np.float32(0.1)
     target = start + rng.standard_normal(GENES).astype(np.float32) * np.float32(0.5)
     # A copy: the start must stay what it is, even if a learner changes its genome in place.
     learner = make(start.copy(), np.random.default_rng(seed))
     if not hasattr(learner, "genome"):
-        return "The learner has no attribute `genome`; set it in `__init__`."
+        raise Mistake("The learner has no attribute `genome`; set it in `__init__`.")
     begin = float(np.linalg.norm(start - target))
     for _ in range(EPOCHS):
-        candidates = learner.ask(rng)
-        problem = _wrong_candidates(candidates)
-        if problem:
-            return problem
+        candidates = _candidates(learner.ask(rng))
         distances = np.linalg.norm(candidates - target, axis=1) / begin
         learner.tell(-distances + NOISE * rng.standard_normal(len(candidates)))
     if np.shape(learner.genome) != (GENES,):
-        return f"genome: expected the shape ({GENES},), got {np.shape(learner.genome)}."
+        raise Mistake(f"genome: expected the shape ({GENES},), got {np.shape(learner.genome)}.")
     return 1.0 - float(np.linalg.norm(learner.genome - target)) / begin
 
 
-def _wrong_candidates(candidates: Any) -> str | None:
-    if not isinstance(candidates, np.ndarray):
-        return f"ask: expected an array, got {shown(candidates)}."
-    if candidates.ndim != 2 or candidates.shape[1] != GENES or not len(candidates):
-        return f"ask: expected the shape (n, {GENES}), got {candidates.shape}."
-    if candidates.dtype != np.float32:
-        return f"ask: expected the dtype float32, got {candidates.dtype}."
-    if len(candidates) > MOST_CANDIDATES:
-        return f"ask: expected at most {MOST_CANDIDATES} candidates here, got {len(candidates)}."
-    return None
-
-
-CHECKS: dict[str, Check] = {
-    "3.1": genome_size,
-    "3.2": matches_needed,
-    "3.3": overlap,
-    "3.4": _learner,
-}
+def _candidates(given: Any) -> np.ndarray:
+    if not isinstance(given, np.ndarray):
+        raise Mistake(f"ask: expected an array, got {described(given)}.")
+    if given.ndim != 2 or given.shape[1] != GENES or not len(given):
+        raise Mistake(f"ask: expected the shape (n, {GENES}), got {given.shape}.")
+    if given.dtype != np.float32:
+        raise Mistake(f"ask: expected the dtype float32, got {given.dtype}.")
+    if len(given) > MOST_CANDIDATES:
+        raise Mistake(f"ask: expected at most {MOST_CANDIDATES} candidates here, got {len(given)}.")
+    return given

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from course.checks import NUMBER, Check, array, function, numbers, value
+from course.checks import Mistake, about, array, compare, numbers
 from course.toys import GAMES
 
 UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
@@ -22,35 +22,33 @@ def unnamed(of_games: Mapping[str, T]) -> dict[str, T]:
     return {shown: of_games[name] for shown, name in UNNAMED.items()}
 
 
-def _two_races(answer: Any) -> str | None:
+def exercise_1(answer: Any) -> None:
+    """Draw two races with equal diagonals: both teams get better, or both get worse."""
     if not isinstance(answer, tuple | list) or len(answer) != 2:
-        return "Expected two matrices: `answer = better, worse`."
+        raise Mistake("Expected two matrices: `answer = better, worse`.")
     for name, matrix, sign in zip(("better", "worse"), answer, (1.0, -1.0), strict=True):
-        mistake = value(array("4 x 4 numbers", 4, 4), partial(_one_race, sign))(matrix)
-        if mistake:
-            return f"{name}: {mistake[0].lower()}{mistake[1:]}"
-    return None
+        with about(name):
+            _judge_race(array(matrix, "4 x 4 numbers", 4, 4), sign)
 
 
-def _one_race(sign: float, rates: NDArray[np.float64]) -> str | None:
+def _judge_race(rates: NDArray[np.float64], sign: float) -> None:
     """Judge a race in which both teams get better (1) or worse (-1)."""
     if not ((rates >= 0) & (rates <= 1)).all():
-        return "Expected capture rates between 0 and 1."
+        raise Mistake("Expected capture rates between 0 and 1.")
     if not np.allclose(np.diag(rates), 0.5):
-        return f"Expected 0.5 everywhere on the diagonal, got {np.diag(rates).tolist()}."
+        raise Mistake(f"Expected 0.5 everywhere on the diagonal, got {np.diag(rates).tolist()}.")
     rows, columns = rates.mean(axis=1), rates.mean(axis=0)
     grow, fall = ("grow", "fall") if sign > 0 else ("fall", "grow")
     if not (sign * np.diff(rows) > 1e-9).all():
-        return (
+        raise Mistake(
             f"The means of the rows are {rows.round(3).tolist()}. They are the strengths of the "
             f"pursuers, and should {grow} from row to row."
         )
     if not (sign * np.diff(columns) < -1e-9).all():
-        return (
+        raise Mistake(
             f"The means of the columns are {columns.round(3).tolist()}. They say how often the "
             f"evaders are captured, and should {fall} from column to column."
         )
-    return None
 
 
 def _matrices() -> list[NDArray[np.float64]]:
@@ -59,22 +57,36 @@ def _matrices() -> list[NDArray[np.float64]]:
     return [rng.random((n, m)).round(3) for n, m in ((6, 6), (5, 8), (9, 4))]
 
 
-ancestors = function(
-    NUMBER,
-    lambda payoff, g: payoff[g, :g].mean(),
-    lambda: ((matrix, g) for matrix in _matrices()[:2] for g in range(1, len(matrix))),
-    case="For generation {g}",
-    clues={
-        "It contains the current evaders; only earlier ones were asked for.": (
-            lambda payoff, g: payoff[g, : g + 1].mean()
-        ),
-        "These are earlier pursuers against evaders of this generation: a column.": (
-            lambda payoff, g: payoff[:g, g].mean()
-        ),
-        "It contains later evaders, too.": lambda payoff, g: payoff[g].mean(),
-    },
-    otherwise="Expected another number: the pursuers of this generation are one row.",
-)
+def exercise_2(answer: Any) -> None:
+    """Score a generation against its opponents' ancestors."""
+    compare(
+        answer,
+        lambda payoff, g: payoff[g, :g].mean(),
+        [(matrix, g) for matrix in _matrices()[:2] for g in range(1, len(matrix))],
+        case="For generation {g}",
+        clues={
+            "It contains the current evaders; only earlier ones were asked for.": (
+                lambda payoff, g: payoff[g, : g + 1].mean()
+            ),
+            "These are earlier pursuers against evaders of this generation: a column.": (
+                lambda payoff, g: payoff[:g, g].mean()
+            ),
+            "It contains later evaders, too.": lambda payoff, g: payoff[g].mean(),
+        },
+        otherwise="Expected another number: the pursuers of this generation are one row.",
+    )
+
+
+def exercise_3(answer: Any) -> None:
+    """Find the best generation of each team."""
+    compare(
+        answer,
+        _best_generations,
+        [(matrix,) for matrix in _matrices()],
+        partial(numbers, name="two generations", count=2),
+        case="For a matrix of {payoff.shape[0]} x {payoff.shape[1]}",
+        otherwise=_why_not_best,
+    )
 
 
 def _best_generations(payoff: NDArray[np.float64]) -> list[int]:
@@ -92,13 +104,27 @@ def _why_not_best(found: list[float], right: list[int], payoff: NDArray[np.float
     return "Expected other generations."
 
 
-best = function(
-    numbers("two generations", 2),
-    _best_generations,
-    lambda: ((matrix,) for matrix in _matrices()),
-    case="For a matrix of {payoff.shape[0]} x {payoff.shape[1]}",
-    otherwise=_why_not_best,
-)
+def exercise_4(answer: Any) -> None:
+    """Score individuals against held-out opponents."""
+    compare(
+        answer,
+        _share_of_wins,
+        _games(),
+        case="For 7 individuals and 5 opponents",
+        clues={
+            "That is the share of pairs that the opponents win.": (
+                lambda beats, one, many: _share_of_wins(beats, many, one)
+            ),
+            "That is one opponent for each individual; expected every individual against all.": (
+                lambda beats, one, many: beats(one[: len(many)], many).mean()
+            ),
+        },
+        otherwise=lambda found, *_: (
+            "Expected a share, between 0 and 1."
+            if found > 1
+            else "Expected another number: there are 35 pairs."
+        ),
+    )
 
 
 def _share_of_wins(beats: Any, individuals: NDArray[Any], opponents: NDArray[Any]) -> float:
@@ -111,32 +137,3 @@ def _games() -> Iterable[tuple[Any, ...]]:
         dimensions, bits = game.shape
         one = rng.integers(0, bits // 2 + 1, size=(7, dimensions))
         yield game.beats, one, rng.integers(0, bits + 1, size=(5, dimensions))
-
-
-held_out = function(
-    NUMBER,
-    _share_of_wins,
-    _games,
-    case="For 7 individuals and 5 opponents",
-    clues={
-        "That is the share of pairs that the opponents win.": (
-            lambda beats, one, many: _share_of_wins(beats, many, one)
-        ),
-        "That is one opponent for each individual; expected every individual against all.": (
-            lambda beats, one, many: beats(one[: len(many)], many).mean()
-        ),
-    },
-    otherwise=lambda found, *_: (
-        "Expected a share, between 0 and 1."
-        if found > 1
-        else "Expected another number: there are 35 pairs."
-    ),
-)
-
-
-CHECKS: dict[str, Check] = {
-    "4.1": _two_races,
-    "4.2": ancestors,
-    "4.3": best,
-    "4.4": held_out,
-}

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course.checks import WHOLE, Check, choices, function, numbers, tried, value
+from course.checks import Mistake, choices, compare, function, numbers, whole
 from course.questions import kept
 from course.synthetic_races import play_episodes, synthetic_race
 from matrixworld import analysis
@@ -32,31 +32,63 @@ def four_races() -> dict[str, FloatArray]:
     return {letter: noisy_race(kind, 1, generations=30) for letter, kind in SHOWN.items()}
 
 
-endings = choices(
-    ENDINGS,
-    sorted(ENDINGS.values()),
-    lambda wrong: (
-        f"{len(ENDINGS) - len(wrong)} of 4 are right. Ask of each race: which of the two curves "
-        "of generalization rises, and until when?"
-    ),
-)
+def exercise_1(answer: Any) -> None:
+    """Say what happens in four races."""
+    wrong = choices(answer, ENDINGS, sorted(ENDINGS.values()))
+    if wrong:
+        raise Mistake(
+            f"{len(ENDINGS) - len(wrong)} of 4 are right. Ask of each race: which of the two "
+            "curves of generalization rises, and until when?"
+        )
 
-opponent = function(
-    WHOLE,
-    lambda k, i: i % (k + 1),
-    lambda: ((k, i) for k in (3, 1, 2, 7, 30) for i in range(2 * k + 3)),
-    case="For k = {k} and i = {i}",
-    clues={
-        "This is the rule of the pursuers. When the evaders of generation k begin to learn, the "
-        "pursuers of generation k are ready. How many generations of pursuers are there?": (
-            lambda k, i: i % k
-        ),
-        "These evaders meet the newest pursuers only: they are specialists.": lambda k, i: k,
-    },
-    otherwise="This is not the opponent.",
-)
+
+def exercise_2(answer: Any) -> None:
+    """Say whom the evaders of generation k meet in epoch i of a race of generalists."""
+    compare(
+        answer,
+        lambda k, i: i % (k + 1),
+        [(k, i) for k in (3, 1, 2, 7, 30) for i in range(2 * k + 3)],
+        whole,
+        case="For k = {k} and i = {i}",
+        clues={
+            "This is the rule of the pursuers. When the evaders of generation k begin to learn, "
+            "the pursuers of generation k are ready. How many generations of pursuers are there?": (
+                lambda k, i: i % k
+            ),
+            "These evaders meet the newest pursuers only: they are specialists.": lambda k, i: k,
+        },
+        otherwise="This is not the opponent.",
+    )
+
 
 CLOSE = 2e-3
+
+
+def exercise_3(answer: Any) -> None:
+    """Compute the interval of what generalists gain in four generations."""
+    if isinstance(answer, analysis.Estimate):
+        answer = (answer.low, answer.high)
+    ends = np.array(numbers(answer, "the two ends of the interval, (low, high)", 2))
+    right = _ends("generalist_generalist")
+    if np.allclose(ends, right, atol=CLOSE):
+        return
+    if np.allclose(ends, -right[::-1], atol=CLOSE):
+        raise Mistake("The sign is turned round: take lag +5 minus lag +1.")
+    if np.allclose(ends[::-1], right, atol=CLOSE):
+        raise Mistake("The two ends are exchanged: the lower one comes first.")
+    if np.allclose(ends, right.round(2)):
+        raise Mistake("Right, but rounded too much: give at least three digits after the point.")
+    if np.allclose(ends, _ends("specialist_specialist"), atol=CLOSE):
+        raise Mistake("This is the interval of the specialists.")
+    if abs(ends.mean() - right.mean()) < CLOSE:
+        raise Mistake(
+            "The middle is right, the width is not. The ten seeds are the sample, one number each, "
+            "and ten numbers are few: `analysis.interval_over_runs` takes that into account."
+        )
+    raise Mistake(
+        "Take one number for each seed: the mean capture rate at lag +5 minus that at lag +1. Then "
+        "ask for the interval over the ten numbers."
+    )
 
 
 def _ends(schedule: str) -> FloatArray:
@@ -66,35 +98,6 @@ def _ends(schedule: str) -> FloatArray:
     gains = [np.diag(m, -5).mean() - np.diag(m, -1).mean() for m in matrices]
     estimate = analysis.interval_over_runs(np.array(gains))
     return np.array([estimate.low, estimate.high], dtype=np.float64)
-
-
-def _interval(answer: Any) -> str | None:
-    if isinstance(answer, analysis.Estimate):
-        answer = (answer.low, answer.high)
-    return value(numbers("the two ends of the interval, (low, high)", 2), _wrong_ends)(answer)
-
-
-def _wrong_ends(ends: list[float]) -> str | None:
-    right = _ends("generalist_generalist")
-    if np.allclose(ends, right, atol=CLOSE):
-        return None
-    if np.allclose(ends, -right[::-1], atol=CLOSE):
-        return "The sign is turned round: take lag +5 minus lag +1."
-    if np.allclose(ends[::-1], right, atol=CLOSE):
-        return "The two ends are exchanged: the lower one comes first."
-    if np.allclose(ends, right.round(2)):
-        return "Right, but rounded too much: give at least three digits after the point."
-    if np.allclose(ends, _ends("specialist_specialist"), atol=CLOSE):
-        return "This is the interval of the specialists."
-    if abs(np.mean(ends) - right.mean()) < CLOSE:
-        return (
-            "The middle is right, the width is not. The ten seeds are the sample, one number each, "
-            "and ten numbers are few: `analysis.interval_over_runs` takes that into account."
-        )
-    return (
-        "Take one number for each seed: the mean capture rate at lag +5 minus that at lag +1. Then "
-        "ask for the interval over the ten numbers."
-    )
 
 
 WITHOUT = ("noise only, .5", "only pursuers rise", "only evaders rise", "cycle", "drift")
@@ -107,34 +110,31 @@ UNSEEN = 1000
 """First seed of the races that the notebook does not show."""
 
 
-def _rule(answer: Any) -> str | None:
-    alarms, hits = 0, 0
-    for kind in (*WITHOUT, *WITH):
-        count = OF_EACH_WITHOUT if kind in WITHOUT else OF_EACH_WITH
-        for seed in range(UNSEEN, UNSEEN + count):
-            found = answer(noisy_race(kind, seed))
-            if not isinstance(found, bool | np.bool_):
-                return f"Your function returned {found!r}; expected True or False."
-            alarms += bool(found) and kind in WITHOUT
-            hits += bool(found) and kind in WITH
+def exercise_4(answer: Any) -> None:
+    """Write a rule that finds arms races, and few others."""
+    alarms = _alarms(answer, WITHOUT, OF_EACH_WITHOUT)
+    hits = _alarms(answer, WITH, OF_EACH_WITH)
     if alarms <= MOST_FALSE_ALARMS and hits >= FEWEST_HITS:
-        return None
+        return
     counted = (
         f"On races that you have not seen, your rule raised {alarms} false alarms in "
         f"{OF_EACH_WITHOUT * len(WITHOUT)} and found {hits} of {OF_EACH_WITH * len(WITH)} arms "
         "races."
     )
     if hits < FEWEST_HITS:
-        return f"{counted} It misses too many: which real rise is too small for it?"
-    return (
+        raise Mistake(f"{counted} It misses too many: which real rise is too small for it?")
+    raise Mistake(
         f"{counted} It is fooled too often: in some of these races only one team rises, in others "
         "both go up and down."
     )
 
 
-CHECKS: dict[str, Check] = {
-    "5.1": endings,
-    "5.2": opponent,
-    "5.3": _interval,
-    "5.4": tried(_rule),
-}
+def _alarms(rule: Any, kinds: tuple[str, ...], count: int) -> int:
+    alarms = 0
+    for kind in kinds:
+        for seed in range(UNSEEN, UNSEEN + count):
+            found = function(rule)(noisy_race(kind, seed))
+            if not isinstance(found, bool | np.bool_):
+                raise Mistake(f"Your function returned {found!r}; expected True or False.")
+            alarms += bool(found)
+    return alarms

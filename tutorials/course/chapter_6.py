@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from numbers import Integral
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from course.checks import NUMBER, Check, array, function, tried, value
+from course.checks import Mistake, array, compare, function
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
 
@@ -30,6 +28,25 @@ def _unseen_matrices() -> list[tuple[FloatArray]]:
     return [(matrix,) for matrix in (ROCK_PAPER_SCISSORS, pennies, pennies[::-1], *drawn)]
 
 
+def exercise_1(answer: Any) -> None:
+    """Count checkerboards."""
+    compare(
+        answer,
+        lambda matrix: analysis.checkerboards(matrix).count,
+        _unseen_matrices(),
+        case=OF_A_MATRIX,
+        clues={"A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses},
+        otherwise=_why_count,
+    )
+
+
+def _count_of_strict_losses(matrix: FloatArray) -> int:
+    """Return how many checkerboards there are if a rate of 0.5 is neither a win nor a loss."""
+    wins, losses = (matrix > 0.5).astype(int), (matrix < 0.5).astype(int)
+    # A square has two wins, and is found from each of them.
+    return int(np.einsum("ax,by,ay,bx->", wins, wins, losses, losses)) // 2
+
+
 def _why_count(found: float, right: int, matrix: FloatArray) -> str:
     if right and found in (2 * right, 4 * right):
         return f"That is {found / right:g} times too many: each square must count once."
@@ -41,21 +58,23 @@ def _why_count(found: float, right: int, matrix: FloatArray) -> str:
     return "That is too many. In a checkerboard two cells are wins and two are not."
 
 
-def _count_of_strict_losses(matrix: FloatArray) -> int:
-    """Return how many checkerboards there are if a rate of 0.5 is neither a win nor a loss."""
-    wins, losses = (matrix > 0.5).astype(int), (matrix < 0.5).astype(int)
-    # A square has two wins, and is found from each of them.
-    return int(np.einsum("ax,by,ay,bx->", wins, wins, losses, losses)) // 2
-
-
-count = function(
-    NUMBER,
-    lambda matrix: analysis.checkerboards(matrix).count,
-    _unseen_matrices,
-    case=OF_A_MATRIX,
-    clues={"A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses},
-    otherwise=_why_count,
-)
+def exercise_2(answer: Any) -> None:
+    """Compute the transitive share."""
+    compare(
+        answer,
+        lambda matrix: analysis.transitive_share(matrix),
+        _unseen_matrices(),
+        case=OF_A_MATRIX,
+        clues={
+            "This is the share of the rest. What is one minus it?": (
+                lambda matrix: 1.0 - analysis.transitive_share(matrix)
+            ),
+            "Row means and column means both contain the mean of the matrix, so you subtract it "
+            "twice. All rows and columns of the rest must have the sum 0.": _mean_subtracted_twice,
+        },
+        otherwise="Check first that all rows and columns of your rest have the sum 0.",
+        within=1e-6,
+    )
 
 
 def _mean_subtracted_twice(matrix: FloatArray) -> float:
@@ -63,56 +82,44 @@ def _mean_subtracted_twice(matrix: FloatArray) -> float:
     return float(1.0 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
 
 
-share = function(
-    NUMBER,
-    lambda matrix: analysis.transitive_share(matrix),
-    _unseen_matrices,
-    case=OF_A_MATRIX,
-    clues={
-        "This is the share of the rest. What is one minus it?": (
-            lambda matrix: 1.0 - analysis.transitive_share(matrix)
-        ),
-        "Row means and column means both contain the mean of the matrix, so you subtract it "
-        "twice. All rows and columns of the rest must have the sum 0.": _mean_subtracted_twice,
-    },
-    otherwise="Check first that all rows and columns of your rest have the sum 0.",
-    within=1e-6,
-)
-
-
-def _well(matrix: NDArray[np.float64]) -> str | None:
+def exercise_3(answer: Any) -> None:
+    """Add a well to rock, paper and scissors."""
+    matrix = array(answer, "four rows of four numbers", 4, 4)
     if not np.allclose(matrix[:3, :3], ROCK_PAPER_SCISSORS):
-        return "The first three rows and columns should be plain rock-paper-scissors."
+        raise Mistake("The first three rows and columns should be plain rock-paper-scissors.")
     if not np.allclose(matrix + matrix.T, 1.0):
-        return "What one hand wins the other one loses: matrix + matrix.T is 1 everywhere."
+        raise Mistake("What one hand wins the other one loses: matrix + matrix.T is 1 everywhere.")
     wrong = np.count_nonzero(~np.isclose(matrix[3], WELL[3]))
     if wrong:
-        return f"{wrong} of the four cells in the row of the well are wrong. Whom does it beat?"
-    return None
+        raise Mistake(
+            f"{wrong} of the four cells in the row of the well are wrong. Whom does it beat?"
+        )
 
 
 NEWEST, OLDER = 1, 4
 DRAWS = 300
 
 
-def _hall_of_fame(answer: Callable[..., Any]) -> str | None:
+def exercise_4(answer: Any) -> None:
+    """Choose opponents from a hall of fame."""
     rng = np.random.default_rng(4)
     for available in (1, 2, 4, 5, 12):
         seen: set[int] = set()
         for _ in range(DRAWS):
-            found = answer(available, rng)
+            found = function(answer)(available, rng)
             if not isinstance(found, list | tuple | np.ndarray) or not all(
                 isinstance(each, Integral) and not isinstance(each, bool) for each in found
             ):
-                return f"Expected several whole numbers, got {found!r}."
+                raise Mistake(f"Expected several whole numbers, got {found!r}.")
             chosen = [int(each) for each in found]
             problem = _bad_opponents(chosen, available)
             if problem:
-                return f"With available = {available} it returned {chosen}: {problem}."
+                raise Mistake(f"With available = {available} it returned {chosen}: {problem}.")
             seen.update(chosen)
         if len(seen) < available:
-            return f"With {available} opponents some of them were never met in {DRAWS} epochs."
-    return None
+            raise Mistake(
+                f"With {available} opponents some of them were never met in {DRAWS} epochs."
+            )
 
 
 def _bad_opponents(chosen: list[int], available: int) -> str | None:
@@ -126,11 +133,3 @@ def _bad_opponents(chosen: list[int], available: int) -> str | None:
     if len(chosen) != min(NEWEST + OLDER, available):
         return f"these are {len(chosen)} opponents"
     return None
-
-
-CHECKS: dict[str, Check] = {
-    "6.1": count,
-    "6.2": share,
-    "6.3": value(array("four rows of four numbers", 4, 4), _well),
-    "6.4": tried(_hall_of_fame),
-}

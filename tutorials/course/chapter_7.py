@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from course.checks import NUMBER, Check, array, function, number, tried, value
+from course.checks import Mistake, array, compare, function, near, number
 from course.questions import UnansweredError
 from course.synthetic_races import play_episodes, synthetic_race
 from course.toys import hosts_and_parasites
 from matrixworld import analysis
-from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
+from matrixworld.coevolution import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.types import FloatArray
 
 # ---- Races to judge ------------------------------------------------------------------------------
@@ -80,32 +81,40 @@ def _rates(kind: str, seed: int) -> FloatArray:
 # ---- Exercises -----------------------------------------------------------------------------------
 
 
-def _wins_of_parasites() -> Iterable[tuple[FloatArray, float]]:
+def exercise_1(answer: Any) -> None:
+    """Write the fitness of parasites of reduced virulence."""
+    compare(
+        answer,
+        reduced_virulence,
+        _wins_of_parasites(),
+        partial(_row, name="a fitness for each of 25 parasites", count=25),
+        clues={
+            "x is not the number of wins: it is the wins divided by the largest number of wins in "
+            "the population.": _virulence_of,
+            "x is relative to the best parasite of the population, which need not win all five.": (
+                lambda wins, virulence: _virulence_of(wins / 5.0, virulence)
+            ),
+        },
+        otherwise=_why_not_restrained,
+    )
+
+
+def _row(value: Any, name: str, count: int) -> FloatArray:
+    return array(value, name, count)
+
+
+def _wins_of_parasites() -> list[tuple[FloatArray, float]]:
     rng = np.random.default_rng(71)
+    cases = []
     for virulence in (1.0, 0.75, 0.6):
         wins = np.minimum(rng.integers(0, 6, 25), 4).astype(float)
         wins[0] = 4.0
-        yield wins, virulence
-    yield np.zeros(25), 0.75
+        cases.append((wins, virulence))
+    return [*cases, (np.zeros(25), 0.75)]
 
 
 def _virulence_of(share: FloatArray, virulence: float) -> FloatArray:
     return 2.0 * share / virulence - (share / virulence) ** 2
-
-
-restraint = function(
-    array("a fitness for each of 25 parasites", 25),
-    reduced_virulence,
-    _wins_of_parasites,
-    clues={
-        "x is not the number of wins: it is the wins divided by the largest number of wins in the "
-        "population.": _virulence_of,
-        "x is relative to the best parasite of the population, which need not win all five.": (
-            lambda wins, virulence: _virulence_of(wins / 5.0, virulence)
-        ),
-    },
-    otherwise=lambda *about: _why_not_restrained(*about),
-)
 
 
 def _why_not_restrained(
@@ -120,34 +129,48 @@ def _why_not_restrained(
     )
 
 
-threshold = number(
-    0.9,
-    0.002,
-    kind=NUMBER._replace(name="a number between 0.5 and 1"),
-    clues={
-        0.8: "At v = 0.8 the fitness is largest for 4 of 5 wins. But 4 wins may be as good as 5 "
-        "at a larger v."
-    },
-    low=lambda v: (
-        "There, 4 wins are at least as good as 5. There is a larger v with this property."
-        if v >= 0.5
-        else "Virulence lies between 0.5 and 1."
-    ),
-    high=lambda v: (
-        "There, 5 wins are still better than 4."
-        if v <= 1.0
-        else "Virulence lies between 0.5 and 1."
-    ),
-)
+def exercise_2(answer: Any) -> None:
+    """Find the largest virulence at which 4 wins of 5 are as good as 5."""
+    virulence = number(answer, "a number between 0.5 and 1")
+    inside = 0.5 <= virulence <= 1.0
+    near(
+        virulence,
+        0.9,
+        0.002,
+        clues={
+            0.8: "At v = 0.8 the fitness is largest for 4 of 5 wins. But 4 wins may be as good as "
+            "5 at a larger v."
+        },
+        low="There, 4 wins are at least as good as 5. There is a larger v with this property."
+        if inside
+        else "Virulence lies between 0.5 and 1.",
+        high="There, 5 wins are still better than 4."
+        if inside
+        else "Virulence lies between 0.5 and 1.",
+    )
 
 
-def _tables_of_wins() -> Iterable[tuple[FloatArray]]:
+def exercise_3(answer: Any) -> None:
+    """Share fitness among those that beat the same opponent."""
     wins = (np.random.default_rng(73).random((6, 4)) < 0.5).astype(float)
     wins[0], wins[1:, 3] = 1.0, 0.0
-    yield (wins,)
     without = wins.copy()
     without[:, 3] = 0.0
-    yield (without,)
+    compare(
+        answer,
+        competitive_sharing,
+        [(wins,), (without,)],
+        partial(
+            _row, name="6 numbers, one for each individual (row) of a table of 6 x 4 wins", count=6
+        ),
+        clues={
+            "That is the number of wins. Each opponent is worth 1 in total, however many beat "
+            "it.": lambda wins: wins.sum(axis=1),
+            "You divide by the wins of the individual. Divide by the number of individuals that "
+            "beat the opponent.": lambda wins: (wins > 0).any(axis=1).astype(float),
+        },
+        otherwise=_why_not_shared,
+    )
 
 
 def _why_not_shared(found: FloatArray, right: FloatArray, wins: FloatArray) -> str:
@@ -156,72 +179,52 @@ def _why_not_shared(found: FloatArray, right: FloatArray, wins: FloatArray) -> s
     return "Each column shares one point among those that beat this opponent; then sum each row."
 
 
-sharing = function(
-    array("6 numbers, one for each individual (row) of a table of 6 x 4 wins", 6),
-    competitive_sharing,
-    _tables_of_wins,
-    clues={
-        "That is the number of wins. Each opponent is worth 1 in total, however many beat it.": (
-            lambda wins: wins.sum(axis=1)
-        ),
-        "You divide by the wins of the individual. Divide by the number of individuals that beat "
-        "the opponent.": lambda wins: (wins > 0).any(axis=1).astype(float),
-    },
-    otherwise=_why_not_shared,
-)
-
 HITS, ALARMS, RARITY = 0.9, 0.25, 0.05
 """Shares of disengaged races that the rule finds, of others that it takes for such; of both."""
 FALSE, TRUE = ALARMS * (1.0 - RARITY), HITS * RARITY
+IMAGINE = "Imagine 1000 races, and count the alarms of both kinds."
 
-fooled = number(
-    FALSE / (FALSE + TRUE),
-    0.006,
-    kind=NUMBER._replace(name="a number: a share between 0 and 1"),
-    clues={
-        ALARMS: "That is the share of alarms among the races that are not disengaged. "
-        "You look for the share of these races among the alarms.",
-        TRUE / (FALSE + TRUE): "That is the share of alarms that are right.",
-        FALSE: "That is the share of false alarms among all races. Divide by all alarms.",
-        1.0 - HITS: "That is the share of the disengaged races that the rule misses.",
-        ALARMS / (ALARMS + HITS): "This would hold if half of all races were disengaged.",
-    },
-    low="Imagine 1000 races, and count the alarms of both kinds.",
-    high=lambda share: (
-        "The answer is a share between 0 and 1, not a percentage."
-        if share > 1.0
-        else "Imagine 1000 races, and count the alarms of both kinds."
-    ),
-)
+
+def exercise_4(answer: Any) -> None:
+    """Compute how many alarms of a rule are false."""
+    share = number(answer, "a number: a share between 0 and 1")
+    near(
+        share,
+        FALSE / (FALSE + TRUE),
+        0.006,
+        clues={
+            ALARMS: "That is the share of alarms among the races that are not disengaged. "
+            "You look for the share of these races among the alarms.",
+            TRUE / (FALSE + TRUE): "That is the share of alarms that are right.",
+            FALSE: "That is the share of false alarms among all races. Divide by all alarms.",
+            1.0 - HITS: "That is the share of the disengaged races that the rule misses.",
+            ALARMS / (ALARMS + HITS): "This would hold if half of all races were disengaged.",
+        },
+        low=IMAGINE,
+        high="The answer is a share between 0 and 1, not a percentage." if share > 1.0 else IMAGINE,
+    )
+
 
 FEWEST_ONES = 85.0
 TRIALS, TRIAL_GENERATIONS = range(700, 703), 200
 
 
-def _fitness(answer: Any) -> str | None:
-    four = value(array("4 fitness values for 4 numbers of wins", 4), lambda found: None)
-    unfit = four(answer(np.array([0.0, 1.0, 2.0, 5.0])))
-    if unfit:
-        return unfit
+def exercise_5(answer: Any) -> None:
+    """Write a fitness of parasites with which the hosts climb."""
+    array(
+        function(answer)(np.array([0.0, 1.0, 2.0, 5.0])),
+        "4 fitness values for 4 numbers of wins",
+        4,
+    )
 
     def fitness(wins: FloatArray) -> FloatArray:
         return np.asarray(answer(wins.copy()), dtype=np.float64)
 
     races = [hosts_and_parasites(fitness, s, generations=TRIAL_GENERATIONS) for s in TRIALS]
     ones = [float(race.final_objective[0]) for race in races]
-    if min(ones) >= FEWEST_ONES:
-        return None
-    return (
-        f"With your parasites the hosts end with {', '.join(f'{one:.0f}' for one in ones)} ones "
-        f"in three races of {TRIAL_GENERATIONS} generations; expected at least {FEWEST_ONES:.0f} "
-        "in each."
-    )
-
-
-CHECKS: dict[str, Check] = {
-    "7.1": restraint,
-    "7.2": threshold,
-    "7.3": sharing,
-    "7.4": fooled,
-    "7.5": tried(_fitness),
-}
+    if min(ones) < FEWEST_ONES:
+        raise Mistake(
+            f"With your parasites the hosts end with {', '.join(f'{one:.0f}' for one in ones)} "
+            f"ones in three races of {TRIAL_GENERATIONS} generations; expected at least "
+            f"{FEWEST_ONES:.0f} in each."
+        )

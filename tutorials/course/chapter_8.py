@@ -2,96 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 from itertools import product
 from typing import Any
 
 import numpy as np
 
-from course.checks import (
-    WHOLE,
-    Check,
-    array,
-    choices,
-    function,
-    numbers,
-    one_of,
-    value,
-)
+from course.checks import Mistake, array, choices, compare, numbers, one_of, whole
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-
-# ---- A curriculum that chooses itself ------------------------------------------------------------
-
-LAST_STAGE, UP, DOWN = 3, 0.6, 0.2
-
-
-def _next_stage(stage: int, escaped: float) -> int:
-    step = 1 if escaped > UP else -1 if escaped < DOWN else 0
-    return min(max(stage + step, 0), LAST_STAGE)
-
-
-def _why_stage(found: int, right: int, stage: int, escaped: float) -> str:
-    if not 0 <= found <= LAST_STAGE:
-        return f"There are the stages 0 to {LAST_STAGE} only."
-    if escaped in (UP, DOWN):
-        return f"Exactly {escaped:.0%} is neither more nor less than the limit."
-    return f"Up if more than {UP:.0%} escape, down if less than {DOWN:.0%}, else stay."
-
-
-next_stage = function(
-    WHOLE._replace(name=f"the number of a stage, 0 to {LAST_STAGE}"),
-    _next_stage,
-    lambda: product(range(LAST_STAGE + 1), (0.0, 0.1, 0.2, 0.4, 0.6, 0.75, 1.0)),
-    case="In stage {stage} with {escaped:.0%} escaped",
-    otherwise=_why_stage,
-)
-
-
-# ---- Budgets -------------------------------------------------------------------------------------
-
-POPULATION, GENERATIONS, EPOCHS, STAGES = 32, 20, 50, 4
-"""Of the races and curricula that the notebook keeps."""
-
-
-def _budget(answer: list[float]) -> str | None:
-    matches, epochs = answer
-    right = GENERATIONS * EPOCHS * POPULATION
-    if matches == 2 * right:
-        return "These are the matches of both teams. In half of them the evaders do not learn."
-    if matches == right // POPULATION:
-        return "These are epochs. In each epoch every candidate plays one match."
-    if matches != right:
-        return f"The evaders learn in {GENERATIONS} generations. How many epochs, how many matches?"
-    if epochs == GENERATIONS * EPOCHS:
-        return f"So many epochs are the whole curriculum; it has {STAGES} stages."
-    return None if epochs == GENERATIONS * EPOCHS / STAGES else "The stages are equally long."
-
-
-# ---- Strangers -----------------------------------------------------------------------------------
-
-
-def _without_own(rates: FloatArray) -> FloatArray:
-    return rates * ~np.eye(len(rates), dtype=bool)
-
-
-strangers = function(
-    array("one number for each of 6 seeds", 6),
-    lambda rates: _without_own(rates).sum(axis=1) / 5.0,
-    lambda: [(np.random.default_rng(83).random((6, 6)),)],
-    clues={
-        "That is the mean over all races, the own one included.": lambda rates: rates.mean(axis=1),
-        "These are the scores in the own race: those to leave out.": np.diag,
-        "You divide by 6, but only 5 numbers are left in each row.": (
-            lambda rates: _without_own(rates).mean(axis=1)
-        ),
-        "These are the means of the columns. Rows are the seeds of your team.": (
-            lambda rates: _without_own(rates).sum(axis=0) / 5.0
-        ),
-    },
-    otherwise="Row i without its i-th number; then the mean.",
-)
-
 
 # ---- Scores of the schools -----------------------------------------------------------------------
 
@@ -123,7 +43,91 @@ def examined(stored: Mapping[str, Any], team: str, scripts: Sequence[str]) -> Sc
     }
 
 
-# ---- Words ---------------------------------------------------------------------------------------
+def _without_own(rates: FloatArray) -> FloatArray:
+    return rates * ~np.eye(len(rates), dtype=bool)
+
+
+# ---- Exercises -----------------------------------------------------------------------------------
+
+LAST_STAGE, UP, DOWN = 3, 0.6, 0.2
+
+
+def exercise_1(answer: Any) -> None:
+    """Write a curriculum that chooses its next stage itself."""
+    compare(
+        answer,
+        _next_stage,
+        product(range(LAST_STAGE + 1), (0.0, 0.1, 0.2, 0.4, 0.6, 0.75, 1.0)),
+        partial(whole, name=f"the number of a stage, 0 to {LAST_STAGE}"),
+        case="In stage {stage} with {escaped:.0%} escaped",
+        otherwise=_why_stage,
+    )
+
+
+def _next_stage(stage: int, escaped: float) -> int:
+    step = 1 if escaped > UP else -1 if escaped < DOWN else 0
+    return min(max(stage + step, 0), LAST_STAGE)
+
+
+def _why_stage(found: int, right: int, stage: int, escaped: float) -> str:
+    if not 0 <= found <= LAST_STAGE:
+        return f"There are the stages 0 to {LAST_STAGE} only."
+    if escaped in (UP, DOWN):
+        return f"Exactly {escaped:.0%} is neither more nor less than the limit."
+    return f"Up if more than {UP:.0%} escape, down if less than {DOWN:.0%}, else stay."
+
+
+POPULATION, GENERATIONS, EPOCHS, STAGES = 32, 20, 50, 4
+"""Of the races and curricula that the notebook keeps."""
+
+
+def exercise_2(answer: Any) -> None:
+    """Compute the budgets of a race and of a curriculum."""
+    kind = "a pair of numbers: (matches of the evaders, epochs of a stage)"
+    matches, epochs = numbers(answer, kind, 2)
+    right = GENERATIONS * EPOCHS * POPULATION
+    if matches == 2 * right:
+        raise Mistake(
+            "These are the matches of both teams. In half of them the evaders do not learn."
+        )
+    if matches == right // POPULATION:
+        raise Mistake("These are epochs. In each epoch every candidate plays one match.")
+    if matches != right:
+        raise Mistake(
+            f"The evaders learn in {GENERATIONS} generations. How many epochs, how many matches?"
+        )
+    if epochs == GENERATIONS * EPOCHS:
+        raise Mistake(f"So many epochs are the whole curriculum; it has {STAGES} stages.")
+    if epochs != GENERATIONS * EPOCHS / STAGES:
+        raise Mistake("The stages are equally long.")
+
+
+def exercise_3(answer: Any) -> None:
+    """Score teams against strangers."""
+    compare(
+        answer,
+        lambda rates: _without_own(rates).sum(axis=1) / 5.0,
+        [(np.random.default_rng(83).random((6, 6)),)],
+        _six,
+        clues={
+            "That is the mean over all races, the own one included.": (
+                lambda rates: rates.mean(axis=1)
+            ),
+            "These are the scores in the own race: those to leave out.": np.diag,
+            "You divide by 6, but only 5 numbers are left in each row.": (
+                lambda rates: _without_own(rates).mean(axis=1)
+            ),
+            "These are the means of the columns. Rows are the seeds of your team.": (
+                lambda rates: _without_own(rates).sum(axis=0) / 5.0
+            ),
+        },
+        otherwise="Row i without its i-th number; then the mean.",
+    )
+
+
+def _six(value: Any) -> FloatArray:
+    return array(value, "one number for each of 6 seeds", 6)
+
 
 WORDS = ("co-evolution", "autocurriculum", "curriculum by hand", "none of these")
 CASES = {
@@ -142,14 +146,15 @@ WHY_NOT = {
     "E": "E: both teams learn. Who sets the tasks of the evaders?",
 }
 
-fitting_words = choices(
-    CASES,
-    WORDS,
-    lambda wrong: f"{len(wrong)} of {len(CASES)} do not fit. Think again about {WHY_NOT[wrong[0]]}",
-)
 
+def exercise_4(answer: Any) -> None:
+    """Say which word fits which case."""
+    wrong = choices(answer, CASES, WORDS)
+    if wrong:
+        raise Mistake(
+            f"{len(wrong)} of {len(CASES)} do not fit. Think again about {WHY_NOT[wrong[0]]}"
+        )
 
-# ---- Verdicts ------------------------------------------------------------------------------------
 
 BETTER, WORSE, OPEN = "better", "worse", "cannot tell"
 
@@ -162,13 +167,26 @@ def verdict_on(one: Any, other: Any) -> str:
     return (OPEN, BETTER, WORSE)[analysis.difference_of_runs(one, other, paired=True).sign]
 
 
-def _scores() -> Iterable[tuple[FloatArray, FloatArray]]:
-    """Yield scores of two kinds of training that share the luck of each seed."""
-    seeds = 10
+def exercise_5(answer: Any) -> None:
+    """Write a rule that says which of two kinds of training is better."""
+    compare(
+        answer,
+        verdict_on,
+        _scores(),
+        partial(one_of, words=(BETTER, WORSE, OPEN)),
+        otherwise=_why_verdict,
+    )
+
+
+def _scores() -> list[tuple[FloatArray, FloatArray]]:
+    """Return scores of two kinds of training that share the luck of each seed."""
+    seeds, cases = 10, []
     for shift in (0.3, -0.3, 0.07, -0.07, 0.005):
         rng = np.random.default_rng([85, seeds, int(100 * shift) + 100])
         luck = rng.normal(0.5, 0.15, seeds)
-        yield luck + rng.normal(shift, 0.03, seeds), luck + rng.normal(0.0, 0.03, seeds)
+        one = luck + rng.normal(shift, 0.03, seeds)
+        cases.append((one, luck + rng.normal(0.0, 0.03, seeds)))
+    return cases
 
 
 def _why_verdict(found: str, right: str, one: FloatArray, other: FloatArray) -> str:
@@ -180,17 +198,3 @@ def _why_verdict(found: str, right: str, one: FloatArray, other: FloatArray) -> 
         f"The difference is the same in nearly all seeds there, and your function says '{found}'. "
         "Entries with the same seed belong together."
     )
-
-
-verdict = function(one_of((BETTER, WORSE, OPEN)), verdict_on, _scores, otherwise=_why_verdict)
-
-
-CHECKS: dict[str, Check] = {
-    "8.1": next_stage,
-    "8.2": value(
-        numbers("a pair of numbers: (matches of the evaders, epochs of a stage)", 2), _budget
-    ),
-    "8.3": strangers,
-    "8.4": fitting_words,
-    "8.5": verdict,
-}

@@ -15,16 +15,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
-from matrixworld._util.checks import check_floats
-from matrixworld.envs.vector import VectorEnv
-from matrixworld.episodes.safety import SafetyMonitor
-from matrixworld.play.rollout import Matches, rollout
+from course.checks import Mistake, function, near, number, numbers, whole
+from matrixworld import (
+    Matches,
+    Network,
+    Population,
+    Rewards,
+    SafetyMonitor,
+    VectorEnv,
+    WorldConfig,
+    rollout,
+)
 from matrixworld.world.arrays import MOVES
-from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import action_masks, forbidding_cells
-from matrixworld.world.policy import Network, Population
-from matrixworld.world.rules import Rewards
 
 # ---- Packs ---------------------------------------------------------------------------------------
 
@@ -54,7 +57,7 @@ def pack(weights: ArrayLike) -> Population:
 
     Genomes are linear in the weights. Actions are drawn with the softmax of the wishes.
     """
-    given = np.atleast_2d(check_floats("weights", weights, np.float64))
+    given = np.atleast_2d(np.asarray(weights, np.float64))
     if given.ndim != 2 or given.shape[1] != len(WEIGHTS):
         raise ValueError(f"weights: expected shape (6,) or (n, 6), got {np.shape(weights)}")
     network = Network.for_config(WORLD, hidden=())
@@ -158,25 +161,43 @@ def mask_of(goes_first: Callable[[int, int], bool]) -> Mask:
 MOST_FAULTS, MOST_STEPS = 10.0, 15.0
 TRIALS = 4000
 """Episodes that judge the answer: their mean number of steps has a standard error of 0.15."""
-BRISK, IDLE = (4, 10, -10, -8, -2, 0), (0, 0, 0, 0, 0, 20)
-FEWEST_EPISODES = 299  # 0.99^299 = 0.0495, and 0.99^298 = 0.05004
 
 
-def _weights(weights: list[float]) -> str | None:
+def exercise_1(answer: Any) -> None:
+    """Find weights of a pack that is fast and careful."""
+    kind = f"six numbers, one for each of {', '.join(WEIGHTS)}"
+    weights = numbers(answer, kind, len(WEIGHTS))
     played = rollout(WORLD, pack(weights), "random", Matches.of(0, 0, 91), episodes=TRIALS)
     faults = 1000 * played.faults[:, :, 0].sum() / played.agent_steps[:, :, 0].sum()
     steps = played.length.mean()
     if faults < MOST_FAULTS and steps <= MOST_STEPS:
-        return None
+        return
     found = (
         f"In {TRIALS} new episodes it is at fault in {faults:.1f} of 1000 agent-steps and needs "
+        f"{steps:.1f} steps."
     )
-    found += f"{steps:.1f} steps. "
     if faults >= MOST_FAULTS and steps > MOST_STEPS:
-        return found + "Both numbers are too large: it gets in its own way."
+        raise Mistake(f"{found} Both numbers are too large: it gets in its own way.")
     if faults >= MOST_FAULTS:
-        return found + "It is fast enough. Now make it more careful."
-    return found + "It is careful enough. Now make it more determined."
+        raise Mistake(f"{found} It is fast enough. Now make it more careful.")
+    raise Mistake(f"{found} It is careful enough. Now make it more determined.")
+
+
+BRISK, IDLE = (4, 10, -10, -8, -2, 0), (0, 0, 0, 0, 0, 20)
+LARGER = (
+    "At this penalty the return of the {} pack is larger. Look for the penalty at which both are "
+    "equal."
+)
+
+
+def exercise_2(answer: Any) -> None:
+    """Find the penalty at which the brisk and the idle pack are equally good."""
+    if isinstance(answer, np.ndarray) and answer.ndim == 0:
+        answer = answer.item()
+    penalty = number(answer, "one number: the penalty at which both returns are equal")
+    right = break_even()
+    # Rewards are negative where penalties are positive: both signs are understood.
+    near(abs(penalty), right, 0.02 * right, low=LARGER.format("brisk"), high=LARGER.format("idle"))
 
 
 @cache
@@ -189,68 +210,48 @@ def break_even() -> float:
     return float((gain[0] - gain[1]) / (collisions[0] - collisions[1]))
 
 
-LARGER = (
-    "At this penalty the return of the {} pack is larger. Look for the penalty at which both are "
-    "equal."
-)
+FEWEST_EPISODES = 299  # 0.99^299 = 0.0495, and 0.99^298 = 0.05004
 
 
-def _penalty(answer: Any) -> str | None:
-    kind = NUMBER._replace(name="one number: the penalty at which both returns are equal")
-    right = break_even()
-    judge = number(right, 0.02 * right, low=LARGER.format("brisk"), high=LARGER.format("idle"))
-    if isinstance(answer, np.ndarray) and answer.ndim == 0:
-        answer = answer.item()
-    # Rewards are negative where penalties are positive: both signs are understood.
-    return value(kind, lambda penalty: judge(abs(penalty)))(answer)
+def exercise_3(answer: Any) -> None:
+    """Say how many episodes without a collision show that collisions are rare."""
+    near(
+        whole(answer, "a whole number of episodes"),
+        FEWEST_EPISODES,
+        0,
+        low=lambda n: (
+            f"A pack with p = 0.01 would pass {n} episodes with a probability of {0.99**n:.3%}. "
+            "That is more than 5%."
+            if n > 0
+            else "At least one episode has to be played."
+        ),
+        high=lambda n: f"That is enough, but a smaller number is, too: {0.99**n:.2%} is below 5%.",
+    )
 
 
-episodes_needed = number(
-    FEWEST_EPISODES,
-    0,
-    kind=WHOLE._replace(name="a whole number of episodes"),
-    low=lambda n: (
-        f"A pack with p = 0.01 would pass {n} episodes with a probability of {0.99**n:.3%}. That "
-        "is more than 5%."
-        if n > 0
-        else "At least one episode has to be played."
-    ),
-    high=lambda n: f"That is enough, but a smaller number is, too: {0.99**n:.2%} is below 5%.",
-)
-
-
-def _convention(answer: Any) -> str | None:
-    """Judge who goes first in all pairs, and then in all groups, of pursuers around a cell."""
-    first: dict[tuple[int, int], bool] = {}
-    for pair in permutations(MOVE, 2):
-        found = [answer(*pair) for _ in range(9)]
-        where = "For own = {} and other = {} it returns".format(*pair)
-        if not all(isinstance(each, bool | np.bool_) for each in found):
-            return f"{where} {found[0]!r}; expected True or False."
-        if len({*found}) > 1:
-            return f"{where} now True, now False. Both pursuers must come to the same decision."
-        first[pair] = bool(found[0])
+def exercise_4(answer: Any) -> None:
+    """Write a convention: who goes first in all pairs, and then in all groups, around a cell."""
+    first = {pair: _goes_first(function(answer), *pair) for pair in permutations(MOVE, 2)}
     for one, other in combinations(MOVE, 2):
         if first[one, other] == first[other, one]:
             both = "both go first, and collide" if first[one, other] else "neither goes first"
-            return (
+            raise Mistake(
                 f"One moves {MOVE[one]} into a cell, the other {MOVE[other]} into the same: {both}."
             )
     for group in (*combinations(MOVE, 3), tuple(MOVE)):
         if not any(all(first[one, other] for other in group if other != one) for one in group):
             *moves, last = (MOVE[move] for move in group)
-            return (
+            raise Mistake(
                 "Of any two exactly one goes first, so nobody collides. But where pursuers move "
                 f"{', '.join(moves)} and {last} into one cell, each waits for another one."
             )
-    return None
 
 
-CHECKS: dict[str, Check] = {
-    "9.1": value(
-        numbers(f"six numbers, one for each of {', '.join(WEIGHTS)}", len(WEIGHTS)), _weights
-    ),
-    "9.2": _penalty,
-    "9.3": episodes_needed,
-    "9.4": tried(_convention),
-}
+def _goes_first(convention: Callable[[int, int], Any], own: int, other: int) -> bool:
+    found = [convention(own, other) for _ in range(9)]
+    where = f"For own = {own} and other = {other} it returns"
+    if not all(isinstance(each, bool | np.bool_) for each in found):
+        raise Mistake(f"{where} {found[0]!r}; expected True or False.")
+    if len({*found}) > 1:
+        raise Mistake(f"{where} now True, now False. Both pursuers must come to the same decision.")
+    return bool(found[0])

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime, timezone
@@ -16,9 +17,15 @@ from pathlib import Path
 from textwrap import fill
 from typing import Any, TypeVar
 
-from course.checks import Check, mistake_of
-from matrixworld._util.checks import shown
-from matrixworld._util.files import Arrays, DamagedFileError, load_arrays, load_toml
+import numpy as np
+from numpy.typing import NDArray
+
+from course.checks import described, mistake_in
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 CHAPTERS = range(1, 11)
 """Numbers of the notebooks."""
@@ -32,8 +39,8 @@ NO_PREDICTION = (
 PREDICTIONS = Path("predictions.jsonl")
 """Choices of predictions with their times, a line each; it lies beside the notebook."""
 
-TEXTS = Path(__file__).with_name("exercises.toml")
-DATA = Path(__file__).parent / "data"
+HERE = Path(__file__).parent
+DATA = HERE / "data"
 """Results that take longer than a notebook should; scripts in ``tutorials/make`` make them anew."""
 QUICK = "MATRIXWORLD_QUICK"
 """Environment variable: if it is 1, notebooks compute at the smaller size."""
@@ -49,7 +56,6 @@ T = TypeVar("T")
 class Exercise:
     """A question whose answer is a value or a function of the student's own."""
 
-    mistake: Check
     explanation: str  # why the right answer is right
     hints: tuple[str, ...]  # from the smallest to the one that nearly tells it
 
@@ -81,63 +87,57 @@ class UnansweredError(Exception):
         return [fill(str(self), WIDEST)]
 
 
+# ---- Exercises -----------------------------------------------------------------------------------
+
+
 def check(name: str, answer: object) -> Feedback:
-    """Reply to the answer of an exercise.
+    """Reply to the answer of an exercise, such as ``"3.2"``; ``...`` stands for no answer yet.
 
-    Parameters
-    ----------
-    name : str
-        Name of the exercise, for example ``"3.2"``.
-    answer : object
-        The student's answer; ``...`` stands for no answer yet. An error that the student's own
-        function raises is told with the line and the arguments.
-
-    Raises
-    ------
-    TypeError
-        If the name is no text.
-    ValueError
-        If there is no exercise of this name.
+    An error that the student's own function raises is told with the line and the arguments.
     """
     exercise = _find(name)
     if isinstance(exercise, Prediction):
         raise ValueError(f"name: {name!r} is a prediction; predict({name!r}, ...) takes it")
     if answer is ...:
         return Feedback(None, NO_ANSWER)
-    mistake = mistake_of(exercise.mistake, answer)
+    chapter, _, number = name.partition(".")
+    module = import_module(f"course.chapter_{chapter}")
+    mistake = mistake_in(answer, getattr(module, f"exercise_{number}"))
     if mistake is not None:
         return Feedback(False, f"✗ Not yet. {mistake}  (hint({name!r}) gives a hint.)")
     return Feedback(True, f"✓ Right. {exercise.explanation}")
 
 
+_given: dict[str, int] = {}
+"""How many hints of each exercise were given."""
+
+
+def hint(name: str) -> Feedback:
+    """Give the next hint of an exercise; after the last one, the last one again."""
+    exercise = _find(name)
+    if isinstance(exercise, Prediction):
+        return Feedback(None, "There is no hint: any prediction is a good one.")
+    number = min(_given.get(name, 0), len(exercise.hints) - 1)
+    _given[name] = number + 1
+    return Feedback(None, f"Hint {number + 1} of {len(exercise.hints)}: {exercise.hints[number]}")
+
+
+# ---- Predictions ---------------------------------------------------------------------------------
+
+
 def predict(name: str, choice: object) -> None:
-    """Write a prediction down, with its time, before the experiment is run.
+    """Write the choice of a prediction, such as ``"3.b"``, down with its time.
 
-    It is the first line of the cell with the experiment, which is not run without a choice.
-    `PREDICTIONS` in the working directory gets a line, unless the last choice was the same.
-
-    Parameters
-    ----------
-    name : str
-        Name of the prediction, for example ``"3.b"``.
-    choice : object
-        One of its options; ``...`` stands for no choice yet.
-
-    Raises
-    ------
-    UnansweredError
-        If the choice is none of the options.
-    TypeError
-        If the name is no text.
-    ValueError
-        If there is no prediction of this name, or the file is damaged.
+    It is the first line of the cell with the experiment: without a choice, `UnansweredError` stops
+    the cell. `PREDICTIONS` in the working directory gets a line, unless the last choice was the
+    same. ValueError if the file is damaged.
     """
     prediction = _prediction(name)
     if choice is ...:
         raise UnansweredError(NO_PREDICTION)
     if not isinstance(choice, str) or choice not in prediction.options:
         expected = ", ".join(repr(option) for option in prediction.options)
-        raise UnansweredError(f"Expected one of {expected}, got {shown(choice)}.")
+        raise UnansweredError(f"Expected one of {expected}, got {described(choice)}.")
     if _predicted(name) != choice:
         time = datetime.now(timezone.utc).isoformat(timespec="seconds")
         with PREDICTIONS.open("a", encoding="utf-8") as file:
@@ -145,13 +145,7 @@ def predict(name: str, choice: object) -> None:
 
 
 def outcome(name: str) -> Feedback:
-    """Compare the last choice of a prediction with what the experiment showed, and say why.
-
-    Parameters
-    ----------
-    name : str
-        Name of the prediction, as in `predict`, which raises the same errors.
-    """
+    """Compare the last choice of a prediction with what the experiment showed, and say why."""
     prediction, choice = _prediction(name), _predicted(name)
     if choice is None:
         raise UnansweredError(NO_PREDICTION)
@@ -171,55 +165,32 @@ def _prediction(name: str) -> Prediction:
 
 
 def _predicted(name: str) -> str | None:
-    """Return the last choice that was written down; ValueError if the file is damaged."""
+    """Return the last choice that was written down."""
     lines = PREDICTIONS.read_text("utf-8").splitlines() if PREDICTIONS.exists() else []
     try:
         choices = {each["prediction"]: each["choice"] for each in map(json.loads, lines)}
     except (ValueError, TypeError, KeyError) as error:
-        raise DamagedFileError(PREDICTIONS, "expected lines that predict has written") from error
+        raise ValueError(f"{PREDICTIONS}: expected lines that predict has written") from error
     return choices.get(name)
 
 
-_given: dict[str, int] = {}
-"""How many hints of each exercise were given."""
-
-
-def hint(name: str) -> Feedback:
-    """Give the next hint of an exercise; after the last one, the last one again.
-
-    Parameters
-    ----------
-    name : str
-        Name of the exercise; errors are raised as in `check`.
-    """
-    exercise = _find(name)
-    if isinstance(exercise, Prediction):
-        return Feedback(None, "There is no hint: any prediction is a good one.")
-    number = min(_given.get(name, 0), len(exercise.hints) - 1)
-    _given[name] = number + 1
-    return Feedback(None, f"Hint {number + 1} of {len(exercise.hints)}: {exercise.hints[number]}")
-
-
-def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
-    """Return the exercises and predictions of a notebook, from 1, by name, in their order."""
-    checks: Mapping[str, Check] = import_module(f"course.chapter_{chapter}").CHECKS
-    return {
-        name: Prediction(**text) if "outcome" in text else Exercise(checks[name], **text)
-        for name, text in _texts().items()
-        if name.startswith(f"{chapter}.")
-    }
+# ---- Texts and numbers ---------------------------------------------------------------------------
 
 
 @cache
-def _texts() -> dict[str, dict[str, Any]]:
-    """Return the texts of all exercises, whose lines are of any length."""
-    return {
-        name: {field: _joined(text) for field, text in texts.items()}
-        for name, texts in load_toml(TEXTS).items()
-    }
+def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
+    """Return the exercises and predictions of a notebook, from 1, by name, in their order."""
+    texts = tomllib.loads((HERE / "exercises.toml").read_text("utf-8"))
+    found: dict[str, Exercise | Prediction] = {}
+    for name, fields in texts.items():
+        if name.startswith(f"{chapter}."):
+            joined = {field: _joined(text) for field, text in fields.items()}
+            found[name] = Prediction(**joined) if "outcome" in joined else Exercise(**joined)
+    return found
 
 
-def _joined(text: str | list[str]) -> str | tuple[str, ...]:
+def _joined(text: str | list[str]) -> Any:
+    """Return a text, or several, in one line each; those of the file are of any length."""
     if isinstance(text, list):
         return tuple(" ".join(each.split()) for each in text)
     return " ".join(text.split())
@@ -227,7 +198,7 @@ def _joined(text: str | list[str]) -> str | tuple[str, ...]:
 
 def _find(name: str) -> Exercise | Prediction:
     if not isinstance(name, str):
-        raise TypeError(f'name: expected text in quotes such as "3.2", got {shown(name)}')
+        raise TypeError(f'name: expected text in quotes such as "3.2", got {described(name)}')
     chapter = name.partition(".")[0]
     if chapter not in map(str, CHAPTERS):
         raise ValueError(f"name: expected a name such as '3.2', got {name!r}")
@@ -237,28 +208,15 @@ def _find(name: str) -> Exercise | Prediction:
     return table[name]
 
 
-def kept(name: str) -> Arrays:
-    """Return arrays that were computed before, by name.
-
-    Parameters
-    ----------
-    name : str
-        Name of the file without its ending; ValueError if nothing is kept under this name.
-    """
+def kept(name: str) -> dict[str, NDArray[Any]]:
+    """Return arrays that were computed before, by name; `name` is that of a file in `DATA`."""
     names = sorted(path.stem for path in DATA.glob("*.npz"))
     if name not in names:
-        raise ValueError(f"name: expected one of {', '.join(names)}, got {shown(name)}")
-    return load_arrays(DATA / f"{name}.npz")
+        raise ValueError(f"name: expected one of {', '.join(names)}, got {described(name)}")
+    with np.load(DATA / f"{name}.npz") as arrays:
+        return dict(arrays)
 
 
 def size(full: T, quick: T) -> T:
-    """Return the size of an experiment: smaller where notebooks only have to prove that they run.
-
-    Parameters
-    ----------
-    full : object
-        The value for a reader.
-    quick : object
-        The value if the environment variable ``MATRIXWORLD_QUICK`` is 1.
-    """
+    """Return `full`, or `quick` where notebooks only have to prove that they run (`QUICK`)."""
     return quick if os.environ.get(QUICK) == "1" else full
