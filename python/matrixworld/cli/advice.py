@@ -85,7 +85,7 @@ def _meets_past_ones(settings: RaceSettings) -> bool:
 
 
 def _samples_near_one_genome(settings: RaceSettings) -> bool:
-    return _takes_turns(settings) and settings.learner.kind != "ga"
+    return _takes_turns(settings) and not settings.learner.keeps_population
 
 
 def _full_virulence(settings: RaceSettings) -> bool:

@@ -396,34 +396,29 @@ class ActorCritic:
         finally:
             self._torch.set_num_threads(before)
 
-    def _learn(self, experience: Experience) -> None:
-        chosen, acted = self.chosen, experience.acted
-        epochs = self._actor.updates // chosen.actor_updates
-        self._share = annealed(epochs, self.anneal_over)
-        before, after = critic_rows(experience)
-        known = self._parts(before)
-        views = known if experience.states is None else self._parts(experience.views)
-        estimates = {}
-        for name, critic in self._critics.items():
-            values = (self._values(critic, each) for each in (known, self._parts(after)))
-            dense = dense_values(experience, *values)
-            signal = np.zeros(acted.shape, np.float32)
-            signal[acted] = experience.rewards if name == "critic" else experience.costs
-            estimate = partial(advantages, acted, signal, dense, chosen.discount)
-            estimates[name] = normalised(estimate(chosen.trace)[acted])
-            rows, targets = lessons(experience, before, estimate(1.0) + dense[:-1])
+    def _learn(self, seen: Experience) -> None:
+        chosen, acted = self.chosen, seen.acted
+        self._share = annealed(self._actor.updates // chosen.actor_updates, self.anneal_over)
+        before, after = critic_rows(seen)
+        known, ends = self._parts(before), self._parts(after)
+        estimates = []
+        for critic, signal in zip(self._critics.values(), (seen.rewards, seen.costs), strict=False):
+            earned = np.zeros(acted.shape, np.float32)
+            earned[acted] = signal
+            values = dense_values(seen, self._values(critic, known), self._values(critic, ends))
+            estimate = partial(advantages, acted, earned, values, chosen.discount)
+            estimates.append(normalised(estimate(chosen.trace)[acted]))
+            rows, targets = lessons(seen, before, estimate(1.0) + values[:-1])
             self._fit(critic, known if rows is before else self._parts(rows), targets)
-        advantage: Any = estimates["critic"]
+        advantage: Any = estimates[0]
         if chosen.cost_limit is not None:
-            self._weigh(1000.0 * float(experience.costs.mean()))
-            advantage = (advantage - self.multiplier * estimates["cost_critic"]) / (
-                1.0 + self.multiplier
-            )
-        self._improve(views, experience.actions, advantage.astype(np.float32))
+            self._weigh(1000.0 * float(seen.costs.mean()), chosen.cost_limit)
+            advantage = (advantage - self.multiplier * estimates[1]) / (1.0 + self.multiplier)
+        views = known if seen.states is None else self._parts(seen.views)
+        self._improve(views, seen.actions, advantage.astype(np.float32))
 
-    def _weigh(self, collisions: float) -> None:
+    def _weigh(self, collisions: float, limit: float) -> None:
         """Move the multiplier by the distance of the collisions from their limit."""
-        limit = float(self.chosen.cost_limit or 0.0)
         # As a share of the limit, so that the rate means the same for all limits; at most 1, or the
         # multiplier rises in the first epochs by more than it can fall in the rest of a run.
         excess = min((collisions - limit) / max(limit, 1.0), 1.0)
@@ -485,26 +480,20 @@ class ActorCritic:
 
     def _parts(self, rows: Views) -> list[Part]:
         """Return the minibatches of rows: every m-th row, in chunks."""
-        m, torch, device = self.chosen.minibatches, self._torch, self._device
+        m, n = self.chosen.minibatches, len(rows)
         step = m * max(1, CHUNK // max(self._actor.sizes[1:]))
-        return [
-            [
-                (Inputs(rows[place], torch, device), place)
-                for start in range(first, len(rows), step)
-                for place in [slice(start, min(start + step, len(rows)), m)]
-            ]
-            for first in range(min(m, len(rows)))
-        ]
+        parts: list[Part] = []
+        for first in range(min(m, n)):
+            places = [slice(at, min(at + step, n), m) for at in range(first, n, step)]
+            parts.append([(Inputs(rows[at], self._torch, self._device), at) for at in places])
+        return parts
 
     def state(self) -> State:
         """Return the multiplier, and weights and averages of Adam of each network."""
-        networks = {"actor": self._actor, **self._critics}
-        arrays = {
-            f"{name}_{key}": value
-            for name, network in networks.items()
-            for key, value in network.state().items()
-        }
-        return {"multiplier": np.array(self.multiplier), **arrays}
+        state = {"multiplier": np.array(self.multiplier)}
+        for name, network in {"actor": self._actor, **self._critics}.items():
+            state |= {f"{name}_{key}": value for key, value in network.state().items()}
+        return state
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""

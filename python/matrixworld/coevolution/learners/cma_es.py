@@ -93,7 +93,7 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         check_integer("samples", samples, 2)
         with one_thread():
             super().__init__(start, sigma, lambda_=samples)
-        self._samples: FloatArray | None = None
+        self._samples: FloatArray = np.zeros((0, start.size))
 
     @property
     def genome(self) -> Genome:
@@ -126,8 +126,6 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
 
     def tell(self, fitness: ArrayLike) -> None:
         """Adapt mean, step size and covariance to the better samples."""
-        if self._samples is None:
-            raise RuntimeError("tell: expected a call of ask before it, got none")
         values = checked_fitness(fitness, len(self._samples))
         # DEAP reads an attribute `fitness`, which a view has room for and a plain array has not.
         population = list(self._samples.view(ScoredSample))
@@ -136,7 +134,7 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         # The next `ask` reports a matrix that overflows or is no longer positive.
         with one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             self.update(population)
-        self._samples = None
+        self._samples = self._samples[:0]
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`: C and B (genes, genes), and a few vectors."""

@@ -139,9 +139,8 @@ class EvolutionStrategy:
     @np.errstate(over="ignore", invalid="ignore")
     def tell(self, fitness: ArrayLike) -> None:
         """Move the mean towards the better samples."""
-        if not self._noise:
-            raise RuntimeError("tell: expected a call of ask before it, got none")
-        plus, minus = centred_ranks(checked_fitness(fitness, self.samples)).reshape(2, -1)
+        values = checked_fitness(fitness, 2 * len(self._noise))
+        plus, minus = centred_ranks(values).reshape(2, -1)
         # The table's numbers are e_i times its sigma, hence the square; with a larger s, too, so
         # that steps of momentum do not shrink as s grows. Those of Adam hardly change with it.
         weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)

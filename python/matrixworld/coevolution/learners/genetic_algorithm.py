@@ -152,7 +152,7 @@ class GeneticAlgorithm(Saved):
         self.fitness: FloatArray = np.zeros(0)
         self.champion = 0
         self.elites = elites
-        self._candidates: Genomes | None = None
+        self._candidates = self.population[:0]
         self.toolbox = base.Toolbox()
         if truncation is None:
             self.toolbox.register("select", select_tournament, size=tournament)
@@ -215,11 +215,9 @@ class GeneticAlgorithm(Saved):
 
     def tell(self, fitness: ArrayLike) -> None:
         """Make the candidates the population, with this fitness."""
-        if self._candidates is None:
-            raise RuntimeError("tell: expected a call of ask before it, got none")
         self.fitness = checked_fitness(fitness, len(self._candidates))
         self.champion = int(np.argmax(self.fitness))
-        self.population, self._candidates = self._candidates, None
+        self.population, self._candidates = self._candidates, self._candidates[:0]
 
 
 @documented

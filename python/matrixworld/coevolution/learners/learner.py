@@ -194,7 +194,12 @@ class LearnerSettings(Section):
 
 
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
-    """Return `fitness` as (n,) float64; ValueError if it has another shape or is not finite."""
+    """Return `fitness` as (n,) float64; ValueError if it has another shape or is not finite.
+
+    n is the number of candidates that were asked for; RuntimeError if there are none.
+    """
+    if not n:
+        raise RuntimeError("tell: expected a call of ask before it, got none")
     values = np.asarray(fitness, dtype=np.float64)
     if values.shape != (n,):
         raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")

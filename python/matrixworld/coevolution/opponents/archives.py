@@ -8,7 +8,6 @@ if its payoff is nowhere lower and somewhere higher.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -32,10 +31,8 @@ SOLVED_ABOVE = 0.5
 
 
 def read_only(rows: ArrayLike) -> Members:
-    """Return a read-only copy of an array of members (n, ...); ValueError if it has no axis."""
+    """Return a read-only copy of an array of members (n, ...)."""
     members = np.array(rows)
-    if members.ndim == 0:
-        raise ValueError("members: expected an array of rows, got a single number")
     # Payoff functions of users get these arrays and could otherwise change the archive.
     members.flags.writeable = False
     return members
@@ -54,8 +51,8 @@ def checked_payoffs(payoff: PayoffFunction, candidates: Members, tests: Members)
     return values
 
 
-class Archive(ABC, Saved):
-    """Base of the archives: candidates, tests, and the payoffs of all pairs.
+class Archive(Saved):
+    """Candidates, tests, and the payoffs of all pairs; base of the archives. It keeps all.
 
     ::
 
@@ -73,8 +70,7 @@ class Archive(ABC, Saved):
         Payoffs of the candidates on the tests; read-only.
     graded : bool
         Whether the archive should get graded payoffs, instead of win, draw or loss (1, 1/2, 0).
-        False here: with noisy graded payoffs hardly any two are equal, and hardly any candidate
-        dominates another one.
+        With noisy graded payoffs hardly any candidate dominates another one.
     needs_all_tests : bool
         Whether each submission must contain all tests, not only the new ones.
     """
@@ -88,13 +84,13 @@ class Archive(ABC, Saved):
         self.tests: Members = read_only([])
         self.payoffs: FloatArray = read_only(np.zeros((0, 0)))
 
-    @abstractmethod
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and the tests to keep.
 
         `payoffs` (n, m) are those of archived and new candidates on archived and new tests, of
         which `archived` says how many of the first rows and of the first columns are archived.
         """
+        return np.arange(payoffs.shape[0]), np.arange(payoffs.shape[1])
 
     def submit(self, candidates: ArrayLike, tests: ArrayLike, payoff: PayoffFunction) -> None:
         """Submit new candidates (n, ...) and tests (m, ...), of which either may be empty.
@@ -128,8 +124,6 @@ def _joined(archived: Members, new: Members) -> Members:
     # The dtype and the shape of a row are those of the first members; no archive fixes them before.
     if not len(archived) or not len(new):
         return archived if len(archived) else new
-    if archived.shape[1:] != new.shape[1:]:
-        raise ValueError(f"members: expected rows {archived.shape[1:]}, got {new.shape[1:]}")
     return read_only(np.concatenate([archived, new]))
 
 
@@ -145,20 +139,12 @@ class MaxSolve(Archive):
         drop tests that no kept candidate solves
         of tests that are solved by the same candidates keep the oldest
 
-    Parameters
-    ----------
-    limit : int
-        Largest number of candidates, at least 1.
-
-    References
-    ----------
     de Jong 2005, "The MaxSolve algorithm for coevolution", GECCO.
     """
 
     def __init__(self, limit: int) -> None:
-        check_integer("limit", limit, 1)
+        self.limit = check_integer("limit", limit, 1)
         super().__init__()
-        self.limit = limit
 
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and tests to keep."""
@@ -186,13 +172,9 @@ class IPCA(Archive):
             choice finds)
         candidates = F;  no test is ever dropped
 
-    Notes
-    -----
     The archive is monotone: for every candidate that it has ever held, some candidate in it does at
     least as well on every test that was held at the time. It grows without bound; `LAPCA` does not.
 
-    References
-    ----------
     de Jong 2004, "The incremental Pareto-coevolution archive", GECCO; dominance as in Ficici &
     Pollack 2001, "Pareto optimality in coevolutionary learning".
     """
@@ -225,25 +207,15 @@ class LAPCA(Archive):
                 candidates of one layer or of neighbouring layers: if a test of T shows that one
                 beats the other, so does a kept test
 
-    Parameters
-    ----------
-    layers : int
-        Layers of candidates, the best first; at least 1.
-
-    Notes
-    -----
     Tests are dropped. The archive is therefore bounded in practice, and not strictly monotone; the
     more layers, the closer it is to `IPCA`.
 
-    References
-    ----------
     de Jong 2004, "Towards a bounded Pareto-coevolution archive", CEC.
     """
 
     def __init__(self, layers: int) -> None:
-        check_integer("layers", layers, 1)
+        self.layers = check_integer("layers", layers, 1)
         super().__init__()
-        self.layers = layers
 
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and tests to keep."""
@@ -310,9 +282,6 @@ def _fewest_tests(needed: BoolArray) -> list[int]:
     return chosen
 
 
-# Generalist (Simione & Nolfi 2021):
-
-
 def maximally_different(payoffs: ArrayLike, count: int) -> Indices:
     """Return opponents, in the order chosen, whose payoffs (m, n) differ as much as possible.
 
@@ -339,26 +308,17 @@ class Generalist(Archive):
 
     ::
 
-        opponents to learn against: a few that are maximally different
+        opponents to learn against: `sample_size` ones that are maximally different
         submit:  for each variant that the learning has produced, in turn:
                      worst = member with the lowest mean payoff against all opponents
                      if the variant's mean payoff against all opponents is higher:
                          it replaces the worst
 
     A variant that gains on the opponents of its training and loses on others is filtered out. The
-    candidates are the team, in the order of their places, and the tests the opponents to learn
-    against next. Each submission must contain the whole opposing team, and payoffs are graded,
-    since their means are compared.
+    candidates are the team, at the start `members` (n, ...), in the order of their places, and the
+    tests the opponents to learn against next. Each submission must contain the whole opposing team,
+    and payoffs are graded, since their means are compared.
 
-    Parameters
-    ----------
-    members : array_like, shape (n, ...)
-        The team at the start.
-    sample_size : int
-        Number of maximally different opponents to learn against.
-
-    References
-    ----------
     Simione & Nolfi 2021, "Long-term progress and behavior complexification in competitive
     coevolution", Artificial Life 26(4).
     """
@@ -367,11 +327,10 @@ class Generalist(Archive):
     needs_all_tests = True
 
     def __init__(self, members: ArrayLike, *, sample_size: int) -> None:
-        check_integer("sample_size", sample_size, 1)
+        self.sample_size = check_integer("sample_size", sample_size, 1)
         super().__init__()
         self.candidates = read_only(members)
         self.payoffs = read_only(np.zeros((check_integer("members", len(self.candidates), 1), 0)))
-        self.sample_size = sample_size
 
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the members in their places, and the opponents to learn against next."""
@@ -386,7 +345,7 @@ class Generalist(Archive):
         return places, maximally_different(1.0 - payoffs[places].T, self.sample_size)
 
 
-# A sampler of what an archive keeps:
+# Samplers of what an archive keeps:
 
 
 class ArchiveSampler(Stateless):
@@ -399,16 +358,15 @@ class ArchiveSampler(Stateless):
 
     Archives keep tests that tell candidates apart. An opponent that no candidate beats yet tells
     none apart, so MaxSolve and the Pareto archives drop it. A team that played against the archive
-    alone would never meet it and could never learn to beat it. In the schemes of de Jong, where
-    candidates and tests come from living populations, individuals are evaluated against both the
-    living opponents and the archive; here the newest generation stands for the living ones.
+    alone would never meet it and could never learn to beat it. In the schemes of de Jong (2007, "A
+    monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1)), individuals are
+    evaluated against both the living opponents and the archive; here the newest generation stands
+    for the living ones. While the archive holds no other test, it alone is the sample.
 
     The archive holds numbers, shape (m,); the genomes of all generations stay with the caller, who
     updates the archive before the next sample::
 
         sampler.update([generation], [generation], payoff)    # `payoff` looks up the genomes
-
-    While the archive holds no other test, the sample is the newest opponent.
 
     Parameters
     ----------
@@ -416,16 +374,11 @@ class ArchiveSampler(Stateless):
         Keeps numbers of generations; saved and restored with the sampler.
     count : int, optional
         Opponents an epoch; fewer, if the archive holds fewer.
-
-    References
-    ----------
-    de Jong 2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1).
     """
 
     def __init__(self, archive: Archive, count: int = 1) -> None:
-        check_integer("count", count, 1)
         self.archive: Archive = archive
-        self.count: int = count
+        self.count: int = check_integer("count", count, 1)
 
     def update(self, new: Members, opponents: Members, payoff: PayoffFunction) -> None:
         """Submit new generations (n,) of the team and (m,) of its opponents to the archive.
@@ -472,20 +425,6 @@ class ArchiveSampler(Stateless):
         self.archive.restore(state)
 
 
-# The empirical game of PSRO:
-
-
-class EmpiricalGame(Archive):
-    """All generations of both teams: the payoff matrix, which grows by a row and a column."""
-
-    graded = True
-
-    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
-        """Return all candidates and all tests."""
-        rows, columns = payoffs.shape
-        return np.arange(rows), np.arange(columns)
-
-
 class MetaStrategy(ArchiveSampler):
     """Opponents drawn from a meta-strategy: policy-space response oracles (PSRO).
 
@@ -496,7 +435,10 @@ class MetaStrategy(ArchiveSampler):
         sample:  opponent j with probability weights[j]
 
     With several opponents an epoch they are drawn without replacement, so that all have a more
-    equal share than their weights say.
+    equal share than their weights say. Before the first update the newest opponent is met.
+
+    Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
+    NeurIPS 30.
 
     Parameters
     ----------
@@ -505,20 +447,11 @@ class MetaStrategy(ArchiveSampler):
         `matrixworld.analysis.games.META_SOLVERS`.
     count : int, optional
         Opponents an epoch; fewer, if fewer have a weight.
-
-    Attributes
-    ----------
-    weights : ndarray of float64, shape (m,)
-        The meta-strategy; empty before the first update, when the newest opponent is met.
-
-    References
-    ----------
-    Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
-    NeurIPS 30.
     """
 
     def __init__(self, solver: Callable[[FloatArray], FloatArray], count: int = 1) -> None:
-        super().__init__(EmpiricalGame(), count)
+        super().__init__(Archive(), count)
+        self.archive.graded = True
         self.solver = solver
         self.weights = np.zeros(0)
 

@@ -36,6 +36,11 @@ CONFIDENCE = 0.95
 class SingleTeam(Run):
     """A run in which one team learns against fixed opponents, one of them in each epoch.
 
+    A stage is `archive_every` epochs. The archive holds the learning team's genome at the start
+    and after each stage. It also holds the opponents' genomes, if they have any, so that a run
+    does not depend on other directories. The payoff is that of the last genome, on episodes that
+    were not used in training.
+
     Parameters
     ----------
     opponents : Population, optional
@@ -46,14 +51,7 @@ class SingleTeam(Run):
     Attributes
     ----------
     opponents : Population or str
-        The opponents, or the name of a script.
-
-    Notes
-    -----
-    A stage is `archive_every` epochs. The archive holds the learning team's genome at the start
-    and after each stage. It also holds the opponents' genomes, if they have any, so that a run
-    does not depend on other directories. The payoff is that of the last genome, on episodes that
-    were not used in training. For other parameters and attributes see `Run`.
+        The opponents, or the name of a script. For other attributes and parameters see `Run`.
     """
 
     schedule: Against
@@ -71,17 +69,15 @@ class SingleTeam(Run):
     ) -> None:
         self.settings = settings
         self.check_settings()
-        schedule = cast(Against, settings.schedule)  # `check_settings` refuses others
         self.opponents: TeamPolicy = "random"
         self._start: Genome | None = None
-        # In an existing run, `_restore` takes them from the archive.
+        # In an existing run, `_take` has them from the archive.
         if not isinstance(directory, RunDirectory):
-            self.opponents = _opponents(settings, opponents)
-            self._start = _start(settings, start)
+            self.opponents, self._start = check_sources(settings, opponents, start)
             # The settings in config.json must not name opponents that were not used.
             changes = {"opponent": opponents, "start": start}
             given: Any = {name: GIVEN for name, value in changes.items() if value is not None}
-            settings = replace(settings, schedule=replace(schedule, **given))
+            settings = replace(settings, schedule=replace(settings.schedule, **given))
         super().__init__(settings, directory, threads=threads, play=play)
 
     def first_population(self, team: Team) -> Genomes:
@@ -116,13 +112,11 @@ class SingleTeam(Run):
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the evaluation."""
-        settings = self.settings
+        settings, learner = self.settings, self.settings.learner
         opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         # One opponent an epoch.
-        champions = self.n_stages * settings.learner.elite_matches
-        per_run = self.schedule.epochs * settings.learner.population + champions
-        training = per_run * settings.match_episodes
-        return training + opponents * settings.evaluation_episodes
+        matches = self.schedule.epochs * learner.population + self.n_stages * learner.elite_matches
+        return matches * settings.match_episodes + opponents * settings.evaluation_episodes
 
     def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
         """Return the last genome, and all opponents."""
@@ -131,12 +125,26 @@ class SingleTeam(Run):
         return {team: (champion, self.n_stages), other(team): (self.opponents, 0)}
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return counts, and the mean capture rate and length with intervals over the episodes."""
-        return {
-            **super().summary(payoff),
-            **_episode_summary("capture_rate", payoff.capture_rates, most=1.0),
-            **_episode_summary("length", payoff.lengths, most=self.settings.world.max_steps),
-        }
+        """Return counts, and the mean capture rate and length with intervals over the episodes.
+
+        An interval is Student's t, cut at 0 and at the largest possible number; its ends are None
+        if the episodes do not differ.
+        """
+        found = super().summary(payoff)
+        longest = self.settings.world.max_steps
+        rows = ("capture_rate", payoff.capture_rates, 1.0), ("length", payoff.lengths, longest)
+        for name, episodes, most in rows:
+            values = np.asarray(episodes, dtype=np.float64).ravel()
+            # Equal episodes say nothing of their spread: the interval would have a width of 0.
+            varies = not does_not_vary(values)
+            low, high = t_ends(values, CONFIDENCE, (0.0, most)) if varies else (None, None)
+            found |= {
+                name: float(values.mean()),
+                f"{name}_low": low,
+                f"{name}_high": high,
+                f"{name}_std": float(values.std()),
+            }
+        return found
 
     def _take(self, restored: Restored) -> None:
         super()._take(restored)
@@ -147,51 +155,28 @@ class SingleTeam(Run):
             self.opponents = script_of(self.schedule.opponent)
 
 
-def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str, float | None]:
-    """Return mean, ends of its interval, and standard deviation of a number over the episodes.
+def check_sources(
+    settings: RaceSettings, opponents: Population | None = None, start: ArrayLike | None = None
+) -> tuple[TeamPolicy, Genome | None]:
+    """Return the opponents and the genome to start from, those given or those of the settings.
 
-    The ends are those of Student's t interval, cut at 0 and at `most`, the largest possible number.
-    They are None if the episodes do not differ, or if there is only one.
+    FileNotFoundError or ValueError if a run holds none, or if they do not fit the settings.
     """
-    values = np.asarray(episodes, dtype=np.float64).ravel()
-    # Equal episodes say nothing of their spread: the formula would give an interval of width 0.
-    varies = not does_not_vary(values)
-    low, high = t_ends(values, CONFIDENCE, (0.0, most)) if varies else (None, None)
-    return {
-        name: float(values.mean()),
-        f"{name}_low": low,
-        f"{name}_high": high,
-        f"{name}_std": float(values.std()),
-    }
-
-
-def check_sources(settings: RaceSettings) -> None:
-    """Raise an error unless opponents and start genome can be read and fit; keep nothing."""
-    _opponents(settings, None)
-    _start(settings, None)
-
-
-def _opponents(settings: RaceSettings, given: Population | None) -> TeamPolicy:
-    """Return the opponents: those given, a script, or the last generation of a run."""
-    schedule = cast(Against, settings.schedule)
-    if given is None and schedule.opponent in SCRIPTS:
-        return script_of(schedule.opponent)
-    population = given or last_generation(schedule.opponent, other(schedule.team))
-    check_fits("opponents", population.network, settings.world)
-    return population
-
-
-def _start(settings: RaceSettings, given: ArrayLike | None) -> Genome | None:
-    """Return the genome to start from: that given, the last one of a run, or None."""
     schedule, network = cast(Against, settings.schedule), settings.network
-    if given is None:
-        if schedule.start is None:
-            return None
+    policy: TeamPolicy
+    if opponents is None and schedule.opponent in SCRIPTS:
+        policy = script_of(schedule.opponent)
+    else:
+        policy = opponents or last_generation(schedule.opponent, other(schedule.team))
+        check_fits("opponents", policy.network, settings.world)
+    if start is None and schedule.start is not None:
         population = last_generation(schedule.start, schedule.team)
         if population.network != network:
             raise ValueError(f"start: expected a genome of {network}, got {population.network}")
-        given = population.genomes[0]
-    genome, size = np.asarray(given, dtype=np.float32), network.genome_size
+        start = population.genomes[0]
+    if start is None:
+        return policy, None
+    genome, size = np.asarray(start, dtype=np.float32), network.genome_size
     if genome.shape != (size,) or not np.isfinite(genome).all():
         raise ValueError(f"start: expected {size} finite genes, got shape {genome.shape}")
-    return genome
+    return policy, genome
