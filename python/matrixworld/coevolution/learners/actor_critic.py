@@ -36,13 +36,11 @@ from matrixworld.coevolution.types import (
     Genomes,
     Indices,
     IntArray,
-    Seeds,
     State,
-    Team,
 )
 from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CHANNELS, Network, Population, TeamPolicy
+from matrixworld.world.policy import CHANNELS, Network, Population
 from matrixworld.world.rules import Interaction
 
 CHUNK = 2**20
@@ -365,23 +363,10 @@ class ActorCritic:
     def tell(self, fitness: ArrayLike) -> None:
         """Do nothing: this learner has learned from the transitions, and fitness is for the log."""
 
-    def learn_from(
-        self,
-        world: WorldConfig,
-        team: Team,
-        opponents: TeamPolicy,
-        chosen: Indices,
-        seeds: Seeds,
-        *,
-        worlds: int = 1,
-        threads: int | None = None,
-    ) -> None:
-        """Learn from matches (M,) against the opponents `chosen` (M,), which are played for it."""
-        found = experience(
-            world, team, Population(self.genome, self.network), opponents, chosen, seeds,
-            worlds=worlds, states=self.chosen.central_critic, threads=threads,
-        )  # fmt: skip
-        self.learn(found)
+    def learn_from(self, **matches: Any) -> None:
+        """Learn from matches, which are played once more for it (see `experience`)."""
+        policy, states = Population(self.genome, self.network), self.chosen.central_critic
+        self.learn(experience(policy=policy, states=states, **matches))
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def learn(self, experience: Experience) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import ClassVar, Protocol, runtime_checkable
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,12 +18,10 @@ from matrixworld.coevolution.types import (
     Genomes,
     Indices,
     Saved,
-    Seeds,
     Stateful,
-    Team,
 )
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Network, TeamPolicy
+from matrixworld.world.policy import Network
 
 MUTATION = 0.05
 """Standard deviation of a mutation, unless another one is given."""
@@ -79,35 +77,6 @@ class Learner(Stateful, Protocol):
         """Learn from the fitness (n,) float64 of the candidates that the last `ask` returned."""
 
 
-@runtime_checkable
-class LearnsFromMatches(Protocol):
-    """A learner that needs more of its matches than their fitness; a run calls it before `tell`."""
-
-    def learn_from(
-        self,
-        world: WorldConfig,
-        team: Team,
-        opponents: TeamPolicy,
-        chosen: Indices,
-        seeds: Seeds,
-        *,
-        worlds: int,
-        threads: int | None,
-    ) -> None:
-        """Learn from matches (M,) of the team against the opponents `chosen` (M,)."""
-
-
-@runtime_checkable
-class Elitist(Protocol):
-    """A learner whose champion a run may choose, by new matches of its elites."""
-
-    def elite_genomes(self) -> Genomes:
-        """Return the genomes (elites, genes) of the elite, the fittest first."""
-
-    def choose_champion(self, fitness: ArrayLike) -> None:
-        """Make the best of the elite the champion, by its new fitness (elites,)."""
-
-
 @dataclass(frozen=True)
 class Task:
     """What a run gives to a new learner of a team."""
@@ -135,7 +104,11 @@ class LearnerSettings(Section):
     """
 
     by_gradients: ClassVar[bool] = False
-    """Whether the learner learns from transitions instead of fitness."""
+    """Whether the learner learns from its matches themselves instead of their fitness.
+
+    It then has a method `learn_from`, which a run calls after the matches of an epoch, and before
+    `tell`, with the keyword arguments of `transitions.experience` that describe these matches.
+    """
     rounds_by_processor: ClassVar[bool] = False
     """Whether results depend on the kind of processor, which workers of a cluster then share."""
     keeps_fixed_genes: ClassVar[bool] = False
@@ -161,7 +134,10 @@ class LearnerSettings(Section):
 
     @property
     def elite_matches(self) -> int:
-        """New matches against each opponent at the end of a generation, to choose a champion."""
+        """New matches against each opponent at the end of a generation, to choose a champion.
+
+        If there are any, the learner has `elite_genomes` and `choose_champion`.
+        """
         return 0
 
     def check_fits(self, world: WorldConfig, network: Network) -> None:

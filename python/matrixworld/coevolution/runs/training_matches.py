@@ -20,7 +20,6 @@ from matrixworld.coevolution.fitness import (
     mean_over_opponents,
     shared_fitness,
 )
-from matrixworld.coevolution.learners.learner import Elitist, Learner, LearnsFromMatches
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import Row
@@ -101,16 +100,21 @@ class TrainingMatches:
         return self.play(opponents, learning, Matches(met.ravel(), own, seeds.ravel()))
 
     def teach(
-        self, learner: Learner, team: Team, opponents: TeamPolicy, chosen: Indices, seeds: Seeds
+        self, learner: Any, team: Team, opponents: TeamPolicy, chosen: Indices, seeds: Seeds
     ) -> None:
-        """Let a learner learn from matches (M,), if it wants more of them than their fitness.
+        """Let a learner by gradients learn from matches (M,) that have been played and counted.
 
-        They have been played and counted, by its genome against the opponents `chosen` (M,).
+        They are those of its genome against the opponents `chosen` (M,).
         """
-        if isinstance(learner, LearnsFromMatches):
-            worlds, threads = self.settings.match_episodes, self.threads
+        if self.settings.learner.by_gradients:
             learner.learn_from(
-                self.world, team, opponents, chosen, seeds, worlds=worlds, threads=threads
+                config=self.world,
+                team=team,
+                opponents=opponents,
+                chosen=chosen,
+                seeds=seeds,
+                worlds=self.settings.match_episodes,
+                threads=self.threads,
             )
 
     # Fitness and log:
@@ -174,7 +178,7 @@ class TrainingMatches:
     # The end of a generation:
 
     def choose_champion(
-        self, learner: Learner, team: Team, generation: int, opponents: TeamPolicy, met: Indices
+        self, learner: Any, team: Team, generation: int, opponents: TeamPolicy, met: Indices
     ) -> None:
         """Make the best elite in new matches the champion of a learner, if it is set so.
 
@@ -182,7 +186,7 @@ class TrainingMatches:
         `met` (c,) that the fittest individual has met in that epoch.
         """
         matches = self.settings.learner.elite_matches
-        if matches and isinstance(learner, Elitist):
+        if matches:
             elites = learner.elite_genomes()
             # The run's own fitness, with sharing and virulence: only the luck of the epoch is new.
             again = self._fitness_again(
