@@ -30,7 +30,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     RunDirectory,
 )
-from matrixworld.coevolution.jobs.evolve import job_of
+from matrixworld.coevolution.jobs import job_of
 from matrixworld.coevolution.runs import run
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from parts import Functions, Parts

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,7 +17,7 @@ from scipy import stats
 import matrixworld as mw
 from matrixworld._util.files import load_json, save_json
 from matrixworld.analysis import Estimate
-from matrixworld.cluster import cluster
+from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import (
     FailedRunsError,
     ProgressBar,
@@ -26,7 +26,7 @@ from matrixworld.coevolution import (
     Team,
     open_run,
 )
-from matrixworld.coevolution.jobs.evolve import job_of, play_job
+from matrixworld.coevolution.jobs import job_of, play_job
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 
@@ -77,29 +77,6 @@ def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argp
 
 
 @contextmanager
-def on_cluster(
-    where: str | None, directory: Path | None = None, settings: Iterable[RaceSettings] = ()
-) -> Iterator[Executor | None]:
-    """Yield the executor that ``--cluster`` asks for, or None without it.
-
-    Parameters
-    ----------
-    where : str or None
-        Value of the option.
-    directory : Path, optional
-        Directory that the work reads and writes.
-    settings : iterable of RaceSettings, optional
-        Settings of the runs to play.
-    """
-    if where is None:
-        yield None
-        return
-    alike = any(each.learner.rounds_by_processor for each in settings)
-    with cluster(where, directory=directory, same_processors=alike, tell=print) as executor:
-        yield executor
-
-
-@contextmanager
 def executor_of(where: str | None, processes: int) -> Iterator[Executor]:
     """Yield the executor that ``--cluster`` asks for, or without it one of so many processes."""
     with on_cluster(where) as given, given or ProcessPoolExecutor(processes) as executor:
@@ -133,11 +110,11 @@ def finish_all(
     """
     job = job_of(settings)
     with (
-        on_cluster(where, root, settings.values()) as executor,
+        on_cluster(where) as executor,
         ProgressBar() as bar,
     ):
         share = None if executor is not None else threads
-        _, failures = play_job(job, root, keep=False, executor=executor, threads=share, report=bar)
+        failures = play_job(job, root, keep=False, executor=executor, threads=share, report=bar)
     if failures:
         raise FailedRunsError({root / name: why for name, why in failures.items()})
     return {name: open_run(root / name) for name in settings}

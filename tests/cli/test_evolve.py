@@ -39,7 +39,7 @@ from matrixworld.coevolution import (
     score,
     start,
 )
-from matrixworld.coevolution.jobs import evolve as jobs_evolve
+from matrixworld.coevolution import jobs as jobs_module
 from matrixworld.coevolution.sections import leaves
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
@@ -324,7 +324,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeyp
     play = StopAt(calls)
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
-        patch.setattr(jobs_evolve, "finish", partial(finish, play=play))
+        patch.setattr(jobs_module, "finish", partial(finish, play=play))
         result = matrixworld_command("evolve", "--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = matrixworld_command("evolve", "--resume", "out")

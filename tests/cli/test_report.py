@@ -20,7 +20,7 @@ from matrixworld.cli.groups import Group, groups_of, open_result, place_of
 from matrixworld.cli.report import report
 from matrixworld.cli.tables import print_strip
 from matrixworld.coevolution import RaceSettings, open_run, open_runs, score, start
-from matrixworld.coevolution.jobs.evolve import job_of, open_job, save_job
+from matrixworld.coevolution.jobs import job_of, open_job, save_job
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import StopAt, tiny_race, tiny_single
 

@@ -13,7 +13,7 @@ from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.options import seeds_of
 from matrixworld.coevolution import finish
-from matrixworld.coevolution.jobs.evolve import open_job
+from matrixworld.coevolution.jobs import open_job
 from scripts import group_lives, wait_until
 from tiny_race import results, tiny_race
 
@@ -125,6 +125,7 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     wait_until(lambda: [*later("*/*/stage-0005.npz")] or process.poll() is not None, "a stage")
     process.kill()
     process.communicate()
+    wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)
     matrixworld_command("evolve", "--resume", "out")
     settings = tiny_race(**{**longer, "hidden": (4,)}, schedule=MAIN_JOB[0], seed=1)
     finish(settings, "straight")

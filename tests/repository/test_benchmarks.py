@@ -8,7 +8,6 @@ from click.testing import CliRunner
 
 import compare_builds
 import matrixworld as mw
-from cluster_projection import Costs, makespan, table
 
 FOLDER = Path(__file__).parents[2] / "benchmarks"
 SHORT = ["--seconds", "0.001", "--repeats", "1"]
@@ -51,15 +50,3 @@ def test_a_build_gives_the_results_of_itself() -> None:
     result = CliRunner().invoke(compare_builds.main, [build, build, *options])
     assert result.exception is None
     assert result.output.splitlines()[-1].startswith("| step and views, 64 worlds | ")
-
-
-def test_the_projection_of_a_cluster_follows_from_its_costs() -> None:
-    free = Costs(alone=0.0, in_a_row=0.0, first=0.0, race=10.0, bytes=1)
-    assert makespan(10, 10.0, 5, free) == 20.0
-    assert makespan(11, 10.0, 5, free) == 30.0
-    # One scheduler hands out one task after the other, to however many workers.
-    slow = Costs(alone=0.0, in_a_row=0.01, first=0.0, race=1.0, bytes=1)
-    assert makespan(10_000, 1.0, 10_000, slow) == pytest.approx(101.0)
-    measured = Costs(alone=0.0065, in_a_row=0.0071, first=0.0, race=119, bytes=4_040_000)
-    page = (FOLDER.parent / "docs" / "cluster.md").read_text(encoding="utf-8")
-    assert table(measured, (1, 10, 100), 32) in page

@@ -27,7 +27,7 @@ from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import strength_gain
 from matrixworld.analysis.words import all_results
 from matrixworld.coevolution import opponents, resume, start
-from matrixworld.coevolution.jobs.evolve import job_of
+from matrixworld.coevolution.jobs import job_of
 from matrixworld.coevolution.learners.toolbox import Candidates
 from matrixworld.episodes import replay
 from matrixworld.plots.game import SITUATIONS, resolve

@@ -2,8 +2,9 @@
 
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import Executor, Future
 from contextlib import contextmanager
+from functools import partial
 from importlib import import_module
 from typing import Any
 
@@ -12,10 +13,10 @@ import pytest
 
 @contextmanager
 def jobs_in_threads() -> Iterator[None]:
-    """Play jobs in threads: a worker process takes a second to start, and has tests of its own."""
+    """Play jobs in threads: a process takes a second to start, and has tests of its own."""
     with pytest.MonkeyPatch.context() as patch:
-        module = import_module("matrixworld.coevolution.jobs.evolve")
-        patch.setattr(module, "WorkerProcesses", ThreadPoolExecutor)
+        module = import_module("matrixworld.coevolution.jobs")
+        patch.setattr(module, "play_in_process", module.play_run)
         yield
 
 
@@ -23,12 +24,12 @@ class Reversed(Executor):
     """Does its tasks in a thread when all are there, the last one first."""
 
     def __init__(self, count: int) -> None:
-        self.tasks: list[tuple[Future[Any], Callable[..., Any], Any]] = []
+        self.tasks: list[tuple[Future[Any], Callable[[], Any]]] = []
         self.left = count
 
     def submit(self, fn, /, *args, **kwargs):
         future: Future[Any] = Future()
-        self.tasks.append((future, fn, args))
+        self.tasks.append((future, partial(fn, *args, **kwargs)))
         self.left -= 1
         if not self.left:
             # The caller waits for results in its own thread.
@@ -36,5 +37,5 @@ class Reversed(Executor):
         return future
 
     def work(self) -> None:
-        for future, fn, args in reversed(self.tasks):
-            future.set_result(fn(*args))
+        for future, task in reversed(self.tasks):
+            future.set_result(task())

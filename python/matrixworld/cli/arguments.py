@@ -13,8 +13,7 @@ import click
 from matrixworld._util.checks import OutOfMemoryError
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.cli.console import command
-from matrixworld.cluster import UnfitWorkerError
-from matrixworld.coevolution.jobs.evolve import JOB, FailedRunsError
+from matrixworld.coevolution.jobs import JOB, FailedRunsError
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
 from matrixworld.coevolution.storage import OtherVersionError, run_directories
@@ -136,7 +135,6 @@ FAILURES = (
     OSError,
     OtherVersionError,
     OutOfMemoryError,
-    UnfitWorkerError,
 )
 """Errors whose message says all that a user can do; any other one is a mistake in the program."""
 

@@ -23,6 +23,7 @@ from matrixworld.cli.arguments import (
     resume_command,
 )
 from matrixworld.cli.bench import seconds_of
+from matrixworld.cli.cluster import cluster_option, on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
     command,
@@ -37,9 +38,7 @@ from matrixworld.cli.explore import first_seeds
 from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
     TYPED,
-    cluster_option,
     given_options,
-    on_cluster,
     one_of,
     option_name,
     seed_option,
@@ -59,7 +58,7 @@ from matrixworld.cli.setting_options import (
     usage_errors,
 )
 from matrixworld.coevolution import RaceSettings, RunDirectory
-from matrixworld.coevolution.jobs.evolve import (
+from matrixworld.coevolution.jobs import (
     BAD_FILES,
     Job,
     check_job,
@@ -266,7 +265,7 @@ def evolve_command(
         note(_plan(job, root, threads, timed=resumed is None and where is None))
         began = time.monotonic()
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
-            with on_cluster(where, threads, root, job.values()) as executor:
+            with on_cluster(where, threads) as executor:
                 results, failed = play_runs(job, root, threads, executor, new=resumed is None)
             again = "" if resumed or "yoked" in given else _more_seeds()
             report(job, results, root, failed, threads, began=began, again=again)
@@ -302,7 +301,7 @@ def _check(job: Job, root: Path, threads: int | None, where: str | None) -> None
     # Some settings can be checked only when opponents and start genomes have been read; and the
     # package of a learner of the user's own may be missing, or have changed.
     with usage_errors():
-        check_job(job, root, None if where is None else Executor(), threads)
+        check_job(job, root, threads, elsewhere=where is not None)
 
 
 @contextmanager
@@ -456,9 +455,7 @@ def play_runs(
     The error of a single run is raised.
     """
     with progress() as bar:
-        names, errors = play_job(
-            job, root, keep=new, executor=executor, threads=threads, report=bar
-        )
+        errors = play_job(job, root, keep=new, executor=executor, threads=threads, report=bar)
     for error in errors.values():
         if len(job) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code
@@ -466,7 +463,7 @@ def play_runs(
             note("".join(traceback.format_exception(error)))
     failed = {root / name: described(root / name, error) for name, error in errors.items()}
     results = []
-    for path in (root / name for name in names):
+    for path in (root / name for name in job if name not in errors):
         try:
             result = open_result(path)
             _ = result.payoff, result.numbers  # read now: damaged ones are named below

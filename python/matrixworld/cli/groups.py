@@ -23,7 +23,7 @@ from matrixworld.cli.arguments import SEED, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory
 from matrixworld.coevolution.evaluation.scores import HELD_OUT_VERSION
-from matrixworld.coevolution.jobs.evolve import JOB, open_job
+from matrixworld.coevolution.jobs import JOB, open_job
 from matrixworld.version import __version__
 
 FILES = (".csv", ".npz")

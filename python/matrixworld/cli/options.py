@@ -9,9 +9,7 @@ import os
 import re
 import shlex
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import Executor
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping
 from itertools import chain
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -25,8 +23,6 @@ from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, printable, save_json
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say, say_to_stdout
-from matrixworld.cluster import check_where, cluster
-from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP
 from matrixworld.coevolution.settings import MOST_SEED
 from matrixworld.world.rules import VARIANTS
@@ -173,48 +169,6 @@ seeds_option = click.option(
     metavar="SEEDS",
     help="a run of each seed, side by side: such as 0-9 or 0,3,5-7, in place of --seed",
 )
-
-
-# Clusters:
-
-
-def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
-    if value is not None:
-        try:
-            check_where(value)
-        except ValueError as error:
-            raise click.BadParameter(str(error).removeprefix("cluster: ")) from error
-    return value
-
-
-cluster_option = click.option(
-    "--cluster",
-    "where",
-    metavar="auto|ADDRESS|FILE",
-    callback=_where,
-    help="play on a Dask cluster: auto (this machine), tcp://HOST:8786, or a scheduler file",
-)
-
-
-@contextmanager
-def on_cluster(
-    where: str | None,
-    threads: int | None,
-    directory: Path | None = None,
-    settings: Iterable[RaceSettings] = (),
-) -> Iterator[Executor | None]:
-    """Yield the executor that ``--cluster`` asks for, or None without it.
-
-    `directory` is what the work reads and writes, `settings` are those of the runs to play.
-    """
-    if where is None:
-        yield None
-        return
-    if threads is not None:
-        raise click.UsageError("--threads: expected it without --cluster, got both")
-    alike = any(each.learner.rounds_by_processor for each in settings)
-    with cluster(where, directory=directory, same_processors=alike, tell=note) as executor:
-        yield executor
 
 
 # Worlds:

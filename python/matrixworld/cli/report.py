@@ -26,7 +26,7 @@ from matrixworld.cli.groups import Group, Result, grouped
 from matrixworld.cli.score import play_held_out
 from matrixworld.cli.tables import held_out, of_one_team, over_seeds, print_missing
 from matrixworld.coevolution import Against, RunDirectory
-from matrixworld.coevolution.jobs.evolve import Job
+from matrixworld.coevolution.jobs import Job
 from matrixworld.coevolution.progress import Progress
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer.runs_page import PAGE

@@ -14,6 +14,7 @@ from matrixworld._util.files import save_json
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import Estimate, interquartile_mean
 from matrixworld.analysis.runs import fewest_runs
+from matrixworld.cli.cluster import cluster_option, on_cluster
 from matrixworld.cli.console import print_wrapped, progress, say
 from matrixworld.cli.groups import (
     SCORED_BY,
@@ -28,11 +29,9 @@ from matrixworld.cli.groups import (
     runs_argument,
 )
 from matrixworld.cli.options import (
-    cluster_option,
     episodes_option,
     force_option,
     json_option,
-    on_cluster,
     refuse_existing,
     seed_option,
     steps_option,

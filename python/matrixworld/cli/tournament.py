@@ -11,13 +11,12 @@ import click
 from matrixworld._util.files import save_arrays
 from matrixworld.analysis import generalization, headline, judge
 from matrixworld.cli.arguments import RACE, find_runs, race_option, run_in, run_of
+from matrixworld.cli.cluster import cluster_option, on_cluster
 from matrixworld.cli.console import TERMS, progress, say
 from matrixworld.cli.figures import draw, run_title
 from matrixworld.cli.options import (
-    cluster_option,
     episodes_option,
     force_option,
-    on_cluster,
     out_option,
     refuse_existing,
     seed_option,

@@ -24,9 +24,7 @@ from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
-from matrixworld.coevolution.jobs.best_responses import best_responses
-from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
-from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
+from matrixworld.coevolution.jobs import FailedRunsError, evolve
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
@@ -34,6 +32,7 @@ from matrixworld.coevolution.learners.learner import Learner, NoiseTable
 from matrixworld.coevolution.learners.toolbox import generate_update_toolbox
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
 from matrixworld.coevolution.progress import OnEpoch, Progress, ProgressBar, StopRun
+from matrixworld.coevolution.responses import best_responses
 from matrixworld.coevolution.runs.race import DisengagementWarning, Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
@@ -100,9 +99,7 @@ __all__ = [
     "SavedRun",
     "SingleTeam",
     "StopRun",
-    "StoppedError",
     "Team",
-    "WorkerDiedError",
     "Yoked",
     "available",
     "best_responses",

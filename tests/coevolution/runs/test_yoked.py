@@ -11,7 +11,7 @@ import pytest
 from matrixworld import rollout
 from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution import TEAMS, RaceSettings, Yoked, available, finish, resume, start
-from matrixworld.coevolution.jobs.evolve import check_job
+from matrixworld.coevolution.jobs import check_job
 from matrixworld.coevolution.runs import race as races
 from matrixworld.coevolution.schedules import DRAWN
 from tiny_race import StopAt, alternating, check_resumes, directory_in_memory, tiny_race
@@ -78,7 +78,7 @@ def test_what_is_replayed_must_not_change_on_the_way(real, tmp_path):
         resume(tmp_path / "run").run()
     shutil.rmtree(source)
     with pytest.raises(ValueError, match="race: expected a finished race to replay, got .*source"):
-        check_job({"run": settings}, tmp_path, None, 1)
+        check_job({"run": settings}, tmp_path, 1)
     (tmp_path / "moved").rename(source)
     payoff = resume(tmp_path / "run").run()
     shutil.rmtree(source)  # a finished race needs it no more
@@ -101,7 +101,7 @@ def test_a_race_that_does_not_fit_is_refused(real, tmp_path, changes, says):
     with pytest.raises(ValueError, match=rf"^schedule\.race: .*{says}"):
         start(settings, tmp_path / "run")
     with pytest.raises(ValueError, match=rf"^schedule\.race: .*{says}"):
-        check_job({"run": settings}, tmp_path, None, 1)
+        check_job({"run": settings}, tmp_path, 1)
     assert not (tmp_path / "run").exists()
 
 

@@ -29,8 +29,6 @@ from matrixworld._util.files import load_arrays
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.coevolution.evaluation.tournament import (
-    BLOCK_SECONDS,
-    Pairs,
     play_blocks,
     team_size,
     tournament,
@@ -43,7 +41,7 @@ from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.network_policy import fits
-from matrixworld.play.rollout import match_seed, rollout
+from matrixworld.play.rollout import Matches, match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV
 from matrixworld.world.policy import (
@@ -247,19 +245,18 @@ def _by_engine(
     count = team_size(policy)
     # Rates of the opponents so far, and the statistics of one more.
     check_memory("scores", rates=count * episodes * (EPISODE_BYTES + 2 * RATE * len(opponents)))
-    each = []
+    blocks = []
     for number, opponent in enumerate(opponents.values()):
-        sides: dict[Team, TeamPolicy] = {team: policy, other(team): opponent}
+        sides = (policy, opponent) if team == "pursuer" else (opponent, policy)
         # All genomes play the same episodes.
         seeds = np.full(count, held_out_seed(seed, team, number), np.uint64)
-        each.append(
-            Pairs.all_of(config, sides["pursuer"], sides["evader"], seeds, episodes, rollout)
-        )
+        numbers = (np.arange(count), 0) if team == "pursuer" else (0, np.arange(count))
+        matches = Matches.of(*numbers, seeds)
+        blocks.append(partial(rollout, config, *sides, matches, episodes=episodes))
     captured = np.empty((count, len(opponents), episodes))
     played = 0
-    blocks = play_blocks(each, count, threads, executor, BLOCK_SECONDS)
-    for (number, genomes), statistics in blocks:
-        captured[genomes, number] = statistics.capture_rate
+    for number, statistics in play_blocks(blocks, threads, executor):
+        captured[:, number] = statistics.capture_rate
         played += statistics.capture_rate.size
         on_row(played)
     return captured if team == "pursuer" else 1.0 - captured

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, as_completed
-from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -17,20 +16,13 @@ from matrixworld._util.checks import (
     check_instance,
     check_integer,
     check_memory,
-    check_number,
     check_threads,
 )
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.types import Payoff, Seeds
+from matrixworld.coevolution.types import Payoff
 from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, Population, check_team
-
-BLOCK_SECONDS = 20.0
-"""Seconds of work in a block that an executor plays: many times what it takes to hand it out, and
-short enough to keep all workers busy to the end."""
-MEASURED_SECONDS, MEASURED_PAIRS = 0.3, 20
-"""Most seconds and pairs by which the work of a pair is measured."""
 
 MEANS = ("collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors")
 """Statistics of which a payoff holds the mean over the episodes."""
@@ -50,7 +42,6 @@ def tournament(
     first: tuple[int, int] = (0, 0),
     on_row: Callable[[int], None] = lambda played: None,
     executor: Executor | None = None,
-    block_seconds: float = BLOCK_SECONDS,
 ) -> Payoff:
     """Play every pursuer against every evader.
 
@@ -71,13 +62,10 @@ def tournament(
     first : tuple of int, optional
         Generations of the first pursuer and of the first evader, which the seeds depend on.
     on_row : callable, optional
-        Called after each row of the matrix, or each block, with the number of episodes played so
-        far.
+        Called after each row of the matrix with the number of episodes played so far.
     executor : concurrent.futures.Executor, optional
-        Plays blocks of the matrix, each with `threads` threads, by default one. Without an executor
-        the rows are played here, one after the other. The result is the same.
-    block_seconds : float, optional
-        About the work of a block, measured with some pairs on this machine.
+        Plays the rows, each with `threads` threads, by default one. Without an executor they are
+        played here, one after the other. The result is the same.
 
     Notes
     -----
@@ -98,109 +86,46 @@ def tournament(
     check_memory("tournament", episodes=EPISODE_BYTES * size[0] * size[1] * episodes)
     generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
     seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*generations)], np.uint64)
-    pairs = Pairs.all_of(config, pursuers, evaders, seeds, episodes, play)
+    columns = np.arange(size[1])
+    # One row at a time, so that the progress can be reported.
+    rows = [
+        partial(play, config, one, evaders, Matches.of(0, columns, row), episodes=episodes)
+        for one, row in zip(_each(pursuers), seeds.reshape(size), strict=True)
+    ]
     kept: dict[str, NDArray[Any]] = {}
     played = 0
-    # One row at a time, so that the progress can be reported.
-    blocks = play_blocks([pairs], size[1], threads, executor, block_seconds)
-    for (_, block), statistics in blocks:
+    for row, statistics in play_blocks(rows, threads, executor):
         for name in STATISTICS:
             found = getattr(statistics, name)
             if name not in kept:
-                kept[name] = np.empty((len(seeds), *found.shape[1:]), found.dtype)
-            kept[name][block] = found
+                kept[name] = np.empty((size[0], *found.shape), found.dtype)
+            kept[name][row] = found
         played += statistics.length.size
         on_row(played)
-    cells = {name: array.reshape(*size, *array.shape[1:]) for name, array in kept.items()}
     # Capture rates and lengths keep single episodes, from which intervals are computed.
     return Payoff(
-        capture_rates=cells["capture_rate"].astype(np.float32),
-        lengths=cells["length"].astype(np.int32),
-        **{name: cells[name].mean(axis=2) for name in MEANS},
+        capture_rates=kept["capture_rate"].astype(np.float32),
+        lengths=kept["length"].astype(np.int32),
+        **{name: kept[name].mean(axis=2) for name in MEANS},
     )
-
-
-@dataclass(frozen=True)
-class Pairs:
-    """Pairs of pursuers and evaders that play one match each."""
-
-    config: WorldConfig
-    pursuers: EnginePolicy
-    evaders: EnginePolicy
-    matches: Matches
-    episodes: int
-    rollout: Rollout
-
-    @classmethod
-    def all_of(
-        cls,
-        config: WorldConfig,
-        pursuers: EnginePolicy,
-        evaders: EnginePolicy,
-        seeds: Seeds,
-        episodes: int,
-        play: Rollout,
-    ) -> Pairs:
-        """Return all pairs, with the seed of each, row by row: evaders 0, 1, ... of pursuer 0."""
-        rows, columns = np.indices((team_size(pursuers), team_size(evaders)))
-        matches = Matches.of(rows.ravel(), columns.ravel(), seeds)
-        return cls(config, pursuers, evaders, matches, episodes, play)
-
-    def part(self, block: slice) -> Pairs:
-        """Return some of the pairs, with no other genomes than theirs: they may travel."""
-        pursuers, rows = _met(self.pursuers, self.matches.pursuer[block])
-        evaders, columns = _met(self.evaders, self.matches.evader[block])
-        matches = Matches.of(rows, columns, self.matches.seed[block])
-        return replace(self, pursuers=pursuers, evaders=evaders, matches=matches)
-
-    def play(self, threads: int | None) -> EpisodeStatistics:
-        """Play all matches, wherever this is called."""
-        sides = self.pursuers, self.evaders
-        return self.rollout(
-            self.config, *sides, self.matches, episodes=self.episodes, threads=threads
-        )
-
-    def seconds(self) -> float:
-        """Return the mean time in which one thread plays a pair, of pairs from all of them."""
-        count = len(self.matches.seed)
-        numbers = np.linspace(0, count - 1, min(count, MEASURED_PAIRS)).astype(int).tolist()
-        times: list[float] = []
-        while numbers and sum(times) < MEASURED_SECONDS:
-            number = numbers.pop(0)
-            began = time.perf_counter()
-            self.part(slice(number, number + 1)).play(1)
-            times.append(time.perf_counter() - began)
-        return sum(times) / len(times)
 
 
 def play_blocks(
-    each: Sequence[Pairs],
-    most: int,
+    blocks: Sequence[Callable[..., EpisodeStatistics]],
     threads: int | None,
     executor: Executor | None,
-    block_seconds: float,
-) -> Iterator[tuple[tuple[int, slice], EpisodeStatistics]]:
-    """Yield the statistics of all pairs in blocks, each with its number in `each` and its slice.
+) -> Iterator[tuple[int, EpisodeStatistics]]:
+    """Yield the number of each block of matches and its statistics.
 
-    Here blocks of `most` pairs are played in order; an executor plays blocks that take about
-    `block_seconds` in any order.
+    Blocks are calls of `rollout` without its threads: played here in order, or by an executor.
     """
-    check_number("block_seconds", block_seconds, least=0.0, positive=True)
-    size = most
-    if executor is not None:
-        check_instance("executor", executor, Executor)
-        size = max(1, int(block_seconds / each[0].seconds()))
-    blocks = (
-        ((number, slice(first, first + size)), pairs)
-        for number, pairs in enumerate(each)
-        for first in range(0, len(pairs.matches.seed), size)
-    )
     if executor is None:
-        for key, pairs in blocks:
-            yield key, pairs.part(key[1]).play(threads)
+        for number, play in enumerate(blocks):
+            yield number, play(threads=threads)
         return
+    check_instance("executor", executor, Executor)
     futures = {
-        executor.submit(Pairs.play, pairs.part(key[1]), threads or 1): key for key, pairs in blocks
+        executor.submit(play, threads=threads or 1): number for number, play in enumerate(blocks)
     }
     try:
         for future in as_completed(futures):
@@ -217,11 +142,7 @@ def team_size(team: EnginePolicy) -> int:
     return len(team.genomes) if isinstance(team, Population) else 1
 
 
-def _met(team: EnginePolicy, numbers: NDArray[Any]) -> tuple[EnginePolicy, NDArray[Any]]:
-    """Return the genomes of a team that play, and where each of `numbers` is among them."""
+def _each(team: EnginePolicy) -> list[EnginePolicy]:
     if not isinstance(team, Population):
-        return team, numbers
-    met, places = np.unique(numbers, return_inverse=True)
-    if len(met) == len(team.genomes):
-        return team, numbers
-    return Population(team.genomes[met], team.network), places
+        return [team]
+    return [Population(genome[None], team.network) for genome in team.genomes]

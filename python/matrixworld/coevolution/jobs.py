@@ -1,51 +1,49 @@
-"""A job: the runs that were asked for together, its file, and how all of them are played.
+"""Jobs: runs that were asked for together, played side by side, here or by any executor.
 
-The file is written before any run begins. A job that is stopped, even at once, therefore knows the
-runs that have not begun. Runs are played in this process, side by side, or by any executor.
+The file of a job is written before any run begins: a job that is stopped, even at once, knows the
+runs that have not begun. All runs go on from their last stage, so that a stop, a crash and the
+death of a worker cost the work since then only.
+
+While a job is played, its directory holds a folder ``.running-*`` in which each run in work tells
+its progress. Whoever plays a run, on whatever machine, ends when the folder goes. A later start has
+another folder, and so never waits for what an earlier one left.
 """
 
 from __future__ import annotations
 
 import json
+import multiprocessing
+import os
 import re
+import shutil
+import signal
+import tempfile
+import threading
+import time
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
-from contextlib import nullcontext
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
+from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
 from matrixworld._util import HAS_PROCESSES
 from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
-from matrixworld._util.files import (
-    DamagedFileError,
-    is_temporary,
-    locked,
-    remove_temporary_files,
-    save_json,
-)
-from matrixworld.coevolution.jobs.worker import (
-    Played,
-    WorkerDiedError,
-    WorkerProcesses,
-    at_times,
-    played,
-    read_progress,
-    remove_progress,
-    run_task,
-    started,
-    waiting,
-)
-from matrixworld.coevolution.progress import (
-    SECONDS,
-    OnEpoch,
-    Progress,
-    Report,
-    StopRun,
-    silent,
-)
+from matrixworld._util.files import DamagedFileError, locked, save_json
+from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
@@ -72,12 +70,12 @@ NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 
 ITSELF = "."
 """Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
+RUNNING = ".running-"
+"""Begin of the name of the folder that a job has while it is played."""
+GO = "go"
+"""File in that folder: without it, whoever plays a run ends."""
 STOP_WAIT = 3.0
-"""Seconds for which stopped tasks are waited for."""
-TRIES = 4
-"""Worker processes that a run may lose before it fails."""
-BESIDE_OTHERS = 2
-"""Losses after which a run is played alone: until then another run may be the cause."""
+"""Seconds for which runs that have been stopped are waited for."""
 BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
 """Errors of a run directory, which concern one run and no other."""
 
@@ -241,7 +239,7 @@ def evolve(
     directory : str or Path
         A new or empty directory, or that of the same runs, which are continued.
     executor : concurrent.futures.Executor, optional
-        Plays the runs, one thread each. By default worker processes of this machine, each with as
+        Plays the runs, one thread each. By default each run has a process of this machine, with as
         many threads as there are more cores than runs; a single run, and in a browser any run, is
         played in this process.
     threads : int, optional
@@ -263,6 +261,8 @@ def evolve(
         If another process plays the job.
     FailedRunsError
         If runs failed, after all others have ended.
+    BrokenExecutor
+        If the executor, or a process, cannot even begin a run.
     StopRun
         If `on_epoch` raises it. All runs have stopped then, and the same call continues them.
 
@@ -272,21 +272,25 @@ def evolve(
     interruptions: each run directory has the same bytes as by `finish`. Everything is checked
     before anything is written. After Ctrl-C, a crash or a failure, the same call continues.
 
-    An executor carries a function of this package with text and numbers to wherever the directory
-    has the same path: `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and
-    Dask serve. The default one plays a run again, from its checkpoint, if its process dies.
+    A run whose process dies is played once more, from its last stage. An executor carries
+    settings and paths to wherever the directory has the same path: `concurrent.futures`, MPI
+    (``mpi4py.futures.MPIPoolExecutor``), loky and Dask (``Client.get_executor``) serve.
 
     In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
     """
+    if executor is not None:
+        check_instance("executor", executor, Executor)
+        if threads is not None:
+            raise ValueError(f"threads: expected None with an executor, got {threads}")
     root, job = Path(directory), job_of(settings)
     check_directory(root, job)
-    check_job(job, root, executor, threads)
-    names, errors = play_job(
+    check_job(job, root, threads, elsewhere=executor is not None)
+    errors = play_job(
         job, root, executor=executor, threads=threads, report=report, on_epoch=on_epoch
     )
     failures = {root / name: error for name, error in errors.items()}
     finished = []
-    for path in (root / name for name in names):
+    for path in (root / name for name in job if name not in errors):
         try:
             finished.append(open_run(path))
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are returned
@@ -297,19 +301,31 @@ def evolve(
     return finished
 
 
-def check_job(job: Job, root: Path, executor: Executor | None, threads: int | None) -> None:
-    """Raise an error if the unfinished runs of a job cannot be played; nothing is written."""
+def check_directory(root: Path, job: Job) -> None:
+    """Raise an error unless a directory is new, empty, or that of the same job."""
+    found = open_job(root)
+    if found is None and root.exists():
+        RunDirectory(root).check_empty()
+    if found is not None and found != job:
+        different = found.items() ^ job.items()
+        names = sorted({name for name, _ in different})
+        raise ValueError(
+            f"{root}: expected the runs in its {JOB}, got others: "
+            f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
+        )
+
+
+def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = False) -> None:
+    """Raise an error if the unfinished runs of a job cannot be played; nothing is written.
+
+    `elsewhere` says whether other machines play them, each of which checks its memory itself.
+    """
     check_threads(threads)
-    if executor is not None:
-        check_instance("executor", executor, Executor)
-        if threads is not None:
-            raise ValueError(f"threads: expected None with an executor, got {threads}")
     left = {n: each for n, each in job.items() if not _finished(root, n)}
-    # Runs on other machines check the memory there; here one learner is made, to try it.
-    workers = 1 if executor is not None else shares(len(left), threads)[0]
-    needs = [sum(run_memory(each).values()) for each in left.values()]
-    largest = sorted(needs, reverse=True)[:workers]
-    check_memory(f"{workers} runs at one time" if workers > 1 else "run", runs=sum(largest))
+    # Even then one learner is made here, to try it.
+    at_once = 1 if elsewhere else shares(len(left), threads)[0]
+    needs = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
+    check_memory(f"{at_once} runs at one time" if at_once > 1 else "run", runs=sum(needs[:at_once]))
     # Seeds make no difference here, and a job may have a thousand.
     for each in dict.fromkeys(each.method for each in left.values()):
         check_own_code(each)
@@ -323,27 +339,18 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
             check_sources(each)
 
 
-def check_directory(root: Path, job: Job) -> None:
-    """Raise an error unless a directory is new, empty, or that of the same job."""
-    found = open_job(root)
-    # A cluster's probe is a temporary file, and may be there.
-    if found is None and root.exists() and not all(is_temporary(f.name) for f in root.iterdir()):
-        RunDirectory(root).check_empty()
-    if found is not None and found != job:
-        different = found.items() ^ job.items()
-        names = sorted({name for name, _ in different})
-        raise ValueError(
-            f"{root}: expected the runs in its {JOB}, got others: "
-            f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
-        )
-
-
 def shares(runs: int, threads: int | None) -> tuple[int, int]:
     """Return how many runs play at one time, and the threads of each."""
     cores = check_threads(threads)
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
     return workers, max(1, cores // workers)
+
+
+def _finished(root: Path, name: str) -> bool:
+    """Return whether nothing has to be done for a run."""
+    # A run that is a job of its own is restored in any case, to tell of any damage.
+    return name != ITSELF and RunDirectory(root / name).finished
 
 
 def play_job(
@@ -355,64 +362,48 @@ def play_job(
     threads: int | None = None,
     report: Report = silent,
     on_epoch: OnEpoch | None = None,
-) -> tuple[list[str], dict[str, BaseException]]:
-    """Play what is unfinished of a job that `check_job` has checked.
+) -> dict[str, BaseException]:
+    """Play what is unfinished of a job that `check_job` has checked; return the errors by name.
 
-    `keep` says whether to write the file of the job, if there is none. Returns the names of the
-    finished runs, in the order of the job, and the errors of the others. After Ctrl-C all tasks
-    have ended at a checkpoint.
+    `keep` says whether to write the file of the job, if there is none.
     """
     root.mkdir(parents=True, exist_ok=True)
     # A run that is a job of its own locks its directory itself.
     with nullcontext() if ITSELF in job else locked(root / LOCK):
-        if executor is None:  # or one of them may be a cluster's probe
-            remove_temporary_files(root)
         if keep:
             # Again, because another process may have begun a job before this one got the lock.
             check_directory(root, job)
-            # Before any run begins: what was asked for is known from now on.
             if open_job(root) is None:
                 save_job(root, job)
-        play = JobPlay(job, root, report, on_epoch)
+        play = _Play(job, root, report, on_epoch)
         names = play.unfinished()
-        try:
-            if executor is not None and names:
-                play.by_executor(executor, names)
-            elif len(names) == 1 or not HAS_PROCESSES:
-                for name in names:
-                    play.here(name, threads)
-            elif names:
-                play.by_processes(*shares(len(names), threads))
-        finally:
-            remove_progress(root)
-    return [name for name in job if name in play.finished], play.failures
+        if executor is None and (len(names) == 1 or not HAS_PROCESSES):
+            for name in names:
+                play.here(name, threads)
+        elif names:
+            play.side_by_side(names, executor, threads)
+    return play.failures
 
 
-class JobPlay:
-    """A job while it is played: what has finished and failed, and the progress of the rest."""
+class _Play:
+    """A job while it is played: what has ended, and the progress of the rest."""
 
-    def __init__(
-        self, job: Job, root: Path, report: Report, on_epoch: OnEpoch | None = None
-    ) -> None:
-        self._job, self._root, self._report = job, root, report
-        self._on_epoch = on_epoch
-        self._told = {name: RunDirectory(root / name).newest() for name in job if on_epoch}
-        self.finished: dict[str, Played] = {}
+    def __init__(self, job: Job, root: Path, report: Report, on_epoch: OnEpoch | None) -> None:
+        self._job, self._root, self._report, self._on_epoch = job, root, report, on_epoch
+        # The newest stage of each run that is told, matches of finished runs, progress of those in
+        # work, and matches that were played before this start.
+        self._stages = {name: RunDirectory(root / name).newest() for name in job if on_epoch}
+        self._done: dict[str, int] = {}
+        self._work: dict[str, Progress] = {}
         self.failures: dict[str, BaseException] = {}
-        self._losses: Counter[str] = Counter()
         for name, settings in job.items():
             if _finished(root, name):
-                self._open(name, settings)
-        self._totals = {name: int(each["matches"]) for name, each in self.finished.items()}
-        self._before = dict(self._totals)
-
-    def _open(self, name: str, settings: RaceSettings) -> None:
-        files = RunDirectory(self._root / name)
-        try:
-            check_same(files.path, files.settings, settings)
-            self.finished[name] = played(files)
-        except BAD_FILES as error:
-            self.failures[name] = error
+                try:
+                    check_same(root / name, RunDirectory(root / name).settings, settings)
+                    self._end(name)
+                except BAD_FILES as error:
+                    self.failures[name] = error
+        self._before = dict(self._done)
 
     def unfinished(self) -> list[str]:
         """Return the names of the runs to play: the first one of each group, then the second ones.
@@ -424,130 +415,227 @@ class JobPlay:
         for name in self._job:
             counts[group_of(name)] += 1
             order[name] = counts[group_of(name)]
-        return sorted(filter(lambda name: not self._ended(name), order), key=order.__getitem__)
+        return sorted((n for n in order if not self._ended(n)), key=order.__getitem__)
 
     def _ended(self, name: str) -> bool:
-        return name in self.finished or name in self.failures
+        return name in self._done or name in self.failures
 
     def here(self, name: str, threads: int | None) -> None:
         """Play a run in this process, the only one that is left or where there are no others.
 
-        A worker process would take half a second to start, and hide where an error came from.
+        Another process would take half a second to start, and hide where an error came from.
         """
-        path, alone = self._root / name, name == ITSELF
-        report = at_times(lambda progress: self._tell({name: progress}))
         on_epoch = self._on_epoch
         told = on_epoch and (lambda row: on_epoch({**row, "run": name}))
-        # Tasks that an earlier start left behind end now.
-        with nullcontext() if alone else started(self._root):
-            try:
-                run = waiting(
-                    lambda: finish(
-                        self._job[name], path, threads=threads, report=report, on_epoch=told
-                    ),
-                    path,
-                    lock_wait=0.0 if alone else None,
-                )
-                self._finish(name, played(run.files))
-            except StopRun:
-                raise
-            except Exception as error:  # noqa: BLE001, of the run
-                self.failures[name] = error
+        report = at_times(lambda progress: self._tell({name: progress}))
+        settings, path = self._job[name], self._root / name
+        try:
+            finish(settings, path, threads=threads, report=report, on_epoch=told)
+            self._end(name)
+        except StopRun:
+            raise
+        except Exception as error:  # noqa: BLE001, of the run
+            self.failures[name] = error
+        self._work.clear()
         self._tell({})
 
-    def by_processes(self, workers: int, threads: int) -> None:
-        """Play all unfinished runs, so many at one time; workers that die are replaced."""
-        starts_lost = 0
-        while left := self.unfinished():
-            # A dead worker breaks its pool, with all runs in it.
-            together = [name for name in left if self._losses[name] < BESIDE_OTHERS]
-            names = together or left[:1]
-            try:
-                with WorkerProcesses(min(workers, len(names))) as processes:
-                    self.by_executor(processes, names, threads)
-            except BrokenExecutor as error:
-                in_work = [*self._in_work(read_progress(self._root))]
-                starts_lost = 0 if in_work else starts_lost + 1
-                if starts_lost == TRIES:
-                    raise BrokenExecutor(
-                        f"worker processes: expected some that start, lost {TRIES}; memory or "
-                        "the number of processes has too low a limit, or a script has no "
-                        '`if __name__ == "__main__":`'
-                    ) from error
-                self._losses.update(in_work)
-                for name in in_work:
-                    if self._losses[name] == TRIES:
-                        problem = f"expected one that lives, lost {TRIES}"
-                        self.failures[name] = WorkerDiedError(f"worker process: {problem}")
+    def side_by_side(
+        self, names: Sequence[str], executor: Executor | None, threads: int | None
+    ) -> None:
+        """Play runs by an executor, or each in a process of its own."""
+        if executor is not None:
+            self._by(executor, play_run, names, 1)
+            return
+        workers, each = shares(len(names), threads)
+        with ThreadPoolExecutor(workers) as own:  # each thread waits for a process
+            self._by(own, play_in_process, names, each)
 
-    def by_executor(self, executor: Executor, names: Sequence[str], threads: int = 1) -> None:
-        """Play these runs by an executor; BrokenExecutor if it can do no task any more."""
-        root, futures = str(self._root.absolute()), dict[Future[Played], str]()
+    def _by(
+        self, executor: Executor, play: Callable[..., None], names: Sequence[str], threads: int
+    ) -> None:
+        root, futures = self._root.absolute(), dict[Future[None], str]()
         try:
-            with started(self._root) as token:
-                for name in names:
-                    text = json.dumps(self._job[name].to_json())
-                    futures[executor.submit(run_task, text, root, name, token, threads)] = name
+            with _running(root) as folder:
+                for number, name in enumerate(names):
+                    task = self._job[name], root / name, folder / f"{number}", threads
+                    futures[executor.submit(play, *task)] = name
                 pending = set(futures)
                 while pending:
-                    told = read_progress(self._root)
-                    self._tell(told)
+                    self._tell(_progress_in(folder, names))
                     done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
+                    self._tell(_progress_in(folder, names))
+                    ended = [futures[future] for future in done]
                     for future in done:
                         self._take(futures[future], future)
-                    for name in [*self._in_work(told), *(futures[each] for each in done)]:
+                    for name in [*self._work, *ended]:
                         self._tell_epochs(name)
         finally:
-            # After Ctrl-C or an error tasks may be left, which end now.
+            # After Ctrl-C or an error runs may be left, which end now.
             wait([future for future in futures if not future.cancel()], STOP_WAIT)
         self._tell({})
 
-    def _take(self, name: str, future: Future[Played]) -> None:
+    def _take(self, name: str, future: Future[None]) -> None:
         try:
-            self._finish(name, future.result())
-        except BrokenExecutor:  # of the whole job: no task can be done any more
-            raise
+            future.result()
+            numbers = self._end(name)
+        except (BrokenExecutor, CancelledError) as error:
+            if name not in self._work:  # nor can any other run begin
+                raise BrokenExecutor(
+                    f"{name}: expected a worker that begins it, got: {error!r}; perhaps memory or "
+                    "the number of processes has too low a limit, or a script has no "
+                    '`if __name__ == "__main__":`'
+                ) from error
+            self.failures[name] = error
         except Exception as error:  # noqa: BLE001, of one run: the others go on
             self.failures[name] = error
-            return
-        # The warning of the run itself stayed in its process.
-        if self.finished[name]["disengagement"]:
-            text = f"{name}: {self.finished[name]['disengagement']}"
-            warnings.warn(text, DisengagementWarning, stacklevel=5)
+        else:
+            # The warning of the run itself stayed in its process.
+            for text in numbers.get("disengagement", []):
+                warnings.warn(f"{name}: {text}", DisengagementWarning, stacklevel=6)
+        self._work.pop(name, None)
 
-    def _finish(self, name: str, played: Played) -> None:
-        self.finished[name], self._totals[name] = played, int(played["matches"])
+    def _end(self, name: str) -> dict[str, Any]:
+        """Count the matches of a finished run; return its summary."""
+        numbers = RunDirectory(self._root / name).summary()
+        self._done[name] = int(numbers["training_matches"]) + int(numbers["evaluation_matches"])
+        return numbers
 
     def _tell_epochs(self, name: str) -> None:
         """Tell the rows of the stages that a run has saved since the last call."""
         if self._on_epoch is None or name in self.failures:
             return
-        for row in RunDirectory(self._root / name).rows(self._told[name]):
+        for row in RunDirectory(self._root / name).rows(self._stages[name]):
             self._on_epoch({"run": name, "seed": self._job[name].seed, **row})
-            self._told[name] = row["stage"]
-
-    def _in_work(self, told: Mapping[str, Progress]) -> dict[str, Progress]:
-        """Return the progress of runs of this job that have not ended."""
-        return {n: each for n, each in told.items() if n in self._job and not self._ended(n)}
+            self._stages[name] = row["stage"]
 
     def _tell(self, told: Mapping[str, Progress]) -> None:
-        work = {name: each for name, each in self._in_work(told).items() if each.total}
+        """Report the progress of all runs, with what those in work have told."""
+        self._work.update({n: each for n, each in told.items() if not self._ended(n)})
+        work = {name: each for name, each in self._work.items() if each.total}
         for name, each in work.items():
             self._before.setdefault(name, each.before)
-            self._totals[name] = each.total
-        done = sum(self._totals[name] for name in self.finished)
-        done += sum(each.done for each in work.values())
+        done = sum(self._done.values()) + sum(each.done for each in work.values())
         # Runs that have not begun count as the mean of the others.
-        known = [*self._totals.values()]
+        known = [*self._done.values(), *(each.total for each in work.values())]
         total = sum(known) * len(self._job) // max(len(known), 1)
         failed = f", {len(self.failures)} failed" if self.failures else ""
-        what = f"{len(self.finished)} of {len(self._job)} runs{failed}"
+        what = f"{len(self._done)} of {len(self._job)} runs{failed}"
         if len(self._job) == 1 and work:
             what, work = next(iter(work.values())).what, {}
         self._report(Progress(what, done, max(total, 1), sum(self._before.values()), work))
 
 
-def _finished(root: Path, name: str) -> bool:
-    """Return whether nothing has to be done for a run."""
-    # A run that is a job of its own is restored in any case, to tell of any damage.
-    return name != ITSELF and RunDirectory(root / name).finished
+# What plays a run, on any machine:
+
+
+def play_run(settings: RaceSettings, path: Path, told: Path, threads: int) -> None:
+    """Finish a run, wherever this is called, and tell its progress in the file `told`.
+
+    FileNotFoundError when the job has been stopped.
+    """
+
+    def tell(progress: Progress) -> None:
+        if not (told.parent / GO).exists():
+            raise FileNotFoundError(f"{told.parent}: expected a directory that all workers share")
+        values = progress.what, progress.done, progress.total, progress.before
+        told.write_text(json.dumps(values), encoding="utf-8")
+
+    # Before anything else: if this process dies, it is known that the run had begun.
+    tell(Progress("begins", 0, 0))
+    finish(settings, path, threads=threads, report=at_times(tell))
+
+
+def play_in_process(settings: RaceSettings, path: Path, told: Path, threads: int) -> None:
+    """Do what `play_run` does in a process of its own; once more if that dies."""
+    task = settings, path, told, threads
+    try:
+        _in_process(task)
+    except BrokenProcessPool:
+        if not told.exists():  # stopped, or not even begun
+            raise
+        try:
+            _in_process(task)
+        except BrokenProcessPool:
+            text = "its process died twice, for example for lack of memory"
+            raise BrokenProcessPool(text) from None
+
+
+def _in_process(task: tuple[RaceSettings, Path, Path, int]) -> None:
+    # spawn: a fork would copy locks that other threads of this process hold.
+    context, go = multiprocessing.get_context("spawn"), task[2].parent / GO
+    with without_interrupts(), ProcessPoolExecutor(1, context, _begin, (go,)) as process:
+        process.submit(play_run, *task).result()
+
+
+@contextmanager
+def without_interrupts() -> Iterator[None]:
+    """Keep Ctrl-C from the processes that are started here.
+
+    A terminal sends it to all processes. Only this one must act: it ends the others.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    # Started later, it would unblock Ctrl-C in the thread that starts it.
+    resource_tracker.ensure_running()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _begin(go: Path) -> None:
+    """Begin a process that ends with its job, even if the process of that is killed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # The main process warns when a run has ended, with its name.
+    warnings.simplefilter("ignore", DisengagementWarning)
+    threading.Thread(target=_end_with, args=(go,), daemon=True).start()
+
+
+def _end_with(go: Path) -> None:
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    while parent.is_alive() and go.exists():
+        time.sleep(SECONDS)
+    os._exit(1)  # not sys.exit, which ends this thread only; files are safe at any moment
+
+
+@contextmanager
+def _running(root: Path) -> Iterator[Path]:
+    """Yield a new folder for the progress of runs; those who play them end with the block."""
+    for left in root.glob(f"{RUNNING}*"):  # by a job that was killed
+        shutil.rmtree(left, ignore_errors=True)
+    folder = Path(tempfile.mkdtemp(prefix=RUNNING, dir=root))
+    go = folder / GO
+    go.touch()
+    try:
+        yield folder
+    finally:
+        # In one step, before the folder: progress may be written into it meanwhile.
+        go.unlink(missing_ok=True)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _progress_in(folder: Path, names: Sequence[str]) -> dict[str, Progress]:
+    """Return the progress of the runs that have begun."""
+    found = {}
+    for file in folder.iterdir():
+        with suppress(ValueError):  # not the file of a run, or just being written
+            values = json.loads(file.read_text(encoding="utf-8"))
+            found[names[int(file.name)]] = Progress(*values)
+    return found
+
+
+def at_times(tell: Report) -> Report:
+    """Return a report that calls `tell` with the progress of a run, but only twice a second."""
+    following = 0.0
+
+    def report(progress: Progress) -> None:
+        nonlocal following
+        # Called after each epoch, which may take less than a millisecond.
+        if time.monotonic() >= following:
+            following = time.monotonic() + SECONDS
+            tell(progress)
+
+    return report

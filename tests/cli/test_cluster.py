@@ -1,23 +1,22 @@
-"""The option --cluster of the commands."""
+"""The option --cluster, on a real Dask cluster of two processes."""
 
 import os
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
-from dask_cluster import DaskCluster
-from matrixworld.cli import options
+from matrixworld.cli import cluster
 from matrixworld.coevolution import evolve, finish, open_run
 from scripts import group_lives, kill_group, wait_until
 from tiny_race import results, tiny_race
 
-pytest.importorskip("distributed")
+distributed = pytest.importorskip("distributed")
 
 SCHEDULE = ("--schedule", "generalist-generalist")
 AUTO = ("--cluster", "auto")
@@ -25,9 +24,11 @@ OPTIONS = (*SCHEDULE, *words({name: value for name, value in RACE.items() if nam
 
 
 @pytest.fixture(scope="module")
-def dask(dask: DaskCluster) -> DaskCluster:
-    dask.workers(2)
-    return dask
+def dask() -> Iterator[Any]:
+    """A cluster; on exit no process is left."""
+    local = {"dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL", "memory_limit": 0}
+    with distributed.LocalCluster(2, threads_per_worker=1, **local) as running:
+        yield running
 
 
 @pytest.mark.parametrize(
@@ -48,12 +49,27 @@ def test_bad_use_is_refused(
     assert not out.exists()
 
 
-def test_without_dask_the_extra_is_named(
-    race: Path, dask: DaskCluster, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.parametrize("content", ["{}", '{"address": 3}', "no json"])
+def test_a_file_of_no_scheduler_is_refused(race: Path, tmp_path: Path, content: str) -> None:
+    scheduler = tmp_path / "scheduler.json"
+    scheduler.write_text(content)
+    done = matrixworld_command("tournament", race, "--cluster", scheduler, code=1)
+    assert "scheduler.json: " in done.output
+
+
+def test_without_dask_the_extra_is_named(race: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
-    done = matrixworld_command("tournament", race, "--cluster", dask.file, code=1)
+    done = matrixworld_command("tournament", race, *AUTO, code=1)
     assert "pip install 'matrixworld-pursuit[cluster]'" in done.output
+
+
+def test_workers_of_another_version_are_refused(
+    race: Path, dask: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cluster, "__version__", "9")
+    address = dask.scheduler_address
+    done = matrixworld_command("tournament", race, "--cluster", address, code=1)
+    assert "--cluster: expected workers with the versions ('9', " in done.output
 
 
 COMMANDS = {
@@ -67,16 +83,14 @@ COMMANDS = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", COMMANDS)
-def test_a_cluster_gives_the_same_files(
-    name: str, race: Path, dask: DaskCluster, tmp_path: Path
-) -> None:
+def test_a_cluster_gives_the_same_files(name: str, race: Path, dask: Any, tmp_path: Path) -> None:
     job = tmp_path / "job"
     if "{job}" in COMMANDS[name]:
         evolve([tiny_race(seed=seed) for seed in (0, 1)], job, threads=1)
     arguments = [str(each).format(job=job, race=race) for each in COMMANDS[name]]
     out = {"evolve": "--out", "exploit": "--out", "score": "--json", "tournament": "--out"}[name]
     made = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
-    for target, where in zip(made, ((), ("--cluster", dask.file)), strict=True):
+    for target, where in zip(made, ((), ("--cluster", dask.scheduler_address)), strict=True):
         matrixworld_command(name, *arguments, out, target, *where)
     alone, shared = (_files_in(target) for target in made)
     assert alone
@@ -95,14 +109,32 @@ def _files_in(target: Path) -> dict[str, bytes]:
 
 
 @pytest.mark.slow
+def test_a_killed_worker_loses_no_run(dask: Any, tmp_path: Path) -> None:
+    settings = [tiny_race(seed=n, generations=20, pursuer_epochs=100) for n in (0, 1)]
+    killed: list[int] = []
+
+    def kill_one(progress: Any) -> None:
+        if not killed and any(each.share > 0.1 for each in progress.runs.values()):
+            killed.append(next(iter(client.run(os.getpid).values())))
+            os.kill(killed[0], signal.SIGKILL)
+
+    with distributed.Client(dask.scheduler_address, set_as_default=False) as client:
+        executor = client.get_executor(pure=False)
+        runs = evolve(settings, tmp_path / "job", executor=executor, report=kill_one)
+    assert killed
+    for run, each in zip(runs, settings, strict=True):
+        finish(each, tmp_path / f"{each.seed}", threads=1)
+        assert results(run.files.path) == results(tmp_path / f"{each.seed}")
+
+
+@pytest.mark.slow
 def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path) -> None:
     out = tmp_path / "out"
     # Several seconds: it is stopped in its middle.
     long = words({"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250})
     command = [sys.executable, "-m", "matrixworld", "evolve", "--out", str(out), "--seeds", "0-1"]
-    begin = [*command, "--cluster", "auto", *OPTIONS, *long]
     process = subprocess.Popen(
-        begin,
+        [*command, *AUTO, *OPTIONS, *long],
         stderr=subprocess.PIPE,
         start_new_session=True,
         # A shell lets programs in the background ignore Ctrl-C.
@@ -125,21 +157,3 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         path = out / "generalist-generalist" / f"seed-{seed}"
         finish(open_run(path).settings, tmp_path / f"{seed}", threads=1)
         assert results(path) == results(tmp_path / f"{seed}")
-
-
-@pytest.mark.parametrize(
-    ("learner", "alike"), [("cma", True), ("actor-critic", True), ("es", False)]
-)
-def test_some_learners_want_same_processors(
-    monkeypatch: pytest.MonkeyPatch, learner: str, alike: bool
-) -> None:
-    asked: list[bool] = []
-
-    @contextmanager
-    def recorded(where: str, *, same_processors: bool, **options: object) -> Iterator[None]:
-        asked.append(same_processors)
-        yield
-
-    monkeypatch.setattr(options, "cluster", recorded)
-    with options.on_cluster("auto", None, settings=[tiny_race(), tiny_race(learner=learner)]):
-        assert asked == [alike]

@@ -20,9 +20,9 @@ from matrixworld.coevolution import (
     open_run,
     start,
 )
-from matrixworld.coevolution.jobs.best_responses import BestResponse, response_settings
-from matrixworld.coevolution.jobs.evolve import job_of, save_job
+from matrixworld.coevolution.jobs import job_of, save_job
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
+from matrixworld.coevolution.responses import BestResponse, response_settings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import Matches, rollout

@@ -3,11 +3,9 @@
 import os
 import subprocess
 import sys
-import threading
 import time
 import warnings
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from contextlib import nullcontext
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,38 +13,28 @@ import numpy as np
 import pytest
 
 from executors import Reversed
-from matrixworld._util.files import TEMPORARY, load_json, save_json
+from matrixworld._util.files import load_json, save_json
 from matrixworld.coevolution import (
     DamagedFileError,
     DisengagementWarning,
     FailedRunsError,
     LockedError,
     OtherVersionError,
-    Progress,
-    StoppedError,
-    WorkerDiedError,
     evolve,
     finish,
+    jobs,
     open_run,
     start,
 )
-from matrixworld.coevolution.jobs import evolve as module
-from matrixworld.coevolution.jobs import worker
-from matrixworld.coevolution.jobs.evolve import (
+from matrixworld.coevolution.jobs import (
     JOB,
+    RUNNING,
     check_job,
     group_of,
     job_of,
     open_job,
     save_job,
     shares,
-)
-from matrixworld.coevolution.jobs.worker import (
-    PROGRESS,
-    START,
-    check_start,
-    started,
-    write_progress,
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from tiny_race import directory_in_memory, results, tiny_race, tiny_single
@@ -68,10 +56,10 @@ LONG = {"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250}
 def straight():
     """All files that `finish` makes of each of the settings, by name of the run."""
     with directory_in_memory() as directory:
-        jobs = job_of(SETTINGS)
-        for name, settings in jobs.items():
+        job = job_of(SETTINGS)
+        for name, settings in job.items():
             finish(settings, directory / name, threads=1)
-        yield {name: files_in(directory / name) for name in jobs}
+        yield {name: files_in(directory / name) for name in job}
 
 
 def files_in(directory):
@@ -88,14 +76,9 @@ def check_equal(directory, straight):
 
 @pytest.mark.parametrize("executor", [ThreadPoolExecutor(2), Reversed(len(SETTINGS))])
 def test_files_are_those_of_runs_one_by_one(executor, straight, tmp_path):
-    # What an earlier start has left does no harm.
     save_job(tmp_path, job_of(SETTINGS))
-    write_progress(tmp_path, "generalist-generalist/seed-1", Progress("old", 5, 9))
-    write_progress(tmp_path, "unknown", Progress("old", 5, 9))
-    (tmp_path / PROGRESS / "seed-1").write_text("{")
-    seen = []
-    runs = evolve(SETTINGS, tmp_path, executor=executor, report=seen.append)
-    assert all(each.what != "old" for each in seen[0].runs.values())
+    (tmp_path / f"{RUNNING}old").mkdir()  # left by a job that was killed
+    runs = evolve(SETTINGS, tmp_path, executor=executor)
     check_equal(tmp_path, straight)
     # Finished runs are only opened: an executor that is no class of its own can do nothing.
     again = evolve(SETTINGS, tmp_path, executor=Executor())
@@ -104,7 +87,7 @@ def test_files_are_those_of_runs_one_by_one(executor, straight, tmp_path):
     check_equal(tmp_path, straight)
 
 
-def test_worker_processes_give_the_same_files(straight, tmp_path):
+def test_processes_give_the_same_files(straight, tmp_path):
     seen = []
     runs = evolve(SETTINGS, tmp_path / "job", threads=2, report=seen.append)
     assert [run.settings for run in runs] == SETTINGS
@@ -125,92 +108,67 @@ def test_the_job_knows_all_runs_before_any_begins(tmp_path):
     assert {path.name for path in (tmp_path / "job").iterdir()} == {JOB, ".lock"}
 
 
+def test_a_job_is_played_by_one_process_at_a_time(tmp_path):
+    seen = []
+
+    def report(progress):
+        with pytest.raises(LockedError):
+            evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+        seen.append(progress)
+
+    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=report)
+    assert seen
+
+
+def test_a_single_run_is_played_in_this_process(straight, tmp_path, monkeypatch):
+    monkeypatch.setattr(jobs, "play_in_process", None)
+    seen = []
+    [run] = evolve(SETTINGS[0], tmp_path / "job", report=seen.append)
+    assert run.settings == SETTINGS[0]
+    name = "generalist-generalist/seed-1"
+    assert files_in(tmp_path / "job" / name) == straight[name]
+    assert "pursuers" in seen[0].what  # what the run does: there is no other one
+    assert (seen[-1].what, seen[-1].done) == ("1 of 1 runs", seen[-1].total)
+
+
 # Stopping
 
 
-def stop_at(share, stopped):
-    """Return a report that presses Ctrl-C when a run is so far, and notes when."""
+def stop_at(share, seen):
+    """Return a report that presses Ctrl-C when a run is so far."""
 
     def report(progress):
+        seen.append(progress)
         if any(each.share >= share for each in progress.runs.values()):
-            stopped.append(time.monotonic())
             raise KeyboardInterrupt
 
     return report
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(tmp_path):
-    settings = [tiny_race(seed=seed, **LONG) for seed in range(3)]
-    stopped = []
-    with pytest.raises(KeyboardInterrupt):
-        evolve(settings, tmp_path / "job", report=stop_at(0.2, stopped), threads=2)
-    # Half a second to the next look, an epoch, and the end of the workers.
-    assert time.monotonic() - stopped[0] < 2.5
-    paths = [tmp_path / "job" / name for name in job_of(settings)]
-    begun = [path for path in paths if (path / "config.json").exists()]
-    assert begun
-    assert not (tmp_path / "job" / START).exists()
-    with open_run(begun[0]).files.lock():
-        assert 0 < len(open_run(begun[0]).files.archive()["pursuer"]) < 21
-    for path in begun[0], tmp_path / "straight":
-        finish(settings[paths.index(begun[0])], path, threads=1)
-    assert results(begun[0]) == results(tmp_path / "straight")
-
-
-def test_a_stop_of_an_earlier_start_does_not_stop_a_later_one(tmp_path):
-    with started(tmp_path) as new:
-        with started(tmp_path) as newest:
-            check_start(tmp_path, newest)
-            with pytest.raises(StoppedError, match="was stopped, or started again"):
-                check_start(tmp_path, new)
-        with pytest.raises(StoppedError):
-            check_start(tmp_path, newest)
-
-
-@pytest.mark.slow
-def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(
-    tmp_path, monkeypatch
-):
-    """As after the death of a program whose workers are on other machines."""
-    monkeypatch.setattr(module, "STOP_WAIT", 0.1)  # on fast machines the run would end meanwhile
-    settings = [tiny_race(seed=1, **LONG)]
-    pool = ThreadPoolExecutor(1)
-    left: list[Future] = []
-
-    class Leaves(Executor):
-        def submit(self, fn, /, *args, **kwargs):
-            left.append(pool.submit(fn, *args, **kwargs))
-            return left[-1]
-
-    starts = [started(tmp_path / "job")]  # held: nothing ends it
-    monkeypatch.setattr(module, "started", lambda root: nullcontext(starts[0].__enter__()))
-
-    def report(progress):
-        if progress.done:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        evolve(settings, tmp_path / "job", executor=Leaves(), report=report)
-    assert left[0].running()
-    monkeypatch.undo()
-    [run] = evolve(settings, tmp_path / "job", executor=ThreadPoolExecutor(1))
-    with pytest.raises(StoppedError):
-        left[0].result()
+@pytest.mark.parametrize("executor", [None, ThreadPoolExecutor(2)])
+def test_ctrl_c_ends_all_runs_and_the_same_call_continues(executor, tmp_path):
+    settings = [tiny_race(seed=seed, **LONG) for seed in range(2)]
+    threads, seen = (2 if executor is None else None), []
+    for share in (0.2, 0.4):
+        with pytest.raises(KeyboardInterrupt):
+            evolve(
+                settings, tmp_path / "job", executor=executor, threads=threads,
+                report=stop_at(share, seen),
+            )  # fmt: skip
+        stopped = time.monotonic()
+        assert not list((tmp_path / "job").glob(f"{RUNNING}*"))
+        paths = [tmp_path / "job" / name for name in job_of(settings)]
+        for path in paths:
+            with open_run(path).files.lock():  # nobody plays it
+                assert 0 < len(open_run(path).files.archive()["pursuer"]) < 21
+        assert time.monotonic() - stopped < 5
+    # What the first call played does not count for the rate of the second.
+    assert seen[-1].before > 0.05 * seen[-1].total
+    assert seen[-1].total == pytest.approx(2 * seen[-1].runs["generalist-generalist/seed-0"].total)
+    evolve(settings, tmp_path / "job", executor=executor, threads=threads)
     finish(settings[0], tmp_path / "straight", threads=1)
-    assert results(run.files.path) == results(tmp_path / "straight")
-
-
-def test_a_job_is_played_by_one_process_at_a_time(tmp_path):
-    seen = []
-
-    def report(progress):
-        with pytest.raises(LockedError, match="another process is running there"):
-            evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
-        seen.append(progress)
-
-    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=report)
-    assert seen
+    assert results(paths[0]) == results(tmp_path / "straight")
 
 
 # Failures
@@ -222,67 +180,41 @@ def failures_of(settings, directory, **options):
         evolve(settings, directory, **options)
     error = raised.value
     names = {path.relative_to(directory).as_posix(): each for path, each in error.failures.items()}
-    assert str(error).startswith(f"{len(names)} runs failed:\n")
     for path in error.failures:
         assert f"\n{path}: " in str(error)
     return names, [run.files.path.relative_to(directory).as_posix() for run in error.finished]
 
 
-def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_path):
+def test_bad_runs_are_named_and_the_others_finish(straight, tmp_path):
     job = job_of(SETTINGS)
     save_job(tmp_path, job)
-    cut, foreign, altered, *others = job
+    cut, foreign, altered, held, *others = job
     start(job[cut], tmp_path / cut)
     (tmp_path / cut / "stage-0000.npz").write_bytes(b"PK")
     finish(tiny_race(seed=77), tmp_path / foreign)
     finish(job[altered], tmp_path / altered)
     (tmp_path / altered / "payoff.npz").write_bytes(b"PK")
     before = {name: files_in(tmp_path / name) for name in (foreign, altered)}
-    failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+    with start(job[held], tmp_path / held).files.lock():
+        failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
     # The payoff of a finished run is read when somebody asks for it.
-    assert {*failures} == {cut, foreign}
-    assert isinstance(failures[cut], DamagedFileError)
-    assert "holds a run with other settings: seed" in str(failures[foreign])
+    assert {name: type(error) for name, error in failures.items()} == {
+        foreign: ValueError, cut: DamagedFileError, held: LockedError,
+    }  # fmt: skip
     assert {name: files_in(tmp_path / name) for name in (foreign, altered)} == before
     assert finished == [altered, *others]
     assert {name: files_in(tmp_path / name) for name in others} == {n: straight[n] for n in others}
 
 
 @pytest.mark.slow
-def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path, monkeypatch):
-    job = job_of(SETTINGS)
-    save_job(tmp_path, job)
-    held = next(iter(job))
-    run = start(job[held], tmp_path / held)
-    with run.files.lock():
-        began = time.monotonic()
-        monkeypatch.setattr(worker, "LOCK_WAIT", 1.0)
-        failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
-        assert 1.0 <= time.monotonic() - began < 20.0  # it waited, and not for ever
-    assert {*failures} == {held}
-    assert isinstance(failures[held], LockedError)
-    assert "another process is running there" in str(failures[held])
-    assert len(finished) == len(SETTINGS) - 1
-    monkeypatch.undo()
-    lock = run.files.lock()
-    lock.__enter__()
-    threading.Timer(1.0, lock.__exit__, (None, None, None)).start()  # released while the job waits
-    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
-    check_equal(tmp_path, straight)
-
-
-@pytest.mark.slow
 @posix
-def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
+def test_a_run_whose_process_dies_is_played_once_more_and_then_named(tmp_path):
     bad = tiny_race(learner="dying:Exits")
     once = {"learner": "dying:DiesOnce", "settings": {"marker": str(tmp_path / "dead")}}
     settings = {"bad": bad, "once": tiny_race(**once), "good": tiny_race(seed=9)}
     failures, finished = failures_of(settings, tmp_path / "job", threads=2)
     assert {*failures} == {"bad"}
-    assert isinstance(failures["bad"], WorkerDiedError)
-    # Tried again, because another run may have been the cause. "once" may lose two workers to
-    # "bad" and then, alone, one to itself.
-    assert "lost 4" in str(failures["bad"])
+    assert isinstance(failures["bad"], BrokenExecutor)
     assert finished == ["once", "good"]
     assert (tmp_path / "dead").exists()
     for name in finished:
@@ -290,26 +222,9 @@ def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
         assert results(tmp_path / name) == results(tmp_path / "job" / name)
 
 
-def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
-    settings = [tiny_race(seed=1, generations=6, rows=40, cols=40, train_steps=1, max_steps=1)]
-
-    class Silent(Executor):
-        """Does a task without its warnings, which appear in another process."""
-
-        def submit(self, fn, /, *args, **kwargs):
-            future = Future()
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                future.set_result(fn(*args, **kwargs))
-            return future
-
-    with pytest.warns(DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
-        evolve(settings, tmp_path / "job", executor=Silent())
-
-
 @posix
 @pytest.mark.slow
-def test_processes_that_cannot_start_end_the_job(tmp_path):
+def test_processes_that_cannot_begin_end_the_job(tmp_path):
     """Such as those of a script that plays a job whenever it is imported."""
     (tmp_path / "script.py").write_text(
         "import sys\n"
@@ -329,23 +244,49 @@ def test_processes_that_cannot_start_end_the_job(tmp_path):
     assert not list((tmp_path / "job").glob("*/*"))
 
 
+def test_a_worker_that_does_not_see_the_directory_is_told_of(tmp_path):
+    class Elsewhere(ThreadPoolExecutor):
+        def submit(self, fn, /, settings, path, told, threads):
+            there = tmp_path / "elsewhere" / told.name
+            return super().submit(fn, settings, path, there, threads)
+
+    failures, _ = failures_of(SETTINGS[:2], tmp_path / "job", executor=Elsewhere(1))
+    assert {type(error) for error in failures.values()} == {FileNotFoundError}
+    assert not list((tmp_path / "job").glob("*/*"))
+
+
+def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
+    settings = [tiny_race(seed=1, generations=6, rows=40, cols=40, train_steps=1, max_steps=1)]
+
+    class Silent(Executor):
+        """Does a task without its warnings, which appear in another process."""
+
+        def submit(self, fn, /, *args, **kwargs):
+            future = Future()
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                future.set_result(fn(*args, **kwargs))
+            return future
+
+    with pytest.warns(DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
+        evolve(settings, tmp_path / "job", executor=Silent())
+
+
 # Bad input
 
 
 BAD = [
     ({"executor": 3}, TypeError, "executor"),
     ({"threads": 0}, ValueError, "threads"),
-    ({"executor": ThreadPoolExecutor(1), "threads": 2}, ValueError, "threads: expected None"),
-    ({"settings": [tiny_race(), tiny_race()]}, ValueError, "settings: expected runs of different"),
+    ({"executor": ThreadPoolExecutor(1), "threads": 2}, ValueError, "threads"),
+    ({"settings": [tiny_race(), tiny_race()]}, ValueError, "settings"),
     ({"settings": [tiny_race(learner="nowhere:Learner")]}, ValueError, "nowhere"),
     ({"settings": [tiny_single(opponent="nowhere")]}, FileNotFoundError, "nowhere"),
     ({"settings": [tiny_race(population=2 * 10**9, rows=40, cols=40)]}, ValueError, "run.*memory"),
 ]
 
 
-@pytest.mark.parametrize(
-    ("bad", "kind", "message"), BAD, ids=[str([*bad[0]]) + bad[2] for bad in BAD]
-)
+@pytest.mark.parametrize(("bad", "kind", "message"), BAD, ids=range(len(BAD)))
 def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp_path):
     with pytest.raises(kind, match=message):
         evolve(**{"settings": SETTINGS, "directory": tmp_path / "job", **bad})
@@ -354,16 +295,16 @@ def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
     monkeypatch.setattr("matrixworld._util.checks.available_memory", lambda: 300_000_000)
-    monkeypatch.setattr(module, "run_memory", lambda settings: {"all": 10**8})
-    check_job(job_of(SETTINGS), tmp_path, None, 2)
+    monkeypatch.setattr(jobs, "run_memory", lambda settings: {"all": 10**8})
+    check_job(job_of(SETTINGS), tmp_path, 2)
     with pytest.raises(ValueError, match="5 runs at one time: expected to need at most 0.3 GB"):
-        check_job(job_of(SETTINGS), tmp_path, None, 3)
-    check_job(job_of(SETTINGS), tmp_path, ThreadPoolExecutor(9), None)
+        check_job(job_of(SETTINGS), tmp_path, 3)
+    check_job(job_of(SETTINGS), tmp_path, None, elsewhere=True)
 
 
 def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     (tmp_path / "mine").touch()
-    with pytest.raises(FileExistsError, match="expected a new or empty directory"):
+    with pytest.raises(FileExistsError):
         evolve(SETTINGS, tmp_path)
     (tmp_path / "mine").unlink()
     evolve(SETTINGS[:2], tmp_path, executor=ThreadPoolExecutor(1))
@@ -373,50 +314,6 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
             evolve(other, tmp_path)
     # Not even written again.
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
-
-
-# Progress
-
-
-def test_the_rate_does_not_count_what_was_played_before(tmp_path, monkeypatch):
-    monkeypatch.setattr(module, "SECONDS", 0.05)
-    monkeypatch.setattr(worker, "LOOK", 0.05)
-    settings = [tiny_race(seed=seed, **LONG) for seed in range(2)]
-    with pytest.raises(KeyboardInterrupt):
-        evolve(settings, tmp_path, executor=ThreadPoolExecutor(1), report=stop_at(0.3, []))
-    seen = []
-
-    def report(progress):
-        seen.append(progress)
-        if progress.runs:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        evolve(settings, tmp_path, executor=ThreadPoolExecutor(1), report=report)
-    assert seen[-1].before > 0.25 * seen[-1].total / 2
-    assert seen[-1].done - seen[-1].before < 0.2 * seen[-1].total
-    assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].runs.values())).total)
-
-
-def test_what_a_killed_program_left_is_removed(tmp_path):
-    left = tmp_path / "job" / f".0123456789abcdef{TEMPORARY}"
-    left.parent.mkdir()
-    left.write_bytes(b"half")
-    evolve({"a": tiny_race(), "b": tiny_race(seed=6)}, tmp_path / "job", threads=1)
-    assert not left.exists()
-
-
-def test_a_single_run_is_played_in_this_process_with_the_same_files(
-    straight, tmp_path, monkeypatch
-):
-    monkeypatch.setattr(module, "WorkerProcesses", None)
-    seen = []
-    [run] = evolve(SETTINGS[0], tmp_path / "job", report=seen.append)
-    assert run.settings == SETTINGS[0]
-    name = "generalist-generalist/seed-1"
-    assert files_in(tmp_path / "job" / name) == straight[name]
-    assert "pursuers" in seen[0].what  # what the run does: there is no other one
-    assert (seen[-1].what, seen[-1].done) == ("1 of 1 runs", seen[-1].total)
 
 
 def test_cores_are_shared_so_that_the_last_run_does_not_play_alone():

@@ -16,7 +16,7 @@ from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import response_gain
 from matrixworld.analysis.games import ResponseGain
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.jobs.evolve import evolve
+from matrixworld.coevolution.jobs import evolve
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.schedules import Against
