@@ -250,8 +250,8 @@ def _by_engine(
         sides = (policy, opponent) if team == "pursuer" else (opponent, policy)
         # All genomes play the same episodes.
         seeds = np.full(count, held_out_seed(seed, team, number), np.uint64)
-        numbers = (np.arange(count), 0) if team == "pursuer" else (0, np.arange(count))
-        matches = Matches.of(*numbers, seeds)
+        own = np.arange(count)
+        matches = Matches.of(own, 0, seeds) if team == "pursuer" else Matches.of(0, own, seeds)
         blocks.append(partial(rollout, config, *sides, matches, episodes=episodes))
     captured = np.empty((count, len(opponents), episodes))
     played = 0
