@@ -229,4 +229,3 @@ def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
     for line in saved.read_text("utf-8").splitlines():
         assert re.fullmatch(r"[-\d]+T[:\d]+\+00:00", json.loads(line)["time"])
     assert browser.errors() == []
-    assert browser.hindrances(PAGE) == {}

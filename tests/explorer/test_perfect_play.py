@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from browser import Browser
-from command_line import matrixworld_command
-from matrixworld import Action, Episode, World, WorldConfig, parallel_env
+from matrixworld import Action, World, WorldConfig, parallel_env
 from matrixworld.coevolution import SavedRun, open_run, start
 from matrixworld.explorer import Playground, explore
 from matrixworld.explorer.page import write_page
@@ -87,8 +86,7 @@ def test_who_plays_is_told_the_best_move(browser: Browser, run: SavedRun, tmp_pa
     config = WorldConfig.from_json(browser.js("matrixworldPlay.live.config"))
     world = World(config)
     world.reset(0, pursuers=cells[:2], evaders=cells[2:])
-    solution = solve(config, payoff="capture-time")
-    moment = solved_moment(solution, world, np.zeros(3, np.int64))
+    moment = solved_moment(solve(config, payoff="capture-time"), world, np.zeros(3, np.int64))
     assert f"captured after {1 - moment.value:.1f} steps" in browser.js(told)
     shares = moment.marginals[2]
     best = "decided in its turn" if shares is None else Action(int(np.argmax(shares))).name.lower()
@@ -98,12 +96,12 @@ def test_who_plays_is_told_the_best_move(browser: Browser, run: SavedRun, tmp_pa
 def test_the_playground_solves_a_scene(browser: Browser, tmp_path: Path) -> None:
     world = World("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
     world.reset(0, pursuers=[[0, 0], [3, 1]], evaders=[[3, 3]])
-    Playground(world, [Action.STAY, Action.NORTH, Action.STAY]).save(tmp_path / "small.html")
+    row = np.array([Action.STAY, Action.NORTH, Action.STAY], np.int64)
+    Playground(world, row.tolist()).save(tmp_path / "small.html")
     browser.open(tmp_path / "small.html")
     browser.driver.execute_script("document.querySelector('.perfect').open = true")
     text = "document.querySelector('.perfect').innerText"
     solution = solve(world.config, payoff="capture-time")
-    row = np.array([Action.STAY, Action.NORTH, Action.STAY], np.int64)
     before = solved_moment(solution, world, row)
     browser.wait(f"{text}.includes('From here: captured after {1 - before.value:.1f} steps.')")
     world.step(row)
@@ -113,29 +111,6 @@ def test_the_playground_solves_a_scene(browser: Browser, tmp_path: Path) -> None
     assert f"The pursuers lose {before.lost[0]:.1f} steps" in browser.js(text)
 
 
-def test_solved_is_a_name(run: SavedRun, tmp_path: Path) -> None:
-    """Of opponents of environments, and of teams that ``replay`` shows."""
-    config = run.settings.world
-    match = (run.files.path, "--pursuer", "solved", "--evader", "solved", "--episode", "2")
-    matrixworld_command("replay", *match, "--out", tmp_path / "match.npz")
-    episode = Episode.load(tmp_path / "match.npz")
-    solution, world = solve(config), World(config)
-    start = episode.positions[0]
-    world.reset(0, pursuers=start[:2], evaders=start[2:])
-    for row in episode.actions.astype(np.int64):
-        while True:
-            assert solved_moment(solution, world, row).lost == pytest.approx([0, 0], abs=1e-9)
-            world.play_turn(row)
-            if world.turn == 0 or world.terminated:
-                break
-    environment = parallel_env(config, evaders="solved")
+def test_a_team_of_an_environment_can_be_solved(run: SavedRun) -> None:
+    environment = parallel_env(run.settings.world, evaders="solved")
     assert [type(each).__name__ for each in environment.opponents] == ["TablePolicy"]
-    told = matrixworld_command("replay", "O", "--pursuer", "solved", code=2).output
-    assert "agents on 40 x 40 cells; no smaller board would" in told
-
-
-@pytest.mark.slow
-def test_nothing_hinders_readers_with_disabilities(browser: Browser, run: SavedRun) -> None:
-    key = "document.dispatchEvent(new KeyboardEvent('keydown', {key: '%'}));"
-    keys = key.replace("%", "a") + key.replace("%", "ArrowRight")
-    assert browser.hindrances(explore(run.files.path, force=True).path, keys) == {}

@@ -23,15 +23,18 @@ from pathlib import Path
 import pytest
 
 from matrixworld import _core
+from node import NODE
 from slow import quickly
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how_to_add.md"
 COPIED = (
     *("CMakeLists.txt", "pyproject.toml", "README.md", "LICENSE"),
-    *("cpp", "python", "tests", "docs", "tutorials"),
+    *("cpp", "python", "tests", "docs", "tutorials", "web"),
 )
-NOT_COPIED = shutil.ignore_patterns("__pycache__", ".hypothesis")
+NOT_COPIED = shutil.ignore_patterns("__pycache__", ".hypothesis", "node_modules")
+MODULES = ROOT / "web" / "node_modules"
+"""What builds pages; ``npm ci`` in web/ installs it, as .ci/run does."""
 
 FENCE = re.compile(r"^```(?P<kind>\w+)(?P<rest>[^\n]*)\n(?P<text>.*?)^```$", re.M | re.S)
 ATTRIBUTE = re.compile(r'(\w+)="((?:[^"\\]|\\.)*)"')
@@ -51,6 +54,7 @@ class Edit:
         file = root / self.path
         if self.where is None:
             assert not file.exists(), f"{self.path}: the recipe makes a new file, but it exists"
+            file.parent.mkdir(exist_ok=True)
             file.write_text(self.text, encoding="utf-8")
             return
         lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
@@ -76,6 +80,10 @@ class Recipe:
     @property
     def needs_compiler(self) -> bool:
         return any(path.startswith("cpp/") for path in self.files)
+
+    @property
+    def is_page(self) -> bool:
+        return any(path.startswith("web/") for path in self.files)
 
 
 def read_recipes() -> list[Recipe]:
@@ -112,8 +120,8 @@ def copy_project(root: Path) -> None:
 def run(command: str, root: Path) -> None:
     """Run a command of a recipe in the copy, with its package before the installed one."""
     environment = {**os.environ, "PYTHONPATH": str(root / "python")}
-    bin_folder = str(Path(sys.executable).parent)
-    environment["PATH"] = os.pathsep.join([bin_folder, environment["PATH"]])
+    folders = [Path(sys.executable).parent, NODE.parent, environment["PATH"]]
+    environment["PATH"] = os.pathsep.join(map(str, folders))
     done = subprocess.run(
         command, shell=True, cwd=root, env=environment, capture_output=True, text=True, check=False
     )
@@ -128,7 +136,7 @@ def test_every_kind_of_extension_has_a_recipe() -> None:
     assert [recipe.title for recipe in RECIPES] == [
         *("A variant", "An outcome", "A learner", "An opponent sampler"),
         *("A script", "A measure", "A condition of the judgement"),
-        *("A solved world", "An output of a step"),
+        *("A solved world", "A page", "An output of a step"),
     ]
 
 
@@ -179,7 +187,11 @@ def project(tmp_path: Path) -> Path:
     lambda recipe: recipe.title in ("A measure", "A condition of the judgement"),
     attrgetter("title"),
 )
-def test_a_recipe_in_python(recipe: Recipe, project: Path) -> None:
+def test_a_recipe_without_a_compiler(recipe: Recipe, project: Path) -> None:
+    if recipe.is_page:
+        if not MODULES.exists():
+            pytest.skip("expected web/node_modules (npm ci in web/), found none")
+        (project / "web" / "node_modules").symlink_to(MODULES)
     follow([recipe], project)
 
 

@@ -68,12 +68,12 @@ ELSEWHERE = {
     "docs/browser.md": "needs a browser; tests/repository/test_browser.py",
     "docs/class.md": "tests/classroom/test_class.py",
     "docs/cluster.md": "needs a cluster; tests/cli/test_cluster.py",
-    "docs/explorer.md": "needs a run; tests/explorer/test_pages.py",
+    "docs/explorer.md": "needs a run; tests/explorer/test_runs_page.py",
     "docs/files.md": "one line for a run of the reader's",
     "docs/held_out.md": "needs a run; tests/coevolution/evaluation",
     "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
-    "docs/play.md": "needs a browser; tests/explorer/test_play.py",
-    "docs/playground.md": "tests/explorer/test_pages.py",
+    "docs/play.md": "needs a browser; tests/explorer/test_play_page.py",
+    "docs/playground.md": "tests/explorer/test_playground.py",
 }
 CLIENTS = sorted((DOCS / "clients").glob("*.md"))
 NOTEBOOKS = sorted((ROOT / "tutorials").glob("[0-9]*.ipynb"))

@@ -1,0 +1,305 @@
+"""A person plays in a real browser: the match is that of `World`, of the file, and of the link."""
+
+import dataclasses
+import re
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from browser import PHONE, Browser
+from matrixworld import Episode, World, WorldConfig, record
+from matrixworld.coevolution import TEAMS, SavedRun, Team, held_out, open_run, start
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.episodes.record import record_actions
+from matrixworld.explorer import explore
+from matrixworld.explorer.page import write_page
+from matrixworld.explorer.play_page import of_run, play_page, shipped
+from matrixworld.world.policy import Population, TeamPolicy
+from tiny_race import tiny_race
+
+PLAYED = "document.querySelector('#match').dataset.played"
+IN_EXPLORER, IN_PAGE = "window.matrixworldExplorer.playing", "window.matrixworldPlay"
+KEYPAD = {0: "\ue01f", 1: "\ue022", 3: "\ue01c", 5: "\ue023", 7: "\ue01b", 8: "\ue021"}
+"""Keys 5, 8, 2, 9, 1 and 7 of a numeric keypad, by the action that lies there."""
+LETTERS = dict(enumerate("swdxaeczq"))
+ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
+    """A race with obstacles, and one in which the teams take turns and move diagonally."""
+    root = tmp_path_factory.mktemp("job")
+    settings = {
+        "race": tiny_race(obstacles=0.15, max_steps=30),
+        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
+    }
+    for name, each in settings.items():
+        start(each, root / name, threads=1).run()
+    return [open_run(root / name) for name in settings]
+
+
+@pytest.fixture(scope="module")
+def page(job: list[SavedRun]) -> Path:
+    return explore(*(run.files.path for run in job)).path
+
+
+@pytest.fixture(scope="module")
+def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("play") / "play.html"
+    write_page(file, play_page("play", *shipped("SD")))
+    return file
+
+
+def take_over(browser: Browser, page: Path, run: int, g: int, h: int, step: int = 0) -> None:
+    """Show a match, go to a step, and take an agent over."""
+    address = f"#run={run}&pursuers={g}&evaders={h}&step={step}"
+    browser.open(page)
+    browser.driver.execute_script(f"location.hash = '{address}'")
+    browser.wait(f"{PLAYED} === '{run} {g} {h} 0 ' && matrixworldExplorer.step === {step}")
+    browser.press("t")
+    browser.wait(f"{IN_EXPLORER} && document.querySelector('.take-over').open")
+
+
+def moves_until_done(
+    browser: Browser, keys: dict[int, str], seed: int, view: str = IN_EXPLORER
+) -> None:
+    """Press random keys until the match has ended for the person."""
+    rng = np.random.default_rng(seed)
+    while browser.js(f"{view}.element.dataset.state") == "playing":
+        browser.press(keys[int(rng.choice(list(keys)))])
+
+
+def shown(browser: Browser, view: str = IN_EXPLORER) -> dict[str, Any]:
+    """Return what the page has played."""
+    return browser.js(
+        f"(({{live, played}}) => ({{seat: played?.seat, moves: played?.moves,"
+        " actions: live.actions.map((each) => Array.from(each)),"
+        " positions: live.recording.moments.map((each) => Array.from(each.positions)),"
+        f" captured: live.recording.moments.map((each) => Array.from(each.captured))}}))({view})"
+    )
+
+
+def decided(
+    world: World, policies: dict[Team, TeamPolicy], seat: int, hand: int | TeamPolicy
+) -> NDArray[np.int64]:
+    """Play a round turn by turn, slowly, and return the actions of all agents."""
+    actions = np.zeros(world.config.n_agents, np.int64)
+    first = world.config.n_pursuers
+    while True:
+        for agent in world.actors:
+            own = hand if agent == seat else policies[TEAMS[agent >= first]]
+            if isinstance(own, int):
+                actions[agent] = own
+            else:
+                world.decide(own, range(agent, agent + 1), actions)
+        world.play_turn(actions)
+        if world.turn == 0:
+            return actions
+
+
+def generation(run: SavedRun, team: Team, number: int) -> Population:
+    population = run.teams[team]
+    assert isinstance(population, Population)
+    return Population(population.genomes[number], population.network)
+
+
+def same(first: Episode, second: Episode) -> bool:
+    fields = [each.name for each in dataclasses.fields(Episode)]
+    return all(np.array_equal(getattr(first, name), getattr(second, name)) for name in fields)
+
+
+# ---- Taken over in the explorer ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("run", "keys"), [(0, ARROWS), (1, LETTERS), (1, KEYPAD)])
+def test_a_match_played_by_keys_is_that_of_the_world(
+    browser: Browser, page: Path, job: list[SavedRun], run: int, keys: dict[int, str]
+) -> None:
+    """The person's keys are its actions; networks decide as `World.decide` does."""
+    g, h, step = 2, 1, 3
+    take_over(browser, page, run, g, h, step)
+    moves_until_done(browser, keys, run)
+    played = shown(browser)
+    world = World(job[run].settings.world)
+    world.reset(evaluation_seed(job[run].settings.seed, g, h))
+    before = job[run].record(g, h).actions[:step, played["seat"]]
+    assert played["moves"][:step] == before.tolist()
+    assert len(played["actions"]) == len(played["moves"]) > step
+    policies: dict[Team, TeamPolicy] = {
+        team: generation(job[run], team, number) for team, number in zip(TEAMS, (g, h), strict=True)
+    }
+    for moment, move in enumerate(played["moves"]):
+        alive = world.alive.copy()
+        actions = decided(world, policies, played["seat"], move)
+        assert np.array(played["actions"][moment])[alive].tolist() == actions[alive].tolist()
+        assert played["positions"][moment + 1] == world.last_positions.ravel().tolist()
+        assert played["captured"][moment + 1] == world.captured.astype(int).tolist()
+    assert browser.errors() == []
+
+
+def test_generations_in_the_same_seat(browser: Browser, page: Path, job: list[SavedRun]) -> None:
+    """The table at the end has what each generation makes of the same match from the same step."""
+    g, h, step = 1, 2, 2
+    take_over(browser, page, 0, g, h, step)
+    moves_until_done(browser, ARROWS, 5)
+    browser.wait("!document.querySelector('.play-ending').textContent.includes('…')")
+    texts = browser.js(
+        "Array.from(document.querySelectorAll('.play-ending tr'), (e) => e.innerText)"
+    )
+    rows = [text.split("\t") for text in texts]
+    played, run = shown(browser), job[0]
+    policies: dict[Team, TeamPolicy] = {
+        "pursuer": generation(run, "pursuer", g), "evader": generation(run, "evader", h)
+    }  # fmt: skip
+    lasted = {}
+    for number in range(3):
+        world = World(run.settings.world)
+        world.reset(evaluation_seed(run.settings.seed, g, h))
+        hand = generation(run, "evader", number)
+        evader = played["seat"] - run.settings.world.n_pursuers
+        while not (world.terminated or world.truncated or world.captured[evader]):
+            own = played["moves"][world.steps] if world.steps < step else hand
+            decided(world, policies, played["seat"], own)
+        lasted[f"generation {number}"] = str(world.steps)
+    assert {row[0]: row[-1] for row in rows} == {"You": str(len(played["moves"])), **lasted}
+
+
+@pytest.mark.slow
+def test_files_and_links_hold_the_match(
+    browser: Browser, page: Path, own: Path, job: list[SavedRun], tmp_path: Path
+) -> None:
+    """Also the end of the page of its own: files that it or Python saved, and no others, open."""
+    allow = {"behavior": "allow", "downloadPath": str(tmp_path)}
+    browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", allow)
+    take_over(browser, page, 1, 0, 2, 2)
+    moves_until_done(browser, LETTERS, 1)
+    played = shown(browser)
+    press_button(browser, "Save")
+    file = wait_for(lambda: next(iter(tmp_path.glob("*.npz")), None))
+    episode = Episode.load(file)
+    assert (episode.seat, episode.length) == (played["seat"], len(played["moves"]))
+    config = WorldConfig.from_json(episode.config)
+    assert config == job[1].settings.world
+    seed = evaluation_seed(job[1].settings.seed, 0, 2)
+    again = record_actions(config, episode.actions, seed=seed)
+    assert same(episode, dataclasses.replace(again, seat=played["seat"]))
+    press_button(browser, "Link")
+    link = browser.js("document.querySelector('.play-ending input').value")
+    browser.driver.get("about:blank")
+    browser.driver.get(link)
+    browser.wait(f"{IN_EXPLORER} && {IN_EXPLORER}.element.dataset.state === 'ended'")
+    assert shown(browser) == played
+    for wrong in ("seat=99", "moves=0129", "from=400", "moves="):
+        browser.driver.get("about:blank")
+        browser.driver.get(re.sub(rf"{wrong.partition('=')[0]}=\w*", wrong, link))
+        browser.wait(PLAYED)
+        assert not browser.js("document.querySelector('.take-over').open")
+    browser.open(own)
+    opens = browser.driver.find_element("css selector", "input[type=file]")
+    other = record(WorldConfig("SB", rows=9, cols=7, obstacles=0.2), "chaser", "fleer", seed=3)
+    other.save(tmp_path / "python.npz")
+    for path, expected in ((file, episode), (tmp_path / "python.npz", other)):
+        opens.send_keys(str(path))
+        browser.wait(f"{IN_PAGE}.live.length === {expected.length}")
+        positions = np.array(shown(browser, IN_PAGE)["positions"])
+        assert positions.tolist() == expected.last_positions.reshape(len(positions), -1).tolist()
+    (tmp_path / "cut.npz").write_bytes(file.read_bytes()[:-50])
+    dataclasses.replace(other, actions=np.zeros_like(other.actions)).save(tmp_path / "altered.npz")
+    told = "document.querySelector('.setup .problem').innerText"
+    for name, says in (("cut", "invalid zip data"), ("altered", "expected the moves")):
+        opens.send_keys(str(tmp_path / f"{name}.npz"))
+        browser.wait(f"{told}.startsWith('{name}.npz holds no match: {says}')")
+    assert browser.errors() == []
+
+
+def press_button(browser: Browser, text: str) -> None:
+    browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
+
+
+def wait_for(found: Callable[[], Path | None]) -> Path:
+    for _ in range(500):
+        if (file := found()) is not None:
+            return file
+        time.sleep(0.02)
+    raise AssertionError("expected a file, got none in 10 s")
+
+
+# ---- The page of its own -------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> None:
+    browser.open(own)
+    lasted = []
+    for turn in range(3):
+        title = browser.js("document.querySelector('.play h2').innerText")
+        assert f"Round {turn + 1} of 3" in title
+        config = browser.js(f"{IN_PAGE}.live.config")
+        assert (config["n_evaders"], config["n_pursuers"]) == (1, 8)
+        moves_until_done(browser, ARROWS, turn, IN_PAGE)
+        lasted.append(browser.js(f"{IN_PAGE}.live.length"))
+        if turn < 2:
+            browser.click(".play-ending > .primary")
+    assert browser.js("document.querySelector('.play-score').textContent") == (
+        f"Your score: {sum(lasted)} of 180"
+    )
+    assert browser.errors() == []
+
+
+def begin(browser: Browser, **choices: str) -> None:
+    """Choose by label, and press Play."""
+    for label, text in choices.items():
+        browser.js(
+            "((choice) => { choice.value = Array.from(choice.options)"
+            ".find((each) => each.text === arguments[1]).value; })"
+            "([...document.querySelectorAll('.setup label')]"
+            ".find((each) => each.textContent.startsWith(arguments[0])).querySelector('select'))",
+            label.replace("_", " "), text,
+        )  # fmt: skip
+    browser.click(".setup .primary")
+
+
+def test_shipped_networks_decide_as_in_python(browser: Browser, own: Path) -> None:
+    browser.open(own)
+    begin(browser, You_are="a pursuer", Pursuers="evolved-2", Evaders="evolved-1")
+    browser.press(*"wdxa")
+    played = shown(browser, IN_PAGE)
+    config, players = shipped("SD")
+    world = World(config)
+    world.reset(int(browser.js(f"String({IN_PAGE}.played.seed)")))
+    policies: dict[Team, TeamPolicy] = {
+        "pursuer": players["pursuer"]["evolved-2"], "evader": held_out("evader", "SD")["evolved-1"]
+    }  # fmt: skip
+    for actions, move in zip(played["actions"], (1, 2, 3, 4), strict=True):
+        assert actions == decided(world, policies, 0, move).tolist()
+
+
+def test_fingers_move_on_a_phone(browser: Browser, own: Path) -> None:
+    """The pad, a swipe, and a tap on the board."""
+    browser.open(own, PHONE)
+    browser.click(".play-pad [aria-label=east]")
+    left, top, side = browser.js(
+        "(({left, top, width}) => [left, top, width])"
+        "(document.querySelector('.play canvas').getBoundingClientRect())"
+    )
+    middle = left + side / 2, top + side / 2
+    browser.drag(middle, (middle[0] - 60, middle[1] + 5))
+    row, col = np.array(shown(browser, IN_PAGE)["positions"][-1]).reshape(-1, 2)[-1]
+    cell, below = side / 20, row < 10
+    browser.drag((left + (col + 0.5) * cell, top + (row + (5.5 if below else -4.5)) * cell))
+    assert shown(browser, IN_PAGE)["moves"] == [2, 4, 3 if below else 1]
+
+
+def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:
+    config, players = of_run(job[0])
+    assert config == job[0].settings.world
+    for team in TEAMS:
+        assert [*players[team]] == [f"generation {number}" for number in range(3)]
+        last = players[team]["generation 2"]
+        assert np.array_equal(last.genomes, generation(job[0], team, 2).genomes)
+    assert '"usual":2' in play_page("play", config, players)

@@ -1,0 +1,385 @@
+"""The data of the explorer are those of the run, and so are its matches in a real browser."""
+
+import base64
+import json
+import re
+import shutil
+import sys
+import time
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image, ImageSequence
+
+from browser import READY, Browser
+from matrixworld import World, WorldConfig, analysis
+from matrixworld._util.files import DamagedFileError
+from matrixworld.analysis.words import all_results, headline_numbers
+from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.explorer import Explorer, explore
+from matrixworld.explorer.page import write_page
+from matrixworld.explorer.runs_page import (
+    archives_of,
+    explorer_page,
+    guided_minute,
+    heading,
+    kept_generations,
+    packed,
+    run_data,
+    training_curve,
+)
+from tiny_race import tiny_race, tiny_single
+
+Job = dict[str, SavedRun]
+HOME, RIGHT = "\ue011", "\ue014"
+PLAYED = "document.querySelector('#match').dataset.played"
+MATCHES = [(0, 2, 1, 0), (0, 0, 2, 2), (1, 1, 1, 1), (1, 2, 0, 0), (2, 0, 3, 2)]
+"""Run, generations, episode."""
+MATCH = """(() => {
+  const match = window.matrixworldExplorer.match;
+  const at = match.length * match.n_agents;
+  return {
+    length: match.length,
+    last: Array.from(match.last_positions.subarray(2 * at)),
+    captured: Array.from(match.ever_captured.subarray(match.length * match.config.n_evaders)),
+    conflicts: Array.from({length: match.length}, (_, i) => match.conflicts(i + 1))
+      .map((step) => step.map((conflict) => conflict.text)),
+  };
+})()"""
+"""What a test reads of the match that is shown."""
+CELL = """(() => {
+  const [g, h] = arguments, canvas = document.querySelector('#matrix canvas');
+  const [rows, columns] = window.matrixworldExplorer.shape;
+  canvas.scrollIntoView({block: 'center', behavior: 'instant'});
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  return [left + (h + .5) / columns * width, top + (rows - g - .5) / rows * height];
+})()"""
+"""Where the cell of a pair is in the window."""
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
+    """Three runs of different worlds: obstacles, diagonal moves and turns, and a single team."""
+    root = tmp_path_factory.mktemp("job")
+    settings = {
+        "race": tiny_race(obstacles=0.15, max_steps=30),
+        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
+        "single": tiny_single(team="evader", opponent="chaser"),
+    }
+    for name, each in settings.items():
+        start(each, root / name, threads=1).run()
+    return {name: open_run(root / name) for name in settings}
+
+
+@pytest.fixture
+def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
+    """The page of the runs, with its first match."""
+    shown = explore(*(run.files.path for run in job.values()), file=tmp_path / "page.html")
+    browser.open(shown.path)
+    browser.wait(PLAYED)
+    return browser
+
+
+# ---- In a real browser ---------------------------------------------------------------------------
+
+
+def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None:
+    """Clicks show the package's steps and words for conflicts, and the page confirms the cell."""
+    assert page.js("document.querySelector('h1').textContent") == "Three runs"
+    seen = 0
+    for number, g, h, episode in MATCHES:
+        page.click(f".race:nth-child({number + 1})")
+        page.drag(page.js(CELL, g, h))
+        page.press(*"n" * episode)
+        page.wait(f"{PLAYED} === '{number} {g} {h} {episode} '")
+        played = page.js(MATCH)
+        expected = [*job.values()][number].record(g, h, episode)
+        assert played["length"] == expected.length
+        assert played["last"] == expected.last_positions[-1].ravel().tolist()
+        assert played["captured"] == expected.ever_captured[-1].astype(int).tolist()
+        for step, texts in enumerate(played["conflicts"], 1):
+            assert texts == [conflict.text for conflict in expected.explain(step)]
+            seen += len(texts)
+    assert seen > 10
+    page.js("location.hash = '#run=0&pursuers=2&evaders=1&episode=0'")
+    page.wait(f"{PLAYED} === '0 2 1 0 ' && document.querySelector('.check').dataset.equal")
+    payoff = job["race"].payoff()
+    assert page.js("document.querySelector('.check').title") == (
+        f"Played here: capture rate {payoff.capture_rates[2, 1, 0]:.3f} in "
+        f"{payoff.lengths[2, 1, 0]} steps. The cell says {payoff.capture_rate[2, 1]:.3f}."
+    )
+    _check_answers(page, job["race"], 2, 1)
+    # An address leads to a match and its step, also when it is loaded again; a bad one nowhere.
+    page.js("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=4'")
+    page.wait(f"{PLAYED} === '1 2 0 1 ' && matrixworldExplorer.step === 4")
+    page.press(RIGHT)
+    assert page.js("location.hash") == "#run=1&pursuers=2&evaders=0&episode=1&step=5"
+    page.reload()
+    page.wait(f"{PLAYED} === '1 2 0 1 ' && matrixworldExplorer.step === 5")
+    page.js("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
+    page.wait("location.hash.startsWith('#run=1&pursuers=2&evaders=0')")
+    assert page.errors() == []
+
+
+def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
+    """Compare what the page shows of a network's answers at the start of a match."""
+    page.press(HOME, "a")
+    assert page.js("document.querySelector('.inspector h3').textContent") == "pursuer_0"
+    world, population = World(run.settings.world), run.teams["pursuer"]
+    world.reset(evaluation_seed(run.settings.seed, g, h))
+    logits = population.network.logits(population.genomes[g], world.views()[:1])[0].astype(float)
+    expected = np.exp(logits - logits.max()) / np.exp(logits - logits.max()).sum()
+    numbers = "document.querySelectorAll('.action .numbers')"
+    shown = page.js(f"Array.from({numbers}, (each) => +each.textContent)")
+    np.testing.assert_allclose(shown, expected, atol=0.0051)
+
+
+def test_the_guided_minute_drives_the_page(page: Browser, job: Job) -> None:
+    stops = run_data("race", job["race"])["findings"]["guided_minute"]
+    bar, four = "document.querySelector('.guided')", "document.querySelector('dialog.four').open"
+    page.click(".begin-minute")
+    for number, stop in enumerate(stops, 1):
+        assert page.js(f"{bar}.querySelector('p').textContent") == f"{number} of 5 {stop['text']}"
+        page.wait(f"{PLAYED} === '0 {stop['pursuer']} {stop['evader']} 0 '")
+        assert page.js(four) is (stop["shows"] == "checkerboard")
+        page.driver.execute_script(f"{bar}.querySelectorAll('button')[1].click()")
+    assert page.js(f"{bar}.hidden")
+    page.press("3")  # a team alone is not judged
+    assert page.js("document.querySelector('.begin-minute').hidden")
+    assert page.errors() == []
+
+
+@pytest.mark.slow
+def test_a_match_is_saved_as_a_gif_of_ten_seconds(page: Browser, tmp_path: Path) -> None:
+    page.prefer(prefers_color_scheme="light")
+    where = {"behavior": "allow", "downloadPath": str(tmp_path)}
+    page.driver.execute_cdp_cmd("Browser.setDownloadBehavior", where)
+    page.click(".to-share")
+    page.click(".save-gif")
+    page.wait("document.querySelector('.share [role=status]').textContent.startsWith('Saved')")
+    file = tmp_path / "pursuers-2-evaders-2.gif"
+    deadline = time.monotonic() + 20
+    while not file.exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    with Image.open(file) as film:
+        seconds = sum(frame.info["duration"] for frame in ImageSequence.Iterator(film)) / 1000
+        assert (film.size, seconds) == ((480, 480), 10)
+
+
+@pytest.mark.slow
+def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
+    page.js("location.hash = '#run=0&pursuers=1&evaders=2&episode=0&step=3'")
+    page.wait(f"{PLAYED} === '0 1 2 0 ' && matrixworldExplorer.step === 3")
+    here = page.driver.current_window_handle
+    page.press("g")
+    page.driver.switch_to.window(page.driver.window_handles[-1])
+    try:
+        page.wait(READY)
+        scene = page.js(
+            "(({pursuers, evaders, next}) => ({cells: [...pursuers, ...evaders].map((a) => a.cell),"
+            " next}))(window.playground.scene)"
+        )
+        episode = job["race"].record(1, 2)
+        assert scene["cells"] == episode.last_positions[2].tolist()
+        assert scene["next"] == episode.actions[2].tolist()
+        # The networks of the match come along: they decide as in the match.
+        page.js("playground.selected = null")
+        page.js("document.querySelector('.agents-card > button').click()")
+        for moment in (3, 4, 5):
+            page.js("playground.step()")
+            cells = page.js("Array.from(playground.game.recording.moments.at(-1).positions)")
+            assert cells == episode.last_positions[moment].ravel().tolist()
+        assert page.errors() == []
+    finally:
+        page.driver.close()
+        page.driver.switch_to.window(here)
+
+
+@pytest.mark.parametrize("damage", ["missing", "cut", "no base64", "a NaN"])
+def test_damaged_genomes_are_told_where_the_match_would_be(
+    browser: Browser, job: Job, tmp_path: Path, damage: str
+) -> None:
+    start, genomes, end = re.split(
+        r'(?<=id="genomes-0-evader">)([^<]+)', explorer_page([job["race"]]), maxsplit=1
+    )
+    nan = packed(np.full_like(job["race"].teams["evader"].genomes, np.nan))
+    damaged = {
+        "missing": "",
+        "cut": genomes[:-40],
+        "no base64": f"!{genomes[1:]}",
+        "a NaN": base64.b64encode(nan).decode(),
+    }
+    write_page(tmp_path / "page.html", start + damaged[damage] + end)
+    browser.open(tmp_path / "page.html")
+    problem = browser.js("document.querySelector('#match .problem').textContent")
+    assert problem.startswith("The page is damaged: it does not hold the ")
+    assert browser.errors() == []
+
+
+# ---- The data of a page -----------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module", params=["race", "turns"])
+def race(request: pytest.FixtureRequest, job: Job) -> SavedRun:
+    return job[request.param]
+
+
+def as_read(run: SavedRun) -> dict[str, Any]:
+    """Return the data of a run as the page reads them."""
+    plain: dict[str, Any] = json.loads(json.dumps(run_data("a run", run), allow_nan=False))
+    return plain
+
+
+def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> None:
+    data, payoff, settings = as_read(race), race.payoff(), race.settings
+    assert data["payoff"]["first"] == [0, 0]
+    assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
+    rates = np.array(data["payoff"]["capture_rates"], np.float32)
+    np.testing.assert_array_equal(rates, payoff.capture_rates)
+    np.testing.assert_array_equal(data["payoff"]["lengths"], payoff.lengths)
+    assert [[int(seed) for seed in row] for row in data["seeds"]] == [
+        [evaluation_seed(settings.seed, g, h) for h in range(3)] for g in range(3)
+    ]
+    assert WorldConfig.from_json(data["world"]).to_json() == settings.world.to_json()
+    shown = {each["name"]: each["value"] for each in data["settings"]}
+    assert shown["world.rows"] == "6"
+    assert not {"learner", "seed"} & shown.keys()
+
+
+def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
+    found, rates = as_read(race)["findings"], race.payoff().capture_rates
+    judgement = analysis.judge(rates, per_episode=True)
+    assert found["headline"] == analysis.headline(judgement)
+    assert found["numbers"] == headline_numbers(judgement)
+    assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
+    assert found["reasons"] == analysis.explain(judgement).splitlines()
+    # Its numbers as a game, and the dots of the panel, are those of `judge --all`.
+    results = all_results(analysis.read_payoffs(rates, per_episode=True))
+    assert found["spinning_top"] == results["runs"][0]["spinning_top"]
+    assert found["ratings"]["pursuers"]["high"] == results["ratings"]["pursuers"]["high"][0]
+    row = analysis.MEASURES["middle_intransitivity"]
+    assert f"{row.label}: {row.shown(row.of(race.payoff().capture_rate))}" in found["game"]
+
+
+def test_the_guided_minute_says_what_cells_and_the_judgement_say(race: SavedRun) -> None:
+    matrix, stops = race.payoff().capture_rate, as_read(race)["findings"]["guided_minute"]
+    judgement = analysis.judge(race.payoff().capture_rates, per_episode=True)
+    for stop, condition in zip(stops[2:4], ("forgetting", "intransitivity"), strict=True):
+        verdict = judgement.headline[condition].verdict
+        assert stop["text"].endswith(f"The judgement on {condition}: {verdict}.")
+    assert analysis.headline(judgement) in stops[4]["text"]
+    # What is said of a pair is in its cell, which is the match that is shown.
+    for stop in stops[:2]:
+        assert f"{matrix[stop['pursuer'], stop['evader']]:.0%} of" in stop["text"]
+    assert [(stop["pursuer"], stop["evader"]) for stop in stops[:2]] == [(0, 0), (2, 2)]
+
+
+@pytest.mark.parametrize("forgets", [True, False])
+def test_the_guided_minute_shows_the_largest_loss_if_there_is_one(forgets: bool) -> None:
+    """Later pursuers capture fewer, of early evaders above all; or both teams grow stronger."""
+    g, h = np.mgrid[0:12, 0:12] / 24
+    matrix = 0.6 - g * (1 - h) if forgets else 0.5 + g - h
+    judgement = analysis.judge(matrix)
+    shown = guided_minute(matrix, judgement, (), (range(12), range(12)))[2]
+    assert ("lost most" in shown.text) is forgets
+    if forgets:
+        assert (shown.pursuer, shown.evader) == (11, 0)
+        assert "pursuers 11 capture 14% of them, pursuers 0 60%" in shown.text
+    # Verdicts of the windows that differ are told apart.
+    for window, findings in judgement.windows.items():
+        assert findings["forgetting"].verdict in shown.text, window
+
+
+def test_pages_are_entitled_in_words(job: Job) -> None:
+    assert heading([job["race"]] * 3) == "Three races: predators and prey"
+    assert heading([job["race"], job["turns"]]) == "Two races"
+    assert heading([job["single"]]) == "One run: predators and prey"
+
+
+def test_genomes_are_exact(race: SavedRun) -> None:
+    archives = archives_of([race, race])
+    for team in TEAMS:
+        for number, teams in enumerate(archives.teams):
+            assert teams[team]["genomes"] == f"genomes-{number}-{team}"
+            genomes = race.teams[team].genomes
+            planes = zlib.decompress(archives.blobs[f"genomes-{number}-{team}"])
+            places = np.frombuffer(planes, np.uint8).reshape(4, -1).T
+            joined = np.ascontiguousarray(places).view("<u4").reshape(genomes.shape)
+            bits = np.bitwise_xor.accumulate(joined, axis=0)
+            np.testing.assert_array_equal(bits, genomes.view("<u4"))
+            assert teams[team]["kept"] == [0, 1, 2]
+    # With room for two of the three generations of both teams:
+    few = archives_of([race], most=4 * race.teams["pursuer"].genomes[0].nbytes)
+    assert few.step == 2
+    assert [few.teams[0][team]["kept"] for team in TEAMS] == [[0, 2], [0, 2]]
+    assert kept_generations(6, 2) == [0, 2, 4, 5]  # the last one, too
+
+
+def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
+    data, payoff = as_read(job["single"]), job["single"].payoff()
+    assert (data["payoff"]["shape"], data["payoff"]["first"]) == ([1, 4], [0, 3])
+    assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
+    assert data["findings"] is None
+    [teams] = archives_of([job["single"]]).teams
+    assert [teams[team]["script"] for team in TEAMS] == ["chaser", None]
+
+
+def test_a_long_training_curve_has_means_of_neighbouring_epochs(
+    monkeypatch: pytest.MonkeyPatch, job: Job
+) -> None:
+    single = job["single"]
+    log = single.files.log()
+    whole = training_curve(log, single.settings)
+    assert whole["epochs"] == 1
+    np.testing.assert_allclose(whole["capture_rate"], log["capture_rate"], atol=1e-4)
+    monkeypatch.setattr("matrixworld.explorer.runs_page.MOST_POINTS", 2)
+    short = training_curve(log, single.settings)
+    means = [log["capture_rate"][:3].mean(), log["capture_rate"][3:].mean()]
+    assert short["epochs"] == 3
+    np.testing.assert_allclose(short["capture_rate"], means, atol=1e-4)
+
+
+# ---- In notebooks and scripts --------------------------------------------------------------------
+
+
+def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
+    run = job["race"].files.path
+    page = explore(run)
+    assert page.path == run.absolute() / "explorer.html"
+    bundle = page._repr_mimebundle_()
+    assert bundle.keys() == {"text/html", "image/png"}
+    assert "<iframe srcdoc=" in bundle["text/html"]
+    assert Explorer(page.path)._repr_mimebundle_().keys() == {"text/html"}
+    before = page.path.read_bytes()
+    with pytest.raises(FileExistsError, match="force=True replaces it"):
+        explore(run)
+    assert page.path.read_bytes() == before
+    explore(run, force=True)
+    for runs in ([], [run] * 13):
+        with pytest.raises(ValueError, match=f"expected 1 to 12 finished runs, got {len(runs)}"):
+            explore(*runs)
+
+
+def test_an_unfinished_or_damaged_run_leaves_no_page(job: Job, tmp_path: Path) -> None:
+    start(tiny_race(), tmp_path / "unfinished")
+    shutil.copytree(job["turns"].files.path, tmp_path / "damaged")
+    genomes = tmp_path / "damaged" / "stage-0001.npz"
+    genomes.write_bytes(genomes.read_bytes()[:-80])
+    for name, error in (("unfinished", FileNotFoundError), ("damaged", DamagedFileError)):
+        with pytest.raises(error):
+            explore(tmp_path / name)
+        assert not (tmp_path / name / "explorer.html").exists()
+
+
+def test_reading_a_run_imports_no_code_of_its_learner(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2})
+    start(settings, tmp_path / "run", threads=1).run()
+    monkeypatch.delitem(sys.modules, "own_code")
+    explore(tmp_path / "run")
+    assert "own_code" not in sys.modules
