@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,8 +21,15 @@ FIRST_TEST_SEED = 10**6
 
 Changes = dict[str, Any]
 FEW_SEEDS = 5
-"""Seeds of the methods whose runs take longest: those with a penalty or a limit, most of which
-stand still, and the one with 16 times the matches."""
+"""Seeds of the methods whose runs take longest."""
+
+
+class Method(NamedTuple):
+    """What a method changes in the settings, and whether its runs take long: it has `FEW_SEEDS`."""
+
+    changes: Changes
+    slow: bool = False
+
 
 LEARNER_LIMIT, FITNESS_LIMIT, MASK = "learner.cost_limit", "fitness.cost_limit", "policy.mask"
 
@@ -33,26 +40,35 @@ def _penalty(size: float) -> Changes:
 
 
 FREE: Changes = _penalty(0.0)
-GRADIENTS: dict[str, Changes] = {
-    "no penalty": FREE,
-    "penalty 12, as in the paper": {},
-    "limit, by a multiplier": {**FREE, LEARNER_LIMIT: LIMIT},
-    "mask of obstacles": {**FREE, MASK: "obstacles"},
-    "right of way": {**FREE, MASK: "right-of-way"},
+# With a penalty or a limit most runs stand still, which takes long.
+GRADIENTS: dict[str, Method] = {
+    "no penalty": Method(FREE),
+    "penalty 12, as in the paper": Method({}, slow=True),
+    "limit, by a multiplier": Method({**FREE, LEARNER_LIMIT: LIMIT}, slow=True),
+    "mask of obstacles": Method({**FREE, MASK: "obstacles"}),
+    "right of way": Method({**FREE, MASK: "right-of-way"}),
 }
-EVOLUTION: dict[str, Changes] = {
-    "captures": {},
-    "rewards with penalty 1": {"fitness.measure": "rewards", **_penalty(1.0)},
-    "captures within a limit": {FITNESS_LIMIT: LIMIT},
-    "captures, right of way": {MASK: "right-of-way"},
-    "rewards, right of way, 16 times the matches": {
-        MASK: "right-of-way",
-        "fitness.measure": "rewards",
-        "learner.population": 128,
-        "match_episodes": 4,
-        "learner.sigma": 0.3,
-        "learner.learning_rate": 0.1,
-    },
+EVOLUTION: dict[str, Method] = {
+    "captures": Method({}),
+    "rewards with penalty 1": Method({"fitness.measure": "rewards", **_penalty(1.0)}, slow=True),
+    "captures within a limit": Method({FITNESS_LIMIT: LIMIT}, slow=True),
+    "captures, right of way": Method({MASK: "right-of-way"}),
+    "rewards, right of way, 16 times the matches": Method(
+        {
+            MASK: "right-of-way",
+            "fitness.measure": "rewards",
+            "learner.population": 128,
+            "match_episodes": 4,
+            "learner.sigma": 0.3,
+            "learner.learning_rate": 0.1,
+        },
+        slow=True,
+    ),
+}
+METHODS = {
+    f"{kind}: {name}": method
+    for kind, methods in (("gradients", GRADIENTS), ("evolution", EVOLUTION))
+    for name, method in methods.items()
 }
 
 
@@ -87,14 +103,10 @@ class Plan:
 
     def trainings(self) -> dict[str, RaceSettings]:
         """Return the settings of each method by its name, in the first variant and seed."""
-        bases = {
-            "gradients": (self.gradients, GRADIENTS),
-            "evolution": (self.evolution, EVOLUTION),
-        }
+        bases = {"gradients": self.gradients, "evolution": self.evolution}
         return {
-            f"{kind}: {name}": base.changed(changes)
-            for kind, (base, methods) in bases.items()
-            for name, changes in methods.items()
+            name: bases[name.partition(":")[0]].changed(method.changes)
+            for name, method in METHODS.items()
         }
 
 
@@ -150,8 +162,7 @@ QUICK = Plan(
 
 def seeds_of(name: str, seeds: range) -> range:
     """Return the seeds of a method."""
-    slow = any(part in name for part in ("penalty 1", "limit", "16 times"))
-    return seeds[:FEW_SEEDS] if slow else seeds
+    return seeds[:FEW_SEEDS] if METHODS[name].slow else seeds
 
 
 def play(plan: Plan, seeds: range, root: Path, where: str | None) -> dict[str, list[SavedRun]]:

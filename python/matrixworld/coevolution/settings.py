@@ -5,7 +5,7 @@ The number of threads is not a setting, because results do not depend on it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import Field, dataclass, fields, replace
 from functools import partial
 from inspect import signature
@@ -225,9 +225,9 @@ class RaceSettings(Section):
         by: Mapping[str, Any] = item.metadata["by"]
         conditions = (self.learner.kind, *self.schedule.conditions)
         usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
-        return (
-            usual(self.schedule.total_epochs(self.learning_teams[0])) if callable(usual) else usual
-        )
+        if callable(usual):
+            usual = usual(self.schedule.total_epochs(self.learning_teams[0]))
+        return usual
 
     def _check_mask(self) -> None:
         mask, rules = self.policy.mask, self.world.rules
@@ -245,37 +245,33 @@ class RaceSettings(Section):
     def _check_idle(self) -> None:
         """Raise ValueError for a value without effect where another section is the reason."""
         learner, gradients = self.learner.kind, self.learner.by_gradients
-        no_layers = not self.policy.hidden
         started = isinstance(self.schedule, Against) and self.schedule.start is not None
-        shared = self.world.rules.teammate is Outcome.REACH
-        rewarded = gradients or self.fitness.measure == "rewards"
-        rows = (
-            ("policy", "activation", no_layers, "without hidden layers"),
-            ("policy", "memory", no_layers, "without hidden layers"),
-            ("policy", "initial_weight", no_layers, "without hidden layers"),
-            ("policy", "initial_weight", gradients, f"with {learner}"),
-            ("policy", "initial_weight", started, "with a genome to start from"),
-            ("policy", "initial_head", started, "with a genome to start from"),
-            ("policy", "mask", not self.learner.keeps_fixed_genes, f"with {learner}"),
-            ("fitness", "sharing", self.schedule.opponents_met < 2, "with one opponent an epoch"),
-            ("fitness", "overlap_penalty", not shared, "where teammates cannot share a cell"),
-            ("fitness", "overlap_penalty", "evader" not in self.learning_teams, "of pursuers"),
-            *(
-                ("fitness", each.name, gradients, f"with {learner}")
-                for each in fields(self.fitness)
-            ),
-        )
-        for section, name, idle, why in rows:
+        rows: tuple[tuple[str, Iterable[str], bool, str], ...] = (
+            ("policy", ("activation", "memory", "initial_weight"), not self.policy.hidden,
+             "without hidden layers"),
+            ("policy", ("initial_weight",), gradients, f"with {learner}"),
+            ("policy", ("initial_weight", "initial_head"), started, "with a genome to start from"),
+            ("policy", ("mask",), not self.learner.keeps_fixed_genes, f"with {learner}"),
+            ("fitness", ("sharing",), self.schedule.opponents_met < 2,
+             "with one opponent an epoch"),
+            ("fitness", ("overlap_penalty",), self.world.rules.teammate is not Outcome.REACH,
+             "where teammates cannot share a cell"),
+            ("fitness", ("overlap_penalty",), "evader" not in self.learning_teams, "of pursuers"),
+            ("fitness", vars(self.fitness), gradients, f"with {learner}"),
+        )  # fmt: skip
+        for section, names, idle, why in rows:
             part = getattr(self, section)
-            item = next(each for each in fields(part) if each.name == name)
-            value, usual = getattr(part, name), self._usual(item)
-            # Settings that were made from others may have the default of these.
-            defaults = (usual, item.metadata["default"], *item.metadata["by"].values())
-            if idle and value not in defaults:
-                expected = "no value" if usual is None else f"{usual!r}, the default"
-                raise ValueError(
-                    f"{section}.{name}: expected {expected}, got {value!r}; it has no effect {why}"
-                )
+            for item in fields(part):
+                value, usual = getattr(part, item.name), self._usual(item)
+                # Settings that were made from others may have the default of these.
+                defaults = (usual, item.metadata["default"], *item.metadata["by"].values())
+                if idle and item.name in names and value not in defaults:
+                    expected = "no value" if usual is None else f"{usual!r}, the default"
+                    raise ValueError(
+                        f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "
+                        f"effect {why}"
+                    )
+        rewarded = gradients or self.fitness.measure == "rewards"
         if not rewarded and self.world.rewards != Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "

@@ -159,9 +159,9 @@ class LearnerSettings(Section):
     def diverged(self) -> DivergedError:
         """Return the error for genes that are not finite."""
         named = [f"learner.{name} (now {getattr(self, name):g})" for name in self.steps]
+        lower = f"; lower {' or '.join(named)}" if named else ""
         return DivergedError(
-            f"learner {self.kind}: expected finite genes, got NaN or infinity: it diverges; lower "
-            f"{' or '.join(named)}"
+            f"learner {self.kind}: expected finite genes, got NaN or infinity: it diverges{lower}"
         )
 
     @abstractmethod

@@ -91,7 +91,7 @@ class SingleTeam(Run):
         """Return the genome to start from, and the opponents if they have genomes."""
         team = self.schedule.team
         opponents = [] if isinstance(self.opponents, str) else list(self.opponents.genomes)
-        return {team: [self.learners[team].genome], other(team): opponents}
+        return {team: [self.learners[team].genome.copy()], other(team): opponents}
 
     def extra_config(self) -> dict[str, Any]:
         """Return the network of the opponents, which may differ from the learning team's."""

@@ -68,6 +68,8 @@ class TrainingMatches:
         try:
             return Population(genomes, self.network)
         except ValueError as error:
+            if np.isfinite(genomes).all():  # of another shape, by a learner of the user's own
+                raise
             raise self.settings.learner.diverged() from error
 
     def play(
