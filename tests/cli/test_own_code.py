@@ -11,13 +11,16 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from command_line import MAIN_JOB, RACE, READING, matrixworld_command, run_together, words
+from command_line import MAIN_JOB, RACE, matrixworld_command, run_together, words
 from matrixworld.cli import main, report
+from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
+from matrixworld.coevolution.runs.start import check_own_code
 from tiny_race import results
 
 RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}
 PLACE = "alternating/seed-5"
+SMALL = {"policy.hidden": []}
 OWN = {
     "learner": "mine:Learner",
     "learner.settings.sigma": 0.2,
@@ -45,6 +48,7 @@ class Learner(HillClimber):
 """
 COMMAND = """
 from matrixworld.cli import main, report
+from matrixworld.cli.setting_options import parsed, settings_of
 
 report.draw = report.write_explorer = lambda *args: None
 main()
@@ -100,38 +104,29 @@ def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 @pytest.mark.slow
-@pytest.mark.parametrize("killed_at", [1, 4, 9])
-def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path, killed_at):
+def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path):
     options = words({**RUN_OPTIONS, **OWN})
-    assert evolve(tmp_path, "--out", "run", *options, killed_at=killed_at) == -signal.SIGKILL
+    assert evolve(tmp_path, "--out", "run", *options, killed_at=4) == -signal.SIGKILL
     assert evolve(tmp_path, "--resume", "run") == 0
     assert results(tmp_path / "run" / PLACE) == results(straight)
 
 
-def test_the_settings_are_kept(straight):
-    settings = open_run(straight).settings
+def test_finished_runs_are_read_and_not_continued_without_the_code(straight):
+    shutil.copytree(straight, "RUN")
+    settings = open_run("RUN").settings
     assert settings.learner.code == "mine:Learner"
     assert settings.learner.settings == {"sigma": 0.2, "shrink": 0.5}
     assert settings.schedule.pursuers_meet.settings == {"forget": 0.25}
+    before = {path: path.read_bytes() for path in Path("RUN").iterdir()}
+    for command in (["judge", "RUN"], ["score", "RUN", "--episodes", "2"]):
+        matrixworld_command(*command)
     assert "mine" not in sys.modules
-
-
-@pytest.mark.parametrize("command", READING, ids=" ".join)
-def test_finished_runs_are_read_without_the_code(straight, command):
-    shutil.copytree(straight, "RUN")
-    matrixworld_command(*command)
-    assert "mine" not in sys.modules
-
-
-def test_resume_says_what_is_missing(straight):
-    shutil.copytree(straight, "run")
-    before = {path: path.read_bytes() for path in Path("run").iterdir()}
-    said = matrixworld_command("evolve", "--resume", "run", code=2).stderr
+    said = matrixworld_command("evolve", "--resume", "RUN", code=2).stderr
     assert run_together(said).endswith(
         "Error: learner: expected a module that can be imported, got 'mine:Learner' (No module "
         "named 'mine'); install the package that has it, or put its folder on PYTHONPATH"
     )
-    assert {path: path.read_bytes() for path in Path("run").iterdir()} == before
+    assert {path: path.read_bytes() for path in Path("RUN").iterdir()} == before
 
 
 def test_values_of_all_kinds(mine):
@@ -142,12 +137,12 @@ def test_values_of_all_kinds(mine):
         "    assert [type(each) for each in (n, x, on, word)] == [int, float, bool, str]\n"
         "    return own_code.HillClimber(genome, samples)\n"
     )
-    values = {"n": 3, "x": "-.5", "on": "true", "word": "fast"}
-    options = {**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Learner"}
-    own = {f"learner.settings.{name}": value for name, value in values.items()}
-    matrixworld_command("evolve", "--out", "out", *words({**options, **own}))
-    settings = open_run(f"out/{MAIN_JOB[0]}/seed-5").settings
-    assert settings.learner.settings["word"] == "fast"
+    values = {"n": "3", "x": "-.5", "on": "true", "word": "fast"}
+    sets = [(f"learner.settings.{name}", parsed(value)) for name, value in values.items()]
+    [settings] = settings_of(
+        {"learner": "mine:Learner", "schedule": MAIN_JOB[:1], "sets": [*sets, *SMALL.items()]}
+    )
+    check_own_code(settings)
 
 
 def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):
