@@ -22,7 +22,7 @@ import pettingzoo
 from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
-from matrixworld.cli.bench import random_actions
+from bench_worlds import random_actions
 from plain_coevolution import (
     EVADER,
     PURSUER,

@@ -26,7 +26,7 @@ import click
 import numpy as np
 
 import matrixworld as mw
-from matrixworld.cli.bench import random_actions
+from bench_worlds import random_actions
 from scaling_figure import Curve, draw
 from timing import Clock, bind, print_table
 

@@ -31,19 +31,16 @@ Tree = dict[Path, bytes | None]
 
 # ---- What makes a command small and complete -----------------------------------------------------
 
-PLACES = {"directory": "class", "runs": "RUN"}
+PLACES = {"directory": "class", "runs": "RUN", "sources": "RUN/payoff.npz"}
 """Values of arguments; that of others that are required is RUN."""
 REQUIRED = {"--champion": "evader", "--team": "pursuer", "--out": "champion.npz"}
 SMALL = {
     "--config": "tiny.toml",
     "--episodes": "3",  # what the run has
-    "--hidden": "2",
     "--matches": "96",
     "--no-open": None,
     "--schedule": "generalist-generalist",
     "--threads": "1",
-    ("bench", "--seconds"): "0.01",
-    ("bench", "--set"): "world.rows=6",
     ("class", "--fov"): "3",  # what its genomes see
     ("class", "--steps"): "5",
     **{("solve", option): "3" for option in ("--rows", "--cols", "--steps")},
@@ -73,22 +70,8 @@ def usual(path: tuple[str, ...], param: click.Parameter) -> list[str]:
     return []
 
 
-NUMBERS = ["", "-1", "0", "1", "x", "nan", "inf", "-inf", "1e-320", "1" + 30 * "0"]
-TEXTS = [
-    "",
-    " ",
-    "-",
-    "0",
-    "x",
-    "-1",
-    "nan",
-    "\udcff",
-    "\x1b]0;x\x07",
-    "x" * 5000,
-    "a=b",
-    "=",
-    "a=",
-]
+NUMBERS = ["", "-1", "0", "1", "x", "inf", "-inf", "1e-320", "1" + 30 * "0"]
+TEXTS = ["", "-", "0", "x", "-1", "nan", "\udcff", "\x1b]0;x\x07", "x" * 5000, "a=b", "="]
 ENDINGS = ["", ".json", ".npz", ".html", ".png", ".csv", ".toml"]
 FILES = [
     "missing/x",
@@ -130,7 +113,7 @@ CASES = [(path, command, param) for path, command in commands() for param in com
 
 
 def some(path: tuple[str, ...], param: click.Parameter) -> list[list[str]]:
-    """Return a border of a parameter, another one for each of them."""
+    """Return a border of a parameter, another one for each of them; ``--slow`` tries all."""
     all_of_them = borders(path, param)
     return [all_of_them[zlib.crc32(f"{path}{param.name}".encode()) % len(all_of_them)]]
 

@@ -1,6 +1,5 @@
 """``matrixworld explore --figures``: one figure or all, formats, figures of the game, baselines."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -80,34 +79,6 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
     assert drawn["training.png"].get_figwidth() == pytest.approx(3.35)
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ([], "expected RUN..., or --figure rules or conflicts or interaction or right_of_way"),
-        (["--figure", "payoff"], "expected RUN..., or --figure rules"),
-        (["{job}", "--figure", "rules"], "--figure rules: expected no RUN, got "),
-        (["{job}", "--out", "x.svg"], "--out: expected one --figure of one run, got no --fi"),
-        (["{job}", "--figure", "payoff", "-o", "x.svg"], "of one run, got 2 figures"),
-        (["--figure", "rules", "-o", "x.bmp"], "expected a name that ends in .png, .pdf, .svg, g"),
-        (["--figure", "rules", "-o", "x.svg", "--format", "png"], "--format png: expected the"),
-        (["--figure", "rules", "--width", "5"], "--width: expected at least 6.9 inches for this"),
-        (["{pursuers}", "--figure", "payoff"], "expected a race, got a run of one team"),
-        (["{pursuers}", "--figure", "seeds"], "expected a race, got a run of one team"),
-        (["{job}/seed-5", "--figure", "comparison"], "expected at least two races, got 1"),
-        (["{job}", "--baseline", "x"], "expected NAME=RUN, got 'x'"),
-        (["{job}", "--baseline", "x=a", "--baseline", "x=b"], "expected each name once, got 'x'"),
-        (["{job}", "--baseline", "x={job}"], "expected a run of one team, got a race"),
-        (["{job}", "--baseline", "x={root}/nothing"], "nothing: expected a directory that holds r"),
-    ],
-)
-def test_wrong_options(runs, drawn, options, message):
-    places = {"root": runs, "job": runs / "job", "pursuers": runs / "pursuers"}
-    words = [option.format(**places) for option in options]
-    said = " ".join(figures_command(*words, code=2).stderr.split())
-    assert message in said
-    assert not drawn
-
-
 def mean_score(race, baseline):
     """Return the score of a baseline by the payoff matrix of the tournament."""
     team, champion = trained_team(open_run(baseline))
@@ -160,18 +131,3 @@ def test_a_seed_without_its_baseline_is_named(runs, drawn, tmp_path):
     assert "--baseline x: expected one run of seed 6, or one in all, got 0" in " ".join(
         said.split()
     )
-
-
-def test_scores_in_a_race_are_those_of_its_own_payoff(runs):
-    """The last genome of the race, as if it was a baseline, meets the same opponents."""
-    race = open_run(runs / "job" / "seed-5")
-    with pytest.raises(ValueError, match="race: expected a race, got a run of one team"):
-        scores_in_race(open_run(runs / "pursuers"), "evader", "fleer")
-    with pytest.raises(ValueError, match="team"):
-        scores_in_race(race, "pursuers", "chaser")  # type: ignore[arg-type]
-    pursuers = race.teams["pursuer"]
-    untrained = replace(pursuers, genomes=pursuers.genomes[:1])
-    first = scores_in_race(race, "pursuer", untrained)
-    np.testing.assert_array_equal(first, race.payoff().capture_rate[0])
-    evaders = scores_in_race(race, "evader", race.teams["evader"])
-    assert evaders.shape == (9,)

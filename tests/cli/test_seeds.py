@@ -6,35 +6,17 @@ import subprocess
 import sys
 from pathlib import Path
 
-import click
 import pytest
 
 from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
-from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.options import seeds_of
 from matrixworld.coevolution import finish
+from matrixworld.coevolution.groups import find_runs
 from matrixworld.coevolution.jobs import open_job
 from scripts import group_lives, wait_until
 from tiny_race import results, tiny_race
 
 ONE = {name: value for name, value in RACE.items() if name != "seed"}
 ALONE = {name: value for name, value in WORLD.items() if name != "seed"}
-
-
-@pytest.mark.parametrize(
-    ("text", "seeds"),
-    [
-        ("0-9", tuple(range(10))),
-        ("0,3,5-7", (0, 3, 5, 6, 7)),
-        ("9,1", (9, 1)),
-        ("9223372036854775807", (2**63 - 1,)),
-        ("0-99999", tuple(range(100_000))),  # as many as are allowed
-    ],
-)
-def test_seeds_that_a_text_names(text, seeds):
-    assert (
-        seeds_of(click.Context(click.Command("evolve")), click.Option(["--seeds"]), text) == seeds
-    )
 
 
 def test_a_directory_for_each_schedule_and_seed(undrawn):

@@ -1,21 +1,19 @@
 """The command ``matrixworld``: a file for each command, and for what they share.
 
-What happened to several runs is told for `groups` of those that differ in their seed only: their
-tables (`tables`), figures (`figures`) and, at the end of ``evolve``, all of it (`report`).
+Commands print what the library computes. Runs that differ in their seed only are told together, as
+a `matrixworld.coevolution.RunGroup`.
 """
 
 from __future__ import annotations
 
 import click
 
-from matrixworld.cli.bench import bench_command
 from matrixworld.cli.classroom import class_command
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.exploit import exploit_command
-from matrixworld.cli.explore import explore_command, playground_command
 from matrixworld.cli.judge import judge_command
 from matrixworld.cli.options import Commands
-from matrixworld.cli.play import play_command
+from matrixworld.cli.pages import explore_command, play_command, playground_command
 from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
 from matrixworld.cli.solve import solve_command
@@ -47,7 +45,6 @@ for command in (
     exploit_command,
     solve_command,
     class_command,
-    bench_command,
     play_command,
     playground_command,
 ):

@@ -9,26 +9,22 @@ from typing import Any
 
 import click
 
-from matrixworld._util.checks import INT_MAX
 from matrixworld._util.files import one_line
 from matrixworld.classroom.results import ClassResult, class_json, class_page
 from matrixworld.classroom.round_robin import play_class
 from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.submissions import save_genome
-from matrixworld.cli.arguments import race_option, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
-from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
+    check_outputs,
     checked_seed,
-    force_option,
-    json_option,
+    integer,
+    options,
     out_option,
-    refuse_existing,
-    steps_option,
-    threads_option,
-    world_options,
     write_json,
 )
+from matrixworld.cli.pages import open_page
+from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
@@ -75,14 +71,7 @@ def class_command() -> None:
 @click.argument(
     "directory", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
 )
-@click.option(
-    "--episodes",
-    type=click.IntRange(2, INT_MAX),
-    default=10,
-    show_default=True,
-    metavar="INTEGER",
-    help="episodes of each pair; all pairs play the same starts",
-)
+@integer("--episodes", "episodes of each pair; all pairs play the same starts", least=2, default=10)
 @click.option(
     "--seed",
     type=int,
@@ -91,12 +80,8 @@ def class_command() -> None:
     help="repeat the tournament that printed this seed  [default: one that nobody can know before]",
 )
 @out_option("the page  [default: DIR.html, beside DIR]")
-@open_option
-@json_option
-@force_option
-@threads_option
-@world_options("variant", "obstacles", "fov", "diagonal", "rows", "cols", "n_pursuers", "n_evaders")
-@steps_option
+@options("open", "json", "force", "threads", "variant", "obstacles", "fov", "diagonal")
+@options("rows", "cols", "n_pursuers", "n_evaders", "steps")
 @_limit("--seconds", "processor time of a policy in a match, in seconds")
 @_limit("--in-all", "processor time of a policy in all its matches, in seconds")
 @_limit("--wait", "time by the clock of one answer of a program, in seconds")
@@ -118,7 +103,7 @@ def play_command(
     force: bool,
     threads: int | None,
     trust: bool,
-    **options: Any,
+    **game: Any,
 ) -> None:
     """Play a class tournament: every pursuer that was handed in against every evader.
 
@@ -134,8 +119,8 @@ def play_command(
     """
     page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
     # The page is the only record of a tournament whose files may have changed.
-    refuse_existing(page, json_file, force=force, redraws=False)
-    config, limits = _checked(options)
+    check_outputs(page, json_file, force=force, redraws=False)
+    config, limits = _checked(game)
     if trust:
         note("Programs run with the rights of your own (--trust).")
     try:
@@ -155,8 +140,7 @@ def play_command(
     write_page(page, class_page(result, title=one_line(directory.absolute().name)))
     say(f"\nWritten: {page}")
     write_json(json_file, class_json(result))
-    if opens:
-        open_page(page)
+    open_page(page, opens)
 
 
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
@@ -193,8 +177,8 @@ SUFFIX = ".npz"
 
 
 @class_command.command("export")
-@click.argument("run", callback=run_of)
-@race_option
+@click.argument("run")
+@options("race")
 @click.option(
     "--team", type=click.Choice(TEAMS), required=True, metavar="TEAM", help="pursuer or evader"
 )
@@ -206,8 +190,10 @@ SUFFIX = ".npz"
     help="the generation; negative numbers count from the end  [default: the last one]",
 )
 @out_option("the file; its name ends in .npz", required=True)
-@force_option
-def export_command(run: Path, team: Team, generation: int, out: Path, force: bool) -> None:
+@options("force")
+def export_command(
+    run: str, race: str | None, team: Team, generation: int, out: Path, force: bool
+) -> None:
     """Write a genome of RUN with its network to a file.
 
     RUN is the directory of a run, or of a job of one. The file holds numbers only, and can be
@@ -215,8 +201,8 @@ def export_command(run: Path, team: Team, generation: int, out: Path, force: boo
     """
     if out.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {out}")
-    refuse_existing(out, force=force)
+    check_outputs(out, force=force)
     with usage_errors():
-        policy = open_run(run).policy(team, generation)
+        policy = open_run(run_in(run, race=race)).policy(team, generation)
     save_genome(out, team, policy)
     say(out)

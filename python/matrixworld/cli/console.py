@@ -1,4 +1,4 @@
-"""What commands print: progress of a job, notes and warnings, wrapped text, tables."""
+"""What commands print: text, tables, notes, warnings, progress; and the command to type next."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 import click
 from tqdm import tqdm
@@ -20,10 +19,11 @@ from matrixworld.coevolution.progress import ProgressBar
 
 INTERRUPTED = 130
 """Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
-
 TERMS = "Terms are explained in docs/glossary.md."
 WIDEST = 80
 """Columns of printed text, also in a wider terminal."""
+TO_STDOUT = "matrixworld.json"
+"""Key in the context of a command whose numbers take standard output, and its text the other."""
 
 
 def progress(unit: str = "matches") -> ProgressBar:
@@ -31,19 +31,10 @@ def progress(unit: str = "matches") -> ProgressBar:
     return ProgressBar(unit, sys.stderr)
 
 
-TO_STDOUT = "matrixworld.json"
-"""Key in the context of a command whose numbers take standard output, and its text the other."""
-
-
 def say(text: object = "", *, bold: bool = False) -> None:
     """Print text, whatever names and files have brought into it; all commands print so."""
     context = click.get_current_context(silent=True)
     click.secho(printable(text), bold=bold, err=context is not None and TO_STDOUT in context.meta)
-
-
-def say_to_stdout(values: str) -> None:
-    """Print JSON, whose escapes need no cleaning, where --json asks for standard output."""
-    click.echo(values)
 
 
 def note(text: str) -> None:
@@ -54,21 +45,17 @@ def note(text: str) -> None:
 
 @contextmanager
 def warnings_as_notes() -> Iterator[None]:
-    """Print each warning that is meant for users as a line, when it is raised."""
+    """Print each warning as a line, when it is raised."""
     with warnings.catch_warnings():
         # "always": the second run of a job may raise the same warning from the same line.
         warnings.simplefilter("always", UserWarning)
-        plain = warnings.showwarning
-
-        def show(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
-            # Other warnings, such as those of libraries, are for developers: they keep their form.
-            if issubclass(category, UserWarning):
-                note(f"Warning: {message}")
-            else:
-                plain(message, category, *place, **more)
-
-        warnings.showwarning = show
+        warnings.showwarning = lambda message, *place: note(f"Warning: {message}")
         yield
+
+
+def print_head(text: str) -> None:
+    """Print what a table is about, in bold, below an empty line."""
+    say(f"\n{text}", bold=True)
 
 
 def print_wrapped(text: str) -> None:
@@ -90,12 +77,3 @@ def command(name: str, *words: Path | str) -> str:
     """Return a command as a user can type it: paths are quoted, other words stay as they are."""
     quoted = [shlex.quote(str(word)) if isinstance(word, Path) else word for word in words]
     return " ".join(["matrixworld", name, *quoted])
-
-
-def in_words(seconds: float) -> str:
-    """Return a duration, such as "2.5 minutes"."""
-    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
-    for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
-        if seconds >= 1.5 * length:
-            return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
-    return f"{seconds:.{0 if seconds >= 10 else 1}f} seconds"

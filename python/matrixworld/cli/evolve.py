@@ -13,40 +13,30 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from matrixworld._util.files import LockedError
-from matrixworld.cli.arguments import (
-    FAILURES,
-    can_resume,
-    find_runs,
-    place_in_job,
-    resume_command,
-)
-from matrixworld.cli.bench import seconds_of
 from matrixworld.cli.cluster import cluster_option, on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
     command,
-    in_words,
     note,
     print_table,
     progress,
     say,
     warnings_as_notes,
 )
-from matrixworld.cli.explore import first_seeds
-from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
+    FAILURES,
     TYPED,
     given_options,
     one_of,
     option_name,
-    seed_option,
-    seeds_option,
-    threads_option,
-    world_options,
+    options,
 )
+from matrixworld.cli.pages import first_seeds
 from matrixworld.cli.report import report
+from matrixworld.cli.runs import can_resume, resume_command
 from matrixworld.cli.setting_options import (
     ALL,
     HINTS,
@@ -57,7 +47,8 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import RaceSettings, RunDirectory
+from matrixworld.coevolution import TEAMS, HallOfFame, RaceSettings, RunDirectory
+from matrixworld.coevolution.groups import find_runs, place_in_job
 from matrixworld.coevolution.jobs import (
     BAD_FILES,
     Job,
@@ -72,6 +63,8 @@ from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternatin
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.policy import Population
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
 RUNS = Path("runs")
@@ -158,7 +151,7 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
     metavar="DIR",
     help="a new directory for the runs  [default: in runs/, named after variant and seed]",
 )
-@world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")
+@options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
     type=click.Choice([*ALL_SCHEDULES, Against.kind, ALL]),
@@ -187,9 +180,7 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
     help="replay opponents from finished races in turns of this job or run, each from the next "
     "seed's race, with its settings",
 )
-@seed_option
-@seeds_option
-@threads_option
+@options("seed", "seeds", "threads")
 @cluster_option
 @click.option(
     "--live", is_flag=True, help="show the runs on a page of this machine while they go on"
@@ -225,7 +216,7 @@ def evolve_command(
     threads: int | None,
     where: str | None,
     live: bool,
-    **options: Any,
+    **settings: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
 
@@ -252,7 +243,7 @@ def evolve_command(
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
     """
-    given = given_options(options)
+    given = given_options(settings)
     with warnings_as_notes():
         if resumed is None:
             job = _new_job(given)
@@ -355,15 +346,63 @@ def _plan(job: Job, root: Path, threads: int | None, *, timed: bool) -> str:
     first, *_ = settings = [*job.values()]
     world, races = first.world, all(each.is_race for each in settings)
     what = "race" if races else "run"
-    matches = seconds_of(settings, threads) if timed and races else None
+    matches = _seconds_of(settings, threads) if timed and races else None
     shown = SHOWN_SECONDS * len({each.schedule.name for each in settings})
     parts = [
         f"-{first.variant}" if first.variant in VARIANTS else first.variant,
         f"{world.n_pursuers} pursuers and {world.n_evaders} evaders",
         f"{len(settings)} {what}{'s' * (len(settings) > 1)}",
-        *([] if matches is None else [f"about {in_words(matches + shown)}"]),
+        *([] if matches is None else [f"about {_in_words(matches + shown)}"]),
     ]
     return f"{', '.join(parts)}, in {root}"
+
+
+SAMPLED, LEARNED = 0.2, 1.25
+"""Seconds of matches from which the time of a job is estimated, and how much longer its matches
+take, on average, because teams learn to move."""
+
+
+def _seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | None:
+    """Estimate how long the matches of races take, from those of one epoch of untrained teams.
+
+    All races have the same network and world; they differ in the schedule. None if the time of the
+    learner, which is not measured, is the larger part.
+    """
+    first = races[0]
+    if first.learner.rounds_by_processor:
+        return None
+    size, network = first.learner.population, first.network
+    pursuers = Population(np.stack([network.initial(np.random.default_rng(0))] * size), network)
+    evaders = Population(network.initial(np.random.default_rng(1))[np.newaxis], network)
+    matches = Matches.of(np.arange(size), 0, np.arange(size))
+    calls, passed, began = 0, 0.0, time.perf_counter()
+    while passed < SAMPLED:
+        rollout(first.training_world, pursuers, evaders, matches, threads=threads)
+        calls, passed = calls + 1, time.perf_counter() - began
+    return LEARNED * matches_of(races) * passed / (calls * size)
+
+
+def matches_of(races: Sequence[RaceSettings]) -> float:
+    """Return how many matches races play, those of the evaluation in units of training matches."""
+    trained = 0
+    for race in races:
+        schedule = race.schedule
+        # A match of two living individuals is one match, here of the pursuers.
+        living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
+        met = {"pursuer": schedule.opponents_met, "evader": schedule.opponents_met - living}
+        epochs = sum(schedule.total_epochs(team) * met[team] for team in TEAMS)
+        trained += epochs * race.learner.population * race.match_episodes
+    # Generation 0 is evaluated, too; the matches of the evaluation are longer.
+    evaluated = sum(race.schedule.entries**2 * race.evaluation_episodes for race in races)
+    return trained + evaluated * races[0].world.max_steps / races[0].train_steps
+
+
+def _in_words(seconds: float) -> str:
+    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
+    for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
+        if seconds >= 1.5 * length:
+            return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
+    return f"{seconds:.{0 if seconds >= 10 else 1}f} seconds"
 
 
 def _more_seeds() -> str:
@@ -449,7 +488,7 @@ def _found_job(root: Path) -> Job:
 
 def play_runs(
     job: Job, root: Path, threads: int | None, executor: Executor | None = None, *, new: bool
-) -> tuple[list[Result], dict[Path, str]]:
+) -> tuple[list[RunDirectory], dict[Path, str]]:
     """Play the runs of a job; return the finished ones, and why the others failed.
 
     The error of a single run is raised.
@@ -465,8 +504,8 @@ def play_runs(
     results = []
     for path in (root / name for name in job if name not in errors):
         try:
-            result = open_result(path)
-            _ = result.payoff, result.numbers  # read now: damaged ones are named below
+            result = RunDirectory.open(path)
+            _ = result.payoff(), result.summary()  # read now: damaged ones are named below
             results.append(result)
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown
             failed[path] = described(path, error)

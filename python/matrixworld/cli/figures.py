@@ -18,12 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import headline
-from matrixworld.cli.arguments import run_name
-from matrixworld.cli.groups import Group, Result
-from matrixworld.cli.score import play_held_out
-from matrixworld.cli.tables import held_out
-from matrixworld.coevolution import Against, SavedRun, open_run, open_runs
+from matrixworld.cli.runs import run_name
+from matrixworld.coevolution import Against, RunDirectory, SavedRun, open_run, open_runs
 from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
+from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import HallOfFame, curve_window
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Payoff, Team
@@ -70,7 +68,7 @@ class Selection:
 ALL = Selection()
 
 
-def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> dict[Path, Draw]:
+def planned(groups: Sequence[RunGroup], root: Path, selection: Selection = ALL) -> dict[Path, Draw]:
     """Return the files of the selected figures, each with the function that draws it.
 
     The figures of a run go into its directory, those of several runs into `root`. Races of several
@@ -94,7 +92,7 @@ def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> 
     return {file: draw for file, draw in found.items() if selection.name in (None, file.stem)}
 
 
-def _figures_of(run: Group, selection: Selection) -> tuple[str, ...]:
+def _figures_of(run: RunGroup, selection: Selection) -> tuple[str, ...]:
     if not run.is_race:
         return OF_RUN[:1]
     # A spinning top takes the noise of the episodes: of one there is none, unless it is asked for.
@@ -103,7 +101,7 @@ def _figures_of(run: Group, selection: Selection) -> tuple[str, ...]:
 
 
 def _together(
-    races: Sequence[Group], seeds: Sequence[Group], selection: Selection
+    races: Sequence[RunGroup], seeds: Sequence[RunGroup], selection: Selection
 ) -> tuple[str, ...]:
     of_seeds = selection.name == "generalization" or selection.baselines
     if selection.name in OF_GROUPS and selection.name not in OF_RUN:
@@ -133,7 +131,7 @@ def run_title(path: Path, settings: RaceSettings) -> str:
 # What draws them:
 
 
-def run_figure(name: str, group: Group, baselines: Baselines) -> Figure:
+def run_figure(name: str, group: RunGroup, baselines: Baselines) -> Figure:
     """Draw a figure of a single run."""
     from matrixworld import plots
 
@@ -154,13 +152,13 @@ def run_figure(name: str, group: Group, baselines: Baselines) -> Figure:
         return plots.replicator_trajectories(group.payoffs.matrices[0], title=shown)
     if name == "spinning_top":
         shown = title("Strength and cycles of the generations")
-        return plots.spinning_top(run.payoff.capture_rates, title=shown)
+        return plots.spinning_top(run.payoff().capture_rates, title=shown)
     if name == "collisions":
         shown = title("Collisions per 1000 agent-steps")
-        return plots.collision_rates(collisions_per_1000(run.payoff), title=shown)
+        return plots.collision_rates(collisions_per_1000(run.payoff()), title=shown)
     scores = baseline_scores(group, baselines)
     return plots.generalization_curves(
-        run.payoff.capture_rates,
+        run.payoff().capture_rates,
         per_episode=True,
         pursuer_baselines={name: score for name, [score] in scores["pursuer"].items()},
         evader_baselines={name: score for name, [score] in scores["evader"].items()},
@@ -177,10 +175,10 @@ def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:
     return 1000 * np.stack([pursuers, evaders], axis=1)
 
 
-def _training(run: Result, title: Callable[[str], str]) -> Figure:
+def _training(run: RunDirectory, title: Callable[[str], str]) -> Figure:
     from matrixworld import plots
 
-    log, schedule = run.files.log(), run.settings.schedule
+    log, schedule = run.log(), run.settings.schedule
     rates, learners = log["capture_rate"], log["team"] == "evader"
     window = curve_window(schedule)
     if isinstance(schedule, Against):
@@ -200,7 +198,7 @@ def _training(run: Result, title: Callable[[str], str]) -> Figure:
     )
 
 
-def group_figure(name: str, groups: Mapping[str, Group], baselines: Baselines) -> Figure:
+def group_figure(name: str, groups: Mapping[str, RunGroup], baselines: Baselines) -> Figure:
     """Draw a figure of several runs, by the names of their groups."""
     from matrixworld import plots
 
@@ -211,7 +209,7 @@ def group_figure(name: str, groups: Mapping[str, Group], baselines: Baselines) -
             for name, group in groups.items()
             for single in group.singles
         }
-        rates = {name: single.runs[0].payoff.capture_rates for name, single in singles.items()}
+        rates = {name: single.runs[0].payoff().capture_rates for name, single in singles.items()}
         each = {name: single.judgement for name, single in singles.items()}
         return plots.comparison(rates, each, per_episode=True)
     if name in ("seeds", "verdicts"):
@@ -222,9 +220,8 @@ def group_figure(name: str, groups: Mapping[str, Group], baselines: Baselines) -
         missing = {name: group.missing for name, group in groups.items()}
         return plots.verdict_strip(judgements, seeds, missing)
     if name == "held_out":
-        play_held_out([run for group in groups.values() for run in group.runs], None)
         return plots.seed_scores(
-            {name: {team: held_out(each, team) for team in TEAMS} for name, each in groups.items()}
+            {name: {team: each.held_out(team) for team in TEAMS} for name, each in groups.items()}
         )
     scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
     return plots.generalization_over_seeds(
@@ -289,7 +286,7 @@ def open_baselines(baselines: Mapping[str, Path]) -> dict[str, list[SavedRun]]:
     return opened
 
 
-def baseline_scores(group: Group, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
+def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
     """Return the mean score of each baseline against all opponents of each race of a group."""
     scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
     races = [open_run(run.path) for run in group.runs] if baselines else []

@@ -2,39 +2,54 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 import click
 
-from matrixworld._util.checks import INT_MAX
-from matrixworld.analysis import explain
-from matrixworld.analysis.words import all_results, measure_table
+from matrixworld.analysis import Judgement, explain, headline, judge, read_payoffs
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
+from matrixworld.analysis.words import all_results, judgement_cells, measure_table
 from matrixworld.cli.advice import advice
-from matrixworld.cli.console import TERMS, print_wrapped, say
-from matrixworld.cli.groups import Group, groups_of, runs_argument
-from matrixworld.cli.options import force_option, json_option, refuse_existing, write_json
+from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
+from matrixworld.cli.options import check_outputs, integer, options, write_json
+from matrixworld.cli.runs import finished_groups, print_missing
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.cli.tables import print_judged
+from matrixworld.coevolution.groups import RunGroup, find_runs
 
+FILES = (".csv", ".npz")
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
+SIGNS = {PRESENT: "+", ABSENT: "-", CANNOT_TELL: "?"}
+NOT_FINISHED = "."
+STRIP_LEGEND = (
+    f"{SIGNS[PRESENT]} present, {SIGNS[ABSENT]} absent, {SIGNS[CANNOT_TELL]} cannot tell, "
+    f"{NOT_FINISHED} not finished. In brackets: number of seeds with each verdict."
+)
+
+
+def _sources(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
+    paths = [*dict.fromkeys(map(Path, values))]
+    for path in paths:
+        if not _is_payoff_file(path) and not find_runs(path):
+            expected = f"run directories, or {' or '.join(FILES)} files"
+            raise click.BadParameter(f"expected {expected}, got {str(path)!r}")
+    return paths
+
+
+def _is_payoff_file(path: Path) -> bool:
+    return path.suffix.lower() in FILES and path.is_file()
 
 
 @click.command("judge")
-@runs_argument(files=True)
+@click.argument("sources", nargs=-1, required=True, metavar="RUN|FILE...", callback=_sources)
 @click.option("--all", "everything", is_flag=True, help="all measures, after the judgement")
 @click.option("--each", is_flag=True, help="judge each run and each file by itself")
 @click.option("--explain", "explained", is_flag=True, help="the reasons in sentences, too")
-@click.option(
-    "--episodes",
-    type=click.IntRange(1, INT_MAX),
-    metavar="INTEGER",
-    help="episodes behind each cell of a file that holds means only",
-)
-@json_option
-@force_option
+@integer("--episodes", "episodes behind each cell of a file that holds means only")
+@options("json", "force")
 def judge_command(
-    runs: list[Path],
+    sources: list[Path],
     everything: bool,
     each: bool,
     explained: bool,
@@ -53,51 +68,123 @@ def judge_command(
     rates from 0 to 1; or one line for each pair, run and episode. Several files are judged
     together, as runs of one race.
     """
-    refuse_existing(json_file, force=force)
-    groups = groups_of(runs, episodes=episodes)
-    if each:
-        groups = [single for group in groups for single in group.singles]
-    for group in groups:
-        _check(group, everything)
-    for group in groups:
-        _print(group, everything, explained)
-    say(f"\n{TERMS}")
-    write_json(json_file, {"groups": {g.name: _plain(g, everything) for g in groups}})
-
-
-def _check(group: Group, everything: bool) -> None:
-    """Refuse what cannot be judged, before anything is printed."""
-    # The payoff of one team alone is a single cell.
-    for run in group.runs:
-        if not run.settings.is_race:
-            raise click.UsageError(
-                f"{run.path}: expected a race, got a run in which one team evolved"
-            )
+    check_outputs(json_file, force=force)
+    files = [path for path in sources if _is_payoff_file(path)]
+    runs = [path for path in sources if path not in files]
+    if episodes is not None and not files:
+        raise click.UsageError("--episodes: expected a FILE; runs know their episodes")
     with usage_errors():
-        shape = group.payoffs.matrices.shape[1:]
-    if everything and min(shape) < 2:
-        raise click.UsageError(
-            f"--all: expected at least 2 x 2 generations, got {shape[0]} x {shape[1]}"
-        )
+        groups = finished_groups(runs) if runs else []
+        if each:
+            groups = [single for group in groups for single in group.singles]
+        _check_races(groups)
+        judged: dict[str, tuple[Payoffs, RunGroup | None]] = {
+            group.name: (group.payoffs, group) for group in groups
+        }
+        judged |= {name: (payoffs, None) for name, payoffs in _of_files(files, each, episodes)}
+    for payoffs, _ in judged.values():
+        if everything and min(payoffs.shape) < 2:
+            raise click.UsageError(
+                "--all: expected at least 2 x 2 generations, got {} x {}".format(*payoffs.shape)
+            )
+    found = {}
+    for name, (payoffs, group) in judged.items():
+        judgement = judge(payoffs) if group is None else group.judgement
+        _print(name, payoffs, judgement, group, everything=everything, explained=explained)
+        found[name] = judgement.to_json()
+        if everything:
+            found[name] = {"judgement": found[name], **all_results(payoffs)}
+    say(f"\n{TERMS}")
+    write_json(json_file, {"groups": found})
 
 
-def _print(group: Group, everything: bool, explained: bool) -> None:
-    judgement = group.judgement
-    print_judged(group)
+def _of_files(
+    files: Sequence[Path], each: bool, episodes: int | None
+) -> Iterator[tuple[str, Payoffs]]:
+    # One file may hold several runs, which a list of files may not.
+    for part in [[file] for file in files] if each or len(files) == 1 else [files][: len(files)]:
+        source = part[0] if len(part) == 1 else part
+        yield ", ".join(map(str, part)), read_payoffs(source, episodes=episodes)
+
+
+def _check_races(groups: Sequence[RunGroup]) -> None:
+    # The payoff of one team alone is a single cell.
+    for run in [run for group in groups for run in group.runs if not group.is_race]:
+        raise click.UsageError(f"{run.path}: expected a race, got a run in which one team evolved")
+
+
+def _print(
+    name: str,
+    payoffs: Payoffs,
+    judgement: Judgement,
+    group: RunGroup | None,
+    *,
+    everything: bool,
+    explained: bool,
+) -> None:
+    print_head(name)
+    say(f"{headline(judgement)}\n{counts(judgement)}")
+    print_judgement(judgement)
+    if group is not None and group.several:
+        say()
+        print_strip(judgement, group.seeds, group.missing)
+        print_missing(group)
+        print_wrapped(STRIP_LEGEND)
     if judgement.runs == 1:
         print_wrapped(SINGLE_RUN)
     if explained:
         say()
         print_wrapped(explain(judgement))
     if everything:
-        say(f"\n{measure_table(group.payoffs)}")
-    lines = advice(judgement, group.settings)
+        say(f"\n{measure_table(payoffs)}")
+    lines = advice(judgement, None if group is None else group.runs[0].settings)
     if lines:
         say("\nWhat to try:")
         for line in lines:
             print_wrapped(line)
 
 
-def _plain(group: Group, everything: bool) -> dict[str, Any]:
-    judgement = group.judgement.to_json()
-    return {"judgement": judgement, **all_results(group.payoffs)} if everything else judgement
+def counts(judgement: Judgement) -> str:
+    """Return the numbers of runs, generations and episodes that were judged."""
+    runs = "1 run" if judgement.runs == 1 else f"{judgement.runs} runs"
+    pursuers, evaders = judgement.shape
+    episodes = (
+        "" if judgement.episodes is None else f", {judgement.episodes:,} episodes of each pair"
+    )
+    return f"{runs}, {pursuers} pursuer and {evaders} evader generations{episodes}"
+
+
+def print_judgement(judgement: Judgement) -> None:
+    """Print the table of a judgement, and what limits it."""
+    print_table(judgement_cells(judgement), "<<<<")
+    if judgement.episodes is None:
+        print_wrapped(
+            "The payoffs do not say how many episodes are behind each cell, and without their "
+            'noise some conditions have the verdict "cannot tell". Give the number with --episodes.'
+        )
+    elif judgement.episodes < EPISODES_TO_JUDGE:
+        print_wrapped(
+            f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions "
+            "from noise; matrixworld tournament RUN --episodes NUMBER plays more."
+        )
+    if judgement.window == "whole":
+        print_wrapped(
+            f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, "
+            f"and {2 * GENERATIONS_TO_JUDGE} to judge its halves."
+        )
+
+
+def print_strip(judgement: Judgement, seeds: Sequence[int], missing: Sequence[int]) -> None:
+    """Print the verdict on each seed in columns, and how many seeds have which verdict."""
+    every = sorted([*seeds, *missing])
+    beside = max(1, (WIDEST - 50) // (2 + max(len(str(seed)) for seed in every)))
+    for first in range(0, len(every), beside):
+        part, is_last = every[first : first + beside], first + beside >= len(every)
+        together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""
+        rows = [("seed", *map(str, part), together)]
+        for name, finding in judgement.headline.items():
+            found = dict(zip(seeds, finding.by_run, strict=True))
+            signs = [SIGNS[found[seed]] if seed in found else NOT_FINISHED for seed in part]
+            numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
+            rows.append((name, *signs, f"{finding.verdict} ({numbers})" if is_last else ""))
+        print_table(rows, "<" + ">" * len(part) + "<")

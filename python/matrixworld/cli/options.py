@@ -1,36 +1,44 @@
-"""Options that several commands share, each declared once, and the group of all commands."""
+"""Options that several commands share, each declared once; output files; the group of commands."""
 
 from __future__ import annotations
 
-import importlib
 import json
-import math
-import os
 import re
 import shlex
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from itertools import chain
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 from click.core import ParameterSource
 
-from matrixworld import _core
-from matrixworld._util.checks import INT_MAX, MOST_THREADS
-from matrixworld._util.files import check_replaceable, printable, save_json
-from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say, say_to_stdout
+from matrixworld._util.checks import INT_MAX, MOST_THREADS, OutOfMemoryError
+from matrixworld._util.files import (
+    DamagedFileError,
+    LockedError,
+    check_replaceable,
+    printable,
+    save_json,
+)
+from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
+from matrixworld.coevolution.jobs import FailedRunsError
+from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.sections import WORLD_HELP
 from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.coevolution.storage import OtherVersionError
+from matrixworld.version import MissingExtraError
 from matrixworld.world.rules import VARIANTS
 
-AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
+Option = Callable[[Any], Any]
+"""What adds an option to the function of a command."""
 
 TYPED = "matrixworld.typed"
 """Key of the words after ``matrixworld`` in the group's context."""
+STDOUT = Path("-")
+MOST_SEEDS = 100_000
+"""Most seeds of a job. Each is a directory."""
 
 
 def option_name(field_name: str) -> str:
@@ -43,22 +51,7 @@ def one_of(names: Iterable[str]) -> Callable[[Any, Any, str], list[str]]:
     return lambda ctx, param, typed: [n for n in names if n.lower().startswith(typed.lower())]
 
 
-VARIANT: Mapping[str, Any] = {
-    "type": click.types.FuncParamType(str.upper), "shell_complete": one_of(VARIANTS)
-}  # fmt: skip
-
-
-class FiniteRange(click.FloatRange):
-    """A range of numbers that does not let nan pass."""
-
-    def convert(
-        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
-    ) -> float:
-        """Return the number."""
-        number = float(super().convert(value, param, ctx))
-        if math.isnan(number):
-            self.fail(f"{value!r} is not a number", param, ctx)
-        return number
+# Values of options:
 
 
 def checked_seed(ctx: click.Context, param: click.Parameter, value: int | None) -> int | None:
@@ -69,109 +62,36 @@ def checked_seed(ctx: click.Context, param: click.Parameter, value: int | None) 
     return value
 
 
-seed_option = click.option(
-    "--seed",
-    type=int,
-    callback=checked_seed,
-    default=0,
-    show_default=True,
-    metavar="INTEGER",
-    help="seed of all random numbers; equal seeds give equal results",
-)
-
-# At least 2: intervals over episodes do not exist for one. 100 episodes bring the interval of a
-# mean capture rate to about +-0.1 at worst, and are what `coevolution.score` plays by default.
-episodes_option = click.option(
-    "--episodes",
-    type=click.IntRange(2, INT_MAX),
-    default=100,
-    show_default=True,
-    metavar="INTEGER",
-    help="fresh episodes of each pair of opponents",
-)
-steps_option = click.option(
-    "--steps",
-    type=click.IntRange(1, INT_MAX),
-    metavar="INTEGER",
-    help="most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in a "
-    "class 100, in solve 20]",
-)
-threads_option = click.option(
-    "--threads",
-    type=click.IntRange(1, MOST_THREADS),
-    metavar="INTEGER",
-    help="threads that play matches  [default: one per usable core]",
-)
-STDOUT = Path("-")
-
-
-def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
-    if value == STDOUT:
-        ctx.meta[TO_STDOUT] = True
-    return value
-
-
-json_option = click.option(
-    "--json",
-    "json_file",
-    type=click.Path(path_type=Path),
-    metavar="FILE",
-    callback=_json,
-    help="write the numbers to this file, too; -: to standard output, and the text to the other",
-)
-force_option = click.option("--force", is_flag=True, help="replace files that exist")
-
-
-def out_option(help: str, **attributes: Any) -> Callable[[Any], Any]:
-    """Return the option of the file or directory that a command writes."""
-    return click.option(
-        "--out", "-o", type=click.Path(path_type=Path), metavar="PATH", help=help, **attributes
-    )
-
-
-# Several seeds:
-
-MOST_SEEDS = 100_000
-"""Most seeds of a job. Each is a directory."""
-RANGE = r"\d{1,19}(-\d{1,19})?"
-
-
 def seeds_of(
     ctx: click.Context, param: click.Parameter, value: str | None
 ) -> tuple[int, ...] | None:
     """Return the seeds that a text such as 0-9 or 0,3,5-7 names, in its order."""
     if value is None:
         return None
-    if not re.fullmatch(f"{RANGE}(,{RANGE})*", value):
+    if not re.fullmatch(r"(\d{1,19}(-\d{1,19})?(,|$))+", value) or value.endswith(","):
         raise click.BadParameter(f"expected seeds such as 0-9 or 0,3,5-7, got {value!r}")
-    ends = [[int(end) for end in part.split("-")] for part in value.split(",")]
-    ranges = [range(part[0], part[-1] + 1) for part in ends]
-    for each in ranges:
-        if not each:
-            last = each.stop - 1
-            raise click.BadParameter(f"expected the lower seed first, got {each.start}-{last}")
-        if each[-1] > MOST_SEED:
-            raise click.BadParameter(f"expected seeds from 0 to {MOST_SEED}, got {each[-1]}")
-    # Before any list is made: 0-9999999999 would fill the memory.
-    count = sum(each.stop - each.start for each in ranges)
-    if count > MOST_SEEDS:
-        raise click.BadParameter(f"expected at most {MOST_SEEDS:,} seeds, got {count:,}")
-    seeds = Counter(chain.from_iterable(ranges))
-    [(seed, times)] = seeds.most_common(1)
-    if times > 1:
-        raise click.BadParameter(f"expected each seed once, got {seed} several times")
+    seeds: list[int] = []
+    for part in value.split(","):
+        first, _, last = part.partition("-")
+        found = range(int(first), int(last or first) + 1)
+        if not found:
+            raise click.BadParameter(f"expected the lower seed first, got {part}")
+        if found[-1] > MOST_SEED:
+            raise click.BadParameter(f"expected seeds from 0 to {MOST_SEED}, got {found[-1]}")
+        # Before a list is made: 0-9999999999 would fill the memory.
+        count = len(seeds) + found.stop - found.start
+        if count > MOST_SEEDS:
+            raise click.BadParameter(f"expected at most {MOST_SEEDS:,} seeds, got {count:,}")
+        seeds += found
+    if len({*seeds}) < len(seeds):
+        raise click.BadParameter(f"expected each seed once, got {value}")
     return tuple(seeds)
 
 
-seeds_option = click.option(
-    "--seeds",
-    callback=seeds_of,
-    metavar="SEEDS",
-    help="a run of each seed, side by side: such as 0-9 or 0,3,5-7, in place of --seed",
-)
-
-
-# Worlds:
+def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
+    if value == STDOUT:
+        ctx.meta[TO_STDOUT] = True
+    return value
 
 
 def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
@@ -186,10 +106,72 @@ def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) ->
     raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
 
 
-SPECIAL: dict[str, Callable[[Any], Any]] = {
+# The options:
+
+
+def integer(*names: str, least: int = 1, most: int = INT_MAX, default: int | None = None) -> Option:
+    """Return an option of an integer: its names, and the help text as the last of them."""
+    return click.option(
+        *names[:-1],
+        type=click.IntRange(least, most),
+        default=default,
+        show_default=default is not None,
+        metavar="INTEGER",
+        help=names[-1],
+    )
+
+
+SHARED: dict[str, Option] = {
+    "seed": click.option(
+        "--seed",
+        type=int,
+        callback=checked_seed,
+        default=0,
+        show_default=True,
+        metavar="INTEGER",
+        help="seed of all random numbers; equal seeds give equal results",
+    ),
+    "seeds": click.option(
+        "--seeds",
+        callback=seeds_of,
+        metavar="SEEDS",
+        help="a run of each seed, side by side: such as 0-9 or 0,3,5-7, in place of --seed",
+    ),
+    # At least 2: intervals over episodes do not exist for one. 100 episodes bring the interval of
+    # a mean capture rate to about +-0.1 at worst.
+    "episodes": integer(
+        "--episodes", "fresh episodes of each pair of opponents", least=2, default=100
+    ),
+    "steps": integer(
+        "--steps",
+        "most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in a "
+        "class 100, in solve 20]",
+    ),
+    "threads": integer(
+        "--threads", "threads that play matches  [default: one per usable core]", most=MOST_THREADS
+    ),
+    "json": click.option(
+        "--json",
+        "json_file",
+        type=click.Path(path_type=Path),
+        metavar="FILE",
+        callback=_json,
+        help="write the numbers to this file, too; -: to standard output, and the text to the "
+        "other",
+    ),
+    "force": click.option("--force", is_flag=True, help="replace files that exist"),
+    "open": click.option(
+        "--open/--no-open", "opens", default=True, help="open the page in a browser"
+    ),
+    "race": click.option(
+        "--race",
+        metavar="NAME",
+        help="which race of RUN, if it holds several, such as hall-of-fame or hall-of-fame/seed-3",
+    ),
     "variant": click.option(
         "--variant",
-        **VARIANT,
+        type=click.types.FuncParamType(str.upper),
+        shell_complete=one_of(VARIANTS),
         metavar="NAME",
         help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
     ),
@@ -200,25 +182,29 @@ SPECIAL: dict[str, Callable[[Any], Any]] = {
         help="density of obstacles in [0, 1), or a MovingAI .map file",
     ),
     "diagonal": click.option("--diagonal/--no-diagonal", default=None, help=WORLD_HELP["diagonal"]),
+    **{
+        name: click.option(option_name(name), type=int, metavar="INTEGER", help=WORLD_HELP[name])
+        for name in ("rows", "cols", "n_pursuers", "n_evaders", "fov")
+    },
 }
-"""Options of a world that are no integers."""
 
 
-def world_options(*names: str) -> Callable[[AnyFunction], AnyFunction]:
-    """Return what adds the options of these fields of a world to a command, in this order."""
+def options(*names: str) -> Option:
+    """Return what adds these options to a command, in this order."""
 
-    def add(function: AnyFunction) -> AnyFunction:
+    def add(function: Any) -> Any:
         for name in reversed(names):
-            option = SPECIAL.get(name) or click.option(
-                option_name(name), type=int, metavar="INTEGER", help=WORLD_HELP[name]
-            )
-            function = option(function)
+            function = SHARED[name](function)
         return function
 
     return add
 
 
-# Values:
+def out_option(help: str, **attributes: Any) -> Option:
+    """Return the option of the file or directory that a command writes."""
+    return click.option(
+        "--out", "-o", type=click.Path(path_type=Path), metavar="PATH", help=help, **attributes
+    )
 
 
 def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
@@ -231,30 +217,28 @@ def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def refuse_existing(*files: Path | None, force: bool, redraws: bool = True) -> None:
+# Output files:
+
+
+def check_outputs(*files: Path | None, force: bool, redraws: bool = True) -> None:
     """Raise click.UsageError for the first output file that must not, or cannot, be written.
 
-    To be called before anything is played or written, so that a refusal costs no time and leaves
-    no part of the output behind.
+    To be called before anything is played or written. Pages and pictures that this package has
+    drawn are drawn again without a question, if `redraws`.
     """
     for file in files:
         if file is None or file == STDOUT:
             continue
-        if not file.parent.is_dir():
-            raise click.UsageError(
-                f"{file}: expected a directory that exists, got {str(file.parent)!r}"
-            )
-        try:
-            TemporaryFile(dir=file.parent).close()
-        except OSError as error:
-            expected = f"a directory in which files can be made, got {str(file.parent)!r}"
-            raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
         try:
             check_replaceable(file)
+            TemporaryFile(dir=file.parent).close()
         except FileExistsError as error:
             # Even with --force: a directory may hold a run, and a link may point to any file.
             raise click.UsageError(str(error)) from error
-        if file.exists() and not (force or (redraws and is_drawn(file))):
+        except OSError as error:
+            expected = f"a directory in which files can be made, got {str(file.parent)!r}"
+            raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
+        if file.exists() and not (force or (redraws and _is_drawn(file))):
             raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
@@ -266,11 +250,10 @@ DRAWN = (
     b"!\xfe\x0bmatrixworld",  # comment of a GIF
     b"data\0\0\0\1\0\0\0\0matrixworld",  # comment of an MP4
 )
-"""What this package writes into pages and pictures; they are drawn again without a question."""
+"""What this package writes into pages and pictures."""
 
 
-def is_drawn(file: Path) -> bool:
-    """Return whether a file is a page or a picture that this package has written."""
+def _is_drawn(file: Path) -> bool:
     # A film has its comment behind a table of its frames.
     size, part = file.stat().st_size, 1 << 16
     with file.open("rb") as stream:
@@ -283,25 +266,30 @@ def is_drawn(file: Path) -> bool:
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
     """Write values to what --json names, if it is given, and print the name of a file."""
     if file == STDOUT:
-        say_to_stdout(json.dumps(values, indent=2, allow_nan=False))
+        click.echo(json.dumps(values, indent=2, allow_nan=False))
     elif file is not None:
         save_json(file, values)
         say(f"\nWritten: {file}")
 
 
-def check_environment() -> None:
-    """Raise click.ClickException for a value that the engine or Matplotlib would refuse later."""
-    try:
-        _core.kernel_level()  # reads MATRIXWORLD_KERNELS
-        if "MPLBACKEND" in os.environ:  # only then: the import takes a third of a second
-            importlib.import_module("matplotlib")
-    except ValueError as error:
-        message = str(error).replace("Key backend", "MPLBACKEND")
-        raise click.ClickException(message) from error
+# The group:
+
+FAILURES = (
+    BrokenExecutor,  # a lost cluster
+    DamagedFileError,
+    DivergedError,
+    FailedRunsError,
+    LockedError,
+    MissingExtraError,
+    OSError,
+    OtherVersionError,
+    OutOfMemoryError,
+)
+"""Errors whose message says all that a user can do; any other one is a mistake in the program."""
 
 
 class Commands(click.Group):
-    """A group of commands; Ctrl-C says how to go on."""
+    """A group of commands; Ctrl-C says how to go on, and failures are messages."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -313,13 +301,18 @@ class Commands(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; after Ctrl-C, print the command that starts it again."""
         try:
-            with failures():  # of all commands, and of options, which name files, too
-                check_environment()
-                return super().invoke(ctx)
+            return super().invoke(ctx)
         except click.ClickException as error:
             # It may quote a name or a file; the attribute is final for others.
             vars(error)["message"] = printable(error.message)
             raise
+        except BrokenPipeError:  # the reader of the output has gone, which click handles
+            raise
+        except MemoryError as error:
+            problem = "this machine has too little memory for these sizes"
+            raise click.ClickException(problem) from error
+        except FAILURES as error:
+            raise click.ClickException(printable(error)) from error
         except KeyboardInterrupt:
             again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
             note(f"\nStopped. No file is half written. To start again:\n  {again}")

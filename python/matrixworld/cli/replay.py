@@ -11,20 +11,12 @@ import click
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld._util.files import read_content
 from matrixworld.classroom.submissions import read_genome
-from matrixworld.cli.arguments import find_runs, race_option, run_of
 from matrixworld.cli.console import say
-from matrixworld.cli.options import (
-    FiniteRange,
-    force_option,
-    given_options,
-    option_name,
-    refuse_existing,
-    seed_option,
-    steps_option,
-    world_options,
-)
+from matrixworld.cli.options import check_outputs, given_options, option_name, options
+from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
+from matrixworld.coevolution.groups import find_runs
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
@@ -32,10 +24,9 @@ from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.solve import solve
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS, EnginePolicy, Population, Script
+from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
 from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
-LAST = "-1"
 SLOWEST, FASTEST = 0.1, 50.0
 """Frames a second that a GIF can show: it holds delays in hundredths of a second."""
 SUFFIXES = (".gif", ".mp4", ".png", ".npz")
@@ -62,12 +53,10 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
 
 
 def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
-    """Return a file, else a run directory, else the rules of a variant."""
+    """Return a file, else a directory that holds runs, else the rules of a variant."""
     # Paths come first: a run may be called O, and `O` in another directory is the variant.
-    if Path(value).is_file():
+    if Path(value).is_file() or find_runs(Path(value)):
         return Path(value)
-    if find_runs(Path(value)):
-        return run_of(ctx, param, value) or Path(value)
     try:
         return rules_of(value)
     except ValueError:
@@ -79,7 +68,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
 
 @click.command("replay", epilog=EXAMPLES, short_help="Watch an episode, or write it to files.")
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=source_of)
-@race_option
+@options("race")
 @click.option(
     "--pursuer",
     metavar="WHO",
@@ -99,8 +88,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     metavar="NUMBER",
     help="which episode of the match, or of the seed",
 )
-@seed_option
-@steps_option
+@options("seed", "steps")
 @click.option(
     "--out",
     "-o",
@@ -111,10 +99,10 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     help="write the episode to a file instead of showing it: .gif, .mp4, .png (one moment: --step) "
     "or .npz (its data); may be given several times",
 )
-@force_option
+@options("force")
 @click.option(
     "--fps",
-    type=FiniteRange(SLOWEST, FASTEST),
+    type=click.FloatRange(SLOWEST, FASTEST),
     default=10.0,
     show_default=True,
     metavar="NUMBER",
@@ -148,7 +136,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
-@world_options("rows", "cols", "obstacles")
+@options("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
     out: tuple[Path, ...],
@@ -159,7 +147,7 @@ def replay_command(
     explained: bool,
     numbers: bool,
     view: tuple[str, ...],
-    **options: Any,
+    **game: Any,
 ) -> None:
     """Watch an episode in the terminal, or write it to files.
 
@@ -169,17 +157,17 @@ def replay_command(
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
     """
     _check_pictures(out, step=step, numbers=numbers, view=view)
-    refuse_existing(*out, force=force)
+    check_outputs(*out, force=force)
     with usage_errors():
-        played = _episode(source, given_options(options))
+        played = _episode(source, given_options(game))
         step = None if step is None else step_number(step, played.length)
-        explanation = _explanation(played, step) if explained else []
-    _write(played, out, fps=fps, every=every, step=step, numbers=numbers, viewers=view)
+        lines = _explanation(played, step) if explained else []
+    _write(played, out, every=every, fps=fps, step=step, numbers=numbers, viewers=view)
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explained):
         replay.animate_terminal(played, fps=fps, every=every or 1)
-    for line in explanation:
+    for line in lines:
         say(line)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
     written = ", ".join(map(str, out))
@@ -206,25 +194,20 @@ def _explanation(played: Episode, step: int | None) -> list[str]:
 
 
 def _write(
-    played: Episode,
-    out: tuple[Path, ...],
-    *,
-    step: int | None,
-    every: int | None,
-    fps: float,
+    played: Episode, out: tuple[Path, ...], *, every: int | None, fps: float, step: int | None,
     **look: Any,
-) -> None:
+) -> None:  # fmt: skip
     if every is None:
         every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
         if every > 1 and {path.suffix.lower() for path in out} & {".gif", ".mp4"}:
             say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
-    look |= {"every": every, "fps": fps}
+    look |= {"every": every, "fps": fps, "step": -1 if step is None else step}
     for path in out:
         if path.suffix.lower() == ".npz":
             played.save(path)
             continue
         try:
-            replay.save(played, path, step=-1 if step is None else step, **look)
+            replay.save(played, path, **look)
         except ValueError as error:
             raise click.ClickException(str(error)) from error
 
@@ -234,46 +217,25 @@ def _write(
 
 def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
     """Return the episode of a source; refuse options that say nothing about it."""
-    if isinstance(source, Rules):
-        return _scripted(source, **given)
-    if source.is_file():
+    if isinstance(source, Path) and source.is_file():
         _refuse(given, f"{source} is a single episode")
         return Episode.load(source)
-    _refuse(given.keys() - MATCH, f"{source} is a run")
-    run = open_run(source)
-    (pursuers, g), (evaders, h) = (_player(run, team, given.get(team, LAST)) for team in TEAMS)
+    race = given.pop("race", None)
+    if isinstance(source, Rules):
+        return _scripted(source, **given)
+    run = open_run(run_in(source, race=race))
+    _refuse(given.keys() - MATCH, f"{run.files.path} is a run")
+    pursuers, g = _player(run, "pursuer", given.get("pursuer", "-1"))
+    evaders, h = _player(run, "evader", given.get("evader", "-1"))
     return record(
         run.settings.world,
-        *(pursuers, evaders),
+        pursuers,
+        evaders,
         seed=evaluation_seed(run.settings.seed, g, h),
         pursuer=g,
         evader=h,
         episode=given.get("episode", 0),
     )
-
-
-def _player(run: SavedRun, team: Team, who: str) -> tuple[EnginePolicy, int]:
-    """Return what plays for a team in a run's world, and its generation; 0 of what is none."""
-    named = _named(run.settings.world, team, who)
-    if named is not None:
-        return named, 0
-    return run.teams[team], run.generation(team, _generation(team, who))
-
-
-def _named(config: WorldConfig, team: Team, who: str) -> EnginePolicy | None:
-    """Return the team of a file, or perfect play; None for other names."""
-    if who.lower().endswith(".npz"):
-        return _of_file(team, who)
-    return solve(config).policy(team) if who == SOLVED else None
-
-
-def _of_file(team: Team, who: str) -> Population:
-    """Return the genome that ``class export`` has written for a team."""
-    path = Path(who)
-    found, population = read_genome(path, read_content(path))
-    if found != team:
-        raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
-    return population
 
 
 def _refuse(names: Iterable[str], reason: str) -> None:
@@ -282,11 +244,29 @@ def _refuse(names: Iterable[str], reason: str) -> None:
         raise click.UsageError(f"{reason}: expected no {refused} with it")
 
 
-def _generation(team: str, who: str) -> int:
+def _player(run: SavedRun, team: Team, who: str) -> tuple[EnginePolicy, int]:
+    """Return what plays for a team in a run's world, and its generation; 0 of what is none."""
+    named = _named(run.settings.world, team, who)
+    if named is not None:
+        return named, 0
     try:
-        return int(who)
+        generation = int(who)
     except ValueError:
-        raise ValueError(f"{team}: expected a generation of the run, got {who!r}") from None
+        expected = "a generation of the run"
+        raise ValueError(f"{team}: expected {expected}, got {who!r}") from None
+    return run.teams[team], run.generation(team, generation)
+
+
+def _named(config: WorldConfig, team: Team, who: str) -> EnginePolicy | None:
+    """Return the genome of a file, or perfect play; None for other names."""
+    if who == SOLVED:
+        return solve(config).policy(team)
+    if not who.lower().endswith(".npz"):
+        return None
+    found, population = read_genome(Path(who), read_content(Path(who)))
+    if found != team:
+        raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
+    return population
 
 
 # The defaults here stand for options that the user has not given: a run and a variant have

@@ -17,15 +17,15 @@ from tqdm import tqdm
 
 from matrixworld._util.files import save_json
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import headline, interquartile_mean, measure_all
+from matrixworld.analysis import headline, interquartile_mean, interval_over_runs, measure_all
 from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.console import WIDEST, command, print_table, print_wrapped, progress, say
-from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned
-from matrixworld.cli.groups import Group, Result, grouped
-from matrixworld.cli.score import play_held_out
-from matrixworld.cli.tables import held_out, of_one_team, over_seeds, print_missing
+from matrixworld.cli.pages import write_explorer
+from matrixworld.cli.runs import print_missing, seeds_finished
 from matrixworld.coevolution import Against, RunDirectory
+from matrixworld.coevolution.evaluation.scores import kept_scores
+from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.jobs import Job
 from matrixworld.coevolution.progress import Progress
 from matrixworld.coevolution.types import TEAMS, other
@@ -39,7 +39,7 @@ HELD_OUT = "\nAgainst opponents nobody trained on (1 = best)"
 
 def report(
     job: Job,
-    results: Sequence[Result],
+    results: Sequence[RunDirectory],
     root: Path,
     failed: Mapping[Path, str],
     threads: int | None = None,
@@ -55,7 +55,9 @@ def report(
     groups = _groups(job, results, root)
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
-    play_held_out([run for group in races for run in group.runs], threads)
+    with progress() as bar:
+        runs = [run for group in races for run in group.runs]
+        kept_scores(runs, threads=threads, report=bar)
     _draw(finished, root)
     _save(groups, results, root, failed)
     what = "races" if len(races) == len(finished) else "runs"
@@ -74,7 +76,7 @@ def report(
         _print_hints(_hints(finished, root, again))
 
 
-def _draw(finished: Sequence[Group], root: Path) -> None:
+def _draw(finished: Sequence[RunGroup], root: Path) -> None:
     """Draw the figures and write the page; figures of an earlier report are replaced."""
     if not finished:
         return
@@ -87,20 +89,17 @@ def _draw(finished: Sequence[Group], root: Path) -> None:
         show(Progress("figures, page", len(steps), len(steps)))
 
 
-def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
+def _groups(job: Job, results: Sequence[RunDirectory], root: Path) -> list[RunGroup]:
     """Return the groups of all runs of a job, with names inside its directory."""
-    finished = {run.path: run for run in results}
-    runs = [
-        finished.get(path) or Result(RunDirectory(path), settings, finished=False)
-        for path, settings in ((root / name, each) for name, each in job.items())
-    ]
-    return [group.inside(root) for group in grouped(runs)]
+    runs = {root / name: settings for name, settings in job.items()}
+    groups = grouped(runs, finished=[run.path for run in results])
+    return [group.inside(root) for group in groups]
 
 
 # What is printed:
 
 
-def _print_groups(groups: Sequence[Group]) -> None:
+def _print_groups(groups: Sequence[RunGroup]) -> None:
     width = max([len(each.name) for each in groups if len(each.name) <= WIDEST_NAME], default=0)
     for group in groups:
         lines = [part for line in _lines(group) for part in textwrap.wrap(line, WIDEST - width - 2)]
@@ -111,12 +110,12 @@ def _print_groups(groups: Sequence[Group]) -> None:
         print_missing(group)
 
 
-def _lines(group: Group) -> list[str]:
+def _lines(group: RunGroup) -> list[str]:
     if not group.runs:
-        return [f"{group.finished_of_asked()} seeds finished"]
+        return [seeds_finished(group)]
     if group.is_race:
         return [headline(group.judgement), *headline_numbers(group.judgement)]
-    schedule, means = group.runs[0].settings.schedule, of_one_team(group)
+    schedule, means = group.runs[0].settings.schedule, group.means()
     assert isinstance(schedule, Against)  # one team evolved
     return [
         f"capture rate {means['capture_rate']}",
@@ -125,11 +124,11 @@ def _lines(group: Group) -> list[str]:
     ]
 
 
-def _held_out_row(group: Group) -> tuple[str, ...]:
-    return group.name, *(f"{held_out(group, team).mean():.2f}" for team in TEAMS)
+def _held_out_row(group: RunGroup) -> tuple[str, ...]:
+    return group.name, *(f"{group.held_out(team).mean():.2f}" for team in TEAMS)
 
 
-def _hints(groups: Sequence[Group], root: Path, again: str) -> list[tuple[str, str]]:
+def _hints(groups: Sequence[RunGroup], root: Path, again: str) -> list[tuple[str, str]]:
     last = groups[-1].runs[-1]
     schedule = last.settings.schedule
     path = root if sum(len(group.runs) for group in groups) == 1 else last.path
@@ -155,7 +154,10 @@ def _print_hints(hints: Sequence[tuple[str, str]]) -> None:
 
 
 def _save(
-    groups: Sequence[Group], results: Sequence[Result], root: Path, failed: Mapping[Path, str]
+    groups: Sequence[RunGroup],
+    results: Sequence[RunDirectory],
+    root: Path,
+    failed: Mapping[Path, str],
 ) -> None:
     # The summary of a run that was started by itself lies in the same directory.
     if root in [run.path for run in results]:
@@ -169,20 +171,20 @@ def _save(
     save_json(root / SUMMARY, values)
 
 
-def _plain(group: Group) -> dict[str, Any]:
+def _plain(group: RunGroup) -> dict[str, Any]:
     plain: dict[str, Any] = {"finished": list(group.seeds), "missing": list(group.missing)}
     if not group.runs:
         return plain
     if not group.is_race:
-        return {**plain, "measures": plain_values(of_one_team(group))}
-    scores = {team: held_out(group, team) for team in TEAMS}
+        return {**plain, "measures": plain_values(group.means())}
+    scores = {team: group.held_out(team) for team in TEAMS}
     return {
         **plain,
         "judgement": group.judgement.to_json(),
         "measures": plain_values(measure_all(group.payoffs)),
         "held_out": {
             f"{team}s": {
-                "mean": plain_values(over_seeds(np.mean(each, axis=1))),
+                "mean": plain_values(interval_over_runs(np.mean(each, axis=1), bounds=(0.0, 1.0))),
                 "interquartile mean": plain_values(interquartile_mean(each)),
             }
             for team, each in scores.items()
@@ -190,14 +192,14 @@ def _plain(group: Group) -> dict[str, Any]:
     }
 
 
-def _plain_run(single: Group) -> dict[str, Any]:
+def _plain_run(single: RunGroup) -> dict[str, Any]:
     """Return the numbers of a run, and of a race what was measured and judged."""
     [run] = single.runs
     if not run.settings.is_race:
-        return run.numbers
+        return run.summary()
     return {
-        **run.numbers,
+        **run.summary(),
         "measures": plain_values(measure_all(single.payoffs)),
         "judgement": single.judgement.to_json(),
-        "held_out": run.held_out,
+        "held_out": kept_scores([run])[0],
     }

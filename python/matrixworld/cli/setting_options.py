@@ -18,9 +18,9 @@ from typing import Any, get_args
 import click
 
 from matrixworld._util.files import DamagedFileError, check_regular, load_toml
-from matrixworld.cli.arguments import run_in
 from matrixworld.cli.console import say
 from matrixworld.cli.options import option_name
+from matrixworld.cli.runs import run_in
 from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig

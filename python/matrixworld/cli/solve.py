@@ -4,26 +4,15 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
-from matrixworld._util.checks import INT_MAX
-from matrixworld.cli.console import print_wrapped, say
-from matrixworld.cli.options import (
-    AnyFunction,
-    force_option,
-    json_option,
-    refuse_existing,
-    steps_option,
-    threads_option,
-    world_options,
-    write_json,
-)
+from matrixworld.cli.console import print_head, print_wrapped, say
+from matrixworld.cli.options import check_outputs, integer, options, write_json
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.cli.tables import print_head
 from matrixworld.solve import States, solve
 from matrixworld.world.config import WorldConfig
 
@@ -39,20 +28,11 @@ LEGEND = (
 )
 
 
-def _team(name: str, text: str) -> Callable[[AnyFunction], AnyFunction]:
-    size = click.IntRange(1, INT_MAX)
-    return click.option(f"--{name}", f"n_{name}", type=size, metavar="INTEGER", help=text)
-
-
 @click.command("solve", epilog=EXAMPLES, short_help="Solve a small world exactly.")
-@world_options("variant", "rows", "cols")
-@_team("pursuers", "number of pursuers; default: 2")
-@_team("evaders", "number of evaders; default: 1")
-@steps_option
-@world_options("diagonal", "obstacles")
-@json_option
-@force_option
-@threads_option
+@options("variant", "rows", "cols")
+@integer("--pursuers", "n_pursuers", "number of pursuers; default: 2")
+@integer("--evaders", "n_evaders", "number of evaders; default: 1")
+@options("steps", "diagonal", "obstacles", "json", "force", "threads")
 def solve_command(
     variant: str | None,
     steps: int | None,
@@ -71,7 +51,7 @@ def solve_command(
     All states must fit into memory: about 3 pursuers and 2 evaders on a small board.
     docs/ground_truth.md says how it is done.
     """
-    refuse_existing(json_file, force=force)
+    check_outputs(json_file, force=force)
     given = {name: value for name, value in world.items() if value is not None}
     board = {} if "obstacles" in given else {"rows": 6, "cols": 6}
     small = {"n_pursuers": 2, "n_evaders": 1, "max_steps": steps or 20}

@@ -10,45 +10,28 @@ import click
 
 from matrixworld._util.files import save_arrays
 from matrixworld.analysis import generalization, headline, judge
-from matrixworld.cli.arguments import RACE, find_runs, race_option, run_in, run_of
 from matrixworld.cli.cluster import cluster_option, on_cluster
-from matrixworld.cli.console import TERMS, progress, say
+from matrixworld.cli.console import TERMS, print_head, progress, say
 from matrixworld.cli.figures import draw, run_title
-from matrixworld.cli.options import (
-    episodes_option,
-    force_option,
-    out_option,
-    refuse_existing,
-    seed_option,
-    steps_option,
-    threads_option,
-)
-from matrixworld.cli.tables import counts, print_head, print_judgement
+from matrixworld.cli.judge import counts, print_judgement
+from matrixworld.cli.options import check_outputs, options, out_option
+from matrixworld.cli.runs import run_in
 from matrixworld.coevolution import Payoff, Progress, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation.tournament import team_size
+from matrixworld.coevolution.groups import find_runs
 
 SUFFIX = ".npz"
 
 
-def _runs(ctx: click.Context, param: click.Parameter, value: Path) -> list[Path]:
-    """Return the races of a directory; with --race the one that it names."""
-    race = ctx.meta.get(RACE)
-    return (find_runs(value) if race is None else []) or [run_in(str(value), race=race)]
-
-
 @click.command("tournament")
-@click.argument("run", type=click.Path(path_type=Path), callback=_runs)
-@click.argument("other", required=False, metavar="[RUN2]", callback=run_of)
-@race_option
-@episodes_option
-@steps_option
-@seed_option
+@click.argument("run", type=click.Path(path_type=Path))
+@click.argument("other", required=False, metavar="[RUN2]")
+@options("race", "episodes", "steps", "seed")
 @out_option("the payoff, .npz  [default: in RUN, named after the options]")
-@force_option
-@threads_option
+@options("force", "threads")
 @cluster_option
 def tournament_command(
-    run: list[Path], other: Path | None, out: Path | None, force: bool, **chosen: Any
+    run: Path, other: str | None, race: str | None, out: Path | None, force: bool, **chosen: Any
 ) -> None:
     """Play every generation against every other.
 
@@ -62,13 +45,15 @@ def tournament_command(
 
     With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
+    runs = (find_runs(run) if race is None else []) or [run_in(run, race=race)]
     for option, given in (("RUN2", other), ("--out", out)):
-        if given is not None and len(run) > 1:
+        if given is not None and len(runs) > 1:
             raise click.UsageError(
-                f"{option}: expected one race in RUN, got {len(run)}; --race NAME chooses one"
+                f"{option}: expected one race in RUN, got {len(runs)}; --race NAME chooses one"
             )
-    for each in run:
-        _one(each, other, out, force, **chosen)
+    rival = None if other is None else run_in(other, race=race)
+    for each in runs:
+        _one(each, rival, out, force, **chosen)
 
 
 def _one(
@@ -108,7 +93,7 @@ def _checked(target: Path, force: bool) -> Path:
     # With another suffix the figure could have the payoff's own name.
     if target.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
-    refuse_existing(target, _figure(target), force=force)
+    check_outputs(target, _figure(target), force=force)
     return target
 
 

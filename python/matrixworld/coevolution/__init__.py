@@ -24,6 +24,7 @@ from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
+from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import FailedRunsError, evolve
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
@@ -96,6 +97,7 @@ __all__ = [
     "RaceSettings",
     "Run",
     "RunDirectory",
+    "RunGroup",
     "SavedRun",
     "SingleTeam",
     "StopRun",
@@ -110,6 +112,7 @@ __all__ = [
     "finish",
     "generate_update_toolbox",
     "held_out",
+    "open_groups",
     "open_run",
     "open_runs",
     "opponents",

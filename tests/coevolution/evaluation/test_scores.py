@@ -1,6 +1,5 @@
 """Held-out opponents, and the scores of runs and of any policy against them."""
 
-import json
 import subprocess
 import sys
 from dataclasses import replace
@@ -11,9 +10,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from command_line import matrixworld_command
 from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
-from matrixworld.coevolution.evaluation.scores import opponents_of
+from matrixworld.coevolution.evaluation.scores import opponents_of, score_table
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import match_seed
 from rows import config_of
@@ -173,8 +171,6 @@ def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
     assert list(scores) == ["evader"]
     assert scores["evader"].opponents == ("random", "clumsy-chaser", "hunter")
     assert scores["evader"].left_out.startswith("not chaser: the run trained against it; no ")
-    output = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
-    assert "Left out: not chaser: the run trained against it; no" in output
 
 
 def test_bad_arguments_are_refused(race):
@@ -188,35 +184,17 @@ def test_bad_arguments_are_refused(race):
         score(open_run(race), episodes=1)
 
 
-# ---- The command -----------------------------------------------------------------------------
-
-
-def test_the_command_prints_and_writes_the_scores(race, tmp_path):
-    file = tmp_path / "scores.json"
-    output = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
-    scores = score(open_run(race), episodes=5)
-    [written] = json.loads(file.read_text())["groups"].values()
-    for team, found in scores.items():
-        assert f"\n{team}s of generation 2: " in output
-        width = max(map(len, found.opponents))
-        for name in found.opponents:
-            assert f"  {name:{width}}  {found.against(name)}\n" in output
-        assert f"  {'mean':{width}}  {found.mean()}\n" in output
-        [of_seed] = written[f"{team}s"]["by_seed"].values()
-        assert of_seed == found.to_json()
-        assert of_seed["mean"][0]["value"] == pytest.approx(found.rates.mean())
-    assert f"\n{5 * (7 + 6)} matches were played.\n" in output
-    assert "Left out" not in output
-    output = matrixworld_command("score", race, "--generation", "all", "--episodes", 2).stdout
+def test_the_table_of_one_generation_and_of_all(race):
+    scores = score(open_run(race), episodes=5)["evader"]
+    head, *lines = score_table([scores]).splitlines()
+    assert head == "evaders of generation 2: escape rate"
+    width = max(map(len, scores.opponents))
+    estimates = {**{n: scores.against(n) for n in scores.opponents}, "mean": scores.mean()}
+    assert lines == [f"  {name:{width}}  {each}" for name, each in estimates.items()]
+    assert scores.mean().value == pytest.approx(scores.rates.mean())
     curve = score(open_run(race), generation=None, episodes=2)["pursuer"]
-    lines = output[output.index("pursuers by generation") :].splitlines()
-    assert lines[1:4] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
-    for option, message in (
-        (("--generation", "first"), "expected a generation or all, got 'first'"),
-        (("--generation", "3"), "--generation: expected a generation from 0 to 2, got 3"),
-        (("--episodes", "1"), "1 is not in the range 2<=x"),
-    ):
-        assert message in matrixworld_command("score", race, *option, code=2).stderr
+    lines = score_table([curve]).splitlines()
+    assert lines[1:] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
 
 
 # Any policy is scored as the genomes of a run are:

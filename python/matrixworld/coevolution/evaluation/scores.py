@@ -25,9 +25,20 @@ from matrixworld._util.checks import (
     check_memory,
     check_threads,
 )
-from matrixworld._util.files import load_arrays
+from matrixworld._util.files import (
+    DamagedFileError,
+    json_digest,
+    load_arrays,
+    load_json,
+    save_json,
+)
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.analysis import Estimate, mean_over_episodes
+from matrixworld.analysis import (
+    Estimate,
+    interquartile_mean,
+    interval_over_runs,
+    mean_over_episodes,
+)
 from matrixworld.coevolution.evaluation.tournament import (
     play_blocks,
     team_size,
@@ -36,12 +47,13 @@ from matrixworld.coevolution.evaluation.tournament import (
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
-from matrixworld.coevolution.storage import SavedRun
+from matrixworld.coevolution.storage import RunDirectory, SavedRun, open_run
 from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.network_policy import fits
 from matrixworld.play.rollout import Matches, match_seed, rollout
+from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import LEAST_FOV
 from matrixworld.world.policy import (
@@ -68,6 +80,17 @@ HELD_OUT_VERSION = 2
 the variants with capture by surrounding had no ``careful-team-surrounder``."""
 RATE = 8
 """Bytes of a float64."""
+SCORES = "scores.json"
+"""File in the run directory: scores of the last generations, played once and kept."""
+EPISODES, SEED = 100, 0
+"""Episodes of each pair, and their seed, if nothing else is asked for."""
+SCORED_BY = {
+    "matrixworld": __version__,
+    "held_out": HELD_OUT_VERSION,
+    "episodes": EPISODES,
+    "seed": SEED,
+}
+"""What kept scores were played by. Scores by anything else are played anew."""
 
 
 # The opponents:
@@ -159,31 +182,10 @@ class HeldOutScores(Readable):
     """Which opponents of the variant are left out, and why; empty if none is."""
 
     def _parts(self) -> Parts:
-        names = [*self.opponents, "mean"]
-        head, rows = self._rows(
-            lambda row: {n: self.mean(row) if n == "mean" else self.against(n, row) for n in names}
-        )
+        head, rows = _rows([self])
         first = "opponent" if len(self.generations) == 1 else "generation"
         cells = ((name.strip(), str(score)) for name, score in rows.items())
         return [head, [(first, SCORE[self.team]), *cells]]
-
-    def table(self, estimates_of: Callable[[int], Mapping[str, Estimate]]) -> str:
-        """Return estimates of each row as lines: of one generation all, of several the mean."""
-        head, rows = self._rows(estimates_of)
-        width = max(map(len, rows))
-        return "\n".join([head, *(f"  {name:{width}}  {each}" for name, each in rows.items())])
-
-    def _rows(
-        self, estimates_of: Callable[[int], Mapping[str, Estimate]]
-    ) -> tuple[str, dict[str, Estimate]]:
-        score, generations = SCORE[self.team], self.generations
-        if len(generations) == 1:
-            head = f"{self.team}s of generation {generations[0]}: {score}"
-            rows = dict(estimates_of(0))
-        else:
-            head = f"{self.team}s by generation: mean {score}"
-            rows = {f"{g:10}": estimates_of(row)["mean"] for row, g in enumerate(generations)}
-        return head, rows
 
     @property
     def matches(self) -> int:
@@ -202,6 +204,11 @@ class HeldOutScores(Readable):
     def mean(self, row: int = -1) -> Estimate:
         """Return the mean of one genome over the opponents, with an interval over episodes."""
         return self._estimate(row, range(len(self.opponents)))
+
+    def estimates(self, row: int = -1) -> dict[str, Estimate]:
+        """Return the means of one genome against each opponent by name, and their mean."""
+        # The mean has its own interval: it is narrower than those of its parts.
+        return {**{n: self.against(n, row) for n in self.opponents}, "mean": self.mean(row)}
 
     def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
         # Episode e against each opponent is one independent sample of the mean.
@@ -224,6 +231,35 @@ class HeldOutScores(Readable):
 
 def _plain(estimate: Estimate) -> dict[str, float | None]:
     return {"value": estimate.value, "low": estimate.low, "high": estimate.high}
+
+
+def estimates_of(scores: Sequence[HeldOutScores], row: int = -1) -> dict[str, Estimate]:
+    """Return the means of one generation of a team, over the runs of several seeds.
+
+    By the name of the opponent, then ``"mean"`` and, of several runs, ``"interquartile mean"``.
+    Intervals are over the runs, those of a single run over its episodes.
+    """
+    if len(scores) == 1:
+        return scores[0].estimates(row)
+    rates = np.array([each.rates[row].mean(axis=1) for each in scores])
+    columns = {**dict(zip(scores[0].opponents, rates.T, strict=True)), "mean": rates.mean(axis=1)}
+    found = {name: interval_over_runs(each, bounds=(0.0, 1.0)) for name, each in columns.items()}
+    return {**found, "interquartile mean": interquartile_mean(rates)}
+
+
+def score_table(scores: Sequence[HeldOutScores]) -> str:
+    """Return `estimates_of` as lines: of one generation all of them, of several the means."""
+    head, rows = _rows(scores)
+    width = max(map(len, rows))
+    return "\n".join([head, *(f"  {name:{width}}  {each}" for name, each in rows.items())])
+
+
+def _rows(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, Estimate]]:
+    team, generations = scores[0].team, scores[0].generations
+    if len(generations) == 1:
+        return f"{team}s of generation {generations[0]}: {SCORE[team]}", estimates_of(scores, 0)
+    means = {f"{g:10}": estimates_of(scores, row)["mean"] for row, g in enumerate(generations)}
+    return f"{team}s by generation: mean {SCORE[team]}", means
 
 
 def _by_engine(
@@ -272,9 +308,9 @@ def score(
     run: SavedRun,
     *,
     generation: int | None = -1,
-    episodes: int = 100,
+    episodes: int = EPISODES,
     steps: int | None = None,
-    seed: int = 0,
+    seed: int = SEED,
     threads: int | None = None,
     report: Report = silent,
     executor: Executor | None = None,
@@ -329,6 +365,52 @@ def score(
         )  # fmt: skip
         scores[team] = HeldOutScores(team, tuple(generations), tuple(opponents), rates, left_out)
     return scores
+
+
+def score_runs(
+    runs: Sequence[RunDirectory], *, report: Report = silent, **options: Any
+) -> list[dict[Team, HeldOutScores]]:
+    """Return the scores of several runs, with one progress for all; options as those of `score`."""
+    found = []
+    for number, run in enumerate(runs):
+        # Runs of a job play about equally many matches.
+        def part(one: Progress, number: int = number) -> None:
+            place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
+            done = number * one.total + one.done
+            report(Progress(place + one.what, done, len(runs) * one.total))
+
+        found.append(score(open_run(run.path), report=part, **options))
+    return found
+
+
+def kept_scores(
+    runs: Sequence[RunDirectory], *, threads: int | None = None, report: Report = silent
+) -> list[dict[str, Any]]:
+    """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
+
+    They are those of `score` without options, played once and kept in the directories of the runs.
+    """
+    missing = [run for run in runs if _kept(run) is None]
+    if missing:
+        played = score_runs(missing, report=report, threads=threads)
+        for run, teams in zip(missing, played, strict=True):
+            plain = {f"{team}s": each.to_json() for team, each in teams.items()}
+            save_json(run.path / SCORES, {**SCORED_BY, **plain}, owner=_owner(run))
+    return [_kept(run) or {} for run in runs]
+
+
+def _kept(run: RunDirectory) -> dict[str, Any] | None:
+    """Return the scores in a run directory; None if none are kept there, or other ones."""
+    try:
+        kept = load_json(run.path / SCORES, owner=_owner(run))
+    except (FileNotFoundError, DamagedFileError):
+        return None
+    return kept if kept.items() >= SCORED_BY.items() else None
+
+
+def _owner(run: RunDirectory) -> str:
+    # Scores of another run are not taken for those of this one.
+    return f"{json_digest(run.config)}/{SCORES}"
 
 
 def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:

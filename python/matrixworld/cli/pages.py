@@ -1,10 +1,9 @@
-"""``matrixworld explore`` and ``playground``: pages and figures of runs and of the game."""
+"""``matrixworld explore``, ``play`` and ``playground``: pages and figures."""
 
 from __future__ import annotations
 
 import webbrowser
 from collections.abc import Iterable, Mapping, Sequence
-from functools import partial
 from itertools import zip_longest
 from pathlib import Path
 from typing import TypeVar
@@ -17,7 +16,6 @@ from matrixworld.cli.figures import (
     OF_GAME,
     OF_GROUPS,
     OF_RUN,
-    Draw,
     Selection,
     baseline_option,
     draw,
@@ -25,24 +23,31 @@ from matrixworld.cli.figures import (
     open_baselines,
     planned,
 )
-from matrixworld.cli.groups import Group, groups_of, place_of, runs_argument
-from matrixworld.cli.options import FiniteRange, force_option, out_option, refuse_existing
+from matrixworld.cli.options import check_outputs, options, out_option
+from matrixworld.cli.replay import source_of
+from matrixworld.cli.runs import common_directory, finished_groups, run_in, runs_argument
+from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import open_run
+from matrixworld.coevolution.groups import RunGroup
+from matrixworld.explorer import play_page, playground
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.playground import PAGE as PLAYGROUND
-from matrixworld.explorer.playground import Playground
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
+from matrixworld.world.rules import Rules
 
 Run = TypeVar("Run")
 
-open_option = click.option(
-    "--open/--no-open", "opens", default=True, help="open the page in a browser"
-)
+# \b keeps click from wrapping the lines.
+PLAY_EXAMPLES = """\b
+Examples:
+  matrixworld play
+  matrixworld play SB
+  matrixworld play runs/O-seed0 --race hall-of-fame
+"""
 
 
-def open_page(page: Path) -> None:
-    """Open a page in a browser, or say that there is none."""
-    if not webbrowser.open(page.absolute().as_uri()):
+def open_page(page: Path, opens: bool) -> None:
+    """Open a page in a browser if it is asked for, or say that there is none."""
+    if opens and not webbrowser.open(page.absolute().as_uri()):
         note("No browser was found here; open the file in one.")
 
 
@@ -52,7 +57,7 @@ def open_page(page: Path) -> None:
     f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
     "runs]; with --figure, the file of the figure"
 )
-@open_option
+@options("open")
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
 @click.option(
     "--figure",
@@ -69,13 +74,13 @@ def open_page(page: Path) -> None:
 @baseline_option
 @click.option(
     "--width",
-    type=FiniteRange(3, 12),
+    type=click.FloatRange(3, 12),
     metavar="INCHES",
     help="make figures for paper: of this width, with type of 6 to 9 points. A column has about "
     "3.35 inches, a page 6.9",
 )
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
-@force_option
+@options("force")
 def explore_command(
     runs: list[Path],
     out: Path | None,
@@ -100,27 +105,27 @@ def explore_command(
     Without RUN, --figure draws the game: its rules (the variants as a table), conflicts (what the
     engine makes of the same moves under each outcome) and interaction (who acts together).
     """
-    given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
+    with usage_errors():
+        groups = finished_groups(runs) if runs else []
     if figures or figure:
         suffix = _format(out, suffix)
         selection = Selection(figure, suffix, open_baselines(baselines), each, width)
-        _draw(runs, selection, out, force)
+        _draw(groups, common_directory(runs) if runs else Path(), selection, out, force)
         return
+    given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
     for option, value in given.items():
         if value:
             raise click.UsageError(f"{option}: expected --figures or --figure beside it")
     if not runs:
         raise click.UsageError("expected RUN...")
-    groups = groups_of(runs)
-    page = out or place_of(runs) / PAGE
-    refuse_existing(page, force=force)
+    page = out or common_directory(runs) / PAGE
+    check_outputs(page, force=force)
     write_explorer(groups, page)
     say(page)
-    if opens:
-        open_page(page)
+    open_page(page, opens)
 
 
-def write_explorer(groups: Sequence[Group], page: Path) -> None:
+def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
     """Write the page of finished runs, of the first ones if there are many, and say which."""
     shown = first_seeds([group.runs for group in groups], MOST_RUNS)
     count, left_out = sum(len(group.runs) for group in groups), ""
@@ -134,8 +139,7 @@ def write_explorer(groups: Sequence[Group], page: Path) -> None:
     alone = [group for group in groups if len(group.runs) == 1 and group.is_race]
     judgements = {group.runs[0].path: group.judgement for group in alone}
     saved = [open_run(run.path) for run in shown]
-    html = explorer_page(saved, judgements=judgements, note=left_out)
-    write_page(page, html)
+    write_page(page, explorer_page(saved, judgements=judgements, note=left_out))
 
 
 def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:
@@ -162,55 +166,54 @@ def _format(out: Path | None, suffix: str | None) -> str:
     return found
 
 
-def _draw(runs: Sequence[Path], selection: Selection, out: Path | None, force: bool) -> None:
-    if selection.name in OF_GAME:
-        if runs:
-            raise click.UsageError(f"--figure {selection.name}: expected no RUN, got {runs[0]}")
-        file = Path(f"{selection.name}.{selection.suffix}")
-        files: dict[Path, Draw] = {file: partial(game_figure, selection.name)}
-    elif runs:
-        groups = groups_of(runs)
-        _check_races(groups, selection)
-        root = place_of(runs)
+def _draw(
+    groups: Sequence[RunGroup], root: Path, selection: Selection, out: Path | None, force: bool
+) -> None:
+    name = selection.name
+    if name in OF_GAME:
+        if groups:
+            raise click.UsageError(f"--figure {name}: expected no RUN, got {groups[0].name}")
+        files = {Path(f"{name}.{selection.suffix}"): lambda: game_figure(name)}
+    elif groups:
+        _check_races(groups, name)
         files = planned([group.inside(root) for group in groups], root, selection)
     else:
         raise click.UsageError(f"expected RUN..., or --figure {' or '.join(OF_GAME)}")
     if out is not None:
-        if selection.name is None or len(files) != 1:
-            got = f"{len(files)} figures" if selection.name else "no --figure"
+        if name is None or len(files) != 1:
+            got = f"{len(files)} figures" if name else "no --figure"
             raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
         files = dict.fromkeys([out], *files.values())
     # All files are checked before the first is drawn.
-    refuse_existing(*files, force=force)
+    check_outputs(*files, force=force)
     for file, figure in files.items():
         draw({file: figure}, selection.width)
         say(file)
 
 
-def _check_races(groups: Sequence[Group], selection: Selection) -> None:
-    if selection.name in (None, "training"):
+def _check_races(groups: Sequence[RunGroup], name: str | None) -> None:
+    if name in (None, "training"):
         return
     for run in [run for group in groups for run in group.runs]:
         if not run.settings.is_race:
             raise click.UsageError(
-                f"--figure {selection.name}: expected a race, got a run of one team: {run.path}"
+                f"--figure {name}: expected a race, got a run of one team: {run.path}"
             )
-        if selection.name == "spinning_top" and run.payoff.capture_rates.shape[2] < 2:
+        if name == "spinning_top" and run.settings.evaluation_episodes < 2:
             raise click.UsageError(
                 f"--figure spinning_top: expected at least 2 episodes of a pair, got 1: {run.path}"
             )
     races = sum(len(group.runs) for group in groups)
-    if selection.name == "comparison" and races < 2:
+    if name == "comparison" and races < 2:
         raise click.UsageError(f"--figure comparison: expected at least two races, got {races}")
 
 
-# The playground:
+# Pages of the game:
 
 
 @click.command("playground", short_help="Play conflicts by hand on a page.")
-@out_option("the page", default=Path(PLAYGROUND), show_default=True)
-@open_option
-@force_option
+@out_option("the page", default=Path(playground.PAGE), show_default=True)
+@options("open", "force")
 def playground_command(out: Path, opens: bool, force: bool) -> None:
     """Write the playground, one page that plays conflicts by hand, and open it.
 
@@ -218,11 +221,46 @@ def playground_command(out: Path, opens: bool, force: bool) -> None:
     script, and read every conflict of a step in words. The page is a single file that needs no
     network and no installation; it holds the engine.
     """
-    html = Playground().html()
-    # A file that is this very page already need not be replaced.
-    if not (out.is_file() and out.read_bytes() == html.encode()):
-        refuse_existing(out, force=force)
-        write_page(out, html)
+    check_outputs(out, force=force)
+    write_page(out, playground.Playground().html())
     say(out)
-    if opens:
-        open_page(out)
+    open_page(out, opens)
+
+
+def _player(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
+    if Path(value).is_file():
+        raise click.BadParameter(
+            f"expected the directory of a run, or a variant, got a file: {value}; "
+            "a match that you have played opens in the page, and with matrixworld replay"
+        )
+    return source_of(ctx, param, value)
+
+
+@click.command("play", epilog=PLAY_EXAMPLES, short_help="Play an agent yourself on a page.")
+@click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=_player)
+@options("race")
+@out_option(f"the page  [default: {play_page.PAGE}, of a RUN in its directory]")
+@options("open", "force")
+def play_command(
+    source: Path | Rules, race: str | None, out: Path | None, opens: bool, force: bool
+) -> None:
+    """Write a page on which you play one agent of a match, and open it.
+
+    With RUN, you play against its generations, in its world. With VARIANT (default O), you play
+    against scripts and the evolved opponents that come with the package, in a small world. "Can you
+    escape it?" is a game of three rounds: you are the only evader, and each round has stronger
+    pursuers.
+
+    The page keeps a played match as a file; matrixworld replay FILE shows it, and --out of that
+    command makes a GIF of it.
+    """
+    if isinstance(source, Rules):
+        directory, title, players = Path(), "", play_page.shipped(source)
+    else:
+        directory = run_in(source, race=race)
+        title, players = f"{directory.absolute().name} - ", play_page.of_run(open_run(directory))
+    page = out or directory / play_page.PAGE
+    check_outputs(page, force=force)
+    write_page(page, play_page.play_page(f"{title}matrixworld play", *players))
+    say(page)
+    open_page(page, opens)

@@ -1,0 +1,128 @@
+"""Runs as arguments of commands: directories of jobs or runs, several of them or exactly one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path, PurePath
+from typing import Any
+
+import click
+
+from matrixworld.cli.console import command, note, print_wrapped
+from matrixworld.coevolution import RunDirectory
+from matrixworld.coevolution.groups import (
+    SEED,
+    RunGroup,
+    find_runs,
+    grouped,
+    job_directory,
+    open_groups,
+)
+from matrixworld.coevolution.jobs import JOB
+
+MOST_NAMES = 5
+"""Most runs that a message names."""
+
+
+def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
+    """Return the argument of directories of jobs or runs."""
+
+    def found(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
+        for value in values:
+            if not find_runs(Path(value)):
+                raise click.BadParameter(f"expected run directories, got {value!r}")
+        return [*dict.fromkeys(map(Path, values))]
+
+    metavar = "RUN..." if required else "[RUN...]"
+    return click.argument("runs", nargs=-1, required=required, metavar=metavar, callback=found)
+
+
+def finished_groups(directories: Sequence[Path], *, unfinished: bool = False) -> list[RunGroup]:
+    """Return the groups of finished runs in directories; say which have none.
+
+    With `unfinished` a single run need not be finished.
+    """
+    groups = open_groups(*directories)
+    runs = [run for directory in directories for run in find_runs(directory)]
+    if unfinished and len(runs) == 1:
+        return grouped({runs[0]: RunDirectory(runs[0]).settings}, finished=runs)
+    if not any(group.runs for group in groups):
+        again = resume_command(job_directory(runs[0]) or runs[0])
+        raise click.UsageError(f"{runs[0]}: expected a finished run; {again} continues it")
+    for group in groups:
+        if not group.runs:
+            note(f"{group.name}: no seed is finished yet, and it is left out")
+    return [group for group in groups if group.runs]
+
+
+def common_directory(directories: Sequence[Path]) -> Path:
+    """Return where files about runs go: the directory that holds all of them."""
+    [first, *more] = directories
+    return Path(os.path.commonpath([path.absolute() for path in directories])) if more else first
+
+
+def run_in(
+    path: str | Path,
+    setting: str | None = None,
+    expected: str = "a directory that holds a run",
+    race: str | None = None,
+) -> Path:
+    """Return the run of a directory that is one or holds exactly one; else name the setting.
+
+    Of several runs `race` chooses the one below the directory of this name.
+    """
+    runs = find_runs(Path(path))
+    if race is not None and runs == [Path(path)]:
+        raise click.UsageError(f"--race: expected a directory of several races, got the run {path}")
+    below = [run.relative_to(path) for run in runs]
+    wanted = () if race is None else PurePath(race).parts
+    chosen = [
+        run
+        for run, name in zip(runs, below, strict=True)
+        if wanted in (name.parts[: len(wanted)], name.parts[-len(wanted) :])
+    ]
+    if len(chosen) == 1:
+        return chosen[0]
+    names = list(map(str, runs if setting else below))
+    if runs and setting is None:
+        # The seed is left out where there is one only.
+        short = list(dict.fromkeys(name.parts[0] for name in below))
+        names = short if len(short) == len(below) else names
+    listed = ", ".join([*names[:MOST_NAMES], *["..."] * (len(names) > MOST_NAMES)])
+    if runs and setting is None:
+        raise click.UsageError(
+            f"{path}: expected one of its {len(runs)} races, got {race or 'none'}; --race NAME "
+            f"with {listed}"
+        )
+    if runs:
+        expected = "one run"
+    got = f"a directory of several: {listed}" if runs else repr(str(path))
+    raise click.BadParameter(f"expected {expected}, got {got}", param_hint=setting)
+
+
+def run_name(path: Path) -> str:
+    """Return what a run is called: its directory, or in a job the folder of its seeds."""
+    path = path.absolute()
+    return path.parent.name if SEED.fullmatch(path.name) else path.name
+
+
+def can_resume(path: Path) -> bool:
+    """Return whether a directory holds a run, or runs that have been asked for."""
+    return bool(find_runs(path)) or (path / JOB).exists()
+
+
+def resume_command(root: Path) -> str:
+    """Return the command that continues the runs in a directory."""
+    return command("evolve --resume", root)
+
+
+def print_missing(group: RunGroup) -> None:
+    """Name the seeds of a group that are not finished, if there are any."""
+    if group.missing:
+        print_wrapped(f"Not finished: seeds {', '.join(map(str, group.missing))}.")
+
+
+def seeds_finished(group: RunGroup) -> str:
+    """Return how many seeds of a group are finished, such as "9 of 10 seeds finished"."""
+    return f"{len(group.runs)} of {len(group.runs) + len(group.missing)} seeds finished"

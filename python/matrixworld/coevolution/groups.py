@@ -1,0 +1,229 @@
+"""Runs in groups: what differs in its seed only is judged, scored and shown together."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path, PurePath
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.analysis import Estimate, Judgement, interval_over_runs, judge, read_payoffs
+from matrixworld.analysis.payoffs import Payoffs
+from matrixworld.coevolution.evaluation.scores import kept_scores
+from matrixworld.coevolution.jobs import JOB, open_job
+from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
+from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.storage import RunDirectory, run_directories
+from matrixworld.coevolution.types import Team
+
+# From the newest opponents only to those of all generations: the generalists are the last schedule.
+ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], PSRO, ALTERNATING]
+"""The order in which the runs of one job are played and shown."""
+SEED = re.compile(r"seed-(\d+)")
+"""Names of the directories of a job's runs."""
+OF_ONE_TEAM = ("capture_rate", "length")
+
+
+@dataclass(frozen=True)
+class RunGroup:
+    """Finished runs that differ in their seed only; a single run is a group of one.
+
+    Parameters
+    ----------
+    paths : tuple of Path
+        What names it: the directory of all seeds, or those of the runs.
+    runs : tuple of RunDirectory
+        The runs, in the order of their seeds.
+    missing : tuple of int, optional
+        Seeds of the same job that are not finished.
+    """
+
+    paths: tuple[Path, ...]
+    runs: tuple[RunDirectory, ...]
+    missing: tuple[int, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """What the group is called: its paths."""
+        return ", ".join(map(str, self.paths))
+
+    def inside(self, root: Path) -> RunGroup:
+        """Return the same group with its paths inside the directory of its job."""
+        return replace(self, paths=tuple(_inside(path, root) for path in self.paths))
+
+    @property
+    def seeds(self) -> tuple[int, ...]:
+        """Seeds of the runs, in their order."""
+        return tuple(run.settings.seed for run in self.runs)
+
+    @property
+    def several(self) -> bool:
+        """Whether several seeds were asked for."""
+        return len(self.runs) + len(self.missing) > 1
+
+    @property
+    def is_race(self) -> bool:
+        """Whether both teams evolved."""
+        return all(run.settings.is_race for run in self.runs)
+
+    @cached_property
+    def payoffs(self) -> Payoffs:
+        """Payoffs of all runs."""
+        rates = np.stack([run.payoff().capture_rates for run in self.runs])
+        return read_payoffs(rates, per_episode=True)
+
+    @cached_property
+    def judgement(self) -> Judgement:
+        """The judgement of all of them together."""
+        return judge(self.payoffs)
+
+    @cached_property
+    def singles(self) -> tuple[RunGroup, ...]:
+        """Each run as a group of its own."""
+        alone = (RunGroup((run.path,), (run,)) for run in self.runs)
+        return tuple(alone) if self.several else (self,)
+
+    def held_out(self, team: Team) -> NDArray[np.float64]:
+        """Return the scores (seeds, opponents) of the last generation of a team, as `score` does.
+
+        They are played once, and kept in the directories of the runs.
+        """
+        of_runs = [each[f"{team}s"]["against"].values() for each in kept_scores(self.runs)]
+        return np.array([[last["value"] for [last] in against] for against in of_runs])
+
+    def means(self) -> dict[str, Estimate]:
+        """Return capture rate and length of episodes of a team that evolved alone.
+
+        Means over the seeds; those of a single run have their intervals over its episodes.
+        """
+        rows = [run.summary() for run in self.runs]
+        if len(rows) > 1:
+            return {
+                name: interval_over_runs([row[name] for row in rows], bounds=(0.0, math.inf))
+                for name in OF_ONE_TEAM
+            }
+        [row] = rows
+        found = {}
+        for name in OF_ONE_TEAM:
+            mean, low, high = (row[name + end] for end in ("", "_low", "_high"))
+            found[name] = Estimate(mean, low, high, "episodes", row["evaluation_matches"])
+        return found
+
+
+def open_groups(*directories: str | Path) -> list[RunGroup]:
+    """Return the runs of jobs, or of any directories, in groups that differ in their seed only.
+
+    Runs of a job that lie in such a directory and are not finished, or have not begun, are
+    `RunGroup.missing`; a group may have no other ones.
+
+    Parameters
+    ----------
+    *directories : str or Path
+        Directories of runs, or with runs one or two levels below.
+
+    Raises
+    ------
+    FileNotFoundError
+        If a directory holds no run; other errors are those of `open_run`.
+    ValueError
+        If the same run is there twice, which is no independent observation.
+    """
+    runs: dict[Path, RaceSettings] = {}
+    for directory in map(Path, directories):
+        paths = find_runs(directory)
+        if not paths:
+            raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
+        runs |= {path: RunDirectory(path).settings for path in paths}
+        runs |= _not_begun(directory, paths)
+    return grouped(runs)
+
+
+def grouped(
+    runs: Mapping[Path, RaceSettings], finished: Collection[Path] | None = None
+) -> list[RunGroup]:
+    """Return runs in groups; those of `finished` have their results, by default all that do."""
+    found: dict[tuple[RaceSettings, float], list[Path]] = {}
+    for path, settings in runs.items():
+        # A penalty that is given by its default value makes no difference.
+        usual = replace(settings.fitness, overlap_penalty=None)
+        key = replace(settings.method, fitness=usual), settings.overlap_penalty
+        found.setdefault(key, []).append(path)
+    groups = []
+    for paths in found.values():
+        seeds: dict[int, Path] = {}
+        for path in paths:
+            if RunDirectory(path).finished if finished is None else path in finished:
+                first = seeds.setdefault(runs[path].seed, path)
+                if first != path:
+                    expected = "expected runs with different seeds"
+                    raise ValueError(f"{expected}, got the same run twice: {first}, {path}")
+        missing = sorted({runs[path].seed for path in paths} - seeds.keys())
+        files = tuple(map(RunDirectory, seeds.values()))
+        groups.append(RunGroup(_named(paths), files, tuple(missing)))
+    return groups
+
+
+def _named(paths: Sequence[Path]) -> tuple[Path, ...]:
+    """Return the directory of seeds if all of them are there, else the paths."""
+    folder, absolute = paths[0].parent, {path.absolute() for path in paths}
+    of_seeds = all(SEED.fullmatch(path.name) for path in paths)
+    if of_seeds and {*find_runs(folder.absolute())} <= absolute:
+        return (folder,)
+    return tuple(paths)
+
+
+def _inside(path: Path, root: Path) -> Path:
+    path, folder = path.absolute(), root.absolute()
+    if path == folder:
+        return Path(path.name)
+    return path.relative_to(folder) if path.is_relative_to(folder) else path
+
+
+# Directories of jobs:
+
+
+def find_runs(path: Path) -> list[Path]:
+    """Return `path` if it is a run directory, else the run directories one or two levels below.
+
+    They are in the order of their schedules and seeds.
+    """
+    found = run_directories(path)
+    return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
+
+
+def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
+    """Return a sort key for the runs of one job, by the names of their directories."""
+    return tuple(map(_place, PurePath(name).parts))
+
+
+def _place(name: str) -> tuple[int, int, str]:
+    # seed-2 comes before seed-10.
+    seed = SEED.fullmatch(name)
+    schedule = ORDER.index(name) if name in ORDER else len(ORDER)
+    return schedule, int(seed[1]) if seed else -1, name
+
+
+def job_directory(path: Path) -> Path | None:
+    """Return the directory of the job that a run or its group belongs to; None without a job."""
+    for folder in (path.absolute(), *path.absolute().parents[:2]):
+        if (folder / JOB).exists():
+            return folder if path.is_absolute() else Path(os.path.relpath(folder))
+    return None
+
+
+def _not_begun(directory: Path, begun: Sequence[Path]) -> dict[Path, RaceSettings]:
+    """Return the runs of a job that belong into a directory and are not there."""
+    root = job_directory(directory)
+    job = None if root is None else open_job(root)
+    if root is None or job is None:
+        return {}
+    place = os.path.relpath(directory, root)
+    inside = {name: each for name, each in job.items() if PurePath(name).is_relative_to(place)}
+    runs = {directory / os.path.relpath(name, place): each for name, each in inside.items()}
+    return {path: each for path, each in runs.items() if path not in begun}

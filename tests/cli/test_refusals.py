@@ -1,0 +1,134 @@
+"""The sentences that users meet first: what commands refuse, before anything is written."""
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from command_line import matrixworld_command, run_together
+from matrices import circular
+from matrixworld.classroom import save_genome
+from matrixworld.coevolution import finish, open_run, start
+from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.world.rules import VARIANTS
+from rows import random_walks
+from tiny_race import StopAt, tiny_race, tiny_single
+
+# fmt: off
+JUDGE = [
+    (["empty"], 2, "expected run directories, or .csv or .npz files, got 'empty'"),
+    (["bad.csv"], 2, "expected a capture rate in [0, 1], got '2'"),
+    (["small.npz", "large.npz"], 2, "expected the shape of small.npz, (12, 12), got (14, 14)"),
+    (["one.npz", "--all"], 2, "--all: expected at least 2 x 2 generations, got 1 x 3"),
+    (["scores.npz", "--episodes", 6], 2, "expected the 5 episodes of each cell that the payoffs"),
+    (["race", "--episodes", 6], 2, "--episodes: expected a FILE"),
+    (["race", "copy"], 2, "expected runs with different seeds, got the same run twice: race, copy"),
+    (["alone"], 2, "alone: expected a race, got a run in which one team evolved"),
+    (["stopped"], 2, "expected a finished run; matrixworld evolve --resume stopped"),
+    (["damaged"], 1, "payoff.npz: cut or altered"),
+]
+REPLAY = [
+    (["nothing"], 2, f"or a variant ({', '.join(VARIANTS)}), got 'nothing'"),
+    (["several"], 2, "expected one of its 2 races, got none; --race NAME with 1, 2"),
+    (["race", "--race", "x"], 2, "--race: expected a directory of several races, got the run race"),
+    (["race", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
+    (["race/log.csv"], 1, "cut, altered or not an npz file"),
+    (["race/log.csv", "--episode", "1"], 2, "is a single episode: expected no --episode with it"),
+    (["race", "--evader", "fleer"], 2, "a generation of the run, got"),
+    (["race", "--evader", "pursuer.npz"], 2, "--evader: expected a file of evaders, got one of pu"),
+    (["race", "--seed", "1"], 2, "is a run: expected no --seed with it"),
+    (["O", "--pursuer", "3"], 2, "--pursuer: expected one of random, still, chaser, fleer, "),
+    (["O", "--rows", "1", "--cols", "3"], 2, "n_pursuers: expected 1 to 3, got 8"),
+    (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
+    (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),
+    (["O", "--view", "pursuer_0"], 2, "--view: expected a picture to --out together with it"),
+    (["O", "--numbers", "--out", "x.npz"], 2, "--numbers: expected a picture to --out"),
+    (["O", "--step", "3", "--out", "x.gif"], 2, "--step: expected a .png to --out"),
+    (["O", "--steps", "5", "--step", "6"], 2, "--step: expected -6 to 5, got 6"),
+    (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
+    (["O", "--seed", MOST_SEED + 1], 2, f"'--seed': expected 0 to {MOST_SEED}, got"),
+    (["walks.npz", "--explain"], 2, "expected a recording with conflicts, got none"),
+]
+EXPLORE = [
+    ([], 2, "expected RUN..."),
+    (["--figures"], 2, "expected RUN..., or --figure rules or conflicts or interaction or right_o"),
+    (["--figure", "payoff"], 2, "expected RUN..., or --figure rules"),
+    (["race", "--each"], 2, "--each: expected --figures or --figure beside it"),
+    (["race", "--figure", "rules"], 2, "--figure rules: expected no RUN, got race"),
+    (["race", "--figures", "--out", "x.svg"], 2, "--out: expected one --figure of one run, got no"),
+    (["--figure", "rules", "-o", "x.bmp"], 2, "expected a name that ends in .png, .pdf, .svg, got"),
+    (["--figure", "rules", "-o", "x.svg", "--format", "png"], 2, "--format png: expected the form"),
+    (["--figure", "rules", "--width", "5"], 2, "--width: expected at least 6.9 inches for this"),
+    (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
+    (["race", "--figure", "comparison"], 2, "expected at least two races, got 1"),
+    (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
+    (["race", "--baseline", "x=a", "--baseline", "x=b"], 2, "expected each name once, got 'x'"),
+    (["race", "--figures", "--baseline", "x=race"], 2, "expected a run of one team, got a race"),
+    (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs"),
+]
+OTHERS = [
+    (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
+    (["score", "race", "--json", "no/a.json"], 2, "no/a.json: expected a directory in which files"),
+    (["score", "race", "--json", "empty", "--force"], 2, "empty: expected a file, got a directory"),
+    (["tournament", "race", "small"], 2, "expected two runs in the same world, got rows 6 and 7"),
+    (["tournament", "several", "--out", "x.npz"], 2, "--out: expected one race in RUN, got 2; --r"),
+    (["tournament", "race", "--out", "payoff.png"], 2, "--out: expected a name that ends in .npz"),
+    (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
+    (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
+    (["solve", "--pursuers", 0], 2, "--pursuers"),
+    (["exploit", "race", "--champion", "evader", "--exact", "--matches", 9], 2, "no --matches"),
+    (["play", "walks.npz"], 2, "expected the directory of a run, or a variant, got a file"),
+    (["playground", "--out", "bad.csv"], 2, "bad.csv: exists; give --force to replace it"),
+    (["class", "empty", "--no-open"], 1, "expected a submission that can play, got none"),
+    (["class", "empty", "--seconds", 0], 2, "--seconds: expected 1 to 3600, got 0"),
+    (["class", "empty", "--wait", "nan"], 2, "--wait: expected a number above 0"),
+    (["class", "empty", "--memory", 1], 2, "--memory: expected 16 to 1048576, got 1"),
+    (["class", "export", "race", "--team", "evader", "--out", "a.txt"], 2, "ends in .npz"),
+    (["class", "export", "race", "--team", "evader", "--out", "a.npz", "--generation", 99], 2,
+     "--generation: expected a generation from 0 to"),
+]
+# fmt: on
+TABLE = [
+    *((["judge", *words, "--json", "x.json"], *rest) for words, *rest in JUDGE),
+    *((["replay", *words], *rest) for words, *rest in REPLAY),
+    *((["explore", *words], *rest) for words, *rest in EXPLORE),
+    *OTHERS,
+]
+
+
+@pytest.fixture(scope="module")
+def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A directory with runs and files of all kinds."""
+    root = tmp_path_factory.mktemp("refusals") / "here"
+    for name in ("race", "copy", "damaged"):
+        shutil.copytree(race, root / name)
+    payoff = root / "damaged" / "payoff.npz"
+    payoff.write_bytes(payoff.read_bytes()[:99])
+    (root / "empty").mkdir()
+    start(tiny_race(seed=1), root / "several" / "1")
+    start(tiny_race(seed=2), root / "several" / "2")
+    start(tiny_race(rows=7), root / "small")
+    finish(tiny_single(), root / "alone", threads=1)
+    with pytest.raises(KeyboardInterrupt):
+        start(tiny_race(), root / "stopped", threads=1, play=StopAt(2)).run()
+    (root / "bad.csv").write_text("0.5,2\n0.5,0.5\n")
+    for name, size in (("small", 12), ("large", 14)):
+        np.savez(root / f"{name}.npz", payoff=circular(size))
+    np.savez(root / "one.npz", payoff=np.full((1, 3), 0.5))
+    np.savez(root / "scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
+    random_walks().save(root / "walks.npz")
+    save_genome(root / "pursuer.npz", "pursuer", open_run(race).policy("pursuer"))
+    return root
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"), TABLE, ids=[" ".join(map(str, row[0])) for row in TABLE]
+)
+def test_it_is_refused_in_a_sentence(place, monkeypatch, words, code, message):
+    monkeypatch.chdir(place)
+    before = sorted(place.rglob("*"))
+    refused = matrixworld_command(*words, code=code)
+    assert message in run_together(refused.stderr)
+    assert refused.stdout == ""
+    assert sorted(place.rglob("*")) == before

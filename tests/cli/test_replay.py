@@ -1,0 +1,123 @@
+"""``matrixworld replay`` and ``tournament``: what is played again, shown and written."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from command_line import GIF, PNG, matrixworld_command
+from matrixworld import Episode, WorldConfig, record
+from matrixworld.classroom import save_genome
+from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.episodes import render, replay
+from matrixworld.play.rollout import Matches, rollout
+from tiny_race import StopAt, tiny_race
+
+STILL = ["O", "--pursuer", "still", "--evader", "still"]
+
+
+def replayed(*words: object) -> str:
+    return matrixworld_command("replay", *words).stdout
+
+
+def played(*words: object) -> str:
+    return matrixworld_command("tournament", *words).stdout
+
+
+def test_an_episode_of_the_payoff_is_played_again(race):
+    match = ["--pursuer", 2, "--evader", -3, "--episode", 1]
+    said = replayed(race.parent, *match, "--out", "match.gif", "--out", "match.npz")
+    payoff, episode = open_run(race).payoff(), Episode.load("match.npz")
+    assert episode.length == payoff.lengths[2, 0, 1]
+    assert episode.capture_rate == pytest.approx(payoff.capture_rates[2, 0, 1])
+    assert Path("match.gif").read_bytes().startswith(GIF)
+    caught = int(episode.counted[-1].sum())
+    told = f"{caught} of 3 evaders captured, {episode.length} steps"
+    assert said == f"{told}  match.gif, match.npz\n"
+    again = replayed("match.npz")
+    assert again.startswith(f"step {episode.length} of {episode.length}")
+    assert again.endswith(f"\n{told}\n")
+    assert replayed(race) == replayed(race, "--pursuer", 2, "--evader", 2, "--episode", 0)
+
+
+def test_a_genome_of_a_file_plays_as_in_its_run(race):
+    run = open_run(race)
+    save_genome(Path("champion.npz"), "pursuer", run.policy("pursuer"))
+    replayed(race, "--pursuer", "champion.npz", "--out", "again.npz")
+    # The last generation again, which meets the evaders as generation 0 does.
+    alone = replace(run, teams={**run.teams, "pursuer": run.policy("pursuer").population()})
+    assert Episode.load("again.npz").length == alone.record(pursuer=0).length
+
+
+def test_a_variant_is_a_game_of_scripts():
+    world = ["--rows", 12, "--cols", 9, "--obstacles", 0.1, "--steps", 40, "--seed", 7]
+    game = ["pursuit-evasion-sb", "--episode", 2, "--evader", "random", *world]
+    look = ["--view", "evader_2", "--view", "pursuer_0", "--numbers", "--step", 3]
+    replayed(*game, *look, "--out", "a.npz", "--out", "a.PNG")
+    config = WorldConfig("SB", rows=12, cols=9, obstacles=0.1, max_steps=40)
+    expected = record(config, "chaser", "random", seed=7, episode=2)
+    assert np.array_equal(Episode.load("a.npz").positions, expected.positions)
+    replay.save(expected, "b.png", viewers=["evader_2", "pursuer_0"], numbers=True, step=3)
+    assert Path("a.PNG").read_bytes() == Path("b.png").read_bytes()
+
+
+def test_every_step_or_one_is_explained():
+    game = ["SB", "--rows", 7, "--cols", 7, "--steps", 20, "--seed", 3, "--explain"]
+    episode = record(WorldConfig("SB", rows=7, cols=7, max_steps=20), "chaser", "fleer", seed=3)
+    lines = [f"step {t}  {text}" for t in range(1, 21) for text in episode.explain(t)]
+    assert replayed(*game).splitlines()[:-1] == lines
+    drawn = render.ansi(replay.scene(episode, 17), color="none").splitlines()
+    of_one = [line for line in lines if line.startswith("step 17 ")]
+    assert replayed(*game, "--step", -4).splitlines()[:-1] == drawn + of_one
+    assert replayed(*STILL, "--steps", 2, "--explain").startswith("no conflicts\n")
+
+
+def test_a_film_of_a_long_episode_takes_about_ten_seconds(monkeypatch):
+    seen = {}
+    monkeypatch.setattr(replay, "save", lambda *args, **look: seen.update(look))
+    said = replayed(*STILL, "--steps", 400, "--out", "x.gif")
+    assert said.startswith("Every 4 steps are a frame, so that it takes about 10 seconds.\n")
+    assert seen["every"] == 4
+    assert "Every" not in replayed(*STILL, "--steps", 400, "--out", "x.gif", "--every", 1)
+    assert seen["every"] == 1
+
+
+# Tournaments
+
+
+def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
+    said = played(run, "--episodes", 3, "--steps", 12, "--seed", 5, "--threads", 1)
+    made = run / "tournament-3x12-seed5.npz"
+    with np.load(made) as again, np.load(run / "payoff.npz") as payoff:
+        assert again.files == payoff.files
+        assert all(np.array_equal(again[name], payoff[name]) for name in payoff.files)
+        matrix = payoff["capture_rate"]
+    assert made.with_suffix(".png").read_bytes().startswith(PNG)
+    assert f"mean capture rate                           {matrix.mean():.3f}" in said
+    assert f"all evaders, capture  {matrix[-1].mean():.3f}" in said
+    assert f"all pursuers, escape   {1 - matrix[:, -1].mean():.3f}" in said
+
+
+def test_the_teams_of_two_runs_meet(race):
+    begun = start(tiny_race(schedule="specialist-specialist"), "job/a", threads=1, play=StopAt(3))
+    with pytest.raises(KeyboardInterrupt):
+        begun.run()
+    start(tiny_race(seed=6), "job/b")
+    options = ["--episodes", 2, "--steps", 9, "--seed", 3]
+    said = played(race, "job/a", *options, "--out", "cross.npz")
+    assert "condition" not in said  # nobody trained against the other there
+    rates = np.load("cross.npz")["capture_rates"]
+    ours, theirs = open_run(race), open_run("job/a")
+    scores = rollout(
+        replace(ours.settings.world, max_steps=9),
+        ours.teams["pursuer"],
+        theirs.teams["evader"],
+        Matches.of(2, 0, np.uint64(evaluation_seed(3, 2, 0))),
+        episodes=2,
+    )
+    assert np.array_equal(rates[2, 0], scores.capture_rate[0])
+    # Of several races each has its tournament.
+    said = played("job", "--episodes", 2)
+    assert [f"\njob/{name}\n" in said for name in "ab"] == [True, True]

@@ -1,0 +1,124 @@
+"""Runs in groups that differ in their seed only: what belongs together, and kept scores."""
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matrixworld.coevolution.jobs.evolve import job_of, save_job
+
+from matrixworld._util.files import json_digest, load_json, save_json
+from matrixworld.analysis import judge
+from matrixworld.coevolution import RaceSettings, RunDirectory, finish, open_runs, score, start
+from matrixworld.coevolution.evaluation.scores import estimates_of, kept_scores
+from matrixworld.coevolution.groups import find_runs, job_directory, open_groups
+from tiny_race import StopAt, tiny_race, tiny_single
+
+FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
+SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
+
+
+def settings_of(schedule: str, seed: int) -> RaceSettings:
+    return tiny_race(schedule=schedule, seed=seed)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two schedules with four seeds each, of which the last one has not begun."""
+    root = tmp_path_factory.mktemp("made") / "job"
+    root.mkdir()
+    save_job(root, job_of([settings_of(name, seed) for name in SCHEDULES for seed in ASKED]))
+    for name in SCHEDULES:
+        for seed in SEEDS:
+            finish(settings_of(name, seed), root / name / f"seed-{seed}", threads=1)
+    return root
+
+
+@pytest.fixture
+def job(made: Path, tmp_path: Path) -> Path:
+    """A copy of the job, to be changed."""
+    return Path(shutil.copytree(made, tmp_path / "job"))
+
+
+def test_a_job_has_a_group_for_each_schedule_and_knows_what_is_missing(made):
+    groups = open_groups(made)
+    assert [group.name for group in groups] == [str(made / name) for name in SCHEDULES]
+    assert [group.inside(made).name for group in groups] == [*SCHEDULES]
+    assert [(group.seeds, group.missing) for group in groups] == [(SEEDS, (3,))] * 2
+    assert all(group.several and group.is_race for group in groups)
+    assert [group.name for group in open_groups(made / FIRST)] == [str(made / FIRST)]
+    [single] = open_groups(made / FIRST / "seed-1")
+    assert (single.seeds, single.missing, single.several) == ((1,), (), False)
+    assert single.singles == (single,)
+    assert find_runs(made) == [made / name / f"seed-{n}" for name in SCHEDULES for n in SEEDS]
+    assert job_directory(made / FIRST / "seed-1") == made
+
+
+def test_seeds_that_were_left_out_are_not_missing(made):
+    chosen = [made / FIRST / f"seed-{seed}" for seed in (0, 2)]
+    [group] = open_groups(*chosen)
+    assert (group.paths, group.missing) == (tuple(chosen), ())
+
+
+def test_a_group_is_judged_and_scored_as_its_runs_together(made):
+    group = open_groups(made / FIRST)[0]
+    runs = open_runs(made / FIRST)
+    rates = np.stack([run.payoff().capture_rates for run in runs])
+    assert group.judgement.to_json() == judge(rates, per_episode=True).to_json()
+    assert [each.judgement.runs for each in group.singles] == [1, 1, 1]
+    scores = [score(run, threads=1)["evader"] for run in runs]
+    means = np.stack([each.rates[0].mean(axis=1) for each in scores])
+    np.testing.assert_allclose(group.held_out("evader"), means)
+    over = estimates_of(scores)
+    assert over["mean"].value == pytest.approx(means.mean())
+    assert over["mean"].across == "runs"
+    assert over[scores[0].opponents[0]].value == pytest.approx(means[:, 0].mean())
+    assert estimates_of(scores[:1]) == scores[0].estimates()
+
+
+def test_scores_are_kept_and_played_again_if_they_are_of_something_else(job):
+    runs = [RunDirectory(path) for path in find_runs(job / SECOND)]
+    told = []
+    kept = kept_scores(runs, threads=1, report=told.append)
+    assert told[-1].what.startswith("[3/3] evaders")
+    assert kept[1]["pursuers"] == score(open_runs(job / SECOND)[1])["pursuer"].to_json()
+    files = [run.path / "scores.json" for run in runs]
+    before = [file.read_bytes() for file in files]
+    told.clear()
+    assert kept_scores(runs, report=told.append) == kept
+    assert not told
+    files[0].unlink()
+    files[1].write_bytes(before[2])  # those of another run
+    owner = f"{json_digest(runs[2].config)}/scores.json"  # those of another version
+    save_json(files[2], load_json(files[2], owner=owner) | {"matrixworld": "0.0"}, owner=owner)
+    assert kept_scores(runs, threads=1, report=told.append) == kept
+    assert told[-1].what.startswith("[3/3]")
+    assert [file.read_bytes() for file in files] == before
+
+
+def test_runs_of_several_settings_and_equal_runs(tmp_path):
+    finish(tiny_race(generations=1), tmp_path / "a/short")
+    finish(tiny_race(), tmp_path / "a/long")
+    # Its default, given by its value, makes no difference.
+    begun = start(tiny_race(seed=9, overlap_penalty=0.2), tmp_path / "a/later", play=StopAt(2))
+    with pytest.raises(KeyboardInterrupt):
+        begun.run()
+    groups = {group.name: group.missing for group in open_groups(tmp_path / "a")}
+    later, long = (str(tmp_path / "a" / name) for name in ("later", "long"))
+    assert groups == {f"{later}, {long}": (9,), str(tmp_path / "a/short"): ()}
+    shutil.copytree(tmp_path / "a/long", tmp_path / "a/copy")
+    with pytest.raises(ValueError, match=r"the same run twice: .*a/copy, .*a/long"):
+        open_groups(tmp_path / "a")
+    with pytest.raises(FileNotFoundError):
+        open_groups(tmp_path / "nothing")
+
+
+def test_one_team_alone_has_means_over_seeds_or_over_its_episodes(tmp_path):
+    for seed in SEEDS:
+        finish(tiny_single(seed=seed), tmp_path / f"seed-{seed}")
+    [group] = open_groups(tmp_path)
+    rates = [run.summary()["capture_rate"] for run in group.runs]
+    mean = group.means()["capture_rate"]
+    assert (mean.value, mean.across) == (pytest.approx(np.mean(rates)), "runs")
+    alone = group.singles[0].means()["length"]
+    assert (alone.value, alone.across) == (group.runs[0].summary()["length"], "episodes")

@@ -1,0 +1,70 @@
+"""Progress of a job: lines, or bars in a terminal."""
+
+import io
+import re
+from collections.abc import Iterator
+
+import pytest
+from tqdm import tqdm
+
+from matrixworld.coevolution import Progress, ProgressBar
+from matrixworld.coevolution.progress import LAYOUT
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_progress_lines_without_a_terminal():
+    seconds: Iterator[float] = iter([0.0, 1.0, 2.0, 3.0, 4.0])
+    out = io.StringIO()
+    lines = ProgressBar(stream=out, clock=lambda: next(seconds))
+    for done in (100, 150, 300, 350, 600):
+        lines(Progress("evaders", done, 1000, 100))
+    assert out.getvalue().splitlines() == [
+        " 30%  300 of 1,000 matches, 100 a second, 00:07 left (evaders)",
+        " 60%  600 of 1,000 matches, 125 a second, 00:03 left (evaders)",
+    ]
+
+
+def test_progress_lines_of_a_job():
+    out = io.StringIO()
+    lines = ProgressBar(stream=out)
+    for done in range(0, 101, 5):
+        runs = {"seed-1": Progress("generation 1", done, 200)}
+        what = "1 of 4 runs, 1 failed" if done > 50 else "1 of 4 runs"
+        lines(Progress(what, done, 100, 0, runs))
+    said = out.getvalue().splitlines()
+    assert len(said) == 10
+    first = r" 10%  10 of 100 matches, .* left \(1 of 4 runs, seed-1 5%\)"
+    assert re.fullmatch(first, said[0])
+    assert "(1 of 4 runs, 1 failed, seed-1 50%)" in said[-1]
+
+
+def test_bars_in_a_terminal_have_a_line_for_each_run_in_work():
+    out = Terminal()
+    with ProgressBar(stream=out) as bar:
+        runs = {f"seed-{seed}": Progress("generation 1", 10, 100) for seed in range(2)}
+        bar(Progress("0 of 3 runs", 20, 300, 0, runs))
+        del runs["seed-0"]
+        bar(Progress("1 of 3 runs", 150, 300, 0, runs))
+    said = out.getvalue()
+    assert "seed-0: generation 1" in said
+    assert re.search(r" 50%\|[#█]{8} {8}\| .* left, .*matches/s, 150 of 300, 1 of 3 runs", said)
+
+
+@pytest.mark.parametrize("columns", [60, 100])
+def test_a_narrow_terminal_shows_bar_and_time_left(columns):
+    meter = tqdm.format_meter(
+        116_000,
+        260_000,
+        45.3,
+        ncols=columns,
+        prefix="[2/3] pursuers, generation 12 of 30",
+        unit=" matches",
+        unit_scale=True,
+        bar_format=LAYOUT,
+    )
+    assert len(meter) <= columns
+    assert re.match(r" 45%\|█{7}. {8}\| 00:56 left, 2.56k matches/s", meter)
