@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matrixworld.analysis.report import headline_numbers
 
 from command_line import RACE, judged_in, matrixworld_command, run_together, words
 from matrices import circular, logistic
 from matrixworld._util.files import load_json
-from matrixworld.analysis import CONDITIONS, MEASURES, all_results, headline, judge, read_payoffs
+from matrixworld.analysis import CONDITIONS, MEASURES, headline, judge, read_payoffs
+from matrixworld.analysis.words import all_results, headline_numbers
 from matrixworld.cli.judge import print_strip
 from matrixworld.coevolution import evolve
 from matrixworld.coevolution.groups import open_groups

@@ -6,16 +6,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matrixworld.analysis.report import headline_numbers
-from matrixworld.coevolution.jobs.evolve import job_of, save_job
 from scipy import stats
 
 from command_line import matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld._util.files import load_json
+from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.report import report
 from matrixworld.coevolution import RunDirectory, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
+from matrixworld.coevolution.jobs import job_of, save_job
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import tiny_race, tiny_single
 
