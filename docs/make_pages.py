@@ -30,21 +30,10 @@ SIZE = {"rows": 12, "cols": 16, "obstacles": 0.06, "max_steps": 200}
 class Moment:
     """A moment, in a game between two scripts, that shows the rule of a variant.
 
-    Parameters
-    ----------
-    text : str
-        Caption of the picture.
-    step : int
-        The step that is drawn. A game that ends earlier is drawn at its end.
-    seed : int, optional
-        Seed of the game.
-    pursuers, evaders : str, optional
-        Scripts of the teams.
-    n_pursuers, n_evaders : int, optional
-        Sizes of the teams.
+    A game that ends before the step is drawn at its end.
     """
 
-    text: str
+    text: str  # caption of the picture
     step: int
     seed: int = 0
     pursuers: str = "chaser"

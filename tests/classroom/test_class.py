@@ -36,7 +36,7 @@ from matrixworld.classroom.policy_server import FUNCTIONS, MODULES, NOT_CONFINED
 from matrixworld.classroom.results import ClassResult
 from matrixworld.classroom.round_robin import MatchPool, admit
 from matrixworld.classroom.sandbox import ALLOWED
-from matrixworld.classroom.submissions import MOST_OWN, Entry, Refusal, Submission
+from matrixworld.classroom.submissions import Entry, Refusal, Submission
 from matrixworld.coevolution import TEAMS, Progress, Team
 from matrixworld.play.rollout import match_seed
 from scripts import wait_until
@@ -44,13 +44,9 @@ from scripts import wait_until
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 
 CONFIG = WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, max_steps=10)
-HOSTILE = (
-    "endless", "memory", "fork bomb", "subprocess", "writes", "reads", "socket", "exits",
-    "segfault", "shape", "dtype", "range", "raises", "kills parent", "writes protocol", "thread",
-    "deep source",
-)  # fmt: skip
+HOSTILE = ("endless", "memory", "writes", "exits", "segfault", "raises", "writes protocol")
 """Attacks in a class; each attack is tried alone, too."""
-ENTRIES = {"program": 14, "genome": 4}  # with the hostile files more than fifty submissions
+ENTRIES = {"program": 9, "genome": 4}
 # As small as honest programs allow: hostile ones use all.
 LIMITS = Limits(seconds=1, wait=2.0, memory=128)
 
@@ -68,7 +64,6 @@ class Tournament(NamedTuple):
     files: set[str]  # before it
     reasons: dict[str, str]  # patterns, by refused file
     result: ClassResult
-    seconds: float
 
 
 @pytest.fixture(scope="module")
@@ -79,13 +74,12 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> Tournament:
     write_genomes(path, ENTRIES["genome"])
     write_programs(path, {name: REFUSED_PROGRAMS[name][0] for name in HOSTILE})
     reasons = write_hostile_files(path) | {f"{n}.py": REFUSED_PROGRAMS[n][1] for n in HOSTILE}
-    files, began = {file.name for file in path.iterdir()}, time.monotonic()
+    files = {file.name for file in path.iterdir()}
     result = play_class(path, CONFIG, episodes=3, limits=Limits(seconds=2, wait=4.0, memory=128))
-    return Tournament(path, files, reasons, result, time.monotonic() - began)
+    return Tournament(path, files, reasons, result)
 
 
-def test_fifty_submissions_are_ranked_or_refused_and_leave_nothing(played: Tournament) -> None:
-    assert len(played.files) >= 50
+def test_submissions_are_ranked_or_refused_and_leave_nothing(played: Tournament) -> None:
     refused = {refusal.file: refusal.reason for refusal in played.result.refusals}
     assert refused.keys() == played.reasons.keys()
     for file, pattern in played.reasons.items():
@@ -97,7 +91,6 @@ def test_fifty_submissions_are_ranked_or_refused_and_leave_nothing(played: Tourn
     assert len(ranked) == sum(ENTRIES.values())
     one, other = ({entry.name for entry in entries[team]} for team in TEAMS)
     assert {"student 02", "student 03"} <= one & other
-    assert played.seconds < 180.0  # about 15 on an idle machine
     assert {path.name for path in played.directory.iterdir()} == played.files  # nothing was written
     assert processes_of_programs() == []
 
@@ -212,54 +205,6 @@ def test_limits_of_time_count_for_genomes(tmp_path: Path) -> None:
         assert re.match(text, refusal.reason)
 
 
-def test_a_directory_that_cannot_be_read_is_refused_by_its_name(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    write_genomes(tmp_path, 1)
-    for name in ("closed", "full"):
-        (tmp_path / name).mkdir()
-    for number in range(MOST_OWN + 1):
-        (tmp_path / "full" / f"{number}.py").touch()
-    listed = os.scandir
-
-    def scandir(path: Path) -> Any:
-        if path.name == "closed":
-            raise PermissionError(13, "Permission denied")
-        return listed(path)
-
-    monkeypatch.setattr(os, "scandir", scandir)
-    result = small(tmp_path)
-    assert [(each.name, each.file, each.reason) for each in result.refusals] == [
-        ("closed", "closed", "cannot be read: Permission denied"),
-        ("full", "full", "expected at most 20 files, got more"),
-    ]
-
-
-def test_names_that_look_alike_are_students_of_their_own(tmp_path: Path) -> None:
-    names = ["Ann\x07", "Ann\x08", "Bo  Lee", "Bo Lee", "c\udcff", "d" * 70 + "1", "d" * 70 + "2"]
-    for name in names:
-        (tmp_path / name).mkdir()
-        write_genomes(tmp_path / name, 1)
-    result = small(tmp_path)
-    assert result.refusals == ()
-    shown = [each.name for each in result.entries["pursuer"] if each.file]
-    begins = [r"Ann\x07 #", r"Ann\x08 #", "Bo Lee #", "Bo Lee", r"c\udcff #", "d" * 60 + " #"]
-    assert all(map(str.startswith, shown, [*begins, begins[-1]]))
-    assert len(set(shown)) == len(names)
-
-
-def test_directories_of_students(tmp_path: Path) -> None:
-    for name in ("Ann Lee", "bo"):
-        (tmp_path / name).mkdir()
-        write_programs(tmp_path / name, {"policy": honest_programs(1)["student 00"]})
-    (tmp_path / "bo/deeper").mkdir()
-    result = small(tmp_path)
-    assert [e.name for e in result.entries["pursuer"] if e.file] == ["Ann Lee", "bo"]
-    assert [(each.file, each.reason) for each in result.refusals] == [
-        ("bo/deeper", "expected a file, got a directory")
-    ]
-
-
 def test_submissions_with_names_of_modules_are_not_imported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -341,7 +286,9 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
         assert pool.submit(int).result() == 0
 
 
-@pytest.mark.parametrize("pause", [0.0, 0.06, 0.3])
+@pytest.mark.parametrize(
+    "pause", [0.06, *(pytest.param(each, marks=pytest.mark.nightly) for each in (0.0, 0.3))]
+)
 def test_two_interruptions_end_the_command(tmp_path: Path, pause: float) -> None:
     with playing(tmp_path) as command:
         for _ in range(2):
@@ -572,21 +519,19 @@ HEADERS = (
 """Numbers of system calls, as Linux has them: of x86-64, and of aarch64."""
 
 
-def test_the_program_of_the_page_plays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "anna.py").write_text(PROGRAM)
-    monkeypatch.syspath_prepend(tmp_path)
-    with contextlib.redirect_stdout(io.StringIO()) as printed:
-        exec(TRIAL, {})
-    assert 0.1 < float(printed.getvalue()) < 0.9
-
-
-def test_programs_as_on_the_page_can_be_handed_in(tmp_path: Path) -> None:
+def test_programs_as_on_the_page_play_and_can_be_handed_in(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The page's own, and one that imports all that the page lists."""
     imports = "".join(f"import {name}\n" for name in sorted(LISTED))
     write_programs(tmp_path, {"anna": PROGRAM, "bo": imports + ACTS + "return 0"})
     result = small(tmp_path)
     students = [entry.name for entry in result.entries["pursuer"] if entry.file]
     assert (students, result.refusals) == (["anna", "bo"], ())
+    monkeypatch.syspath_prepend(tmp_path)
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        exec(TRIAL, {})
+    assert 0.1 < float(printed.getvalue()) < 0.9
 
 
 def test_views_are_as_the_page_says() -> None:

@@ -17,6 +17,7 @@ import pytest
 
 from course import predict
 from matrixworld.classroom.submissions import (
+    MOST_OWN,
     MOST_UNPACKED,
     count_votes,
     read_file,
@@ -76,6 +77,42 @@ def test_names_of_learning_platforms_become_those_of_students(tmp_path: Path) ->
     submissions, refusals = read_submissions(tmp_path)
     assert {each.file: each.name for each in submissions} == files
     assert refusals == []
+
+
+def test_names_that_look_alike_are_students_of_their_own(tmp_path: Path) -> None:
+    names = ["Ann\x07", "Ann\x08", "Bo  Lee", "Bo Lee", "c\udcff", "d" * 70 + "1", "d" * 70 + "2"]
+    for name in names:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "a.py").touch()
+    shown = [each.name for each in read_submissions(tmp_path)[0]]
+    begins = [r"Ann\x07 #", r"Ann\x08 #", "Bo Lee #", "Bo Lee", r"c\udcff #", "d" * 60 + " #"]
+    assert all(map(str.startswith, shown, [*begins, begins[-1]]))
+    assert len(set(shown)) == len(names)
+
+
+def test_a_directory_that_cannot_be_read_is_refused_by_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("Ann Lee/deeper", "closed", "full"):
+        (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "Ann Lee/a.py").touch()
+    for number in range(MOST_OWN + 1):
+        (tmp_path / "full" / f"{number}.py").touch()
+    listed = os.scandir
+
+    def scandir(path: Path) -> object:
+        if path.name == "closed":
+            raise PermissionError(13, "Permission denied")
+        return listed(path)
+
+    monkeypatch.setattr(os, "scandir", scandir)
+    submissions, refusals = read_submissions(tmp_path)
+    assert [each.file for each in submissions] == ["Ann Lee/a.py"]
+    assert [(each.name, each.file, each.reason) for each in refusals] == [
+        ("Ann Lee", "Ann Lee/deeper", "expected a file, got a directory"),
+        ("closed", "closed", "cannot be read: Permission denied"),
+        ("full", "full", "expected at most 20 files, got more"),
+    ]
 
 
 def test_another_team_is_refused_before_a_file_is_made(tmp_path: Path) -> None:

@@ -35,23 +35,8 @@ def test_the_built_engine_is_not_older_than_its_sources() -> None:
     """If this fails, run ``python web/build_engine.py``."""
     build = program("web/build_engine.py")
     assert build.digest_of(build.BUILT) == build.digest()
-
-
-def test_the_digest_knows_every_source_of_the_engine() -> None:
-    build = program("web/build_engine.py")
     names = {path.relative_to(ROOT).as_posix() for path in build.sources()}
     assert {"cpp/game/world.cpp", "cpp/kernels/multiply_add.hpp", "web/engine/engine.cpp"} <= names
-    assert not any(name.startswith(("cpp/bindings", "cpp/tests")) for name in names)
-
-
-def test_the_built_engine_can_stand_in_a_page() -> None:
-    """It ends no script element early, evaluates no text, and is one classic script."""
-    text = program("web/build_engine.py").BUILT.read_text(encoding="utf-8")
-    assert "</script" not in text.lower()
-    assert "<!--" not in text
-    assert "eval(" not in text
-    assert "new Function" not in text
-    assert "import.meta" not in text
 
 
 def test_the_tables_are_those_of_the_package() -> None:
@@ -60,6 +45,7 @@ def test_the_tables_are_those_of_the_package() -> None:
     assert tables.TABLES.read_text(encoding="utf-8") == tables.text()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("driver", "argument", "answer"),
     [("multiply_add", "0.2", "1085184 cases"), ("recurrent_units", "1009", "4256660 cases")],
@@ -107,8 +93,6 @@ def test_the_built_engine_has_the_fingerprint_of_the_extension() -> None:
     }
     assert run_node("fingerprint.mjs", given) == expected.FILE.read_text(encoding="ascii").strip()
 
-
-# ---- Matches and worlds --------------------------------------------------------------------------
 
 BIG_SEED = 2**64 - 3  # no double holds it
 ARRAYS = (
@@ -376,7 +360,6 @@ OPEN = config_of("O").to_json()
 # What the interface reads itself, and one refusal of the engine.
 REFUSED = {
     "a share of a row": ({"rows": 3.5}, "rows: expected an integer, got 3.5"),
-    "a team": ({"n_pursuers": None}, "n_pursuers: expected an integer, got null"),
     "too many": ({"n_pursuers": 40}, "more agents than free cells: expected at most 42 agents"),
     "switch": ({"diagonal": 1}, "diagonal: expected true or false, got 1"),
     "character": ({"obstacles": ["?" * 6] * 7}, "map, row 0: expected '.GS' (free) or '#@OTW'"),
@@ -387,10 +370,6 @@ REFUSED = {
     "penalty": (
         {"rewards": {**OPEN["rewards"], "evader_collide": [1, 2]}},
         "evader_collide: expected 1 or 3 numbers, got [1,2]",
-    ),
-    "reward": (
-        {"rewards": {**OPEN["rewards"], "evader_step": 1e39}},
-        "evader_step: expected a finite number, got 1e+39",
     ),
 }
 
@@ -403,17 +382,18 @@ def test_settings_are_refused_with_a_reason(run_command: Commands, name: str) ->
     assert got["error"].startswith(message)
 
 
-STARTS = {
-    "overlap": ({"pursuers": [[0, 0]] * 3}, None, "positions: expected distinct cells"),
-    "seed": ({"seed": str(2**64)}, None, "seed: expected an integer from 0 to 2^64 - 1"),
-    "action": (None, [7] * 7, "actions: expected 0 to 4, got 7"),
-    "actions": (None, [0], "actions: expected 7, got 1"),
-}
-
-
-@pytest.mark.parametrize("name", STARTS)
-def test_a_refused_call_leaves_the_world_as_it_was(run_command: Commands, name: str) -> None:
-    start, actions, message = STARTS[name]
+@pytest.mark.parametrize(
+    ("start", "actions", "message"),
+    [
+        ({"pursuers": [[0, 0]] * 3}, None, "positions: expected distinct cells"),
+        ({"seed": str(2**64)}, None, "seed: expected an integer from 0 to 2^64 - 1"),
+        (None, [7] * 7, "actions: expected 0 to 4, got 7"),
+        (None, [0], "actions: expected 7, got 1"),
+    ],
+)
+def test_a_refused_call_leaves_the_world_as_it_was(
+    run_command: Commands, start: Any, actions: Any, message: str
+) -> None:
     got = run_command(do="refuse", config=OPEN, start=start, actions=actions)
     assert got["message"].startswith(message)
     assert got["same"]

@@ -103,7 +103,7 @@ def compiled(folder: Path) -> Path:
     return folder / NAME
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.skipif(not shutil.which("em++"), reason="needs emscripten")
 @pytest.mark.skipif(not PYODIDE.exists(), reason="needs `npm ci` in web/")
 @pytest.mark.skipif(sys.version_info[:2] != (3, 11), reason="this Pyodide is Python 3.11")
