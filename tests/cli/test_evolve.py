@@ -65,7 +65,7 @@ def test_the_help_of_all_settings_has_every_one_with_its_default():
                 assert f"{leaf.path.replace('evaders_meet', 'pursuers_meet')} " in shown
     population = "candidates per epoch [default: 48; hall-of-fame: 24; against: 128]"
     assert f"learner.population INTEGER {population}" in shown
-    assert "6000; actor-critic: 1200; against pursuer: 6000; against evader: 4000]" in shown
+    assert "6000; gradients: 1200; against pursuer: 6000; against evader: 4000]" in shown
 
 
 def test_without_options_the_settings_are_those_of_the_package():

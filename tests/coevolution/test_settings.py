@@ -12,14 +12,12 @@ import matrixworld as mw
 from matrixworld.coevolution import (
     Against,
     Alternating,
-    DrawnOpponents,
     HallOfFame,
-    MetaOpponents,
     PolicySettings,
     RaceSettings,
 )
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.schedules import ALL_SCHEDULES
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, DrawnOpponents, MetaOpponents
 from matrixworld.coevolution.sections import different_settings, hints_of, leaves, sections_in
 from matrixworld.coevolution.settings import MOST_SEED
 from tiny_race import settings_of, tiny_race, tiny_single

@@ -25,21 +25,25 @@ from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.own_code import OPPONENT, Interface, made
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.policy import SCRIPTS
 
+Fields = Mapping[str, Mapping[str, Any]]
+"""Texts that stand for a section, and the fields that each of them sets."""
+
 # Opponents of a team:
 
-DRAWN: dict[str, Callable[[int], opponents.OpponentSampler]] = {
+DRAWN: dict[str, Callable[[int], OpponentSampler]] = {
     "latest": opponents.Latest,
     "uniform": opponents.Uniform,
     "round-robin": opponents.RoundRobin,
@@ -63,7 +67,7 @@ ARCHIVES: dict[str, Callable[[int], opponents.Archive]] = {
     ),
 }
 """Name -> factory: size -> a new archive."""
-ARCHIVE_SIZE, ARCHIVE_EPISODES, META_EPISODES = 10, 3, 10
+ARCHIVE_SIZE = 10
 
 SAMPLERS = (*DRAWN, *ARCHIVES, *META_SOLVERS)
 """Names of the opponent samplers of the package."""
@@ -75,11 +79,11 @@ class DrawnOpponents(Section):
     """Opponents drawn from all generations of the other team."""
 
     kind: ClassVar[str] = "drawn"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {name: {"rule": name} for name in DRAWN}
+    shorthands: ClassVar[Fields] = {name: {"rule": name} for name in DRAWN}
 
     rule: str = setting("uniform", f"how: {', '.join(DRAWN)}", choices=DRAWN)
 
-    def new(self, count: int) -> opponents.OpponentSampler:
+    def new(self, count: int) -> OpponentSampler:
         """Return a new sampler of up to `count` opponents an epoch."""
         return DRAWN[self.rule](count)
 
@@ -90,9 +94,7 @@ class ArchivedOpponents(Section):
     """The newest opponent and those that an archive keeps (`ArchiveSampler`)."""
 
     kind: ClassVar[str] = "archived"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
-        name: {"archive": name} for name in ARCHIVES
-    }
+    shorthands: ClassVar[Fields] = {name: {"archive": name} for name in ARCHIVES}
 
     archive: str = setting("maxsolve", f"which one: {', '.join(ARCHIVES)}", choices=ARCHIVES)
     size: int | None = setting(
@@ -101,15 +103,15 @@ class ArchivedOpponents(Section):
         f"{ARCHIVE_SIZE}",
         least=1,
     )
-    episodes: int = setting(ARCHIVE_EPISODES, "matches of each pair that it compares", least=1)
+    episodes: int = setting(3, "matches of each pair that it compares", least=1)
 
     def check(self) -> None:
         """Raise ValueError if an archive without a size has one."""
         if self.archive == "ipca" and self.size is not None:
             raise ValueError(f"size: expected no value with ipca, got {self.size}")
 
-    def new(self, count: int) -> opponents.OpponentSampler:
-        """Return a new sampler."""
+    def new(self, count: int) -> OpponentSampler:
+        """Return a new sampler of up to `count` opponents an epoch."""
         return opponents.ArchiveSampler(ARCHIVES[self.archive](self.size or ARCHIVE_SIZE), count)
 
 
@@ -119,14 +121,12 @@ class MetaOpponents(Section):
     """Opponents drawn from a meta-strategy of all generations of the other team: PSRO."""
 
     kind: ClassVar[str] = "meta"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
-        name: {"solver": name} for name in META_SOLVERS
-    }
+    shorthands: ClassVar[Fields] = {name: {"solver": name} for name in META_SOLVERS}
 
     solver: str = setting("nash", f"which one: {', '.join(META_SOLVERS)}", choices=META_SOLVERS)
-    episodes: int = setting(META_EPISODES, "matches of each pair in the payoff matrix", least=1)
+    episodes: int = setting(10, "matches of each pair in the payoff matrix", least=1)
 
-    def new(self, count: int) -> opponents.OpponentSampler:
+    def new(self, count: int) -> OpponentSampler:
         """Return a new sampler of up to `count` opponents an epoch."""
         return opponents.MetaStrategy(META_SOLVERS[self.solver], count)
 
@@ -138,12 +138,13 @@ class OwnOpponents(OwnCode):
 
     interface: ClassVar[Interface] = OPPONENT
 
-    def new(self, count: int) -> opponents.OpponentSampler:
-        """Return a new sampler; imports its code."""
-        sampler: opponents.OpponentSampler = made(
-            self.code, OPPONENT, {"count": count}, self.settings
-        )
+    def new(self, count: int) -> OpponentSampler:
+        """Return a new sampler of up to `count` opponents an epoch; imports its code."""
+        sampler: OpponentSampler = made(self.code, OPPONENT, {"count": count}, self.settings)
         return sampler
+
+
+Opponents: TypeAlias = DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents
 
 
 # Schedules:
@@ -188,10 +189,10 @@ class RaceSchedule(Schedule):
     """Base of the schedules in which both teams learn."""
 
     generations: int = setting(30, "generations after the untrained generation 0", least=1)
-    pursuers_meet: DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents = setting(
+    pursuers_meet: Opponents = setting(
         DrawnOpponents(), f"which evaders pursuers meet: {', '.join(SAMPLERS)} or module:object"
     )
-    evaders_meet: DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents = setting(
+    evaders_meet: Opponents = setting(
         DrawnOpponents(), "which pursuers evaders meet; as for the pursuers"
     )
     retention_episodes: int = setting(
@@ -218,20 +219,15 @@ class RaceSchedule(Schedule):
         """Return the epochs of the whole run in which `team` learns."""
         return self.generations * self.epochs(team)
 
-    def opponents_of(
-        self, team: Team
-    ) -> DrawnOpponents | ArchivedOpponents | MetaOpponents | OwnOpponents:
+    def opponents_of(self, team: Team) -> Opponents:
         """Return which opponents `team` meets."""
         return self.pursuers_meet if team == "pursuer" else self.evaders_meet
 
     def archive_episodes(self, team: Team) -> int:
         """Return the matches of each pair that a team's archive compares."""
-        met = self.opponents_of(team)
-        if isinstance(met, ArchivedOpponents | MetaOpponents):
-            return met.episodes
-        return ARCHIVE_EPISODES
+        return int(getattr(self.opponents_of(team), "episodes", ArchivedOpponents().episodes))
 
-    def new_sampler(self, team: Team) -> opponents.OpponentSampler:
+    def new_sampler(self, team: Team) -> OpponentSampler:
         """Return a new opponent sampler of a team.
 
         Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
@@ -256,17 +252,17 @@ class Alternating(RaceSchedule):
     """The teams learn in turns, against archived opponents."""
 
     kind: ClassVar[str] = "alternating"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
+    shorthands: ClassVar[Fields] = {
         **PAPER,
         PSRO: {"pursuers_meet": "nash", "evaders_meet": "nash"},
     }
 
     opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
     pursuer_epochs: int = setting(
-        28, "epochs per generation in which pursuers learn", by={"actor-critic": 400}, least=1
+        28, "epochs per generation in which pursuers learn", by={"gradients": 400}, least=1
     )
     evader_epochs: int = setting(
-        58, "epochs per generation in which evaders learn", by={"actor-critic": 400}, least=1
+        58, "epochs per generation in which evaders learn", by={"gradients": 400}, least=1
     )
 
     @property
@@ -298,7 +294,7 @@ class Yoked(Alternating):
     """
 
     kind: ClassVar[str] = "yoked"
-    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
+    shorthands: ClassVar[Fields] = {}
 
     race: str = setting("", "run directory of a finished race with another seed, to be replayed")
 
@@ -334,7 +330,7 @@ class HallOfFame(RaceSchedule):
     kind: ClassVar[str] = "hall-of-fame"
 
     joint_epochs: int = setting(
-        43, "epochs per generation, in which both teams learn", by={"actor-critic": 400}, least=1
+        43, "epochs per generation, in which both teams learn", by={"gradients": 400}, least=1
     )
     contemporaries: int = setting(2, "living opponents of each individual")
     hall_sample: int = setting(1, "opponents of each individual from the hall of fame")
@@ -379,7 +375,7 @@ class Against(Schedule):
     epochs: int = setting(
         6000,
         "epochs of the run",
-        by={"actor-critic": 1200, "against pursuer": 6000, "against evader": 4000},
+        by={"gradients": 1200, "against pursuer": 6000, "against evader": 4000},
         least=1,
     )
     archive_every: int = setting(
@@ -435,8 +431,7 @@ def available(team: Team, k: int) -> int:
     team : {"pursuer", "evader"}
         The team that learns.
     k : int
-        The generation that it learns, at least 1, or ValueError is raised: generation 0 is
-        untrained.
+        The generation that it learns, at least 1: generation 0 is untrained.
     """
     check_integer("generation", k, 1)
     # The pursuers learn first, so the evaders can play against generation k already.

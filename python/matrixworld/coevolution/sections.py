@@ -62,9 +62,10 @@ def setting(
 ) -> Any:
     """Return a field of a section: its default, what it means, and its legal texts or numbers.
 
-    `by` has other defaults, by the kind of learner or schedule that has them: the field is then
-    None until `RaceSettings` knows the kinds. A default that follows from other settings is a
-    function of them, whose docstring says in a line what it returns. With `positive`, 0 is refused.
+    `by` has other defaults, by the kind of learner or schedule that has them ("gradients" for all
+    learners by gradients): the field is then None until `RaceSettings` knows the kinds. A default
+    may be a function of the epochs, whose docstring says in a line what it returns. With
+    `positive`, 0 is refused.
     """
     metadata = {
         "help": text,

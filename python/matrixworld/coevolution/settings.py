@@ -38,6 +38,7 @@ from matrixworld.coevolution.sections import (
     check_complete,
     documented,
     inside,
+    kinds_in,
     merged,
     setting,
 )
@@ -69,7 +70,7 @@ class PolicySettings(Section):
     """Settings of the policy networks: both teams have one of the same shape."""
 
     hidden: tuple[int, ...] = setting(
-        (32,), "sizes of the hidden layers", by={"actor-critic": (400, 300)}
+        (32,), "sizes of the hidden layers", by={"gradients": (400, 300)}
     )
     activation: str = setting(
         "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
@@ -89,7 +90,7 @@ class PolicySettings(Section):
         "none",
         "moves that a policy never chooses: obstacles (into an obstacle or the border; needs a "
         "world.fov of 3), right-of-way (all that could put it at fault; needs a world.fov of 5 and "
-        "rules under which pursuers that learn can capture so), or none; not with cma",
+        "rules under which pursuers that learn can capture so), or none; not with every learner",
         choices=MASKS,
     )
 
@@ -183,8 +184,7 @@ class RaceSettings(Section):
     policy: PolicySettings = setting(PolicySettings(), "the policy networks")
     learner: BuiltInLearner | OwnLearnerSettings = setting(
         EvolutionStrategySettings(),
-        "how teams learn: es (evolution strategy), ga (genetic algorithm), cma, actor-critic or "
-        "module:object",
+        f"how teams learn: {', '.join(kinds_in(BuiltInLearner))} or module:object",
     )
     schedule: Alternating | HallOfFame | Against | Yoked = setting(
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
@@ -193,7 +193,7 @@ class RaceSettings(Section):
     train_steps: int = setting(
         200,
         "maximum steps of a training episode",
-        by={"actor-critic": 500, "against pursuer": 500, "against evader": 300},
+        by={"gradients": 500, "against pursuer": 500, "against evader": 300},
         least=1,
     )
     match_episodes: int = setting(1, "episodes of each training match", least=1)
@@ -223,7 +223,7 @@ class RaceSettings(Section):
     def _usual(self, item: Field[Any]) -> Any:
         """Return the default of a field with this learner and this schedule."""
         by: Mapping[str, Any] = item.metadata["by"]
-        conditions = (self.learner.kind, *self.schedule.conditions)
+        conditions = (*self.learner.conditions, *self.schedule.conditions)
         usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
         if callable(usual):
             usual = usual(self.schedule.total_epochs(self.learning_teams[0]))
@@ -275,7 +275,7 @@ class RaceSettings(Section):
         if not rewarded and self.world.rewards != Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
-                f"have an effect only with the fitness rewards or the learner actor-critic"
+                f"have an effect only with the fitness rewards or a learner by gradients"
             )
 
     # What follows from the settings:

@@ -7,11 +7,11 @@ import pytest
 
 from matrixworld.coevolution import (
     TEAMS,
-    ArchivedOpponents,
     OwnOpponents,
     resume,
     start,
 )
+from matrixworld.coevolution.schedules import ArchivedOpponents
 from own_code import HillClimber
 from tiny_race import StopAt, alternating, check_resumes, hall_of_fame, tiny_race, tiny_single
 

@@ -123,6 +123,11 @@ class LearnerSettings(Section):
     )
 
     @property
+    def conditions(self) -> tuple[str, ...]:
+        """Names under which a setting may have another default with this learner."""
+        return (self.kind, "gradients") if self.by_gradients else (self.kind,)
+
+    @property
     def starting_genomes(self) -> int:
         """Number of genomes from which the learner starts."""
         return self.population if self.keeps_population else 1
