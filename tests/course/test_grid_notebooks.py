@@ -1,20 +1,17 @@
 """Notebooks 1 and 2: what their texts say is true, and their small worlds do what they say."""
 
 import dataclasses
-import io
+from functools import partial
 from itertools import product
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import matrixworld as mw
 from course import check
 from course.boards import (
-    Picture,
     actions_to,
     before_and_after,
-    pack,
     plan,
     random_pack,
     target,
@@ -23,7 +20,6 @@ from course.chapter_1 import MAZE, SHORTEST
 from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
 from matrixworld import Action, World
 from matrixworld.explorer.playground import drawn_world
-from notebooks import TEACHER, cells
 from student_functions import by_index
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
@@ -48,6 +44,10 @@ def test_a_plan_leaves_the_world_as_it_is_and_shows_the_moves() -> None:
 
 def test_a_step_is_played_and_can_be_explained() -> None:
     world = world_of_three()
+    for actions in ([EAST, WEST], [EAST, WEST, 5], [EAST, WEST, -1]):
+        with pytest.raises(ValueError, match="actions: expected 3 from 0 to 4"):
+            before_and_after(world, actions)
+    assert world.steps == 0
     picture = before_and_after(world, [EAST, WEST, STAY])
     assert world.steps == 1
     assert [str(each) for each in world.conflicts] == [
@@ -55,7 +55,6 @@ def test_a_step_is_played_and_can_be_explained() -> None:
     ]
     before = plan(world_of_three(), [EAST, WEST, STAY]).pixels
     assert np.array_equal(picture.pixels[:, : before.shape[1]], before)
-    assert picture.pixels.shape[1] == 2 * before.shape[1]
 
 
 def test_agents_that_are_gone_have_no_arrow() -> None:
@@ -66,32 +65,9 @@ def test_agents_that_are_gone_have_no_arrow() -> None:
     assert np.array_equal(one, other)
 
 
-@pytest.mark.parametrize(
-    ("actions", "message"),
-    [
-        ([EAST, WEST], r"actions: expected 3 \(agents\), got shape \(2,\)"),
-        ([EAST, WEST, 5], "actions: expected 0 to 4, got 5"),
-        ([EAST, WEST, -1], "actions: expected 0 to 4, got -1"),
-    ],
-)
-def test_wrong_actions_play_no_step(actions: list[int], message: str) -> None:
-    world = world_of_three()
-    with pytest.raises(ValueError, match=message):
-        before_and_after(world, actions)
-    assert world.steps == 0
-
-
-def test_notebooks_show_a_picture_as_png() -> None:
-    pixels = np.zeros((3, 5, 3), np.uint8)
-    with Image.open(io.BytesIO(Picture(pixels)._repr_png_())) as image:
-        assert (image.format, image.size) == ("PNG", (5, 3))
-    assert repr(Picture(pixels)) == "<Picture: 5 x 3 pixels>"
-
-
-@pytest.mark.parametrize("count", [1, 7, 25])
-def test_random_packs(count: int) -> None:
-    cells, targets = random_pack(np.random.default_rng(count), 5, count)
-    assert len(set(cells)) == count
+def test_random_packs() -> None:
+    cells, targets = random_pack(np.random.default_rng(7), 5, 20)
+    assert len(set(cells)) == 20
     assert all(0 <= part < 5 for cell in [*cells, *targets] for part in cell)
     actions = actions_to(cells, targets)
     assert [target(cell, action) for cell, action in zip(cells, actions, strict=True)] == targets
@@ -129,11 +105,10 @@ def test_outcomes_of_the_predictions_of_notebook_1() -> None:
         assert bool(world.captured[0]) is captured  # 1.d
 
 
-@pytest.mark.parametrize("first", [0, 1000, 2000])
-def test_fragile_chasers_catch_less_in_other_worlds_too(first: int) -> None:
+def test_fragile_chasers_catch_less_in_other_worlds_too() -> None:
     """1.e, with the number of worlds of a quick run."""
     rules = mw.VARIANTS["O"], dataclasses.replace(mw.VARIANTS["O"], teammate=mw.Outcome.DISAPPEAR)
-    matches = mw.Matches.of(0, 0, np.arange(first, first + 100))
+    matches = mw.Matches.of(0, 0, np.arange(1000, 1100))
     usual, fragile = (
         mw.rollout(
             mw.WorldConfig(each, rows=16, cols=16, n_pursuers=4, n_evaders=8, max_steps=100),
@@ -143,15 +118,6 @@ def test_fragile_chasers_catch_less_in_other_worlds_too(first: int) -> None:
     )  # fmt: skip
     assert fragile.capture_rate.mean() < 0.5 * usual.capture_rate.mean()
     assert fragile.pursuer_survivors.mean() < 2 < usual.pursuer_survivors.mean()
-
-
-@pytest.mark.parametrize("agents", [1, 16])
-def test_packs_have_no_room_outside_their_square(agents: int) -> None:
-    world = pack([divmod(place, 4) for place in range(agents)], 4)
-    for _ in range(20):
-        world.step([*np.random.default_rng(0).integers(5, size=agents), WEST])
-    assert (world.positions[:-1] < 4).all()
-    assert world.positions[-1].tolist() == [0, 5]
 
 
 # ---- Notebook 2 ----------------------------------------------------------------------------------
@@ -197,11 +163,11 @@ def test_outcomes_of_the_first_predictions_of_notebook_2() -> None:
     assert world.fault.any(axis=1).tolist() == [True, True, False]  # 2.c
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_renumbering_changes_most_steps_by_index_and_none_of_the_world(seed: int) -> None:
+def test_renumbering_changes_most_steps_by_index_and_none_of_the_world() -> None:
     """2.e and 2.f, in crowds that the notebook does not draw."""
-    rng = np.random.default_rng([7, seed])
-    changed = {by_index: 0, at_once_on_ten: 0}
+    rng = np.random.default_rng(7)
+    at_once = partial(true_cells, side=10)
+    changed = {by_index: 0, at_once: 0}
     for _ in range(60):
         here, there = random_pack(rng, 10, 30)  # dense: most agents have a neighbour to depend on
         order = rng.permutation(30)
@@ -210,34 +176,4 @@ def test_renumbering_changes_most_steps_by_index_and_none_of_the_world(seed: int
             again = resolver([here[a] for a in order], [there[a] for a in order])
             changed[resolver] += again != [result[a] for a in order]
     assert changed[by_index] > 40  # of 60
-    assert changed[at_once_on_ten] == 0
-
-
-def at_once_on_ten(cells: list, targets: list) -> list:
-    return true_cells(cells, targets, 10)
-
-
-def test_the_text_says_what_the_outputs_show() -> None:
-    """Under index order low numbers win contests and high numbers queues; in the world, neither."""
-    text = printed("share that enters")
-    parts = text.split("all_at_once")
-    rates = [
-        {line[2:39].strip(): line[40:45] for line in part.splitlines()[1:] if line.strip()}
-        for part in parts
-    ]
-    by_number, world = rates
-    assert by_number["contest, higher number than the rival"] == "0.000"
-    assert float(by_number["contest, lower number than the rival"]) > 0.9
-    assert by_number["queue, lower number than the leader"] == "0.000"
-    assert float(by_number["queue, higher number than the leader"]) > 0.5
-    assert {value for name, value in world.items() if "contest" in name} == {"0.000"}
-    assert "all_at_once: 0 steps change" in printed("steps change")
-
-
-def printed(part: str) -> str:
-    """Return what the cell of the kept notebook printed that printed this text."""
-    outputs = [
-        "".join("".join(output.get("text", "")) for output in cell["outputs"])
-        for cell in cells(TEACHER[1], "code")
-    ]
-    return next(text for text in outputs if part in text)
+    assert changed[at_once] == 0

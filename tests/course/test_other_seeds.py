@@ -158,7 +158,7 @@ def effects(name: str) -> dict[str, list[float]]:
 
 
 # All claims on a source in one test, so that its races are played once.
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", sorted({name for name, _, _ in CLAIMS.values()}))
 def test_claims_hold_for_other_seeds(name: str) -> None:
     found, failed = effects(name), {}

@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import re
 import runpy
 from itertools import combinations, permutations, product
 from typing import Any
@@ -10,36 +11,29 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from course import UnansweredError, chapter_3, chapter_10, check, kept, toys
-from course.chapter_5 import four_races, noisy_race
-from course.chapter_6 import ROCK_PAPER_SCISSORS, WELL
+from course import UnansweredError, chapter_3, chapter_10, check, kept
+from course.chapter_5 import four_races
 from course.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
-from course.chapter_8 import verdict_on
 from course.chapter_9 import (
-    BRISK,
     WEIGHTS,
     WORLD,
-    break_even,
     mask_of,
     pack,
     play_masked,
     right_of_way,
 )
-from course.synthetic_races import play_episodes
-from matrixworld import analysis, coevolution, plots
-from matrixworld.coevolution import competitive_sharing, reduced_virulence
+from matrixworld import analysis, coevolution
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
-from student_functions import STEPS, gains, last_beats_first, left_waits
+from student_functions import STEPS, left_waits
 from student_functions import right_of_way as as_on_a_road
 
 # ---- Notebook 3 ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize(
     "size", [{}, {"rows": 5, "cols": 5, "max_steps": 30}, {"n_pursuers": 1, "n_evaders": 9}]
 )
-def test_the_match_step_by_step_is_that_of_rollout(seed: int, size: dict) -> None:
+def test_the_match_step_by_step_is_that_of_rollout(size: dict) -> None:
     """For other networks and other worlds than those of the notebook."""
     fields = {"rows": 12, "cols": 12, "n_pursuers": 3, "n_evaders": 6, "fov": 5, "max_steps": 60}
     world = mw.WorldConfig("O", **{**fields, **size})
@@ -48,7 +42,7 @@ def test_the_match_step_by_step_is_that_of_rollout(seed: int, size: dict) -> Non
     for text in map(source, cells(NOTEBOOKS[2], "code")):
         if text.startswith("def play("):
             exec(text, names)
-    genome = network.initial(np.random.default_rng(seed), 0.3, 0.5)
+    genome = network.initial(np.random.default_rng(0), 0.3, 0.5)
     team = mw.Population(genome, network)
     matches = mw.Matches.of(0, 0, np.arange(12))
     statistics = mw.rollout(world, team, "random", matches)
@@ -81,39 +75,22 @@ def without_types(code: str) -> str:
 
 
 def test_the_red_queen_in_the_kept_races() -> None:
+    """The diagonal falls and rises, while both teams improve against held-out opponents."""
     saved = kept("chapter_4")
     races = saved["captured"] / saved["evaders_met"]
     when = saved["generations"].tolist()
-    assert races.shape == (10, 25, 25)
-    assert (races.min(), races.max()) >= (0, 0)
-    assert races.max() <= 1
     diagonal = np.array([np.diag(race) for race in races])[:, when]
 
     def change(scores: np.ndarray, begin: int, end: int) -> analysis.Estimate:
         found = scores[:, when.index(end)] - scores[:, when.index(begin)]
         return analysis.interval_over_runs(found.astype(float))
 
-    whole = change(diagonal, 0, 24)
-    assert whole.low < 0 < whole.high
     assert change(diagonal, 0, 6).high < 0 < change(diagonal, 6, 24).low
     assert change(saved["pursuer"], 0, 24).low > 0
     assert change(saved["evader"], 0, 24).low > 0
-    assert change(saved["evader"], 0, 6).low > 0
-    later = change(saved["evader"], 6, 24)
-    assert later.low < 0 < later.high
-    assert change(saved["pursuer"], 6, 24).low > 0
-    assert (saved["evader"][:, -1] > saved["evader"][:, 0]).all()
 
 
 # ---- Notebook 5 ----------------------------------------------------------------------------------
-
-SCHEDULES = ("specialist_specialist", "generalist_specialist", "generalist_generalist")
-
-
-@pytest.fixture(scope="module")
-def scores() -> dict[str, np.ndarray]:
-    races = kept("paper_races")
-    return {name: races[name] / int(races["evaders"]) for name in SCHEDULES}
 
 
 def test_the_four_races_are_what_the_solution_says() -> None:
@@ -137,17 +114,6 @@ def test_generalists_of_the_package_meet_these_opponents() -> None:
     assert check("5.2", met).right
 
 
-def verdict(scores: np.ndarray, condition: str) -> str:
-    return analysis.judge(scores, per_episode=True).headline[condition].verdict
-
-
-def test_specialists_beat_the_newest_evaders_and_forget() -> None:
-    lost = gains("specialist_specialist")
-    assert np.count_nonzero(lost < -0.04) == 8
-    assert np.count_nonzero(np.abs(lost) < 0.01) == 2
-    assert (gains("generalist_generalist") > 0.0).all()
-
-
 @pytest.mark.parametrize(
     ("schedule", "race", "cycling"),
     [
@@ -156,127 +122,13 @@ def test_specialists_beat_the_newest_evaders_and_forget() -> None:
         ("generalist_generalist", "present", "absent"),
     ],
 )
-def test_verdicts_on_ten_seeds(
-    scores: dict[str, np.ndarray], schedule: str, race: str, cycling: str
-) -> None:
-    found = analysis.judge(scores[schedule], per_episode=True).headline
+def test_verdicts_on_ten_seeds(schedule: str, race: str, cycling: str) -> None:
+    races = kept("paper_races")
+    found = analysis.judge(races[schedule] / int(races["evaders"]), per_episode=True).headline
     assert (found["arms race"].verdict, found["cycling"].verdict) == (race, cycling)
-    if schedule == "generalist_specialist":
-        assert found["arms race"].by_run.count("present") == 1
-        assert found["arms race"].by_run.count("cannot tell") == 9
-    if schedule == "specialist_specialist":
-        assert found["intransitivity"].by_run.count("present") == 9
-        assert found["cycling"].by_run.count("present") == 5
-        assert found["forgetting"].by_run.count("present") == 10
-
-
-def test_three_seeds_could_not_tell(scores: dict[str, np.ndarray]) -> None:
-    assert verdict(scores["generalist_generalist"][:3], "arms race") == "cannot tell"
-    assert verdict(scores["generalist_generalist"][:5], "arms race") == "present"
-    assert verdict(scores["generalist_generalist"][:5], "intransitivity") == "cannot tell"
-
-
-def test_the_simple_rule_is_fooled_by_one_race_of_four() -> None:
-    alarms = [last_beats_first(noisy_race("noise only, .5", seed)) for seed in range(200)]
-    assert 0.15 < np.mean(alarms) < 0.35  # the text says: one of four
-
-
-def test_specialists_have_more_checkerboards(scores: dict[str, np.ndarray]) -> None:
-    measure = analysis.MEASURES["checkerboards"].of
-    specialists, mixed = (
-        [measure(matrix).value for matrix in scores[name].mean(axis=3)] for name in SCHEDULES[:2]
-    )
-    difference = analysis.difference_of_runs(mixed, specialists)
-    assert difference.high < 0.0
-
-
-# ---- Notebook 6 ----------------------------------------------------------------------------------
-
-
-def test_noise_lowers_the_transitive_share_and_the_correction_removes_the_bias() -> None:
-    strength = np.linspace(-1, 1, 16)
-    truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
-    shares = []
-    for seed in range(20):
-        race = play_episodes(truth, 1, np.random.default_rng(seed))
-        shares.append(analysis.transitive_share(race.mean(axis=2)))
-    assert np.mean(shares) < 0.4  # though the truth is 1: a single episode is nearly all noise
-    corrected = [
-        analysis.transitive_share_over_episodes(
-            play_episodes(truth, 10, np.random.default_rng(seed))
-        ).value
-        for seed in range(20)
-    ]
-    assert np.mean(corrected) == pytest.approx(1.0, abs=0.06)
-
-
-def test_alpha_rank_looks_at_directions_and_nash_at_stakes() -> None:
-    weighted = ROCK_PAPER_SCISSORS.copy()
-    weighted[2, 1], weighted[1, 2] = 0.6, 0.4
-    assert analysis.alpha_rank(weighted).pursuers == pytest.approx(np.full(3, 1 / 3), abs=1e-3)
-    assert analysis.nash_averaging(weighted).pursuers[0] < 0.1
-    assert analysis.nash_averaging(WELL).pursuers[0] == pytest.approx(0.0, abs=1e-6)
-    assert analysis.alpha_rank(WELL).pursuers[0] > 0.1
-
-
-def test_what_halls_of_fame_changed() -> None:
-    ends = {
-        name: analysis.difference_of_runs(with_halls, without, paired=True)
-        for name, (without, with_halls) in kept("halls").items()
-    }
-    for name in ("pursuer_forgetting", "evader_forgetting", "checkerboards"):
-        assert ends[name].high < 0.0
-    assert ends["pursuer_score"].low > 0.0
-    assert ends["evader_score"].low < 0.0 < ends["evader_score"].high
-
-
-def test_the_numbers_game_shows_no_help() -> None:
-    living, with_hall = kept("numbers_game")["ones"]
-    difference = analysis.difference_of_runs(with_hall, living)
-    assert difference.low < 0.0 < difference.high
-
-
-def test_what_the_small_races_show() -> None:
-    cures = kept("cures")
-    names = [str(name) for name in cures["samplers"]]
-    rates = dict(zip(names, cures["captured"] / int(cures["evaders"]), strict=True))
-    specialists = analysis.judge(rates["latest"], per_episode=True).headline
-    assert specialists["forgetting"].verdict == "present"
-    assert specialists["cycling"].verdict == "cannot tell"
-    generalists = analysis.judge(rates["round-robin"], per_episode=True).headline
-    assert generalists["cycling"].verdict == "absent"
-    # Beyond those of training: archives play matches of their own.
-    extra = cures["matches"].mean(axis=1) / 38_400 - 1
-    assert (extra[:3] == 0.0).all()
-    assert (extra[3:] > 0.01).all()
-    assert (extra[3:] < 0.04).all()
-
-
-def test_the_specialists_evaders_escape_most_often() -> None:
-    cures = kept("cures")
-    cross = cures["cross_play"] / int(cures["cross_evaders"])
-    others = ~np.eye(len(cross), dtype=bool)  # nobody is examined by those it learned with
-    escape = [1 - cross[others[i], :, i].mean(axis=(0, 1)) for i in range(len(cross))]
-    ends = [analysis.interval_over_runs(each) for each in escape]
-    assert np.argmax([each.value for each in ends]) == 0
-    assert all(ends[i].high < ends[0].low for i in (1, 2))
 
 
 # ---- Notebook 7 ----------------------------------------------------------------------------------
-
-
-def test_four_of_five_wins_are_as_good_as_five_up_to_nine_tenths() -> None:
-    four, five = reduced_virulence([4, 5], 0.9)
-    assert four == pytest.approx(five)
-    same = [toys.hosts_and_parasites(v, 0, generations=60).ones for v in (1.0, 0.95)]
-    assert np.array_equal(*same)
-
-
-def test_a_rare_winner_is_rarely_a_parent() -> None:
-    wins = np.zeros((20, 10))
-    wins[:19, :9], wins[19, 9] = 1.0, 1.0
-    for fitness, chance in ((wins.sum(axis=1), 0.11), (competitive_sharing(wins), 0.88)):
-        assert 1 - (1 - fitness[19] / fitness.sum()) ** 20 == pytest.approx(chance, abs=0.005)
 
 
 def test_the_races_to_judge_are_of_both_sorts_and_need_many_episodes() -> None:
@@ -290,30 +142,30 @@ def test_the_races_to_judge_are_of_both_sorts_and_need_many_episodes() -> None:
 def test_the_truth_is_shown_beside_the_verdicts() -> None:
     races = unknown_races(episodes=4)
     right = ["yes" if is_disengaged(*each) else "no" for each in UNKNOWN]
-    assert "0 false alarms" in reveal(right, races)
-    assert "and 0 of 4 disengaged ones missed" in reveal(right, races)
     swapped = ["no" if each == "yes" else "yes" for each in right]
-    assert "4 false alarms" in reveal(swapped, races)
-    assert "and 4 of 4" in reveal(swapped, races)
+    told = [" ".join(reveal(answers, races).split("\n")[-1:]) for answers in (right, swapped)]
+    assert [[int(number) for number in re.findall(r"\d+", each)] for each in told] == [
+        [0, 4, 0, 4],
+        [4, 4, 4, 4],
+    ]
     for wrong in (..., "yes", ["yes"], ["maybe"] * 8):
         with pytest.raises(UnansweredError):
             reveal(wrong, races)
 
 
+@pytest.mark.slow
 def test_the_kept_races_show_what_the_notebook_says() -> None:
+    """Of ten seeds of each kind so many disengage in the last half."""
     stored = kept("chapter_7")
-    shape = (10, 15, 15, 30)
-    kinds = ("even", "few evader epochs", "no overlap penalty", "restrained pursuers")
-    assert all(stored[f"captured: {kind}"].shape == shape for kind in kinds)
-    present = {}
-    for kind in kinds:
+    for kind, least, most in (
+        ("even", 0, 2),
+        ("no overlap penalty", 0, 2),
+        ("few evader epochs", 7, 10),
+        ("restrained pursuers", 5, 8),
+    ):
         found = analysis.judge(stored[f"captured: {kind}"] / stored["evaders"], per_episode=True)
         verdicts = found.windows["last half"]["disengagement"].by_run
-        present[kind] = verdicts.count("present")
-    assert present["few evader epochs"] >= 7  # of 10 seeds
-    assert 5 <= present["restrained pursuers"] <= 8
-    assert max(present["even"], present["no overlap penalty"]) <= 2
-    assert stored["has not: disengagement"][0] == 0
+        assert least <= verdicts.count("present") <= most, kind
 
 
 # ---- Notebook 8 ----------------------------------------------------------------------------------
@@ -328,51 +180,11 @@ def test_the_numbers_of_the_paper_are_those_of_the_results() -> None:
         assert np.array_equal(stored[name], values), name
 
 
-def test_one_seed_decides_nothing() -> None:
-    assert verdict_on([0.9], [0.1]) == "cannot tell"
-
-
-def test_the_kept_teams_show_what_the_predictions_say() -> None:
-    stored = kept("chapter_8")
-    kinds = list(stored["evaders: kinds"])
-    hunter = list(stored["evaders: opponents"]).index("hunter")
-    against_hunters = dict(zip(kinds, stored["evaders: scores"][..., hunter] / 1000, strict=True))
-    for other in ("easy to hard", "hard to easy", "random only"):
-        assert verdict_on(against_hunters["hardest only"], against_hunters[other]) == "better"
-    against_walkers = stored["pursuers: ladder"][:, :, 0] / 1000
-    assert verdict_on(against_walkers[:, 4], against_walkers[:, 1]) == "worse"
-
-
-def test_who_is_better_depends_on_the_examiner() -> None:
-    stored = kept("chapter_8")
-    one, other = (list(stored["evaders: kinds"]).index(n) for n in ("co-evolution", "easy to hard"))
-    scripts = stored["evaders: scores"][..., :4].mean(axis=2) / 1000
-    races = stored["evaders: against races"] / 1000
-    others = ~np.eye(races.shape[1], dtype=bool)
-    strangers = np.array(
-        [[row[own].mean() for row, own in zip(r, others, strict=True)] for r in races]
-    )
-    assert verdict_on(scripts[one], scripts[other]) == "worse"
-    assert verdict_on(strangers[one], strangers[other]) == "better"
-
-
-def test_the_concepts_are_drawn() -> None:
-    texts = {text.get_text() for text in plots.learning_concepts().axes[0].texts}
-    assert {"co-evolution", "curriculum learning", "arms race", "adversarial learning"} <= texts
-
-
 # ---- Notebook 9: safety --------------------------------------------------------------------------
 
 
 def everything(views: np.ndarray) -> np.ndarray:
     return np.ones((len(views), WORLD.n_actions), bool)
-
-
-def test_the_brisk_pack_captures_and_is_safe_in_most_episodes() -> None:
-    played = play_masked(BRISK, everything, episodes=300, seed=5)
-    assert played.captured.mean() > 0.95
-    assert (played.safety.summary().safe_share[0] > 0.6).all()
-    assert 8 < break_even() < 12
 
 
 def test_conventions_that_stop_no_group_are_the_orders_of_the_moves() -> None:
@@ -406,46 +218,23 @@ def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
     assert both_go.safety.summary().fault_rate[0, 1] > 0
 
 
-@pytest.fixture(scope="module")
-def runs() -> dict[str, np.ndarray]:
-    return dict(kept("safe_packs"))
-
-
-def shares(runs: dict[str, np.ndarray], name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return the shares of episodes with a capture, and of unsafe ones, of each run."""
-    episodes = runs["episodes"]
-    return runs[f"{name}_captured"] / episodes, 1 - runs[f"{name}_safe"] / episodes
-
-
-def test_at_every_penalty_runs_that_capture_collide(runs: dict[str, np.ndarray]) -> None:
-    for number in range(len(runs["penalties"])):
-        captured, unsafe = shares(runs, f"penalty{number}")
-        assert (unsafe[captured > 0.5] > 0).all()
-
-
-def test_a_high_penalty_makes_two_kinds_of_runs(runs: dict[str, np.ndarray]) -> None:
-    captured, _ = shares(runs, "penalty5")
-    assert runs["penalties"][5] == 12
-    assert (captured < 0.05).sum() >= 3
-    assert (captured > 0.9).sum() >= 3
-    without, _ = shares(runs, "penalty0")
-    assert (without > 0.5).all()
-
-
-def test_masks_rule_collisions_out(runs: dict[str, np.ndarray]) -> None:
-    for name in ("mask", "late_mask"):
-        assert not runs[f"{name}_faults"].any()
-    assert not runs["mask_training_faults"].any()
-    from_the_start, _ = shares(runs, "mask")
-    afterwards, _ = shares(runs, "late_mask")
-    assert from_the_start.min() > 0.9
+def test_what_the_kept_packs_show() -> None:
+    """Penalties make packs that collide or capture nothing; masks rule collisions out."""
+    runs = kept("safe_packs")
+    captured = {name: runs[f"{name}_captured"] / runs["episodes"] for name in PACKS}
+    for name in PACKS[:7]:
+        unsafe = 1 - runs[f"{name}_safe"] / runs["episodes"]
+        assert (unsafe[captured[name] > 0.5] > 0).all()
+    assert (captured["penalty0"] > 0.5).all()
+    assert (captured["penalty5"] < 0.05).sum() >= 3  # the penalty of the paper
+    assert (captured["penalty5"] > 0.9).sum() >= 3
+    assert not any(runs[f"{name}_faults"].any() for name in ("mask", "late_mask", "mask_training"))
     # A mask on what has learned without it costs captures.
-    assert afterwards.mean() < from_the_start.mean() - 0.1
+    assert captured["late_mask"].mean() < captured["mask"].mean() - 0.1
+    assert (1000 * runs["limit_faults"].sum(axis=1) / runs["limit_agent_steps"] < 20).all()
 
 
-def test_a_limit_is_kept_at_the_end(runs: dict[str, np.ndarray]) -> None:
-    rates = 1000 * runs["limit_faults"].sum(axis=1) / runs["limit_agent_steps"]
-    assert (rates < 20).all()
+PACKS = (*(f"penalty{number}" for number in range(7)), "mask", "late_mask")
 
 
 # ---- Notebook 10 ---------------------------------------------------------------------------------
@@ -514,16 +303,12 @@ def test_the_network_wishes_what_the_table_says() -> None:
     np.testing.assert_allclose(found, expected, atol=1e-4)
 
 
-def test_several_packs_are_one_population() -> None:
-    both = pack([[1, 2, 3, 4, 5, 6], [0, 0, 0, 0, 0, 1]])
-    np.testing.assert_array_equal(both.genomes[0], pack([1, 2, 3, 4, 5, 6]).genomes[0])
-    assert len(both.genomes) == 2
-
-
-@pytest.mark.parametrize("weights", [1.0, [1, 2], np.zeros((2, 7)), np.zeros((1, 1, 6))])
-def test_other_shapes_are_refused(weights: Any) -> None:
-    with pytest.raises(ValueError, match=r"weights: expected shape \(6,\) or \(n, 6\), got \("):
-        pack(weights)
+def test_other_shapes_are_refused() -> None:
+    for weights in (1.0, [1, 2], np.zeros((2, 7)), np.zeros((1, 1, 6))):
+        with pytest.raises(ValueError, match="weights: expected shape"):
+            pack(weights)
+    with pytest.raises(ValueError, match="mask: expected shape"):
+        play_masked([0] * 6, lambda views: np.ones(len(views), bool), episodes=5)
 
 
 def test_without_a_mask_it_plays_like_a_rollout() -> None:
@@ -549,8 +334,3 @@ def test_a_forbidden_action_is_never_chosen() -> None:
         assert not stayed.captured.any()
         assert (stayed.steps == WORLD.max_steps).all()
         assert stayed.safety.summary().fault_rate[0].sum() == 0
-
-
-def test_a_mask_of_another_shape_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"mask: expected shape \(30, 5\), got \(30,\)"):
-        play_masked([0] * 6, lambda views: np.ones(len(views), bool), episodes=5)

@@ -21,10 +21,8 @@ from course.chapter_5 import ENDINGS
 from course.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from course.chapter_8 import CASES, verdict_on
 from course.chapter_9 import break_even
-from course.questions import Prediction, exercises
 from matrixworld import Action, analysis
 from matrixworld.coevolution import reduced_virulence
-from notebooks import NOTEBOOKS, cells, source
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 
@@ -388,11 +386,6 @@ def test_the_errors_of_a_student_s_function_are_told_with_line_and_arguments() -
     assert "AttributeError: " in check("3.4", broken).text
 
 
-def test_names_are_text() -> None:
-    with pytest.raises(TypeError, match=r'name: expected text in quotes such as "3.2", got 1.1'):
-        check(1.1, 3)
-
-
 def test_replies_do_not_give_numbers_away() -> None:
     answers = {
         "2.3": "202 ",
@@ -405,24 +398,8 @@ def test_replies_do_not_give_numbers_away() -> None:
         assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())
 
 
-@pytest.mark.parametrize("chapter", [1, 2])
-def test_options_are_written_out(chapter: int) -> None:
-    texts = [source(cell) for cell in cells(NOTEBOOKS[chapter - 1])]
-    places = [at for at, text in enumerate(texts) if text.startswith("predict(")]
-    offered = [
-        (
-            re.findall(r'^- `"(\w)"`:', texts[at - 1], re.MULTILINE),
-            re.findall(r'"(\w)"', texts[at].splitlines()[0]),
-        )
-        for at in places
-    ]
-    known = [each for each in exercises(chapter).values() if isinstance(each, Prediction)]
-    assert offered == [(list(each.options), list(each.options)) for each in known]
-
-
-@pytest.mark.parametrize("name", ["1.4", "3.1"])
-def test_hints_get_more_explicit(name: str) -> None:
-    *hints, again = (hint(name).text for _ in range(4))
+def test_hints_get_more_explicit() -> None:
+    *hints, again = (hint("3.1").text for _ in range(4))
     assert [text[:13] for text in hints] == [f"Hint {number} of 3: " for number in (1, 2, 3)]
     assert len(set(hints)) == 3
     assert again == hints[-1]

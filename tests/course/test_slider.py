@@ -32,12 +32,6 @@ def test_a_slider_shows_the_picture_of_its_value(tmp_path: Path, browser: Browse
     assert "<input" not in picture
 
 
-def test_one_picture_needs_no_slider() -> None:
-    with pytest.raises(ValueError, match="figures: expected two or more, got 1"):
-        Slider("seeds", {1: (plt.figure(), "nothing")})
-    plt.close("all")
-
-
 def test_small_runs_of_notebooks_say_so(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

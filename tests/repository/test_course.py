@@ -6,15 +6,14 @@ import os
 import re
 import runpy
 from datetime import datetime
-from operator import attrgetter
 from pathlib import Path
 
 import pytest
+from pytest import mark
 
 from course import UnansweredError, check, outcome, predict
 from course.questions import CHAPTERS, Exercise, Prediction, exercises
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
-from slow import quickly
 
 SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
@@ -43,7 +42,13 @@ RUN = runpy.run_path(str(TUTORIALS / "run.py"))
 
 
 # The rules. The solutions of all exercises are always run.
-@quickly("path", NOTEBOOKS, lambda path: chapter(path) == 1, attrgetter("stem"))
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, id=path.stem, marks=mark.slow if chapter(path) == 1 else mark.nightly)
+        for path in NOTEBOOKS
+    ],
+)
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
 def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import nbformat

@@ -19,7 +19,7 @@ from course.questions import (
     predict,
     size,
 )
-from course.slider import Slider
+from course.shown import Slider
 
 __all__ = ["Slider", "UnansweredError", "check", "hint", "kept", "outcome", "predict", "size"]
 

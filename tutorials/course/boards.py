@@ -10,14 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from PIL import Image, ImageDraw
 
-from matrixworld._util import colors
-from matrixworld._util.checks import check_integer
-from matrixworld.episodes import render
+from matrixworld import Action, Recorder, Rules, World, colors, render
 from matrixworld.episodes.canvas import Layout
-from matrixworld.episodes.record import Recorder
-from matrixworld.world.arrays import MOVES, integers
-from matrixworld.world.rules import Action, Rules
-from matrixworld.world.world import World
+from matrixworld.world.arrays import MOVES
 
 Cell = tuple[int, int]
 Situation = tuple[list[Cell], list[Cell]]
@@ -63,16 +58,11 @@ class Picture:
 def plan(world: World, actions: ArrayLike, title: str = "planned moves") -> Picture:
     """Draw a world, which stays as it is, and where its agents are going to move.
 
-    Agents carry their numbers, and arrows show their moves. ValueError or TypeError unless there is
-    one action from 0 to 4 for each agent.
+    Agents carry their numbers, and arrows show their moves.
     """
-    chosen = integers("actions", actions)
-    if chosen.shape != (world.config.n_agents,):
-        raise ValueError(
-            f"actions: expected {world.config.n_agents} (agents), got shape {chosen.shape}"
-        )
-    for action in chosen.tolist():
-        check_integer("actions", action, Action.STAY, Action.WEST)
+    chosen, count = np.asarray(actions), world.config.n_agents
+    if chosen.shape != (count,) or not np.isin(chosen, range(Action.WEST + 1)).all():
+        raise ValueError(f"actions: expected {count} from 0 to 4, got {chosen.tolist()}")
     canvas = Image.fromarray(render.rgb(world.scene(title), cell=CELL, numbers=True))
     layout = Layout.of(world.map.shape, CELL, least=CELL)
     moves = zip(world.positions.tolist(), chosen.tolist(), strict=True)

@@ -187,26 +187,7 @@ SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
 
 
 def synthetic_race(kind: str, n: int, seed: int) -> SyntheticRace:
-    """Return a race of known capture rates.
-
-    Parameters
-    ----------
-    kind : str
-        Name in `SYNTHETIC`.
-    n : int
-        Generations of each team, at least 4.
-    seed : int
-        Seed of the nuisance parameters.
-
-    Raises
-    ------
-    ValueError
-        If there is no such kind, or n is below 4.
-    """
-    if kind not in SYNTHETIC:
-        raise ValueError(f"kind: expected one of {'; '.join(SYNTHETIC)}, got {kind!r}")
-    if n < 4:
-        raise ValueError(f"n: expected at least 4 generations, got {n}")
+    """Return a race of a kind in `SYNTHETIC` with n generations; the seed is that of `Draws`."""
     return SYNTHETIC[kind](n, 1.0, Draws(seed))
 
 
@@ -222,27 +203,11 @@ def play_episodes(
     evaders: int = 1,
     matchups: float = 0.0,
 ) -> FloatArray:
-    """Play matches of known capture rates.
+    """Play matches of known capture rates (...), and return the captured fractions (..., episodes).
 
-    Parameters
-    ----------
-    rates : ndarray of float64, shape (...)
-        Capture rates without noise.
-    episodes : int
-        Episodes of each pair.
-    rng : numpy.random.Generator
-        Draws the matches.
-    evaders : int, optional
-        Evaders of an episode, whose captured fraction is its score; 1 is a win or loss.
-    matchups : float, optional
-        Standard deviation of what is particular to each pair of generations, in capture rate.
-
-    Returns
-    -------
-    ndarray of float64, shape (..., episodes)
-        Captured fraction of each episode. With one evader: Bernoulli(M); with k: Binomial(k, q) / k
-        with q from Beta(4 M, 4 (1 - M)) once an episode. M is the rate plus N(0, `matchups`) of the
-        pair, which is the same in all of its episodes.
+    With one evader they are Bernoulli(M); with k: Binomial(k, q) / k with q from
+    Beta(4 M, 4 (1 - M)) once an episode. M is the rate plus N(0, `matchups`) of the pair, which is
+    the same in all of its episodes.
     """
     true = np.clip(rates + matchups * rng.standard_normal(rates.shape), 0.0, 1.0)
     chances = np.repeat(true[..., None], episodes, axis=-1)

@@ -38,6 +38,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -152,17 +153,8 @@ GAMES = {
 """Numbers games by name."""
 
 
-@dataclass(frozen=True)
-class Side:
-    """How one population evolves.
-
-    `fitness` turns wins (n,) into fitness (n,); `select` takes (fitness, n, rng) and returns the
-    indices of the parents (n,); `mutate` takes (bits (n, ...), rng) and returns the mutants.
-    """
-
-    fitness: Callable[[FloatArray], FloatArray]
-    select: Callable[[FloatArray, int, np.random.Generator], Indices]
-    mutate: Callable[[BoolArray, np.random.Generator], BoolArray]
+Breed = Callable[[BoolArray, FloatArray, np.random.Generator], BoolArray]
+"""Takes the bits (n, ...) of a population, its wins (n,) and a generator; returns the children."""
 
 
 def select_proportionate(fitness: FloatArray, k: int, rng: np.random.Generator) -> Indices:
@@ -224,8 +216,8 @@ class History:
 
 def evolve(
     game: Game,
-    sides: tuple[Side, Side],
-    rng: np.random.Generator,
+    breeds: tuple[Breed, Breed],
+    seed: int,
     *,
     generations: int,
     opponents: int,
@@ -240,7 +232,8 @@ def evolve(
             of the other side's past champions that its sampler chooses
             both sides breed by their wins; the individual with the most wins is the new champion
     """
-    bits = [np.zeros((POPULATION, *game.shape), dtype=np.bool_) for _ in sides]
+    rng = np.random.default_rng(seed)
+    bits = [np.zeros((POPULATION, *game.shape), dtype=np.bool_) for _ in breeds]
     champions: tuple[list[BoolArray], list[BoolArray]] = ([], [])
     ones, wins = [_ones(bits)], []
     for generation in range(generations):
@@ -254,13 +247,12 @@ def evolve(
         players = [np.array([*bits[s], *halls[s]]).sum(axis=2) for s in (0, 1)]
         scores = game.scores(players[0][pairs.pursuer], players[1][pairs.evader])
         won = [_wins(pairs.pursuer, scores), _wins(pairs.evader, 1.0 - scores)]
-        for s, side in enumerate(sides):
+        for s, breed in enumerate(breeds):
             if samplers is not None and len(chosen[s]):
                 samplers[s].tell(chosen[s], _scores_on_champions(pairs, scores, s))
             # After the matches, so that the champions of a generation are past ones in the next.
             champions[s].append(bits[s][np.argmax(won[s])])
-            parents = side.select(side.fitness(won[s]), POPULATION, rng)
-            bits[s] = side.mutate(bits[s][parents], rng)
+            bits[s] = breed(bits[s], won[s], rng)
         ones.append(_ones(bits))
         wins.append(won)
     return History(game, np.array(ones), np.array(wins))
@@ -293,34 +285,21 @@ def numbers_game(
     flips: float = 0.005,
     samplers: Samplers | None = None,
 ) -> History:
-    """Play a numbers game with fitness-proportionate selection.
+    """Play one of `GAMES` with fitness-proportionate selection.
 
-    Parameters
-    ----------
-    name : {"scalar", "focusing", "intransitive"}
-        Name in `GAMES`.
-    seed : int
-        Seed of all random numbers.
-    generations : int, optional
-        Generations that both populations of `POPULATION` individuals breed.
-    opponents : int, optional
-        Living opponents of each individual.
-    flips : float, optional
-        Probability that a bit is flipped; half of the probability that it is redrawn.
-    samplers : tuple of OpponentSampler, optional
-        Per side, chooses among the other side's past champions. By default there are no matches
-        with champions.
+    Individuals meet so many living `opponents`; `samplers` choose for each side among the other
+    side's past champions, too. A bit is flipped with the probability `flips`.
     """
-    side = Side(
+
+    def breed(bits: BoolArray, wins: FloatArray, rng: np.random.Generator) -> BoolArray:
         # Wins are the fitness: the objective must not leak into selection.
-        fitness=lambda wins: wins,
-        select=select_proportionate,
-        mutate=partial(flip, probability=flips),
-    )
+        parents = select_proportionate(wins, POPULATION, rng)
+        return flip(bits[parents], rng, probability=flips)
+
     return evolve(
         GAMES[name],
-        (side, side),
-        np.random.default_rng(seed),
+        (breed, breed),
+        seed,
         generations=generations,
         opponents=opponents,
         samplers=samplers,
@@ -337,31 +316,20 @@ def hosts_and_parasites(
 ) -> History:
     """Evolve hosts (side 0, of virulence 1) and parasites (side 1), which meet 5 opponents each.
 
-    Parameters
-    ----------
-    virulence : float or callable
-        Virulence of the parasites, from 0.5 to 1; or their fitness, as a function of the wins (n,).
-    seed : int
-        Seed of all random numbers.
-    generations : int, optional
-        Generations that both populations of `POPULATION` individuals breed.
-    tournament : int, optional
-        Individuals in a tournament.
-    biases : tuple of float, optional
-        Probability that a redrawn bit is a one, of the hosts and of the parasites.
+    `virulence` is that of the parasites, from 0.5 to 1; or their fitness, as a function of the wins
+    (n,). Parents win tournaments of so many individuals. `biases` are the probabilities that a
+    redrawn bit is a one, of the hosts and of the parasites.
     """
-    hosts, parasites = (
-        Side(
-            fitness=own if callable(own) else partial(reduced_virulence, virulence=own),
-            select=partial(select_tournament, size=tournament),
-            mutate=partial(mutate_biased, probability=REDRAWN, bias=bias),
-        )
-        for own, bias in zip((1.0, virulence), biases, strict=True)
+
+    def breed(
+        bits: BoolArray, wins: FloatArray, rng: np.random.Generator, own: Any, bias: float
+    ) -> BoolArray:
+        fitness = own(wins) if callable(own) else reduced_virulence(wins, own)
+        parents = select_tournament(fitness, POPULATION, rng, size=tournament)
+        return mutate_biased(bits[parents], rng, probability=REDRAWN, bias=bias)
+
+    breeds = (
+        partial(breed, own=1.0, bias=biases[0]),
+        partial(breed, own=virulence, bias=biases[1]),
     )
-    return evolve(
-        GAMES["scalar"],
-        (hosts, parasites),
-        np.random.default_rng(seed),
-        generations=generations,
-        opponents=5,
-    )
+    return evolve(GAMES["scalar"], breeds, seed, generations=generations, opponents=5)
