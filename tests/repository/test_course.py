@@ -9,7 +9,6 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from pytest import mark
 
 from course import UnansweredError, check, outcome, predict
 from course.questions import CHAPTERS, Exercise, Prediction, exercises
@@ -19,6 +18,7 @@ SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
 LARGEST = 1_000_000  # bytes
 
+SLOW, NIGHTLY = pytest.mark.slow, pytest.mark.nightly
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])
 
@@ -45,7 +45,7 @@ RUN = runpy.run_path(str(TUTORIALS / "run.py"))
 @pytest.mark.parametrize(
     "path",
     [
-        pytest.param(path, id=path.stem, marks=mark.slow if chapter(path) == 1 else mark.nightly)
+        pytest.param(path, id=path.stem, marks=SLOW if chapter(path) == 1 else NIGHTLY)
         for path in NOTEBOOKS
     ],
 )
