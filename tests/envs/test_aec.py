@@ -1,6 +1,5 @@
 """The AEC environment: a turn is played when all its agents have chosen an action."""
 
-import copy
 from typing import Any
 
 import numpy as np
@@ -88,20 +87,6 @@ def test_agents_of_a_team_choose_one_by_one_and_move_at_once() -> None:
     np.testing.assert_array_equal(env.observe("evader_0"), world.views()[config.n_pursuers])
 
 
-def test_all_agents_observe_the_start_of_a_simultaneous_round() -> None:
-    env = MatrixWorldAEC(config_of("R"))
-    env.reset(seed=1)
-    start = {agent: env.observe(agent) for agent in env.agents}
-    for agent in env.possible_agents[:-1]:
-        env.step(2)
-        np.testing.assert_array_equal(env.observe(agent), start[agent])
-        assert not any(env.rewards.values())
-    env.step(2)
-    assert env.status.steps == 1
-    assert env.agent_selection == "pursuer_0"
-    assert all(env.rewards.values())
-
-
 def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     config = mw.WorldConfig("TO", rows=1, cols=6, n_pursuers=2, n_evaders=2)
     env = MatrixWorldAEC(config)
@@ -124,20 +109,6 @@ def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     assert env.status.terminated
     assert env.status.steps == 2
     assert all(env.terminations.values())
-
-
-@pytest.mark.parametrize("make", [MatrixWorldAEC, mw.aec_env])
-@pytest.mark.parametrize("name", ["O", "TO", "swarm-D"])
-def test_a_copy_in_the_middle_of_a_round(name: str, make: Any) -> None:
-    env = make(config_of(name))
-    env.reset(seed=3)
-    config = env.unwrapped.config
-    rows = random_actions(5, 5, config.max_steps, config.n_agents)
-    for row in rows[:2, 0]:
-        env.step(int(row))
-    twin = copy.deepcopy(env)
-    assert play(twin, rows) == play(env, rows)
-    np.testing.assert_array_equal(twin.state(), env.state())
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -10,7 +10,7 @@ import matrixworld as mw
 from matrixworld import _core
 from matrixworld.coevolution import TEAMS, held_out, open_run
 from matrixworld.coevolution.types import other
-from rows import CUSTOM, config_of, play_turns, random_team
+from rows import config_of, play_turns, random_team
 
 TOGETHER = ["D", "R", "S", "SDB", "wall-R"]
 IN_TURNS = ["TO", "swarm-D", "swarm-SD", "agents-R", "agents-S"]
@@ -61,47 +61,6 @@ def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
             while env.agents:
                 env.step({agent: chosen(env, mine, agent) for agent in env.agents})
             same(env.recorded, recorded)
-
-
-@pytest.mark.parametrize("team", TEAMS)
-def test_an_info_tells_of_the_agent_s_own_turn(team: str) -> None:
-    """Also where the built-in team plays the next round before it is told."""
-    config = config_of("swarm-S", obstacles=0.3)
-    env = mw.envs.MatrixWorldAEC(config, record=True, **{f"{team}s": "still"})
-    env.reset(seed=1)
-    faults = 0
-    for _ in range(40):
-        agents = [env.agent_selection, *env._to_commit]
-        for _ in agents:
-            env.step(1)
-        faults += sum(env.infos[agent]["fault_obstacle"] for agent in agents)
-        if any(env.truncations.values()):
-            break
-    mine = slice(0, 6) if team == "evader" else slice(6, 8)
-    assert faults == env.recorded.fault[:, mine, 0].sum() > 0
-
-
-@pytest.mark.parametrize(("evaders", "gone"), [([[0, 1]], 1), ([[0, 1], [4, 4]], 2)])
-def test_an_agent_can_be_gone_before_its_first_turn(evaders: list[list[int]], gone: int) -> None:
-    """The built-in pursuer captures an evader in the first turn, and disappears with it."""
-    settings = {"rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": len(evaders), "fov": 5}
-    env = mw.envs.MatrixWorldAEC(CUSTOM["swarm-D"], pursuers="chaser", record=True, **settings)
-    env.reset(seed=1, options={"pursuers": [[0, 0]], "evaders": evaders})
-    paid = play_turns(env, lambda agent, _: pytest.fail(f"{agent} is asked to act"))
-    assert list(paid.values()) == [-10.0, 0.0][:gone]
-    assert env.recorded.length == 1
-
-
-def test_only_the_other_team_has_spaces_observations_and_results() -> None:
-    env = mw.parallel_env(config_of("R"), evaders="fleer")
-    observations, infos = env.reset(seed=0)
-    assert env.possible_agents == ["pursuer_0", "pursuer_1", "pursuer_2"] == env.agents
-    assert list(observations) == list(infos) == env.agents == list(env.observation_spaces)
-    results = env.step(dict.fromkeys(env.agents, 0))
-    assert all(list(each) == ["pursuer_0", "pursuer_1", "pursuer_2"] for each in results)
-    with pytest.raises(ValueError, match=r"actions: expected names of agents, got \['evader_0'\]"):
-        env.step({**dict.fromkeys(env.agents, 0), "evader_0": 0})
-    assert env.status.positions.shape == (7, 2)
 
 
 # ---- What can play -----------------------------------------------------------------------------
@@ -181,16 +140,6 @@ def test_each_episode_draws_an_opponent_by_its_seed() -> None:
     env.reset()
     env.reset()
     assert env.opponent == drawn[1]  # episode 2 of seed 5, as drawn above
-
-
-def test_the_opponent_that_was_drawn_plays() -> None:
-    env = mw.parallel_env(config_of("R"), evaders=["still", "fleer"], record=True)
-    for seed in range(8):
-        env.reset(seed=seed)
-        while env.agents:
-            env.step(dict.fromkeys(env.agents, 0))
-        stayed = not env.recorded.actions[:, 3:].any()
-        assert stayed == (env.opponents[env.opponent] == "still")
 
 
 def test_a_reset_changes_the_opponents_from_then_on() -> None:

@@ -5,11 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode
-from gymnasium.wrappers.vector import RecordEpisodeStatistics
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
-from matrixworld.coevolution.types import other
 from rows import by_name, config_of, random_actions, random_team
 
 MODES = list(AutoresetMode)
@@ -77,34 +75,6 @@ def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None
                 assert np.array_equal(observations[agent], seen[world, place])
 
 
-@pytest.mark.parametrize("copy", [True, False])
-@pytest.mark.parametrize("team", TEAMS)
-def test_arrays_are_those_of_the_other_team(team: str, copy: bool) -> None:
-    config = config_of("D", max_steps=6)
-    settings = {"copy": copy, "action_mask": True, "autoreset_mode": "SameStep"}
-    envs = mw.VectorEnv(config, 2, flatten=True, **settings, **{f"{team}s": "still"})
-    n = len(envs.agents)
-    assert n == (4 if team == "pursuer" else 3)
-    assert envs.single_action_space.shape == (n,)
-    assert envs.observation_space.shape == (2, n, 75) == envs.observations.shape
-    mine, theirs = (getattr(envs, f"{each}s") for each in (other(team), team))
-    assert (mine.size, theirs.size) == (n, 0)
-    assert np.shares_memory(mine.actions, envs.actions)
-    assert np.shares_memory(mine.observations, envs.observations)
-    envs.reset(seed=1)
-    for _ in range(7):
-        actions = envs.action_space.sample() if copy else None
-        seen, rewards, terminations, truncations, infos = envs.step(actions)
-        assert seen.shape == (2, n, 75)
-        assert rewards.shape == terminations.shape == truncations.shape == (2, n)
-        for key in ("alive", "acted", "cost", "fault", "positions", "final_obs", "action_mask"):
-            assert infos[key].shape[:2] == (2, n), key
-    with pytest.raises(ValueError, match=rf"^actions: expected shape \(2, {n}\), got \(2, 7\)"):
-        envs.step(np.zeros((2, 7), int))
-    with pytest.raises(TypeError, match="^actions: expected integers"):
-        envs.step(np.zeros((2, n)))
-
-
 def test_a_league_changes_from_episode_to_episode() -> None:
     """Opponents that are set play from the next episodes on; the present ones go on."""
     config = config_of("R", max_steps=5)
@@ -156,30 +126,6 @@ def test_what_is_refused_changes_nothing() -> None:
 
 
 # ---- Agents as sub-environments ----------------------------------------------------------------
-
-
-@pytest.mark.parametrize("n_worlds", [1, 3])
-@pytest.mark.parametrize("team", TEAMS)
-def test_agents_of_the_other_team_are_sub_environments(team: str, n_worlds: int) -> None:
-    config = config_of("D", max_steps=7)
-    worlds, twin = (mw.VectorEnv(config, n_worlds, **{f"{team}s": "hunter"}) for _ in range(2))
-    envs = RecordEpisodeStatistics(mw.AgentVectorEnv(worlds))
-    n = len(worlds.agents)
-    assert envs.num_envs == n_worlds * n
-    seen, _ = envs.reset(seed=2)
-    whole, _ = twin.reset(seed=2)
-    ended = 0
-    for actions in random_actions(4, 5, 20, n_worlds * n):
-        assert np.array_equal(seen, whole.reshape(seen.shape))
-        seen, rewards, _, _, infos = envs.step(actions)
-        whole, expected, *_ = twin.step(actions.reshape(n_worlds, n))
-        assert np.array_equal(rewards, expected.reshape(-1))
-        ended += int(infos.get("_episode", np.zeros(1)).sum())
-    assert ended >= n_worlds * n
-    mine = mw.AgentVectorEnv(mw.VectorEnv(config, 1, **{f"{team}s": "hunter"}), other(team))
-    assert mine.num_envs == n
-    with pytest.raises(ValueError, match="team: expected the one that the caller plays, got"):
-        mw.AgentVectorEnv(worlds, team)
 
 
 @pytest.mark.parametrize("mode", MODES)

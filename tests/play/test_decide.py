@@ -113,34 +113,3 @@ def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
             assert (actions[:, : config.n_pursuers] == 7).all()
             batch.step(actions % 5)
     assert (expected == 7).all()  # nobody decides in an episode that has ended
-
-
-def test_a_refused_decision_writes_nothing() -> None:
-    config = config_of("R")  # 3 pursuers, 4 evaders
-    batch = mw.Batch(2, config)
-    actions = np.full((2, 7), 7)
-    other_views, two = random_team(config_of("R", fov=3), 0), random_team(config, 0, 1)
-    read_only = actions.copy()
-    read_only.flags.writeable = False
-    team = range(3, 7)
-    for policies, chosen, agents, out, error, message in [
-        (["flier"], [0, 0], team, actions, ValueError, "policies: expected one of random, still"),
-        ([3], [0, 0], team, actions, TypeError, "policies: expected a Population, a T"),
-        ([other_views], [0, 0], team, actions, ValueError, "policies: expected a network for fov"),
-        ([two], [0, 0], team, actions, ValueError, "policies: expected a single genome, got 2"),
-        (["still"], [0, 1], team, actions, ValueError, "chosen: expected 0 to 0, got 1"),
-        (["still"], [0, -1], team, actions, ValueError, "chosen: expected"),
-        (["still"], [0], team, actions, ValueError, r"chosen: expected shape \(2,\), got \(1,\)"),
-        (["still"], [0.0, 0.0], team, actions, TypeError, "chosen: expected an integer"),
-        (["still"], [0, 0], range(8), actions, ValueError, "agents: expected a range in 0 to 7"),
-        (["still"], [0, 0], range(2, 5), actions, ValueError, "agents: expected agents of one"),
-        (["still"], [0, 0], range(0, 3, 2), actions, TypeError, "agents: expected a range with"),
-        (["still"], [0, 0], team, actions[:1], ValueError, "actions: expected shape"),
-        (["still"], [0, 0], team, actions.astype(np.int32), TypeError, "actions: expected dtype"),
-        (["still"], [0, 0], team, read_only, ValueError, "actions: expected a writeable"),
-    ]:
-        with pytest.raises(error, match=message):
-            batch.decide(policies, chosen, agents, out)
-    assert (actions == 7).all()
-    with pytest.raises(ValueError, match=r"actions: expected shape \(7,\), got \(2, 7\)"):
-        batch.world(0).decide("still", team, actions)

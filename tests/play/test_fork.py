@@ -57,51 +57,6 @@ assert in_child(lambda: batch.step(actions[0])) == 0
 """)
 
 
-def test_a_child_resets_and_its_own_child_too() -> None:
-    forked(f"""
-{EXPECTED}
-batch = mw.Batch(100, threads=3)
-
-def play():
-    batch.reset(0)
-    np.testing.assert_array_equal(play_on(batch), expected)
-
-def play_in_both():
-    play()
-    assert in_child(play) == 0
-    play()
-
-assert in_child(play_in_both) == 0
-""")
-
-
-def test_a_child_deletes_a_batch() -> None:
-    forked("""
-batch = mw.Batch(100, threads=3)
-
-def delete():
-    global batch
-    del batch
-    mw.Batch(100, threads=3).step(actions[0])
-
-assert in_child(delete) == 0
-batch.step(actions[0])
-""")
-
-
-def test_a_child_exits_through_the_interpreter() -> None:
-    forked("""
-batch = mw.Batch(100, threads=3)
-env = mw.VectorEnv("O", 100, threads=3)
-env.reset(seed=0)
-number = os.fork()
-if number == 0:
-    env.step(actions[0])
-    sys.exit(7)
-assert os.waitstatus_to_exitcode(os.waitpid(number, 0)[1]) == 7
-""")
-
-
 FORK_OFTEN = """
 def fork_often(busy, play, times):
     done = threading.Event()
@@ -131,45 +86,4 @@ def rollout():
 
 expected = rollout()
 fork_often(rollout, lambda: np.testing.assert_array_equal(rollout(), expected), 10)
-""")
-
-
-@pytest.mark.slow
-def test_forks_in_the_middle_of_steps() -> None:
-    """The batch of a step in progress is refused in the child, and can be deleted and replaced."""
-    output = forked(f"""
-{EXPECTED}
-{FORK_OFTEN}
-batch = mw.Batch(100, threads=3)
-
-def play():
-    global batch
-    try:
-        batch.step(actions[0])
-    except RuntimeError as error:
-        print(error, flush=True)
-    batch = mw.Batch(100, threads=3)
-    np.testing.assert_array_equal(play_on(batch), expected)
-
-fork_often(lambda: batch.step(actions[0]), play, 100)
-batch.step(actions[0])
-""")
-    message = "expected no call in progress when the process was forked"
-    assert all(message in line for line in output.splitlines())
-
-
-def test_multiprocessing_with_fork() -> None:
-    forked("""
-import multiprocessing
-
-batch = mw.Batch(100, threads=3)
-batch.step(actions[0])
-expected = mw.rollout("O", "hunter", "fleer", mw.Matches.of(0, 0, range(4)), threads=1)
-
-def play(seed):
-    batch.step(actions[1])
-    return mw.rollout("O", "hunter", "fleer", mw.Matches.of(0, 0, [seed]), threads=2).length[0, 0]
-
-with multiprocessing.get_context("fork").Pool(2) as pool:
-    assert pool.map(play, range(4)) == expected.length[:, 0].tolist()
 """)

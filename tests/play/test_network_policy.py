@@ -1,7 +1,5 @@
 """Genomes as policies: actions, probabilities, and the same function in other libraries."""
 
-import copy
-import pickle
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +7,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution import open_run
 from right_of_way import forbidden_in_s, random_teams
-from tiny_race import tiny_single
 
 # About as many cells are taken as in play.
 VIEWS = (np.random.default_rng(5).random((200, 3, 5, 5)) < 0.3).astype(np.uint8)
@@ -70,26 +67,6 @@ def test_observations_come_single_or_in_batches_flat_or_not_in_any_dtype() -> No
     assert np.array_equal(policy(VIEWS.reshape(10, 20, 3, 5, 5)), actions.reshape(10, 20))
     assert policy.logits(VIEWS.reshape(10, 20, 75)).shape == (10, 20, 5)
     assert policy(VIEWS[:0]).shape == (0,)
-
-
-def test_wrong_observations_are_refused() -> None:
-    policy = policy_of()
-    with pytest.raises(ValueError, match=r"observations: expected shape \(..., 3, 5, 5\) or"):
-        policy(np.zeros((2, 3, 7, 7)))
-    with pytest.raises(TypeError, match="observations: expected numbers, got dtype <U1"):
-        policy(["a"])
-    with pytest.raises(ValueError, match="genome: expected a single one, got 2"):
-        mw.NetworkPolicy(policy.network, np.zeros((2, policy.network.genome_size), np.float32))
-
-
-def test_a_policy_owns_its_genome_and_can_be_copied() -> None:
-    policy = policy_of()
-    for weights, biases in policy.layers():
-        weights[:] = biases[:] = 0
-    assert policy.genome.any()
-    expected = policy_of()(VIEWS)
-    for twin in (copy.deepcopy(policy), pickle.loads(pickle.dumps(policy))):  # noqa: S301
-        assert np.array_equal(twin(VIEWS), expected)
 
 
 @pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
@@ -195,26 +172,6 @@ def test_onnx_has_the_same_probabilities(
     assert np.abs(probabilities - policy.probabilities(VIEWS)).max() < 1e-6
 
 
-def test_onnxruntime_has_the_same_probabilities() -> None:
-    pytest.importorskip("onnx", reason="the package onnx is not installed")
-    runtime = pytest.importorskip("onnxruntime", reason="onnxruntime is not installed")
-    policy = policy_of(activation="tanh")
-    session = runtime.InferenceSession(policy.to_onnx().SerializeToString())
-    for n in (1, 200):  # the graph leaves the number of rows open
-        inputs = {"observations": VIEWS[:n].astype(np.float32)}
-        [probabilities] = session.run(["probabilities"], inputs)
-        assert np.abs(probabilities - policy.probabilities(VIEWS[:n])).max() < 1e-6
-
-
-@pytest.mark.parametrize(("method", "package"), [("to_torch", "torch"), ("to_onnx", "onnx")])
-def test_a_missing_library_is_named(
-    method: str, package: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(__import__("sys").modules, package, None)
-    with pytest.raises(ImportError, match=rf"the module {package}, .*\[{package}\]"):
-        getattr(policy_of(), method)()
-
-
 # ---- Policies of saved runs --------------------------------------------------------------------
 
 
@@ -231,9 +188,3 @@ def test_a_generation_of_a_run_plays_in_an_environment(race: Path) -> None:
         run.policy("pursuer", 9)
     with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
         run.policy("both")
-
-
-def test_a_scripted_team_has_no_policy(tmp_path: Path) -> None:
-    start(tiny_single(team="pursuer", opponent="random"), tmp_path / "run", threads=1).run()
-    with pytest.raises(ValueError, match="team: expected one that learned, got evader: random"):
-        open_run(tmp_path / "run").policy("evader")

@@ -162,22 +162,6 @@ def test_random_players_take_every_action_equally_often(diagonal: bool) -> None:
         assert stats.chisquare(counts).pvalue > 1e-4
 
 
-def test_still_players_stay() -> None:
-    episode = mw.record(arena("SB"), "still", "still", seed=5)
-    assert not episode.actions.any()
-    assert (episode.positions == episode.positions[0]).all()
-
-
-@pytest.mark.parametrize("script", [*CHASERS, *FLEERS])
-def test_scripts_avoid_obstacles(script: str) -> None:
-    config = arena("SB", obstacles=0.2)
-    matches = mw.Matches.of(0, 0, np.arange(20))
-    scores = mw.rollout(config, script, script, matches)
-    assert not scores.collisions[..., 0].any()
-    # There is something to run into.
-    assert mw.rollout(config, "random", "random", matches).collisions[..., 0].all()
-
-
 def lonely_strides(script: str, seed: int) -> np.ndarray:
     """Actions, one row for each stride, of a pursuer that sees no agent and no border."""
     config = arena("O", rows=300, cols=300, n_pursuers=1, n_evaders=1, fov=1, max_steps=120)
@@ -218,32 +202,6 @@ def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> 
 
 
 # ---- Turns -----------------------------------------------------------------------------------
-
-
-def test_teammates_see_each_other_move_in_agent_turns() -> None:
-    """Pursuer 1 goes east if pursuer 0 has left the cell east of it, and stays if it is there.
-
-    With a network that reads one cell: "go east if no teammate is east of me, else stay".
-    """
-    config = config_of("TO", rows=1, cols=5, n_pursuers=2, n_evaders=1, fov=3, max_steps=1)
-    network = mw.Network.for_config(config, (), sampled=False)
-    genome = np.zeros(network.genome_size, np.float32)
-    [(weights, bias)] = network.layers(genome)
-    east_of_me = (1 * 3 + 1) * 3 + 2  # channel of pursuers, middle row, last column
-    bias[mw.Action.EAST] = 1
-    weights[east_of_me, mw.Action.EAST] = -2
-    team = mw.Population(genome, network)
-    seen = set()
-    for seed in range(200):
-        episode = mw.record(config, team, "still", seed=seed)
-        columns = episode.positions[0, :, 1].tolist()
-        if columns == [2, 1, 4]:  # ". 1 0 . e": 0 leaves before 1 looks
-            assert episode.actions[0, :2].tolist() == [mw.Action.EAST, mw.Action.EAST]
-            seen.add("follows")
-        if columns == [1, 2, 4]:  # ". 0 1 . e": 0 sees 1, which is still there
-            assert episode.actions[0, :2].tolist() == [mw.Action.STAY, mw.Action.EAST]
-            seen.add("waits")
-    assert seen == {"follows", "waits"}
 
 
 @pytest.mark.parametrize("name", ["TO", "swarm-S"])

@@ -124,61 +124,6 @@ for _ in range(3):
     assert int(output) > 0  # the threads did meet each other
 
 
-def test_many_threads_use_one_world() -> None:
-    """Calls of a world follow each other, so none is refused."""
-    run(f"""
-{HAMMER}
-import pickle
-world = mw.World("TO")
-
-def step():
-    world.step(np.ones(38, int), explain=True)
-
-refused = hammer(
-    step,
-    lambda: world.reset(0),
-    lambda: world.read("views", "state", "rewards"),
-    lambda: world.conflicts,
-    lambda: pickle.loads(pickle.dumps(world)).step(np.zeros(38, int)),
-)
-assert all("episode has ended" in error or "no list of" in error for error in refused), set(refused)
-world.reset(0)
-np.testing.assert_array_equal(world.views(), mw.World("TO").views())
-""")
-
-
-@pytest.mark.slow
-def test_actions_that_another_thread_writes() -> None:
-    """No action that was not checked is played: each is read once."""
-    run("""
-env = mw.VectorEnv("R", 3000, threads=1, max_steps=10**6)
-env.reset(seed=0)
-good = np.ones_like(env.actions)
-bad = np.full_like(env.actions, 2**62 + 77)
-end = time.monotonic() + 3
-
-def write():
-    while time.monotonic() < end:
-        np.copyto(env.actions, bad)
-        np.copyto(env.actions, good)
-
-thread = threading.Thread(target=write)
-thread.start()
-refused = played = 0
-while time.monotonic() < end:
-    try:
-        env.step()
-        played += 1
-    except ValueError as error:
-        assert "actions: expected 0 to 4" in str(error)
-        refused += 1
-    positions = env.infos["positions"][env.infos["alive"]]
-    assert (positions >= 0).all() and (positions < 40).all()
-thread.join()
-assert played and refused, (played, refused)
-""")
-
-
 def test_rollouts_in_many_threads_are_the_same() -> None:
     run("""
 matches = mw.Matches.of(0, 0, np.arange(30))

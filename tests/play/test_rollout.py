@@ -76,21 +76,6 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
                     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6, err_msg=field)
 
 
-def test_shapes_and_types() -> None:
-    statistics = mw.rollout("O", "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), episodes=4)
-    rest = {"collisions": (2, 3), "faults": (2, 3), "agent_steps": (2,)}
-    types = {"pursuer_return": "f8", "evader_return": "f8", "agent_steps": "i8"}
-    counts = ("length", "pursuer_survivors", "evader_survivors", "collisions", "faults")
-    for name, array in vars(statistics).items():
-        assert array.shape == (3, 4, *rest.get(name, ()))
-        assert array.dtype == types.get(name, "i4" if name in counts else "f4")
-
-
-def test_no_matches() -> None:
-    statistics = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), episodes=2)
-    assert statistics.length.shape == (0, 2)
-
-
 # ---- A pure function -------------------------------------------------------------------------
 
 
@@ -130,18 +115,3 @@ def test_a_candidate_depends_on_its_genome_alone(race: Any) -> None:
 
 
 # ---- Matches ---------------------------------------------------------------------------------
-
-
-def test_matches_broadcast() -> None:
-    matches = mw.Matches.of([0, 1, 2], 7, 9)
-    np.testing.assert_array_equal(matches.pursuer, [0, 1, 2])
-    np.testing.assert_array_equal(matches.evader, [7, 7, 7])
-    np.testing.assert_array_equal(matches.seed, [9, 9, 9])
-    assert [column.dtype for column in matches] == [np.int32, np.int32, np.uint64]
-    assert all(column.flags.c_contiguous for column in matches)
-    assert mw.Matches.of(1, 2, 3).pursuer.shape == (1,)
-
-
-def test_large_and_small_seeds_side_by_side() -> None:
-    seeds = [3, 2**64 - 1, 2**63 + 1]
-    assert mw.Matches.of(0, 0, seeds).seed.tolist() == seeds

@@ -378,12 +378,6 @@ def test_an_adversary_is_driven_to_the_border() -> None:
     assert decide([(9, 7)], [(8, 6)]) == [NORTH]
 
 
-def test_who_is_not_needed_walks_on() -> None:
-    *holders, other = decide([*AROUND, (5, 7), (8, 8)], [(5, 6)])
-    assert holders == [0, 0, 0, 0]
-    assert other != 0
-
-
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("rules", ["D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO"])
 def test_nobody_is_at_fault_in_any_variant(rules: str, diagonal: bool) -> None:

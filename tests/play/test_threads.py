@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-import matrixworld as mw
 from matrixworld._util import checks
 from scripts import run
 
@@ -48,25 +47,6 @@ print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_
     assert output.split() == ["2", "True", "1", "0"]
 
 
-@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="the system tells no sizes")
-def test_threads_that_the_system_does_not_start_are_told() -> None:
-    """There is room for the stack of one thread, not for those of eight."""
-    output = run("""
-import resource
-from pathlib import Path
-
-taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-stack = max(resource.getrlimit(resource.RLIMIT_STACK)[0], 2**20)
-resource.setrlimit(resource.RLIMIT_AS, (taken + 2 * stack,) * 2)
-try:
-    mw.rollout("SB", "still", "still", mw.Matches.of(0, 0, np.arange(64)), threads=9)
-except OSError as error:
-    print(type(error).__name__, error)
-""")
-    expected = "OSError threads: expected the system to start more, got: Resource temporarily"
-    assert output.startswith(expected)
-
-
 @pytest.mark.parametrize(
     ("own", "limits", "cores"),
     [
@@ -94,9 +74,3 @@ def test_control_groups_limit_cores(
         (tmp_path / "groups" / folder).mkdir(parents=True, exist_ok=True)
         (tmp_path / "groups" / folder / "cpu.max").write_text(limit)
     assert checks.control_group_cores.__wrapped__() == cores
-
-
-def test_a_limited_group_gives_fewer_threads(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(checks, "control_group_cores", lambda: 0.5)
-    assert checks.usable_cores() == 1
-    assert mw.Batch(3).n_worlds == 3

@@ -54,13 +54,6 @@ def test_two_cops_need_half_the_perimeter(rows: int, cols: int) -> None:
     assert solution.capture_time == (rows + cols) // 2 - 1
 
 
-def test_capture_times_do_not_depend_on_the_steps_that_were_solved() -> None:
-    states = States(world("TO", rows=3, obstacles=np.array(HOLE, bool)))
-    short, long = solve(states, steps=1), solve(states, steps=50)
-    assert len(long.values[0]) < 50
-    assert np.array_equal(short.capture_times, long.capture_times)
-
-
 def test_one_cop_needs_the_diagonals() -> None:
     assert solve(world("TO", n_pursuers=1)).capture_time == np.inf
     assert solve(world("TO", n_pursuers=1, diagonal=True)).capture_time < np.inf
@@ -134,12 +127,6 @@ def test_a_mixture_is_the_mean_of_its_members_in_every_state() -> None:
     )
 
 
-def test_threads_change_no_bit() -> None:
-    one, three = (solve(States(world("TO"), threads=threads)) for threads in (1, 3))
-    assert all(map(np.array_equal, one.values, three.values))
-    assert np.array_equal(one.states.successors(2), three.states.successors(2))
-
-
 def test_the_time_to_capture_is_the_sum_over_rounds_of_what_is_free() -> None:
     # With one evader that stays captured, E[min(time, T)] is a sum of escape rates under any play.
     states = States(world())
@@ -178,21 +165,11 @@ def test_a_solved_team_plays_in_all_places() -> None:
         (lambda: best_response(world(rows=7), network(world(rows=7)), "pursuer"), "with fov 13"),
         (lambda: best_response(world(), network(world(), memory="gru"), "pursuer"), "without mem"),
         (lambda: best_response(world(fov=3), "hunter", "pursuer"), "hunter: expected a script"),
-        (
-            lambda: best_response(world(fov=3), "team-surrounder", "pursuer"),
-            "team-surrounder: expected a script",
-        ),
-        (
-            lambda: best_response(world(fov=5), "careful-chaser", "pursuer"),
-            "careful-chaser: expected a script",
-        ),
         (lambda: best_response(world(), solve(world()), "pursuer"), "the same States"),
-        (lambda: best_response(world(), ["still"], "pursuer"), "expected weights with champions"),
         (lambda: best_response(world(), None, "pursuer"), "champion: expected a Population, the"),
         (lambda: longer_reply(solve(world())), "steps: expected 1 to 5, got 9"),
         (lambda: solve(world()).capture_time, "expected a game in turns"),
         (lambda: play(world("R")), "expected the world that it was solved for"),
-        (lambda: play(world(max_steps=6)), "expected at most the 5 steps"),
         (lambda: play(world(), swapped=True), "expected to play for its own team"),
     ],
 )

@@ -1,14 +1,11 @@
 """Batches against single worlds, and the memory and threads that they use."""
 
-import weakref
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import tournament
 from rows import NAMES, config_of, random_actions
 from slow import quickly
 
@@ -122,24 +119,6 @@ def test_each_world_is_a_single_world(
     assert batch.buffers["episode_length"].all()
 
 
-def test_a_copy_of_a_world_goes_on_like_it() -> None:
-    config = config_of("TO", obstacles=0.1)
-    batch = mw.Batch(4, config, autoreset=mw.Autoreset.NEXT_STEP)
-    actions = random_actions(8, 5, 30, 4, config.n_agents)
-    for step in range(5):
-        batch.step(actions[step])
-    world = batch.world(2)
-    for step in range(5, 30):
-        batch.step(actions[step])
-        if world.terminated or world.truncated:
-            world.reset()
-        else:
-            world.step(actions[step, 2])
-        for name, array in batch.buffers.items():
-            np.testing.assert_array_equal(array[2], world.read(name)[name])
-    assert world.episode
-
-
 # ---- Resetting some ----------------------------------------------------------------------------
 
 
@@ -217,73 +196,3 @@ def test_the_arrays_are_those_of_the_caller() -> None:
     # A step wrote into them.
     changed = {name for name in kept if not np.array_equal(kept[name], before[name])}
     assert {"positions", "rewards", "steps", "views", "state", "involved", "fault"} <= changed
-
-
-def test_each_array_alone() -> None:
-    config = config_of("O")
-    full = mw.Batch(6, config, buffers=all_buffers(config, 6))
-    actions = random_actions(5, 5, 6, config.n_agents)
-    for name in full.buffers:
-        some = mw.Batch(6, config, buffers={name: np.zeros_like(full.buffers[name])})
-        some.reset(2)
-        full.reset(2)
-        some.step(actions)
-        full.step(actions)
-        assert list(some.buffers) == [name]
-        np.testing.assert_array_equal(some.buffers[name], full.buffers[name])
-    assert mw.Batch(6, config, buffers={}).step(actions) == {}
-    assert set(mw.Batch(6, config).buffers) == set(mw.array_specs(config)) - {"views", "state"}
-
-
-@pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.int16, np.uint16, np.int32, np.int64])
-def test_any_integers_are_actions(dtype: type) -> None:
-    config = config_of("O")
-    actions = random_actions(6, 5, 3, config.n_agents)
-    one, other = mw.Batch(3, config), mw.Batch(3, config)
-    one.step(actions)
-    other.step(np.asfortranarray(actions.astype(dtype)))  # in memory in another order, too
-    np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
-
-
-def test_batches_in_several_python_threads() -> None:
-    config = config_of("O")
-    actions = random_actions(8, 5, 30, 20, config.n_agents)
-
-    def play(_: int) -> np.ndarray:
-        batch = mw.Batch(20, config, threads=2, autoreset=mw.Autoreset.SAME_STEP)
-        for row in actions:
-            batch.step(row)
-        return batch.buffers["positions"]
-
-    with ThreadPoolExecutor(4) as threads:
-        first, *others = threads.map(play, range(4))
-    for positions in others:
-        np.testing.assert_array_equal(positions, first)
-
-
-def test_a_batch_keeps_its_arrays_alive() -> None:
-    config = config_of("O")
-    batch = mw.Batch(2, config)
-    rewards = weakref.ref(batch.buffers["rewards"])
-    batch.buffers.clear()  # the only names of the arrays
-    batch.step(np.zeros((2, config.n_agents), np.uint8))
-    array = rewards()
-    assert array is not None
-    assert (array != 0).all()  # memory that was freed would hold anything else
-
-
-def test_small_integers_of_numpy_are_integers() -> None:
-    """A product with one of them would overflow."""
-    small, match = np.int8, mw.Matches.of(0, 0, 0)
-    batch = mw.Batch(small(2), rows=small(9), max_steps=small(99), threads=small(1))
-    assert batch.reset(small(3), episode=small(4))["seed"].tolist() == [3, 4]
-    for number in (small(2), np.int64(2), np.uint8(2)):  # what NumPy hands out as a size
-        assert mw.rollout(
-            "O", "still", "still", match, episodes=number, threads=number
-        ).length.shape == (1, 2)
-    network = mw.Network.for_config(batch.config, ())
-    team = mw.Population(network.initial(np.random.default_rng(0)), network)
-    played = tournament(
-        batch.config, team, team, seed=small(0), episodes=small(2), threads=small(1)
-    )
-    assert played.capture_rates.shape == (1, 1, 2)

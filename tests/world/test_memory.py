@@ -110,6 +110,10 @@ def remembered(world: mw.World, size: int) -> np.ndarray:
     return kept
 
 
+def remembered_sizes(world: mw.World) -> np.ndarray:
+    return np.asarray(world._core.snapshot()["memory_sizes"])
+
+
 @pytest.mark.parametrize("memory", MEMORIES)
 def test_memory_belongs_to_the_agents_of_a_world(memory: Any) -> None:
     config = config_of("D", rows=12, cols=12, max_steps=40)
@@ -140,32 +144,6 @@ def test_memory_belongs_to_the_agents_of_a_world(memory: Any) -> None:
     kept = remembered_sizes(world)
     assert set(kept[:3][world.alive[:3]]) == {3}
     assert set(kept[3:][world.alive[3:]]) == {8}
-
-
-def remembered_sizes(world: mw.World) -> np.ndarray:
-    return np.asarray(world._core.snapshot()["memory_sizes"])
-
-
-def test_a_damaged_memory_is_refused() -> None:
-    config = config_of("O")
-    world = mw.World(config)
-    decide(world, random_team(config, 1, memory="gru"))
-    snapshot = world._core.snapshot()
-    snapshot["memories"] = snapshot["memories"][1:]
-    with pytest.raises(ValueError, match="snapshot, memories: expected 112 entries, got 111"):
-        world._core.restore(snapshot)
-
-
-def test_a_built_in_team_remembers() -> None:
-    """In a PettingZoo environment as in a match; tests of vector environments have it, too."""
-    config = config_of("O", max_steps=20)
-    evaders = random_team(config, 4, memory="gru")
-    wanted = mw.record(config, "still", evaders, seed=6)
-    env = mw.parallel_env(config, evaders=evaders, record=True)
-    env.reset(seed=6)
-    while env.agents:
-        env.step(dict.fromkeys(env.agents, 0))
-    assert np.array_equal(env.recorded.positions, wanted.positions)
 
 
 # ---- The same everywhere -------------------------------------------------------------------------

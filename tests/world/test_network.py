@@ -67,12 +67,6 @@ def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> Non
     assert name == "D" or len(np.unique(living, axis=0)) < len(living)
 
 
-def test_obstacles_of_a_grid_too_large_to_keep_their_sums() -> None:
-    """On so many cells the sums of obstacle weights are computed at every step."""
-    world = mw.World(rows=1030, cols=256, n_pursuers=40, n_evaders=40, fov=5, obstacles=0.3)
-    assert_agrees(world, mw.Network.for_config(world.config, (9,)), 0)
-
-
 def test_a_genome_is_read_layer_by_layer() -> None:
     network = mw.Network((4,), fov=1, n_actions=5)
     genome = np.arange(network.genome_size, dtype=np.float32)
@@ -140,20 +134,6 @@ def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> 
         assert stats.chisquare(counts, steps * expected[agent]).pvalue > 1e-3
 
 
-def test_draws_are_independent_of_each_other() -> None:
-    """Draws of two agents in one step, and of one agent in two steps."""
-    config = sealed(4000)
-    network = mw.Network.for_config(config, ())
-    genome = np.zeros(network.genome_size, np.float32)
-    actions = mw.record(config, mw.Population(genome, network), "still", seed=9).actions
-    pairs = [(actions[:, a], actions[:, b]) for a in range(4) for b in range(a)]
-    pairs += [(actions[:-1, a], actions[1:, a]) for a in range(4)]
-    for one, other in pairs:
-        table = np.zeros((5, 5))  # how often each pair of actions was drawn
-        np.add.at(table, (one, other), 1)
-        assert stats.chi2_contingency(table).pvalue > 1e-3
-
-
 @pytest.mark.parametrize(
     ("outputs", "sampled", "taken"),
     [
@@ -198,10 +178,3 @@ def test_every_instruction_set_gives_the_same_bits() -> None:
     for level in (level for level, name in LEVELS.items() if name in lower):
         assert hash_with_kernels(level) == (LEVELS[level], expected)
     assert network_hash.of_everything() == expected
-
-
-def test_an_unknown_instruction_set() -> None:
-    done = run_with_kernels("sse9")
-    assert done.returncode != 0
-    assert "ValueError: MATRIXWORLD_KERNELS: expected base, x86-64-v3 or x86-64-v4" in done.stderr
-    assert "got sse9" in done.stderr

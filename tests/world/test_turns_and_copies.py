@@ -2,8 +2,6 @@
 
 import copy
 import pickle
-import re
-from typing import Any
 
 import numpy as np
 import pytest
@@ -66,18 +64,6 @@ def test_a_list_of_conflicts_is_kept_from_the_first_turn_on() -> None:
         world.conflicts  # noqa: B018
 
 
-@pytest.mark.parametrize("interaction", list(mw.Interaction))
-def test_an_ended_world_takes_no_turn(interaction: mw.Interaction) -> None:
-    world = mw.World(mw.Rules(interaction), rows=1, cols=2, n_pursuers=1, n_evaders=1)
-    world.reset(0, pursuers=[[0, 0]], evaders=[[0, 1]])
-    actions = [mw.Action.EAST, mw.Action.STAY]
-    while not world.steps:  # terminated in the first turn: the round is still played to its end
-        world.play_turn(actions)
-    assert world.terminated
-    with pytest.raises(RuntimeError, match="has ended"):
-        world.play_turn(actions)
-
-
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda w: pickle.loads(pickle.dumps(w))])  # noqa: S301
 @pytest.mark.parametrize("name", NAMES)
 def test_a_copy_continues_independently_and_identically(name: str, copied: object) -> None:
@@ -102,56 +88,3 @@ def test_a_copy_continues_independently_and_identically(name: str, copied: objec
 
 
 # ---- Snapshots: what copies and pickles write down and restore -----------------------------------
-
-CONFIG = mw.WorldConfig.of("TO", rows=4, cols=5, n_pursuers=2, n_evaders=3, max_steps=9)
-
-
-def snapshot_of(world: mw.World) -> dict[str, Any]:
-    return world._core.snapshot()
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "expected"),
-    [
-        ("map", np.zeros(19, np.uint8), "20 entries, got 19"),
-        ("map", np.full(20, 2, np.uint8), "0 to 1, got 2"),
-        ("cells", np.full(5, 20, np.int32), "-1 to 19, got 20"),
-        ("cells", np.zeros(6, np.int32), "5 entries, got 6"),
-        ("last_cells", np.full(5, -2, np.int32), "-1 to 19, got -2"),
-        ("captured", np.full(3, 3, np.uint8), "0 to 1, got 3"),
-        ("captors", np.full(3, 3, np.int32), "0 to 2, got 3"),
-        ("rewards", np.zeros(4, np.float32), "5 entries, got 4"),
-        ("report", np.full(5, 64, np.int32), "0 to 63, got 64"),
-        ("participants", np.array([1, 5], np.int32), "0 to 4, got 5"),
-        ("steps", 10, "0 to 9, got 10"),
-        ("turn", 5, "0 to 4, got 5"),
-        *((missing, None, "an entry, got none") for missing in ("turn", "seed", "cells", "steps")),
-    ],
-)
-def test_a_wrong_snapshot_is_refused(name: str, value: object, expected: str) -> None:
-    snapshot = snapshot_of(mw.World(CONFIG)) | {name: value}
-    if value is None:
-        del snapshot[name]
-    with pytest.raises(ValueError, match=re.escape(f"snapshot, {name}: expected {expected}")):
-        mw.World.at(CONFIG, snapshot)
-
-
-def test_an_array_of_another_type_is_refused() -> None:
-    snapshot = snapshot_of(mw.World(CONFIG))
-    with pytest.raises(TypeError):
-        mw.World.at(CONFIG, snapshot | {"cells": np.zeros(5, np.float64)})
-
-
-@pytest.mark.parametrize("name", sorted(mw.World(CONFIG)._core.snapshot()))
-@pytest.mark.parametrize("value", ["x", None, 1.5, [1]])
-def test_an_entry_of_another_type_is_refused(name: str, value: object) -> None:
-    snapshot = snapshot_of(mw.World(CONFIG)) | {name: value}
-    with pytest.raises(TypeError, match=rf"^snapshot, {name}: expected \w+, got "):
-        mw.World.at(CONFIG, snapshot)
-
-
-def test_something_else_than_a_snapshot_is_refused() -> None:
-    with pytest.raises(TypeError, match="^config: expected a matrixworld.WorldConfig, got 'O'"):
-        mw.World.at("O", snapshot_of(mw.World(CONFIG)))  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="^snapshot: expected a dict, got None"):
-        mw.World.at(CONFIG, None)  # type: ignore[arg-type]

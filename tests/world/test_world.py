@@ -1,19 +1,16 @@
 """One world: episodes and seeds, starts, maps, text, drawings, large sizes, and rewards."""
 
 import dataclasses
-import io
 import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, get_type_hints
+from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import matrixworld as mw
-from matrixworld.episodes.render import ansi, rgb
-from matrixworld.world.arrays import WorldArrays
+from matrixworld.episodes.render import ansi
 from rows import assert_same_worlds, config_of, random_actions
 
 ARRAYS = [name for name, (shape, _) in mw.array_specs(mw.WorldConfig()).items() if shape]
@@ -29,16 +26,6 @@ def small(**changes: object) -> mw.World:
 
 
 # ---- Episodes --------------------------------------------------------------------------------
-
-
-def test_a_new_world_is_in_its_first_episode_of_seed_0() -> None:
-    world, other = mw.World("S"), mw.World("S")
-    other.reset(0)
-    assert_same_worlds(world, other)
-    assert (world.steps, world.terminated, world.truncated) == (0, False, False)
-    assert world.alive.all()
-    for name in ("captured", "ever_captured", "captors", "involved", "fault", "rewards"):
-        assert not read(world, name).any()
 
 
 def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> None:
@@ -71,13 +58,6 @@ def test_without_a_seed_the_next_episode_follows() -> None:
 # ---- Starts ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.uint16, np.int64, np.uint64])
-def test_positions_of_any_integers(dtype: type) -> None:
-    world = small()
-    world.reset(pursuers=np.array([[2, 3], [0, 0]], dtype), evaders=np.array([[1, 2]], dtype))
-    assert world.positions.tolist() == [[2, 3], [0, 0], [1, 2]]
-
-
 def test_one_team_given_the_other_drawn() -> None:
     config = mw.WorldConfig(rows=2, cols=3, n_pursuers=2, n_evaders=4)
     world = mw.World(config)
@@ -88,16 +68,6 @@ def test_one_team_given_the_other_drawn() -> None:
         assert len(set(last_positions)) == 6  # the world is full, so any clash would show
         world.reset(seed, evaders=[[0, 0], [0, 1], [0, 2], [1, 1]])
         assert {tuple(cell) for cell in world.positions[:2].tolist()} == {(1, 0), (1, 2)}
-
-
-def test_given_positions_and_a_density() -> None:
-    """Obstacles are drawn on the cells that the given agents leave free."""
-    world = small(obstacles=0.75)  # 9 of 12 cells: all that the 3 agents leave
-    for seed in range(20):
-        world.reset(seed, pursuers=[[0, 0], [1, 1]], evaders=[[2, 3]])
-        assert world.map.sum() == 9
-        assert world.positions.tolist() == [[0, 0], [1, 1], [2, 3]]
-        assert not world.map[[0, 1, 2], [0, 1, 3]].any()
 
 
 @pytest.mark.parametrize(("always", "count"), [(["....", ".##.", "...."], 2), (0.5, 6)])
@@ -121,55 +91,6 @@ def test_text() -> None:
     east, south, north = mw.Action.EAST, mw.Action.SOUTH, mw.Action.NORTH
     world.step([0, east, 0, 0, 0, south, north])
     assert str(world) == "P...#\n..2.X\n.2..."
-
-
-def test_text_counts_to_nine() -> None:
-    config = mw.WorldConfig("R", rows=3, cols=12, n_pursuers=12, n_evaders=1, max_steps=50)
-    world = mw.World(config)
-    world.reset(pursuers=[[1, col] for col in range(12)], evaders=[[0, 11]])
-    for _ in range(8):
-        world.step([mw.Action.WEST] * 12 + [0])
-    assert str(world).splitlines()[1] == "9PPP........"
-    for _ in range(3):
-        world.step([mw.Action.WEST] * 12 + [0])
-    assert str(world).splitlines()[1] == "9..........."
-
-
-def test_attributes_are_copies() -> None:
-    world = mw.World(config_of("O", obstacles=0.1))
-    names = [*ARRAYS, "map"]
-    before = {name: read(world, name).copy() for name in names}
-    for name in names:
-        read(world, name)[...] = 1  # would change the world if it were no copy
-    for name in names:
-        np.testing.assert_array_equal(read(world, name), before[name])
-    kept = world.positions
-    world.step(np.ones(world.config.n_agents, int))
-    np.testing.assert_array_equal(kept, before["positions"])
-    rewards = world.rewards
-    returned = world.step(np.ones(world.config.n_agents, int))
-    assert rewards is not returned
-    np.testing.assert_array_equal(returned, world.rewards)
-
-
-def test_arrays_are_as_specified() -> None:
-    world = mw.World(config_of("SB", diagonal=True))
-    specs, declared = mw.array_specs(world.config), get_type_hints(WorldArrays)
-    assert set(declared) == set(specs) - {"views", "state"}
-    assert set(specs) <= set(dir(world))
-    for name, (shape, dtype) in specs.items():
-        value = read(world, name)
-        if shape:
-            assert (value.shape, value.dtype) == (shape, dtype)
-        else:
-            assert type(value) is declared[name]
-    with pytest.raises(AttributeError, match="'World' object has no attribute 'position'"):
-        world.position  # noqa: B018
-
-
-def test_reading_an_unknown_array() -> None:
-    with pytest.raises(ValueError, match="expected some of .*'positions'.*got \\['place'\\]"):
-        mw.World().read("positions", "place")
 
 
 def test_conflicts_are_kept_only_with_explain() -> None:
@@ -231,21 +152,7 @@ def test_the_scene_is_the_moment_of_the_world() -> None:
     assert [line[::2] for line in drawn] == str(world).splitlines()
 
 
-def test_a_notebook_shows_a_scene_as_its_picture() -> None:
-    scene = jam().scene()
-    shown = np.array(Image.open(io.BytesIO(scene._repr_png_())))
-    assert np.array_equal(shown, rgb(scene))
-
-
 # ---- Sizes -----------------------------------------------------------------------------------
-
-
-def test_a_full_world() -> None:
-    world = mw.World("SB", rows=5, cols=5, n_pursuers=20, n_evaders=5)
-    assert not (world.state()[0] & world.state()[1]).any()
-    assert (world.state()[:2].sum(axis=0) == 1).all()
-    world.step(random_actions(0, 5, 25))
-    assert len(np.unique(world.positions, axis=0)) == 25  # nobody could move, and nobody was lost
 
 
 def test_a_large_world() -> None:
@@ -269,16 +176,6 @@ def test_a_large_world() -> None:
     assert state[1][tuple(world.positions[:n].T)].all()
 
 
-def test_a_wide_view() -> None:
-    world = mw.World("O", rows=3, cols=5, n_pursuers=1, n_evaders=1, fov=255)
-    world.reset(pursuers=[[0, 0]], evaders=[[2, 4]])
-    evaders, pursuers, obstacles = world.views()[0]
-    assert np.argwhere(evaders).tolist() == [[129, 131]]
-    assert not pursuers.any()
-    assert obstacles.sum() == 255**2 - 15  # outside the map all cells are obstacles
-    assert not obstacles[127:130, 127:132].any()
-
-
 # ---- Configurations --------------------------------------------------------------------------
 
 
@@ -290,24 +187,6 @@ def test_defaults_follow_the_capture() -> None:
         assert (config.n_actions, config.density, config.map) == (5, 0.0, None)
     assert mw.WorldConfig(n_pursuers=3).n_evaders == 30
     assert mw.WorldConfig(diagonal=True).n_actions == 9
-
-
-def test_names_of_variants() -> None:
-    for name in ("SDB", "sdb", "-SDB", "pursuit-evasion-sdb", "Pursuit-Evasion-SDB"):
-        assert mw.WorldConfig(name).rules is mw.VARIANTS["SDB"]
-    assert mw.World(mw.VARIANTS["TO"]).config.rules is mw.VARIANTS["TO"]
-
-
-def test_replacing_fields() -> None:
-    config = mw.WorldConfig("S", rows=9, obstacles=["....", "...#"] * 4 + ["...."])
-    other = dataclasses.replace(config, max_steps=7, fov=3)
-    assert (other.max_steps, other.fov, other.rows, other.cols) == (7, 3, 9, 4)
-    assert other.rules is config.rules
-    np.testing.assert_array_equal(other.map, config.map)
-    assert config.max_steps == 500
-    world = mw.World(config, n_evaders=2)
-    assert world.config.n_evaders == 2
-    assert mw.World(config).config is config
 
 
 @pytest.mark.parametrize("of", [list, tuple, mw.read_map])
@@ -401,14 +280,6 @@ def penalties_only(**changes: object) -> mw.Rewards:
     names = ("capture", "neighbor", "step")
     zero = {f"{team}_{name}": 0.0 for team in ("pursuer", "evader") for name in names}
     return mw.Rewards(**(zero | changes))
-
-
-def test_presets() -> None:
-    assert mw.Rewards.paper() == mw.Rewards()
-    published = mw.Rewards.published()
-    assert published.evader_step == 0.05
-    assert published.capture_repeats
-    assert mw.Rewards(evader_step=0.05, capture_repeats=True) == published
 
 
 @pytest.mark.parametrize("name", ["D", "S", "SDB", "swarm-S", "agents-R"])

@@ -48,9 +48,8 @@ class BuiltInTeam:
     """The team that an environment of W worlds plays itself.
 
     `agents` are its agents, `learners` those of the other team. `opponents` is what can play for
-    it: scripts, populations of one genome, functions. `playing` is the opponent of each world's
-    episode; opponents that are set later do not change it. `chosen`, int64 (W,), is its place in
-    `opponents` when the episode began.
+    it. `playing` is the opponent of each world's episode, which opponents that are set later do not
+    change; `chosen`, int64 (W,), was its place in `opponents`.
     """
 
     def __init__(
@@ -98,11 +97,10 @@ class BuiltInTeam:
 
 
 class BuiltInWorlds(BuiltInTeam):
-    """A built-in team in all worlds of a batch, against an opponent for each.
+    """A built-in team in all worlds of a batch.
 
-    The batch writes at least views, alive, seed, episode, terminated, truncated and ended. `waits`:
-    whether a world whose episode has ended waits for the next step or for a reset. `last`, int64
-    (W,), is the place in `opponents` of the opponent in each world's last ended episode.
+    `waits`: whether a world whose episode has ended waits for the next step or for a reset. `last`,
+    int64 (W,), is the place in `opponents` of the opponent in each world's last ended episode.
     """
 
     def __init__(self, team: Team, opponents: Opponents, batch: Batch, waits: bool) -> None:

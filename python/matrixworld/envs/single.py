@@ -85,7 +85,7 @@ class Status(WorldArrays):
         vars(self).update({name: python_value(array) for name, array in arrays.items()})
 
     def add_collisions(self, earlier: Status) -> None:
-        """Add the collisions and captors of an earlier round, for a report of several rounds."""
+        """Add the collisions and captors of an earlier round."""
         np.logical_or(self.involved, earlier.involved, out=self.involved)
         np.logical_or(self.fault, earlier.fault, out=self.fault)
         np.maximum(self.captors, earlier.captors, out=self.captors)
@@ -201,8 +201,8 @@ class MatrixWorldBase(HasOpponents):
         """Return the info of each agent, in which `views` are what the agents see now."""
         infos = status.infos()
         if self._masks.given:
-            masks = self._masks.of(views)
-            infos = [info | {"action_mask": mask} for info, mask in zip(infos, masks, strict=True)]
+            for info, mask in zip(infos, self._masks.of(views), strict=True):
+                info["action_mask"] = mask
         return infos
 
     def _by_agent(self, agents: list[str], values: Any) -> dict[str, Any]:
@@ -243,9 +243,7 @@ class MatrixWorldBase(HasOpponents):
         ValueError if the environment has no render mode, RuntimeError before the first reset.
         """
         if self.render_mode is None or self._drawing is None:
-            raise ValueError(
-                f"render: expected a render_mode of {RENDER_MODES} when the environment was made"
-            )
+            raise ValueError(f"render_mode: expected one of {RENDER_MODES}, got None")
         self._require_begun()
         return self._drawing.render()
 
@@ -383,8 +381,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             If there are actions although the episode has ended. A step without actions then returns
             five empty dicts, because wrappers of PettingZoo rely on it.
         ValueError, TypeError
-            If an action is missing, out of range or no integer, or an agent is unknown. Nothing has
-            changed then.
+            For a bad or missing action or an unknown agent. Nothing has changed then.
         """
         if not self.agents:
             if actions or not self._seeded:

@@ -139,10 +139,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     step: a learner uses the transitions of these.
 
     What `reset` and `step` return belongs to the caller. With ``copy=False``, and in the attributes
-    always, it is the same arrays at every step: copy what you keep.
-
-    **One thread of Python at a time.** A call while another thread's call is in progress raises
-    RuntimeError. Forked processes may go on with an environment, see `Batch`.
+    always, it is the same arrays at every step: copy what you keep. Only one thread of Python may
+    use an environment at a time, see `Batch`.
 
     ``infos`` has the same keys at every step:
 
@@ -198,7 +196,10 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
         self.render_mode = render_mode
-        mode = _mode(autoreset_mode)
+        modes = [each.value for each in AutoresetMode]
+        given = getattr(autoreset_mode, "value", autoreset_mode)
+        check_choice("autoreset_mode", given, modes)
+        mode = AutoresetMode(given)
         self.metadata: dict[str, Any] = {
             "autoreset_mode": mode,
             "render_modes": ["rgb_array"],
@@ -211,12 +212,11 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         waits = mode is not AutoresetMode.SAME_STEP
         if waits:  # the observations stay those of the episode's end for one step
             left_out.add("final_views")
-        kept = _make_buffers(self.config, self.num_envs, _view_dtype(dtype), left_out)
+        kept = _make_buffers(self.config, self.num_envs, dtype, left_out)
         reset = Autoreset[mode.name]
-        everyone = range(self.config.n_agents)
-        self.agents: range = (
-            everyone if built_in is None else own_and_other(built_in[0], self.config)[1]
-        )
+        self.agents: range = range(self.config.n_agents)
+        if built_in is not None:
+            self.agents = own_and_other(built_in[0], self.config)[1]
         mine = _of_agents(kept, self.agents)
         self._copies = _HELD * sum(array.nbytes for array in mine.values())
         check_memory(
@@ -297,10 +297,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
 
         Raises
         ------
-        ValueError
-            For other options, and as `Batch.reset` does; then no world has changed.
-        gymnasium.error.ClosedEnvironmentError
-            After `close`.
+        ValueError, gymnasium.error.ClosedEnvironmentError
+            For other options, and as `Batch.reset` does; then no world has changed. After `close`.
         """
         self._start(seed, options)
         return self._returned((self.observations, self.infos))
@@ -343,10 +341,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
 
         Raises
         ------
-        RuntimeError, gymnasium.error.ClosedEnvironmentError
-            Before the first reset, and after `close`.
-        ValueError, TypeError
-            As `Batch.step` does.
+        RuntimeError, ValueError, TypeError
+            Before the first reset, and as `Batch.step` does.
         """
         self._play(actions)
         return self._returned(
@@ -393,9 +389,8 @@ class TeamView:
 
     ``observations``, ``actions``, ``rewards``, ``terminations`` and ``truncations`` are parts of
     the environment's attributes, ``alive``, ``acted``, ``cost``, ``positions``, ``involved`` and
-    ``fault`` of its infos: shapes begin with (W, n). The spaces are those of one agent.
-
-    Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
+    ``fault`` of its infos: shapes begin with (W, n). The spaces are those of one agent. Every step
+    overwrites these arrays, also with ``copy=True``: copy what you keep.
     """
 
     def __init__(self, env: VectorEnv, agents: slice) -> None:
@@ -411,14 +406,10 @@ class TeamView:
         self.positions: NDArray[np.int32] = env.infos["positions"][:, agents]
         self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
         self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
+        self.size = int(self.actions.shape[1])  # n
         seen = self.observations
         self.observation_space: spaces.Box = _views_box(seen.shape[2:], seen.dtype)
         self.action_space: spaces.Discrete = spaces.Discrete(env.config.n_actions)
-
-    @property
-    def size(self) -> int:
-        """The number of agents, n."""
-        return int(self.actions.shape[1])
 
 
 class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -446,9 +437,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
     Raises
     ------
-    TypeError
-        If `worlds` is not a VectorEnv.
-    ValueError
+    ValueError, TypeError
         For an unknown team, and for one that the worlds play themselves.
 
     Notes
@@ -462,20 +451,17 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     those of the agent, and every agent ends once in each episode.
 
     A learner that knows nothing of this trains on the steps of gone agents, too. They pay nothing,
-    so their value is 0, but agents that see nobody in the open observe the same zeros. A learner
-    that can mask transitions does better with two arrays of infos:
-
-    - It uses the transitions where ``infos["acted"]`` is True. This also leaves out the step in
-      which `NextStep` only starts an episode.
-    - It takes ``terminations | ~infos["alive"]`` for the ends of agents: the value after them is 0.
+    but agents that see nobody in the open observe the same zeros. A learner that can mask
+    transitions does better with those where ``infos["acted"]`` is True (which also leaves out the
+    step in which `NextStep` only starts an episode), and takes ``terminations | ~infos["alive"]``
+    for the ends of agents: the value after them is 0.
 
     ``infos`` has the arrays of `VectorEnv` with an axis of agents, as ``(W * n, ...)``: ``alive``,
     ``acted``, ``positions``, ``involved``, ``fault``, ``cost`` and its kinds, ``action_mask``,
     ``final_obs`` with ``_final_obs``. There is no ``episode``: `RecordEpisodeStatistics` adds it.
 
-    With ``copy=False`` and both teams, arrays are overwritten by the next step as in `VectorEnv`.
-    Those of one team are copies in any case, so ``copy=False`` only tells the worlds that their own
-    copies, of all agents, need no memory.
+    With ``copy=False`` and both teams, arrays are overwritten by the next step as in `VectorEnv`;
+    those of one team are copies in any case.
 
     Examples
     --------
@@ -551,10 +537,11 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         if agents.shape != (self.num_envs,):
             raise ValueError(f"reset_mask: expected shape {(self.num_envs,)}, got {agents.shape}")
         by_world = agents.reshape(self.worlds.n_worlds, -1)
-        if (by_world != by_world[:, :1]).any():
+        differ = (by_world != by_world[:, :1]).any(axis=1)
+        if differ.any():
             raise ValueError(
                 "reset_mask: expected the same value for all agents of a world, got both in world "
-                f"{int((by_world != by_world[:, :1]).any(axis=1).argmax())}"
+                f"{int(differ.argmax())}"
             )
         return by_world[:, 0]
 
@@ -566,21 +553,18 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         Returns observations (W * n, ...), rewards, terminations, truncations, all (W * n,), and
         infos; see `AgentVectorEnv`. Raises as `VectorEnv.step` does.
         """
+        chosen = integers("actions", actions)
+        if chosen.shape != (self.num_envs,):
+            raise ValueError(f"actions: expected shape {(self.num_envs,)}, got {chosen.shape}")
         worlds = self.worlds
-        worlds._play(self._all_actions(actions))
+        everyone: NDArray[np.int64] = worlds.actions.copy()
+        everyone[:, self._slice] = chosen.reshape(worlds.n_worlds, -1)
+        worlds._play(everyone)
         ended = worlds.infos["terminated"] | worlds.infos["truncated"]
         observations, infos = self._seen()
         rewards, truncations = self._flat(worlds.rewards), self._flat(worlds.truncations)
         terminations = self._flat(worlds.terminations & ended[:, None])
         return observations, rewards, terminations, truncations, infos
-
-    def _all_actions(self, given: ArrayLike) -> NDArray[Any]:
-        chosen = integers("actions", given)
-        if chosen.shape != (self.num_envs,):
-            raise ValueError(f"actions: expected shape {(self.num_envs,)}, got {chosen.shape}")
-        actions: NDArray[np.int64] = self.worlds.actions.copy()
-        actions[:, self._slice] = chosen.reshape(self.worlds.n_worlds, -1)
-        return actions
 
     def _seen(self) -> tuple[NDArray[Any], dict[str, Any]]:
         worlds = self.worlds
@@ -635,17 +619,13 @@ def _widened(space: spaces.Space[Any], shape: tuple[int, ...]) -> Any:
     return space
 
 
-def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
-    chosen = np.dtype(dtype)
-    if chosen not in (np.uint8, np.float32):
-        raise ValueError(f"dtype: expected uint8 or float32, got {chosen}")
-    return chosen
-
-
 def _make_buffers(
-    config: WorldConfig, n_worlds: int, views: np.dtype[Any], left_out: set[str]
+    config: WorldConfig, n_worlds: int, dtype: DTypeLike, left_out: set[str]
 ) -> dict[str, NDArray[Any]]:
     """Return an array of zeros for each output of a batch that is not left out."""
+    views = np.dtype(dtype)
+    if views not in (np.uint8, np.float32):
+        raise ValueError(f"dtype: expected uint8 or float32, got {views}")
     specs = array_specs(config) | episode_specs(config)
     chosen: Specs = {
         name: (shape, views if name.endswith("views") else dtype)
@@ -657,11 +637,9 @@ def _make_buffers(
 
 def _of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDArray[Any]]:
     """Return the same arrays with some agents only, without copies."""
-    fields = WORLD_FIELDS | BATCH_FIELDS
+    fields, part = WORLD_FIELDS | BATCH_FIELDS, slice(agents.start, agents.stop)
     return {
-        name: array[:, agents.start : agents.stop]
-        if fields[name].axes[:1] == ("agents",)
-        else array
+        name: array[:, part] if fields[name].axes[:1] == ("agents",) else array
         for name, array in buffers.items()
     }
 
@@ -682,9 +660,9 @@ def _make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) ->
 
 
 def _copied(value: Any, copies: dict[int, NDArray[Any]]) -> Any:
-    """Return copies of arrays, in tuples and dicts, too.
+    """Return copies of arrays, in tuples and dicts, too; of one array in two places a single one.
 
-    What was one array in two places is one copy in both: `copies` has those that were made.
+    `copies` has those that were made.
     """
     if isinstance(value, dict):
         return {key: _copied(each, copies) for key, each in value.items()}
@@ -693,9 +671,3 @@ def _copied(value: Any, copies: dict[int, NDArray[Any]]) -> Any:
     if id(value) not in copies:
         copies[id(value)] = value.copy()
     return copies[id(value)]
-
-
-def _mode(given: AutoresetMode | str) -> AutoresetMode:
-    names = [mode.value for mode in AutoresetMode]
-    check_choice("autoreset_mode", getattr(given, "value", given), names)
-    return AutoresetMode(given)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -26,14 +25,6 @@ Plays: TypeAlias = EnginePolicy | Callback
 
 Chooser: TypeAlias = Callable[[NDArray[np.bool_], NDArray[np.uint8]], ArrayLike]
 """A `Callback` that is also told who asks: bool (episodes, A) with n agents that have to act."""
-
-OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
-"""What is called after each round: with the actions, int64 (episodes, A), and with the episodes
-that played it, bool (episodes,). Both change in the next round."""
-
-OnDecision: TypeAlias = Callable[[int, float], None]
-"""What is called when a population or a script has decided: with its team, 0 or 1, and the
-processor time that it took in this thread, in seconds."""
 
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
 """The arrays `_READ` of the present moment, each with a leading axis of worlds."""
@@ -58,8 +49,6 @@ def capture_rates(
     config: WorldConfig, pursuers: Plays, evaders: Plays, *, seed: int, episodes: int
 ) -> NDArray[np.float64]:
     """Play the episodes of a match side by side and return their capture rates, (episodes,).
-
-    Capture rates are those of `matrixworld.EpisodeStatistics`.
 
     Parameters
     ----------
@@ -88,9 +77,7 @@ def _chooser(name: str, policy: Plays, config: WorldConfig) -> EnginePolicy | Ch
 class _Together:
     """The episodes of a match in which all agents act at once: a batch."""
 
-    def __init__(
-        self, config: WorldConfig, seed: int, episodes: int, threads: int | None = None
-    ) -> None:
+    def __init__(self, config: WorldConfig, seed: int, episodes: int, threads: int | None) -> None:
         specs = array_specs(config)
         buffers = {name: np.zeros((episodes, *specs[name][0]), specs[name][1]) for name in _READ}
         self._batch = Batch(episodes, config, buffers=buffers, threads=threads)
@@ -99,7 +86,6 @@ class _Together:
             self._batch.reset(np.full(episodes, seed, np.uint64), episode=episode, mask=chosen)
 
     def arrays(self) -> Arrays:
-        """Return the arrays of the present moment."""
         return self._batch.buffers
 
     def turns(self) -> Iterator[range]:
@@ -118,7 +104,7 @@ class _Together:
 class _InTurns:
     """The episodes of a match whose rounds have several turns; with the methods of `_Together`."""
 
-    def __init__(self, config: WorldConfig, seed: int, episodes: int) -> None:
+    def __init__(self, config: WorldConfig, seed: int, episodes: int, threads: int | None) -> None:
         self._worlds = [World(config) for _ in range(episodes)]
         for episode, world in enumerate(self._worlds):
             world.reset(seed, episode=episode)
@@ -150,18 +136,23 @@ def play_episodes(
     *,
     seed: int,
     episodes: int,
-    on_round: OnRound | None = None,
-    on_decision: OnDecision | None = None,
+    on_round: Callable[[NDArray[np.int64], NDArray[np.bool_]], None] | None = None,
+    on_decision: Callable[[int, float], None] | None = None,
     threads: int | None = None,
 ) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side and return their capture rates, (episodes,)."""
+    """Play the episodes of a match side by side and return their capture rates, (episodes,).
+
+    `on_round` is called after each round with the actions, int64 (episodes, A), and the episodes
+    that played it, bool (episodes,); both change in the next round. `on_decision` is called when a
+    population or a script has decided, with its team, 0 or 1, and the processor time in seconds
+    that it took in this thread.
+    """
     teams = {
         range(config.n_pursuers): pursuers,
         range(config.n_pursuers, config.n_agents): evaders,
     }
-    simultaneous = World(config).n_turns == 1
-    together = partial(_Together, threads=threads)
-    played = (together if simultaneous else _InTurns)(config, seed, episodes)
+    kind = _Together if World(config).n_turns == 1 else _InTurns
+    played: _Together | _InTurns = kind(config, seed, episodes, threads)
     actions = np.zeros((episodes, config.n_agents), np.int64)
     while (running := _running(played.arrays())).any():
         for turn in played.turns():

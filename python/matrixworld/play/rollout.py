@@ -46,10 +46,8 @@ class Matches(NamedTuple):
 
         Raises
         ------
-        TypeError
-            If the values are not integers.
-        ValueError
-            If a value is below 0 or too large, or the shapes do not broadcast to one axis.
+        ValueError, TypeError
+            If the values are no integers from 0 on, or the shapes do not broadcast to one axis.
         """
         parts = (
             check_naturals("pursuer", pursuer, np.int32),
@@ -140,10 +138,9 @@ def rollout(
 
     Raises
     ------
-    ValueError
-        If an index is beyond its population, or a network does not fit the world.
     ValueError, TypeError
-        As `WorldConfig` and `Matches.of` do.
+        If an index is beyond its population, or a network does not fit the world; and as
+        `WorldConfig` and `Matches.of` do.
 
     Notes
     -----
@@ -151,10 +148,7 @@ def rollout(
     other matches are played with a match. Where the rules take turns, an agent decides when its
     turn begins, and sees what earlier turns did.
 
-    Ctrl-C ends a rollout of the main thread within about 0.1 s, after the steps that its threads
-    are playing, with KeyboardInterrupt. It leaves no results behind.
-
-    The threads of a rollout wait for the next rollout of the same calling thread.
+    Ctrl-C ends a rollout of the main thread within about 0.1 s with KeyboardInterrupt.
     """
     config, n_threads = WorldConfig.of(config), check_threads(threads)
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
