@@ -11,7 +11,6 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
-from matplotlib.backend_bases import KeyEvent, key_press_handler
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -113,18 +112,6 @@ def test_a_window_shows_each_picture(naps: list[float]) -> None:
     assert naps == pytest.approx([0, 1 / FPS])
     shown.close()
     assert plt.get_fignums() == []
-
-
-@pytest.mark.usefixtures("display")
-def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[float]) -> None:
-    shown = first_place()
-    shown.follow(SCENE)
-    canvas = plt.gcf().canvas
-    key_press_handler(KeyEvent("key_press_event", canvas, "q"), canvas)
-    assert plt.get_fignums() == []
-    shown.follow(SCENE)
-    assert DisplayCanvas.flushed == len(naps) == 1
-    shown.close()
 
 
 # ---- Notebooks ---------------------------------------------------------------------------------

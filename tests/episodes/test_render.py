@@ -82,13 +82,6 @@ def test_any_grid_is_drawn_at_a_fitting_size(grid: tuple[int, int]) -> None:
     assert pixel(picture, drawn, grid[0] - 1, grid[1] - 1) == ImageColor.getrgb(colors.EVADER)
 
 
-def test_a_title_does_not_change_the_size_and_is_cut_to_fit() -> None:
-    plain, titled = rgb(scene()), rgb(scene(title="a very long title " * 20))
-    assert plain.shape == titled.shape
-    assert (plain[: Layout.header] != titled[: Layout.header]).any()
-    assert (plain[Layout.header :] == titled[Layout.header :]).all()
-
-
 def numbered(scene: Scene) -> NDArray[np.uint8]:
     return rgb(scene, cell=24, numbers=True)
 
@@ -101,25 +94,6 @@ def test_agents_carry_their_numbers_on_request() -> None:
     several = of([[1, 1]] * 3, 3, (4, 4))
     assert count(rgb(several), colors.INK) > 50  # how many there are
     assert (numbered(several) != rgb(several, cell=24)).any()
-
-
-def test_agents_on_one_cell_carry_up_to_three_numbers() -> None:
-    def together(*agents: int) -> NDArray[np.uint8]:
-        alive = np.isin(np.arange(6), agents)
-        return numbered(of([[0, 0]] * 6, 6, (4, 6), alive=alive))[Layout.header :]
-
-    assert (together(0, 1) != together(0, 2)).any()
-    assert (together(0, 1, 2) != together(0, 1)).any()
-    assert (together(0, 1, 2, 3) != together(0, 1, 2)).any()
-    assert (together(0, 1, 2, 3) == together(0, 1, 2, 3, 4)).all()
-
-
-def test_the_colours_of_teams_and_marks_differ_for_colour_blind_readers() -> None:
-    """Lightness differs where hue may not: as grey levels, marks are far from both teams."""
-    names = (colors.CAPTURE, colors.COLLISION)
-    grey = {name: ImageColor.getcolor(name, "L") for name in (*colors.TEAMS, *names)}
-    for mark in names:
-        assert all(abs(grey[mark] - grey[team]) > 30 for team in colors.TEAMS)  # of 255
 
 
 def test_both_teams_on_one_cell_are_both_seen() -> None:
@@ -224,17 +198,6 @@ def test_half_blocks_put_two_rows_into_a_line() -> None:
     assert lines[1].startswith("\x1b[38;2;213;94;0;48;2;255;255;255m▀")  # pursuer over paper
     odd = of([[2, 0]], 0, (3, 1))
     assert ansi(odd, compact=True).split("\n")[2] == "\x1b[38;2;0;114;178m▀\x1b[0m"
-
-
-def test_what_happened_in_the_last_step_colours_the_ground() -> None:
-    quiet = ansi(scene())
-    captures, deaths = np.array([[2, 1, 0]]), np.array([[2, 1, 0]])
-    assert ansi(scene(captures=captures)) != quiet
-    assert "× " in ansi(scene(deaths=deaths))
-    assert ansi(scene(captures=np.array([[2, 1, 1]]))) == quiet
-    fault = np.zeros((5, 3), bool)
-    fault[0, 1] = True
-    assert ansi(scene(fault=fault)) != quiet
 
 
 @pytest.mark.parametrize(

@@ -52,24 +52,6 @@ def test_scenes_follow_the_episode() -> None:
 STAY, NORTH, EAST, WEST = 0, 1, 2, 4
 
 
-@pytest.mark.parametrize(
-    ("variant", "actions", "captures", "deaths"),
-    [
-        ("R", [EAST, STAY], [[0, 1, 0]], []),
-        ("O", [EAST, STAY], [[0, 1, 0]], []),  # the evader is gone, and not marked as dead
-        ("D", [EAST, STAY], [[0, 1, 0]], [[0, 1, 0]]),
-        ("D", [NORTH, NORTH], [], [[0, 0, 0], [0, 1, 0]]),
-    ],
-)
-def test_captures_and_other_deaths_are_marked_where_they_happened(
-    variant: str, actions: list[int], captures: list[list[int]], deaths: list[list[int]]
-) -> None:
-    config = mw.WorldConfig(variant, rows=3, cols=3, n_pursuers=1, n_evaders=1)
-    episode = mw.record_actions(config, [actions], pursuers=[[0, 0]], evaders=[[0, 1]])
-    drawn = scene(episode)
-    assert (drawn.captures.tolist(), drawn.deaths.tolist()) == (captures, deaths)
-
-
 # -- GIF and sheet -----------------------------------------------------------------------------
 
 
@@ -255,17 +237,3 @@ def test_a_small_terminal_gets_half_blocks_and_none_gets_plain_text(
     print_moment(EPISODE, step=-3)
     drawn = (render.ansi(scene(EPISODE, step), color="none") for step in (30, 28))
     assert terminal.readouterr().out == "\n".join(drawn) + "\n"
-
-
-@pytest.mark.usefixtures("terminal")
-def test_which_colours_a_stream_may_have(monkeypatch: pytest.MonkeyPatch) -> None:
-    for environ, colours in (
-        ({}, "256"),
-        ({"COLORTERM": "truecolor"}, "true"),
-        ({"COLORTERM": "truecolor", "NO_COLOR": "1"}, "none"),
-        ({"TERM": "dumb"}, "none"),
-    ):
-        assert term.color_mode(sys.stdout, environ) == colours
-    assert term.color_mode(io.StringIO(), {"COLORTERM": "truecolor"}) == "none"
-    monkeypatch.setattr(type(sys.stdout), "encoding", "ascii", raising=False)
-    assert term.color_mode(sys.stdout, {}) == "none"

@@ -160,23 +160,6 @@ def test_too_few_episodes_have_no_interval(episodes: int, colliding: int, known:
     assert (" to " in row) == known
 
 
-def test_monitors_add_up() -> None:
-    first, second, whole = (mw.SafetyMonitor() for _ in range(3))
-    for monitor, seeds in ((first, range(3)), (second, range(3, 8)), (whole, range(8))):
-        matches = mw.Matches.of(0, 0, seeds)
-        monitor.add_statistics(mw.rollout(config_of("SB"), "random", "fleer", matches))
-    assert (first + second).summary().to_json() == whole.summary().to_json()
-    assert (first.episodes, second.episodes) == (3, 5)
-
-
-def test_what_it_prints() -> None:
-    lines = str(two_episodes().summary()).splitlines()
-    assert lines[0] == "2 episodes, capture rate 0.75, 0% without anybody at fault"
-    assert len(lines) == 9
-    assert lines[3].split()[:3] == ["pursuers", "obstacle", "20.0"]
-    assert len({len(line) for line in lines[2:]}) == 1
-
-
 def test_an_unfinished_episode_is_forgotten_and_a_missing_step_refused() -> None:
     env = mw.parallel_env(config_of("R", max_steps=3))
     monitor, whole = mw.SafetyMonitor(), mw.SafetyMonitor()

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.episodes.render import ansi
 from rows import assert_same_worlds, config_of, random_actions
 
 ARRAYS = [name for name, (shape, _) in mw.array_specs(mw.WorldConfig()).items() if shape]
@@ -131,27 +130,6 @@ def test_conflicts_in_words() -> None:
     )
 
 
-def jam() -> mw.World:
-    """Return a world in which two pursuers have just bounced."""
-    world = mw.World("B", rows=3, cols=5, n_pursuers=3, n_evaders=2, obstacles=["....#"] * 3)
-    world.reset(pursuers=[(0, 0), (0, 2), (2, 2)], evaders=[(2, 3), (1, 0)])
-    world.step([2, 4, 2, 0, 0])  # the first two head for (0, 1)
-    return world
-
-
-def test_the_scene_is_the_moment_of_the_world() -> None:
-    world = jam()
-    scene = world.scene("a jam")
-    assert scene.title == "a jam"
-    assert scene.n_pursuers == 3
-    for name in ("alive", "captured", "map", "involved", "fault"):
-        assert np.array_equal(getattr(scene, name), getattr(world, name)), name
-    assert np.array_equal(scene.positions, world.last_positions)
-    assert scene.collided()[0] == {(0, 0), (0, 2)}
-    drawn = ansi(scene, color="none").splitlines()[1:]
-    assert [line[::2] for line in drawn] == str(world).splitlines()
-
-
 # ---- Sizes -----------------------------------------------------------------------------------
 
 
@@ -177,16 +155,6 @@ def test_a_large_world() -> None:
 
 
 # ---- Configurations --------------------------------------------------------------------------
-
-
-def test_defaults_follow_the_capture() -> None:
-    for name in mw.VARIANTS:
-        config = mw.WorldConfig(name)
-        assert (config.n_pursuers, config.n_evaders) == ((20, 5) if name[0] == "S" else (8, 30))
-        assert (config.rows, config.cols, config.fov, config.max_steps) == (40, 40, 11, 500)
-        assert (config.n_actions, config.density, config.map) == (5, 0.0, None)
-    assert mw.WorldConfig(n_pursuers=3).n_evaders == 30
-    assert mw.WorldConfig(diagonal=True).n_actions == 9
 
 
 @pytest.mark.parametrize("of", [list, tuple, mw.read_map])
