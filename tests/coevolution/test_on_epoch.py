@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from matrixworld.coevolution import RaceSettings, StopRun, evolve, finish, open_run
-from matrixworld.integrations import tensorboard, wandb
+from matrixworld.integrations.metrics import tensorboard_writer, wandb_writer
 from tiny_race import results, tiny_race, tiny_single
 
 Row = dict[str, Any]
@@ -129,8 +129,8 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Kept]]:
 def test_writers_get_a_curve_of_each_measure_and_team(made: list[Kept], tmp_path: Path) -> None:
     job: dict[str, RaceSettings] = {"a/seed-1": tiny_race(seed=1), "b/seed-2": tiny_race(seed=2)}
     with (
-        tensorboard.epoch_writer(tmp_path / "curves") as write,
-        wandb.epoch_writer(project="races") as log,
+        tensorboard_writer(tmp_path / "curves") as write,
+        wandb_writer(project="races") as log,
     ):
         for name, settings in job.items():
             run = finish(settings, tmp_path / name, threads=1, on_epoch=write)

@@ -13,10 +13,10 @@ from matrixworld.version import MissingExtraError
 
 WORLD: dict[str, Any] = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 1, "max_steps": 12}
 FUNCTIONS = {
-    "stable_baselines3": "vec_env",
-    "tianshou": "vector_env",
-    "torchrl": "env",
-    "benchmarl": "task",
+    "stable_baselines3": "stable_baselines3.vec_env",
+    "tianshou": "tianshou.vector_env",
+    "torchrl": "torchrl.env",
+    "benchmarl": "torchrl.benchmarl_task",
 }
 
 
@@ -27,8 +27,10 @@ def test_a_missing_library_is_named_with_its_extra(
     monkeypatch.setitem(sys.modules, library, None)  # as if it were not installed
     extra = library.replace("_", "-")
     expected = rf"^expected the module {library}.*matrixworld-pursuit\[{extra}\]"
+    module, name = function.split(".")
+    make = getattr(import_module(f"matrixworld.integrations.{module}"), name)
     with pytest.raises(MissingExtraError, match=expected):
-        getattr(import_module(f"matrixworld.integrations.{library}"), function)("O", **WORLD)
+        make("O", **WORLD)
     project = (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")
     assert f"\n{extra} = [" in project
 

@@ -3,9 +3,9 @@
 ========================  =========================================================================
 `stable_baselines3`       `vec_env`, `policy`
 `tianshou`                `vector_env`
-`torchrl`                 `env`
-`benchmarl`               `task`
-`tensorboard`, `wandb`    `epoch_writer`, a callback for `matrixworld.coevolution.finish`
+`torchrl`                 `env`, and `benchmarl_task` for BenchMARL
+`metrics`                 `tensorboard_writer` and `wandb_writer`, which give a callback for
+                          `matrixworld.coevolution.finish`
 ========================  =========================================================================
 
 A library is imported when one of these functions is called. If it is missing, they raise
@@ -14,7 +14,6 @@ MissingExtraError, which names the extra of this package that installs it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
@@ -36,9 +35,3 @@ def agents(
     """Return the agents of one team as sub-environments, which see flat rows of float32."""
     flat = {"dtype": "float32", "flatten": True, **opponents(settings)}
     return AgentVectorEnv(VectorEnv(config, n_worlds, autoreset_mode=mode, **flat))
-
-
-def scalars(row: Mapping[str, Any]) -> dict[str, float]:
-    """Return what a row of an epoch measures, by names such as ``pursuer/capture_rate``."""
-    places = {"run", "seed", "stage", "team", "epoch", "opponent", "matches"}
-    return {f"{row['team']}/{key}": value for key, value in row.items() if key not in places}

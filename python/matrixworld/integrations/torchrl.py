@@ -1,7 +1,9 @@
-"""TorchRL: an environment whose observations are flat."""
+"""TorchRL, and BenchMARL on top of it: an environment whose observations are flat, and a task."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from matrixworld.envs import parallel_env
@@ -10,7 +12,7 @@ from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import Rules
 
-__all__ = ["env"]
+__all__ = ["benchmarl_task", "env"]
 
 
 def env(
@@ -55,3 +57,34 @@ def env(
         library.FlattenObservation(-3, -1, in_keys=seen),
     )
     return library.TransformedEnv(wrapped, flat)
+
+
+def benchmarl_task(config: WorldConfig | Rules | str = "O", **settings: Any) -> Any:
+    """Make a task of BenchMARL, for ``benchmarl.experiment.Experiment(task=...)``.
+
+    BenchMARL does not leave out agents that are gone: choose rules in which the agents that learn
+    cannot disappear.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `env`.
+    """
+    library = imported("benchmarl.environments", "benchmarl")
+    world = parallel_env(config, **opponents(settings)).config  # refuses bad settings now
+
+    class Pursuit(library.PettingZooClass):  # type: ignore[misc, name-defined]
+        """Experiments accept tasks of the library's class only."""
+
+        def get_env_fun(
+            self, num_envs: int, continuous_actions: bool, seed: int | None, device: Any
+        ) -> Callable[[], Any]:
+            return lambda: env(config, seed=seed, device=device, **settings)
+
+        def supports_discrete_actions(self) -> bool:
+            return True
+
+        def __reduce__(self) -> tuple[Any, ...]:  # experiments pickle their task
+            return partial(benchmarl_task, config, **settings), ()
+
+    return Pursuit("pursuit", {"max_cycles": world.max_steps})
