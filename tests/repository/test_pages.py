@@ -96,9 +96,9 @@ def missing_modules(code: str) -> list[str]:
     names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
     parts = [each for each in statements if isinstance(each, ast.ImportFrom)]
     names += [each.module or "" for each in parts]
-    # Its modules have the names of the libraries that they need.
-    ours = [each for each in parts if each.module == "matrixworld.integrations"]
-    names += [a.name for each in ours for a in each.names]
+    # Its functions have the names of the libraries that they need.
+    ours = [each for each in parts if each.module == "matrixworld.integrations.metrics"]
+    names += [a.name.removesuffix("_writer") for each in ours for a in each.names]
     return [name for name in names if find_spec(name.partition(".")[0]) is None]
 
 
