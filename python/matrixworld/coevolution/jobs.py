@@ -22,7 +22,7 @@ import threading
 import time
 import warnings
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import (
     FIRST_COMPLETED,
     BrokenExecutor,
@@ -92,35 +92,26 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
     Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
     settings, or a name is not the path of a directory.
     """
-    if isinstance(settings, RaceSettings):
-        settings = [settings]
-    given: Iterable[tuple[str, Any]] = (
-        settings.items() if isinstance(settings, Mapping) else map(_named, settings)
-    )
+    given = [settings] if isinstance(settings, RaceSettings) else settings
+    each_named = given.items() if isinstance(given, Mapping) else [(None, each) for each in given]
     runs: dict[str, RaceSettings] = {}
-    for name, each in given:
+    names: dict[RaceSettings, str] = {}
+    for given_name, each in each_named:
         if not isinstance(each, RaceSettings):
             raise TypeError(f"settings: expected RaceSettings, got {shown(each)}")
+        name = f"{each.schedule.name}/seed-{each.seed}" if given_name is None else given_name
         if name in runs:
             raise ValueError(
                 f"settings: expected runs of different schedules or seeds, or a name for each, "
                 f"got two of {name}"
             )
         runs[name] = _from_anywhere(each)
-    _check_names(runs)
-    # Equal runs are no independent observations.
-    names: dict[RaceSettings, str] = {}
-    for name, each in runs.items():
-        other = names.setdefault(each, name)
+        # Equal runs are no independent observations.
+        other = names.setdefault(runs[name], name)
         if other != name:
             raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
+    _check_names(runs)
     return runs
-
-
-def _named(settings: Any) -> tuple[str, Any]:
-    # What is no settings is refused by `job_of`.
-    folder = settings.schedule.name if isinstance(settings, RaceSettings) else ""
-    return f"{folder}/seed-{getattr(settings, 'seed', None)}", settings
 
 
 def _check_names(runs: Mapping[str, RaceSettings]) -> None:
@@ -264,17 +255,17 @@ def evolve(
     BrokenExecutor
         If the executor, or a process, cannot even begin a run.
     StopRun
-        If `on_epoch` raises it. All runs have stopped then, and the same call continues them.
+        If `on_epoch` raises it. All runs have stopped then.
 
     Notes
     -----
-    Results do not depend on the executor, on threads, on the order of the runs or on
-    interruptions: each run directory has the same bytes as by `finish`. Everything is checked
-    before anything is written. After Ctrl-C, a crash or a failure, the same call continues.
+    Each run directory has the same bytes as by `finish`, whatever the executor, the threads and the
+    order. After Ctrl-C, a crash or a failure, the same call continues. A run whose process dies is
+    played once more, from its last stage.
 
-    A run whose process dies is played once more, from its last stage. An executor carries
-    settings and paths to wherever the directory has the same path: `concurrent.futures`, MPI
-    (``mpi4py.futures.MPIPoolExecutor``), loky and Dask (``Client.get_executor``) serve.
+    An executor carries settings and paths to wherever the directory has the same path:
+    `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and Dask
+    (``Client.get_executor(pure=False)``) serve.
 
     In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
     """
@@ -443,36 +434,34 @@ class _Play:
         self, names: Sequence[str], executor: Executor | None, threads: int | None
     ) -> None:
         """Play runs by an executor, or each in a process of its own."""
-        if executor is not None:
-            self._by(executor, play_run, names, 1)
-            return
-        workers, each = shares(len(names), threads)
-        with ThreadPoolExecutor(workers) as own:  # each thread waits for a process
-            self._by(own, play_in_process, names, each)
-
-    def _by(
-        self, executor: Executor, play: Callable[..., None], names: Sequence[str], threads: int
-    ) -> None:
+        workers, each = shares(len(names), threads) if executor is None else (1, 1)
+        play = play_in_process if executor is None else play_run
         root, futures = self._root.absolute(), dict[Future[None], str]()
-        try:
-            with _running(root) as folder:
-                for number, name in enumerate(names):
-                    task = self._job[name], root / name, folder / f"{number}", threads
-                    futures[executor.submit(play, *task)] = name
-                pending = set(futures)
-                while pending:
-                    self._tell(_progress_in(folder, names))
-                    done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
-                    self._tell(_progress_in(folder, names))
-                    ended = [futures[future] for future in done]
-                    for future in done:
-                        self._take(futures[future], future)
-                    for name in [*self._work, *ended]:
-                        self._tell_epochs(name)
-        finally:
-            # After Ctrl-C or an error runs may be left, which end now.
-            wait([future for future in futures if not future.cancel()], STOP_WAIT)
+        with ThreadPoolExecutor(workers) as own:  # its threads wait for processes
+            try:
+                with _running(root) as folder:
+                    for number, name in enumerate(names):
+                        task = self._job[name], root / name, folder / f"{number}", each
+                        futures[(executor or own).submit(play, *task)] = name
+                    self._follow(futures, folder)
+            finally:
+                # After Ctrl-C or an error runs may be left, which end now.
+                wait([future for future in futures if not future.cancel()], STOP_WAIT)
         self._tell({})
+
+    def _follow(self, futures: Mapping[Future[None], str], folder: Path) -> None:
+        """Tell the progress of runs until all have ended."""
+        names = [*futures.values()]
+        self._tell({})
+        pending = {*futures}
+        while pending:
+            done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
+            self._tell(_progress_in(folder, names))
+            ended = [futures[future] for future in done]
+            for future in done:
+                self._take(futures[future], future)
+            for name in [*self._work, *ended]:
+                self._tell_epochs(name)
 
     def _take(self, name: str, future: Future[None]) -> None:
         try:
@@ -545,26 +534,22 @@ def play_run(settings: RaceSettings, path: Path, told: Path, threads: int) -> No
     finish(settings, path, threads=threads, report=at_times(tell))
 
 
-def play_in_process(settings: RaceSettings, path: Path, told: Path, threads: int) -> None:
+def play_in_process(
+    settings: RaceSettings, path: Path, told: Path, threads: int, *, tries: int = 2
+) -> None:
     """Do what `play_run` does in a process of its own; once more if that dies."""
-    task = settings, path, told, threads
+    # spawn: a fork would copy locks that other threads of this process hold.
+    context, go = multiprocessing.get_context("spawn"), told.parent / GO
     try:
-        _in_process(task)
+        with without_interrupts(), ProcessPoolExecutor(1, context, _begin, (go,)) as process:
+            process.submit(play_run, settings, path, told, threads).result()
     except BrokenProcessPool:
         if not told.exists():  # stopped, or not even begun
             raise
-        try:
-            _in_process(task)
-        except BrokenProcessPool:
+        if tries == 1:
             text = "its process died twice, for example for lack of memory"
             raise BrokenProcessPool(text) from None
-
-
-def _in_process(task: tuple[RaceSettings, Path, Path, int]) -> None:
-    # spawn: a fork would copy locks that other threads of this process hold.
-    context, go = multiprocessing.get_context("spawn"), task[2].parent / GO
-    with without_interrupts(), ProcessPoolExecutor(1, context, _begin, (go,)) as process:
-        process.submit(play_run, *task).result()
+        play_in_process(settings, path, told, threads, tries=tries - 1)
 
 
 @contextmanager
