@@ -18,16 +18,14 @@ from matrixworld.coevolution import (
     evolve,
     finish,
     open_run,
-    start,
 )
-from matrixworld.coevolution.jobs import job_of, save_job
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.responses import BestResponse, response_settings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.policy import Population
-from tiny_race import StopAt, tiny_race, tiny_single
+from tiny_race import tiny_race, tiny_single
 
 pytestmark = pytest.mark.usefixtures("no_processes")
 BUDGET = 100  # matches: 2 epochs of 48
@@ -163,26 +161,8 @@ def test_the_command(job: Path, tmp_path: Path) -> None:
     assert matrixworld_command(*command).stdout == told
     assert {path: path.read_bytes() for path in made.iterdir()} == files
     matrixworld_command("replay", made)
-
-
-def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
-    run = Path(shutil.copytree(race, tmp_path / "race"))
-    out = tmp_path / "x"
-    command = ["exploit", run, *COMMAND, "--out", out]
-
-    def interrupted(*args: Any, **options: Any) -> Any:
-        settings = response_settings(open_run(run), "pursuer", BUDGET, **CHOSEN)
-        out.mkdir()
-        save_job(out, job_of({"seed-5": settings}))
-        start(settings, out / "seed-5", play=StopAt(1)).run()  # stopped in its second epoch
-
-    monkeypatch.setattr(exploit, "best_responses", interrupted)
-    stopped = matrixworld_command(*command, code=130)
-    assert "To start again:\n  matrixworld exploit " in stopped.stderr
-    monkeypatch.undo()
-    assert "96 matches of evolution" in matrixworld_command(*command).stdout
     for options, message in (
-        (["--seed", 3, "--out", out], "expected the runs in its job.json, got others"),
-        (["--matches", 47, "--out", run], "expected at least 48 (one epoch)"),
+        (["--seed", 3, "--out", beside], "expected the runs in its job.json, got others"),
+        (["--matches", 47], "expected at least 48 (one epoch)"),
     ):
-        assert message in matrixworld_command("exploit", run, *COMMAND, *options, code=2).stderr
+        assert message in matrixworld_command(*command, *options, code=2).stderr
