@@ -56,12 +56,3 @@ def test_shares_never_move_away_from_an_equilibrium(matrix: np.ndarray) -> None:
     nash = analysis.nash_averaging(matrix)
     away = analysis.replicator_dynamics(matrix).divergence(nash.pursuers, nash.evaders)
     assert np.diff(away).max() < 1e-5  # mixtures are known to the tolerance of linear programmes
-
-
-def test_bimatrix_games_and_strategies_that_died_out() -> None:
-    # The prisoner's dilemma: both defect. Whoever is not there does not come back.
-    a = np.array([[3.0, 0.0], [5.0, 1.0]])
-    path = analysis.replicator_dynamics(a, a.T, time=50)
-    np.testing.assert_allclose([path.pursuers[-1], path.evaders[-1]], [[0, 1]] * 2, atol=1e-9)
-    path = analysis.replicator_dynamics(a, a.T, pursuers=[1, 0])
-    assert (path.pursuers == [1, 0]).all()

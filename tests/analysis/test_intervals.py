@@ -52,12 +52,6 @@ def test_equal_runs_have_no_interval() -> None:
     assert low < 0.1 < high
 
 
-def test_few_runs_and_bounds() -> None:
-    found = analysis.interval_over_runs([0.1, 0.2], bounds=(0.0, 1.0))
-    assert found.note == "2 runs only: the interval is wide"
-    assert found.ends == (0.0, pytest.approx(0.15 + 12.706 * 0.05, abs=1e-3))
-
-
 def test_bands_are_pointwise() -> None:
     curves = np.random.default_rng(5).normal(0, 1, (30, 1)) + np.arange(4)
     band = analysis.band_over_runs(curves)
@@ -96,12 +90,6 @@ def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes
     assert (found.value, found.across, found.samples) == (wins / episodes, "episodes", episodes)
 
 
-def test_scores_that_vary_little_have_narrower_intervals() -> None:
-    steady = analysis.mean_over_episodes([0.5, 0.45, 0.55, 0.5] * 25).ends
-    win_or_loss = analysis.mean_over_episodes([0.0, 1.0] * 50).ends
-    assert win_or_loss[0] < steady[0] < 0.5 < steady[1] < win_or_loss[1]
-
-
 def test_differences_cover_and_lie_within_their_bounds() -> None:
     rng = np.random.default_rng(0)
     covered = []
@@ -138,13 +126,6 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
             assert (band.low[g], band.high[g]) == pytest.approx(one.ends)
     sure = generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
     assert sure.high.max() < 1
-
-
-def test_cells_may_share_their_episodes() -> None:
-    rng = np.random.default_rng(4)
-    shared = rng.random((300, 1, 1, 6)) * np.ones((1, 4, 4, 1))
-    found = [linear_over_episodes(each, np.mean).ends for each in shared]
-    assert 0.91 < np.mean([low <= 0.5 <= high for low, high in found]) < 0.98
 
 
 def test_sums_without_noise_are_those_of_pairs_of_episodes() -> None:
@@ -206,12 +187,6 @@ def test_linear_measures_are_linear(name: str) -> None:
     assert is_linear == (name in LINEAR) or name.endswith("stripes")
 
 
-def test_episodes_without_variation_have_no_interval() -> None:
-    found = linear_over_episodes(np.ones((3, 3, 5)), np.mean)
-    assert (found.value, found.low) == (1.0, None)
-    assert found.note == "no interval: all episodes are equal"
-
-
 # ---- Scores of several runs ----------------------------------------------------------------------
 
 
@@ -235,14 +210,6 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
 
 
-def test_the_interquartile_mean_is_a_trimmed_mean() -> None:
-    rng = np.random.default_rng(0)
-    for runs, tasks in ((1, 1), (1, 3), (2, 2), (7, 3), (10, 6)):
-        scores = rng.random((runs, tasks))
-        expected = stats.trim_mean(scores, 0.25, axis=None)
-        assert analysis.interquartile_mean(scores).value == pytest.approx(expected)
-
-
 def test_scores_of_one_run_are_resampled_together() -> None:
     # All tasks of a run have the same score: ten tasks say no more than one.
     one = np.random.default_rng(1).random((8, 1))
@@ -264,15 +231,6 @@ def test_scores_of_few_runs_have_no_interval() -> None:
     assert (shares.low, shares.high) == (None, None)
     assert analysis.interquartile_mean(ONE[:6]).low is not None
     assert analysis.interquartile_mean(ONE[:5], level=0.9).low is not None
-
-
-def test_a_profile_is_the_mean_over_runs_of_their_shares() -> None:
-    profile = analysis.performance_profile(ONE, THRESHOLDS)
-    shares = [[np.mean(run > threshold) for threshold in THRESHOLDS] for run in ONE]
-    expected = analysis.band_over_runs(shares, bounds=(0.0, 1.0))
-    for name in ("mean", "low", "high"):
-        np.testing.assert_allclose(getattr(profile, name), getattr(expected, name))
-    assert len(analysis.performance_profile(ONE).places) == 101
 
 
 def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel() -> None:

@@ -83,14 +83,6 @@ def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> N
     assert "] biased by episode noise: no interval\n  [" in text
 
 
-def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:
-    part = SCORES[:4, :4, :5]
-    single, stacked = (
-        all_results(analysis.read_payoffs(each, per_episode=True)) for each in (part, part[None])
-    )
-    assert single == stacked
-
-
 def test_cross_tests_give_global_progress() -> None:
     cross = np.broadcast_to(RUNS[:2, None], (2, 2, 13, 13))
     payoffs = analysis.read_payoffs(RUNS[:2], cross=cross)
@@ -116,12 +108,6 @@ def test_longer_runs_are_ranked_by_every_kth_generation(monkeypatch: pytest.Monk
     assert run["alpha_rank"]["pursuers"] == run["alpha_rank"]["evaders"] == [*range(0, 15, 2)]
     [uneven] = all_results(logistic(18)[:, :9])["runs"]
     assert (uneven["alpha_rank"]["pursuers"][-1], uneven["alpha_rank"]["evaders"][-1]) == (17, 8)
-
-
-def test_equal_runs_have_no_interval() -> None:
-    text = analysis.report(np.stack([RUNS[0]] * 3))
-    assert "Mean (95% interval over runs; few runs make it wide):" in text
-    assert "no interval: all 3 runs are equal\n" in text
 
 
 @settings(max_examples=25)

@@ -19,7 +19,6 @@ from PIL import Image
 from matrices import ROCK_PAPER_SCISSORS, circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
-from matrixworld.analysis import CONDITIONS
 from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.runs import race_bands
 from matrixworld.plots.style import DPI
@@ -64,15 +63,6 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards() -> None:
     assert (above[:, 1] - above[:, 0]).min() == 0
     np.testing.assert_array_equal(above % 1, 0.5)
     assert saved(figure).size == tuple(round(DPI * s) for s in figure.get_size_inches())
-
-
-def test_heatmap_of_an_oblong_matrix_marks_equal_generations_only() -> None:
-    figure = plots.payoff_heatmap(np.full((8, 5), 0.5))
-    axes = figure.axes[0]
-    assert (*axes.get_xlim(), *axes.get_ylim()) == (-0.5, 4.5, -0.5, 7.5)
-    for line in axes.lines:
-        np.testing.assert_array_equal(line.get_xydata()[[0, -1]], [[-0.5, -0.5], [4.5, 4.5]])
-    saved(figure)
 
 
 def test_generalization_curves_and_baselines() -> None:
@@ -122,19 +112,6 @@ def test_generalization_curves_show_the_interval_over_episodes() -> None:
     assert len(legend_texts(single)) == 2
 
 
-def test_a_long_title_is_wrapped() -> None:
-    title = "runs/2026/a-directory-with-a-long-name/generalist-generalist, seed 0\nforgetting"
-    for draw in (plots.payoff_heatmap, plots.generalization_curves, plots.lag_profile_curve):
-        figure = draw(RACE, title=title)  # type: ignore[operator]
-        saved(figure)
-        lines = figure.axes[0].get_title().split("\n")
-        assert lines[-1] == "forgetting"
-        assert "".join(lines[:-1]).replace(" ", "") == title.split("\n")[0].replace(" ", "")
-        box = figure.axes[0].title.get_window_extent()
-        assert box.x0 >= 0
-        assert box.x1 <= figure.bbox.width
-
-
 def test_lag_profile_is_solid_where_it_rests_on_enough_cells() -> None:
     figure = plots.lag_profile_curve(RACE)
     (axes,) = figure.axes
@@ -172,16 +149,6 @@ def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     assert list(top.get_xticks()) == [1, 4]
     assert [tick.get_text() for tick in top.get_xticklabels()] == ["1", "2"]
     saved(figure)
-
-
-def test_a_training_curve_shows_only_the_teams_that_learn() -> None:
-    together = plots.training_curve([0.1, 0.4, 0.3], None)
-    assert not together.legends
-    pieces = together.axes[0].collections[0]
-    assert to_hex(pieces.get_colors()[0]) == colors.INK.lower()
-    alone = plots.training_curve([0.5], [1])
-    assert legend_texts(alone) == ["evaders learn"]
-    saved(alone)
 
 
 @pytest.mark.parametrize(
@@ -263,31 +230,6 @@ def test_names_and_legend_of_compared_races_are_inside_the_figure(races: int) ->
     box = figure.legends[0].get_window_extent()
     assert 0 <= box.x0 < box.x1 <= figure.bbox.width
     np.testing.assert_allclose(figure.axes[0].images[0].get_array(), scores["0"].mean(axis=2))
-
-
-@pytest.mark.slow
-def test_many_compared_races_are_in_rows() -> None:
-    names = [f"some-job-of-{n}/O-seed{n}/generalist-generalist, seed {n}" for n in range(10)]
-    figure = plots.comparison(dict.fromkeys(names, RACE), dict.fromkeys(names, judged(RACE)))
-    assert saved(figure).width < 2700  # a row of ten would be wider
-    heatmaps = [axes for axes in figure.axes if axes.images and axes.get_title()]
-    assert [each.get_title().replace("\n", "").replace(" ", "") for each in heatmaps] == [
-        name.replace(" ", "") for name in names
-    ]
-    boxes = [each.title.get_window_extent() for each in heatmaps]
-    assert min(box.x0 for box in boxes) >= 0
-    assert max(box.x1 for box in boxes) <= figure.bbox.width
-    for number, box in enumerate(boxes):
-        assert not any(box.overlaps(other) for other in boxes[number + 1 :])
-        assert not any(box.overlaps(text.get_window_extent()) for text in heatmaps[number].texts)
-    (legend,) = figure.legends
-    assert 0 <= legend.get_window_extent().x0 < legend.get_window_extent().x1 <= figure.bbox.width
-
-
-def test_comparison_of_a_race_that_has_not_moved_yet() -> None:
-    figure = plots.comparison({"new": np.full((2, 2), 0.5)})
-    assert heads(figure, 1) == ["whole: checkerboards 0.0%"]
-    saved(figure)
 
 
 def test_plots_need_neither_pyplot_nor_a_display() -> None:
@@ -431,15 +373,6 @@ def test_the_strip_has_a_cell_for_each_verdict() -> None:
     saved(figure)
 
 
-def test_many_seeds_have_cells_without_words() -> None:
-    seeds = tuple(range(11))
-    figure = plots.verdict_strip({"a": judged_seeds(11)}, {"a": seeds}, {"a": tuple(range(11, 40))})
-    (axes,) = figure.axes
-    assert len(axes.texts) == len(CONDITIONS)  # those of all seeds together
-    assert len(cells(axes)) == 41 * len(CONDITIONS)
-    assert figure.get_figwidth() <= 16
-
-
 def test_scores_show_profiles_and_interquartile_means() -> None:
     scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
               "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
@@ -484,12 +417,6 @@ def test_dots_are_the_runs_and_the_diamond_is_their_mean() -> None:
     assert [text.get_text() for text in axes.get_yticklabels()] == ["one", "two"]
     assert axes.get_xlabel() == "score"
     saved(figure)
-
-
-def test_a_single_run_has_no_interval() -> None:
-    (axes,) = plots.run_dots({"alone": [0.4]}, label="score", each="one match").axes
-    assert all(len(line.get_xdata()) < 2 for line in axes.lines)
-    assert "one match" in axes.get_legend_handles_labels()[1]
 
 
 def test_curves_have_means_and_bands() -> None:
@@ -602,20 +529,6 @@ def test_widths_that_texts_do_not_fit_are_refused() -> None:
     with pytest.raises(ValueError, match="width: expected a number at least 3"), plots.at_width(2):
         pass
     assert plots.lag_profile_curve(RACE).get_figwidth() == 6.4
-
-
-@quickly("name", ("comparison", "generalization", "over seeds", "bands"), "bands".__ne__)
-def test_evaders_are_dashed_and_pursuers_are_not(name: str) -> None:
-    lines = [line for axes in PANELS[name]().axes for line in axes.lines]
-    of_teams = [line for line in lines if line.get_linewidth() == 1.7]
-    styles = {color: {each.get_linestyle() for each in of_teams if each.get_color() == color}
-              for color in colors.TEAMS}  # fmt: skip
-    assert styles == {colors.PURSUER: {"-"}, colors.EVADER: {"--"}}
-
-
-def test_generations_on_top_of_a_training_curve_are_round_numbers() -> None:
-    (top,) = PANELS["training"]().axes[0].child_axes
-    assert [tick.get_text() for tick in top.get_xticklabels()] == [*map(str, range(5, 32, 5))]
 
 
 # ---- What cannot be drawn ------------------------------------------------------------------------

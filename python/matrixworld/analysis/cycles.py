@@ -60,10 +60,7 @@ _ONES = np.array([number.bit_count() for number in range(256)], np.uint8)
 
 @dataclass(frozen=True)
 class Checkerboards:
-    """Number of checkerboards in a payoff matrix.
-
-    `count` quadruples of two pursuer and two evader generations, of all that are `possible`.
-    """
+    """Number of checkerboards in a payoff matrix: `count` of all quadruples that are `possible`."""
 
     count: int
     possible: int
@@ -89,9 +86,8 @@ class Checkerboard:
 class TwoWayParts(NamedTuple):
     """Parts of ``M = mean + pursuers[:, None] + evaders + cyclic``, in units of the capture rate.
 
-    `pursuers` (n,) and `evaders` (m,): how much more than the mean each generation captures and is
-    captured; sum 0. `cyclic` (n, m): the rest, which depends on the pairing or is noise; all rows
-    and columns sum to 0.
+    `pursuers` (n,) and `evaders` (m,) sum to 0, and so do all rows and columns of `cyclic` (n, m),
+    which depends on the pairing or is noise.
     """
 
     mean: float
@@ -106,7 +102,8 @@ def transitive_share(
     """Return the share of the variance that each generation's own strength explains, in [0, 1].
 
     1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
-    NaN for a constant matrix.
+    NaN for a constant matrix. Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value
+    is no proof of cycles: look at `checkerboards`, too.
 
     Parameters
     ----------
@@ -116,12 +113,6 @@ def transitive_share(
         at 0 and 1, where a sum of strengths does not.
     shrinkage : float, optional
         Shrinkage before the logits, in (0, 1/2).
-
-    Notes
-    -----
-    The share is ``1 - |R|^2 / |M - mean|^2`` with the residual R of `two_way_parts`. Noise alone
-    gives about ``(n + m - 2) / (n m - 1)``, so a low value is no proof of cycles: look at
-    `checkerboards`, too.
     """
     matrix = check_payoff(payoff)
     values = logits_of(matrix, shrinkage=shrinkage) if logits else matrix
@@ -134,14 +125,12 @@ def transitive_share(
 def two_way_parts(payoff: ArrayLike) -> TwoWayParts:
     """Decompose a payoff matrix into mean, strength of each generation, and cyclic part.
 
+    The parts are orthogonal. On the complete bipartite graph of two teams the strengths are the
+    gradient flow of the Hodge decomposition of games, and the rest is its cyclic part.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-
-    Notes
-    -----
-    The parts are orthogonal. On the complete bipartite graph of two teams the strengths are the
-    gradient flow of the Hodge decomposition of games, and the rest is its cyclic part.
 
     References
     ----------
@@ -163,7 +152,8 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
-    Counted over unordered pairs of rows and of columns, in time O(n^2 m^2) and memory O(n m^2).
+    Counted over unordered pairs of rows and of columns, in time O(n^2 m^2) and memory O(n m^2). A
+    staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
 
     Parameters
     ----------
@@ -173,15 +163,8 @@ def checkerboards(
         more than this, in [0, 1).
     level : float or None, optional
         Capture rate in [0, 1] above which pursuers beat evaders: both winning cells lie above it,
-        both losing cells do not. None: cells are compared with each other only.
-
-    Notes
-    -----
-    At the level 1/2, matching pennies have 1 checkerboard of 1 possible, and rock-paper-scissors (a
-    draw is not a win) has 3 of 9. Without a level, a cycle between capture rates of .1 and .4 is
-    found, too; at margin 0 a strictly increasing function of M changes nothing; and swapping the
-    teams gives the same count (at a level of .5 it does if no cell is exactly .5). With or without
-    a level, a staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
+        both losing cells do not. None: cells are compared with each other only, so a cycle between
+        capture rates of .1 and .4 is found, too.
     """
     matrix = check_payoff(payoff)
     require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
@@ -207,10 +190,7 @@ def checkerboards(
 
 
 def clear_checkerboards(matrix: Rates) -> Checkerboards:
-    """Return the checkerboards that judgement, tables and texts count: with `MARGIN`, no level.
-
-    Races cycle at low capture rates, too, where no cell crosses one half.
-    """
+    """Return the checkerboards that judgement and tables count: with `MARGIN` and no level."""
     return checkerboards(thinned(matrix), margin=MARGIN, level=None)
 
 
@@ -219,12 +199,9 @@ def strongest_checkerboards(
 ) -> tuple[Checkerboard, ...]:
     """Return checkerboards with large margins, in descending order, that differ from each other.
 
-    No two have more than two generations in common: a strong one has many neighbours that show the
-    same. The largest of many margins is larger than the true one.
-
-    Of two rows, no margin exceeds what one gains over the other in some column, and loses in
-    another. In the order of these bounds, found in time O(n^2 m), some dozens of pairs have to be
-    looked at in time O(m^2), and in the worst case all of them.
+    No two have more than two generations in common. Of two rows, no margin exceeds what one gains
+    over the other in some column, and loses in another. In the order of these bounds, some dozens
+    of pairs have to be looked at, in the worst case all of them.
     """
     pairs: list[tuple[float, int, int, Checkerboard | None]] = []
     for p, row in enumerate(matrix[:-1]):
@@ -257,11 +234,9 @@ def _in_common(one: Checkerboard, other: Checkerboard) -> int:
 
 
 def transitive_fit(matrix: Rates) -> Rates:
-    """Return the transitive matrix that is nearest to a payoff matrix.
+    """Return the nearest matrix that never falls along both teams, sorted by mean capture rate.
 
-    The least-squares fit among the matrices that never fall along the pursuers and along the
-    evaders, both sorted by their mean capture rate, which gives the place in the order. Isotonic
-    regression in both directions by alternating projections (Dykstra and Robertson 1982).
+    Isotonic regression in both directions by alternating projections (Dykstra and Robertson 1982).
     """
     order = np.ix_(*(np.argsort(matrix.mean(axis=axis), kind="stable") for axis in (1, 0)))
     fit = np.empty_like(matrix)
@@ -275,19 +250,14 @@ def squared_intransitivity(
     """Return the mean square of what no order of strength explains, without episode noise.
 
     That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
-    estimate of the variance of each cell. It may be negative. `biased_high` and `high` allow for
-    what the fit hides. More than `MOST_GENERATIONS` generations are thinned out. A `third` of the
-    generations of both teams by strength, from the weakest (0) to the strongest (2), has the mean
-    over the cells of its pursuers and over those of its evaders.
+    estimate of the variance of each cell; it may be negative. `biased_high` and `high` allow for
+    what the fit hides. A `third` of the generations of both teams by strength, from the weakest
+    (0), has the mean over the cells of its pursuers and over those of its evaders.
 
-    A test of lack of fit against pure error, with an order as the null hypothesis (Robertson,
-    Wright and Dykstra 1988, "Order restricted statistical inference"). The residuals of a
-    transitive race contain its noise only, and less than all of it: a cell in a level set of b
-    cells loses 1/b, since the number of level sets is the degrees of freedom of a monotone fit
-    (Meyer and Woodroofe 2000, "On the degrees of freedom in shape-restricted regression"), and
-    sorting by noisy means loses some more. So a transitive race has an expected value of 0 or less.
-    The standard error is that of a sum of independent cells. Where generations hardly differ in
-    strength their order is chance, and with it the small part of a cycle that lies along the order.
+    A test of lack of fit with an order as the null hypothesis (Robertson, Wright and Dykstra 1988).
+    A cell in a level set of b cells loses 1/b of its noise to the fit (Meyer and Woodroofe 2000),
+    and sorting by noisy means loses some more, so a transitive race has an expected value of 0 or
+    less.
     """
     matrix, noise = thinned(matrix), thinned(noise)
     weights = np.full(matrix.shape, 1.0 / matrix.size)
@@ -320,9 +290,8 @@ def _weighted(excess: Rates, noise: Rates, weights: Rates, level: float) -> Esti
 class SpinningTop(Readable):
     """Strength and intransitivity of the generations of one team, each array of shape (k,).
 
-    `generations`: their numbers. `strength`: mean payoff. `intransitivity`, with its interval `low`
-    to `high` for each generation by itself: the root mean square, in capture rates and without
-    noise, of what no order of strength explains in its matches.
+    `strength`: mean payoff. `intransitivity`, with its interval `low` to `high` for each generation
+    by itself: the root mean square of what no order of strength explains in its matches.
     """
 
     generations: NDArray[np.intp]
@@ -335,19 +304,18 @@ class SpinningTop(Readable):
 def spinning_top(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[SpinningTop]:
     """Return strength and size of cycles of each generation: the spinning top of a race.
 
+    In many games strategies of middle strength beat each other in circles, and very weak and very
+    strong ones do not. Czarnecki et al. count cycles of three strategies in a symmetric game.
+    Generations of one team do not play each other, so the size of cycles is here the intransitivity
+    of the judgement, of one row or one column of the matrix.
+
     Parameters
     ----------
-    scores, level
-        As for `linear_over_episodes`. More than 40 generations are thinned out evenly.
-
-    Notes
-    -----
-    In many games strategies of middle strength beat each other in circles, and very weak and very
-    strong ones do not: drawn with strength upright and cycles across, they look like spinning tops.
-    Czarnecki et al. count cycles of three strategies in a symmetric game, or the strategies of
-    successive equilibria. Generations of one team do not play each other, and noise makes both
-    numbers larger. Here the size of cycles is the intransitivity of the judgement, of one row or
-    one column of the matrix.
+    scores : array_like of float, shape (n, m, episodes)
+        Scores in [0, 1] of independent episodes, at least two of each cell. More than 40
+        generations are thinned out evenly.
+    level : float, optional
+        Confidence level, in (0, 1).
 
     References
     ----------
@@ -422,23 +390,21 @@ def _isotonic_rows(values: Rates) -> Rates:
 def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the transitive share without episode noise, with an interval over episodes.
 
-    There is none with fewer than `EPISODES_TO_SUBTRACT_NOISE` episodes, or if the cells do not vary
-    more than episode noise does: then nothing can be said about shares of their variation.
+    There is none with fewer than 4 episodes, or if the cells vary no more than episode noise does.
 
     Parameters
     ----------
-    scores, level
-        As for `linear_over_episodes`.
+    scores : array_like of float, shape (n, m, episodes)
+        Scores in [0, 1] of independent episodes, at least two of each cell.
+    level : float, optional
+        Confidence level, in (0, 1).
 
     Notes
     -----
-    The share is ``1 - residual / total``. Both sums of squares are too large by the variance of the
-    noise, because each cell is multiplied by itself. Products of different episodes of a cell have
-    no such bias, and the sums are estimated from these (U statistics, Hoeffding 1948). The interval
-    inverts a t test, as Fieller's theorem (1954) does for a ratio: it holds all shares r for which
-    ``residual - (1 - r) total`` differs from 0 by at most t standard errors. These come from the
-    jackknife over episodes, which never underestimates a variance on average (Efron and Stein 1981,
-    "The jackknife estimate of variance").
+    The share is ``1 - residual / total``. Both sums of squares are estimated from products of
+    different episodes of a cell, which hold no noise (U statistics, Hoeffding 1948). The interval
+    inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard errors of the
+    jackknife over episodes (Efron and Stein 1981).
     """
     array = check_cells(scores, level)
     episodes = array.shape[2]
@@ -504,13 +470,12 @@ def _ratio(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, floa
 def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
     """Return how similar the row team becomes to its own past again, with an interval.
 
-    The scores have the shape (n, m, episodes). The similarity of two generations is the product of
-    their cyclic parts (`two_way_parts`), mean over opponents; c(d) is its mean over generations
-    that are d apart, divided by c(0). Where c falls below 0, the team has left its old strategies;
-    the largest c(d) after that, up to half of the generations, is the recurrence. It is 1 for a
-    perfect cycle, about 0 for strategies that are always new, negative where nothing returns, and
-    set to 0 where nothing is left. One half of the episodes chooses d, the other half measures
-    c(d), and both change roles. The interval is that of `transitive_share_over_episodes`.
+    The similarity of two generations is the product of their cyclic parts, mean over opponents;
+    c(d) is its mean over generations that are d apart, divided by c(0). Where c falls below 0, the
+    team has left its old strategies; the largest c(d) after that, up to half of the generations, is
+    the recurrence: 1 for a perfect cycle, about 0 for strategies that are always new, set to 0
+    where nothing is left. One half of the episodes (n, m, episodes) chooses d, the other one
+    measures c(d), and both change roles. The interval is that of `transitive_share_over_episodes`.
     """
     array = np.asarray(scores)
     if array.shape[2] < EPISODES_TO_RECUR:

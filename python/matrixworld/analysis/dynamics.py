@@ -19,10 +19,9 @@ TIME = 200.0
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ReplicatorPath(Readable):
-    """Shares of all strategies over time.
+    """Shares of all strategies: `times` (points,), `pursuers` (points, n), `evaders` (points, m).
 
-    `times` (points,); `pursuers` (points, n) and `evaders` (points, m): shares of the strategies of
-    the row and of the column population; the sum at each time is 1.
+    The shares of a population sum to 1 at each time.
     """
 
     times: Rates
@@ -55,7 +54,9 @@ def replicator_dynamics(
     """Let the shares of strategies grow by what they gain against the other population.
 
     ``x_g' = x_g ((A y)_g - x A y)`` and ``y_h' = y_h ((x B)_h - x B y)``: strategies above the mean
-    of their population become more frequent. Nothing mutates, so a share of 0 stays 0.
+    of their population become more frequent. Nothing mutates, so a share of 0 stays 0. SciPy
+    integrates the payoff that each strategy has collected; shares are proportional to its
+    exponential.
 
     Parameters
     ----------
@@ -69,11 +70,6 @@ def replicator_dynamics(
         Duration, finite and above 0. With payoffs k times as large, all is k times as fast.
     points : int, optional
         Number of times at which shares are returned, at least 2; the first is 0.
-
-    Notes
-    -----
-    SciPy integrates (DOP853, tolerances 1e-12) the payoff that each strategy has collected; shares
-    are proportional to its exponential, so they stay positive with sum 1.
 
     References
     ----------
@@ -128,10 +124,7 @@ _RAREST = 1e-60
 
 @dataclass(frozen=True, eq=False, repr=False)
 class AlphaRank(Readable):
-    """Share of time that the populations spend at each pair and at each generation.
-
-    Shapes (n, m), (n,) and (m,); each has the sum 1.
-    """
+    """Share of time at each pair (n, m), and at each generation (n,) and (m,); each sums to 1."""
 
     pairs: Rates
     pursuers: Rates
@@ -143,6 +136,10 @@ def alpha_rank(
 ) -> AlphaRank:
     """Return the stationary distribution of two populations under mutation and selection.
 
+    In each state all pursuers are of one generation and all evaders of one generation. A mutant of
+    each of the ``n + m - 2`` other generations appears with the same probability, and takes over
+    its team with the `fixation_probability` of its gain.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
@@ -152,20 +149,11 @@ def alpha_rank(
     population : int, optional
         Size of each population (m in the paper), at least 2.
 
-    Notes
-    -----
-    In each state all pursuers are of one generation g and all evaders of one generation h. A mutant
-    of each of the ``n + m - 2`` other generations appears with the same probability
-    ``eta = 1 / (n + m - 2)``. It takes over its team with the `fixation_probability` of its gain.
-
-    The stationary distribution is solved by an elimination that never subtracts: it is exact to
-    rounding even if a state is left once in 1e60 steps, the smallest probability that is used. Time
-    O(n^3 m^3), memory O(n^2 m^2).
-
     References
     ----------
     Omidshafiei et al. (2019), "alpha-Rank: multi-agent evaluation by evolution". Grassmann, Taksar
-    and Heyman (1985), "Regenerative analysis and steady state distributions for Markov chains".
+    and Heyman (1985), "Regenerative analysis and steady state distributions for Markov chains": an
+    elimination that never subtracts, so the result is exact to rounding.
     """
     matrix = check_payoff(payoff)
     # The chain has n m states and its matrix (n m)^2 entries: 134 MB at the limit.

@@ -35,10 +35,9 @@ _MOST_STEPS = 200
 class Nash(Readable):
     """The maximum-entropy Nash equilibrium of a payoff matrix, and payoffs against it.
 
-    `value`: capture rate when both teams play their mixtures. `pursuers` (n,) and `evaders` (m,):
-    weight of each generation in its team's mixture; sum 1. `pursuer_averages` and
-    `evader_averages`, the Nash averages: capture rate, and escape rate, of each generation against
-    the mixture of the other team; at most `value`, and ``1 - value``.
+    `value`: capture rate when both teams play their mixtures, the weights `pursuers` (n,) and
+    `evaders` (m,). `pursuer_averages` and `evader_averages`, the Nash averages: capture rate, and
+    escape rate, of each generation against the mixture of the other team.
     """
 
     value: float
@@ -51,19 +50,14 @@ class Nash(Readable):
 def nash_averaging(payoff: ArrayLike) -> Nash:
     """Find the maximum-entropy equilibrium of a payoff matrix, and the payoffs against it.
 
+    The zero-sum game M is solved by linear programming. The optimal mixtures of a team form a
+    polytope; the one of maximum entropy is unique. Copies of a generation share its weight and
+    change neither the value nor the averages.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
         Payoffs that differ by less than 1e-7 count as equal.
-
-    Notes
-    -----
-    The zero-sum game M is solved by linear programming. The optimal mixtures of a team form a
-    polytope; the one of maximum entropy is unique. Swapping the teams swaps the mixtures. Copies of
-    a generation share its weight and change neither the value nor the averages.
-
-    M is not embedded into one symmetric game: capture rates are not centred, so that game favours
-    one role, and its equilibrium collapses onto one side.
 
     References
     ----------
@@ -105,9 +99,9 @@ def _optimal(matrix: Rates) -> Rates:
 def _inner(matrix: Rates, value: float, start: Rates, answer: Rates) -> Rates:
     """Return an optimal mixture of all rows that have a weight in any optimal mixture.
 
-    It is the mean of ``start``, which is optimal, and of further optimal mixtures. Each of these
-    maximises the weights, up to ``1 / rows`` each, of the rows that no mixture has used so far.
-    Rows that get less than the value against ``answer``, an optimal mixture of columns, have none.
+    It is the mean of ``start``, which is optimal, and of further ones, each of which maximises the
+    weights, up to ``1 / rows`` each, of the rows that no mixture has used so far. Rows that get
+    less than the value against ``answer``, an optimal mixture of columns, have none.
     """
     rows, columns = matrix.shape
     kept = np.vstack(
@@ -163,8 +157,7 @@ def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: Mask) -> Rate
     """Return the optimal mixture of maximum entropy.
 
     In every optimal mixture the columns ``tight``, which the opponent may play, give exactly
-    ``value``, and the others at least ``value``. Rows outside the support of ``inner`` have no
-    weight.
+    ``value``, and the others at least that. Rows outside the support of ``inner`` have no weight.
     """
     used = inner > 0.0
     margins = (matrix - value)[used]
@@ -246,8 +239,7 @@ _ROUNDING = 1e-9  # tolerance of the sum of a mixture
 class Exploitability(NamedTuple):
     """Gain of a best response against each team's mixture, in capture rates, at least 0.
 
-    Of the `pursuers`: how much the best evader generation lowers the capture rate; of the
-    `evaders`: how much the best pursuer generation raises it.
+    How much the best evaders lower, and the best pursuers raise, the capture rate.
     """
 
     pursuers: float
@@ -302,8 +294,6 @@ def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -
 def response_gain(before: ArrayLike, after: ArrayLike, *, budget: int) -> ResponseGain:
     """Return a lower bound of a champion's exploitability from a response evolved against it.
 
-    A lower bound, because a longer search may find a better response.
-
     Parameters
     ----------
     before : array_like of float, shape (episodes,)
@@ -312,7 +302,7 @@ def response_gain(before: ArrayLike, after: ArrayLike, *, budget: int) -> Respon
         Scores in [0, 1] of the response against the frozen champion, in new episodes: scores in the
         episodes of its selection are too high.
     budget : int
-        Matches spent on evolving the response, at least 1.
+        Matches spent on evolving the response, at least 1. More may find a better response.
     """
     require(budget >= 1, "a budget of at least 1 match", budget)
     old = check_rates(before, ndim=1, what="scores before")
@@ -337,19 +327,13 @@ def effective_diversity(payoff: ArrayLike) -> float:
     """Return how much the generations of the equilibrium win more than the value, where they do.
 
     ``p max(0, M - v) q`` in capture rates, with the mixtures p and q and the value v of
-    `nash_averaging`. 0 if one generation of each team is best; 1/6 in rock-paper-scissors.
+    `nash_averaging`. 0 if one generation of each team is best; 1/6 in rock-paper-scissors. Weak
+    generations count nothing, copies share their weight, and both teams have the same number.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
         Noise makes the number larger; ``MEASURES["effective_diversity"]`` allows for it.
-
-    Notes
-    -----
-    Weak generations count nothing, and copies share their weight. What evaders win more than
-    ``1 - v`` is the same, so both teams have one diversity. Another measure, the expected
-    cardinality of a determinantal point process (Perez-Nieves et al. 2021), depends on the scale of
-    the payoffs, counts weak generations, and takes noise for diversity.
 
     References
     ----------
@@ -364,13 +348,11 @@ def effective_diversity(payoff: ArrayLike) -> float:
 def effective_diversity_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the effective diversity of the measured equilibrium, with an interval over episodes.
 
-    The scores have the shape (n, m, episodes), of at least 4 episodes. One half of them chooses the
-    mixtures, and the cells in which pursuers do better than both mixtures explain; the other half
-    measures the excess of these cells, and both change roles. So noise that was chosen is not
-    measured. The excess is what remains of a cell without the mixtures' means of its row and its
-    column: these are the value in an equilibrium, but not in one that noise has spread over strong
-    and weak generations. The lower end is without what the nearest transitive matrix has of the
-    excess, and the upper end contains `effective_diversity` of all episodes, which is too large.
+    One half of the episodes (n, m, episodes) chooses the mixtures, and the cells in which pursuers
+    do better than both mixtures explain; the other half measures the excess of these cells, and
+    both change roles, so that noise that was chosen is not measured. The lower end is without what
+    the nearest transitive matrix has of the excess, and the upper end contains
+    `effective_diversity` of all episodes, which is too large.
     """
     matrix, halves = scores.mean(axis=2), (scores[:, :, 0::2], scores[:, :, 1::2])
     fit, found = transitive_fit(matrix), []
@@ -418,21 +400,7 @@ def projected_replicator_dynamics(
             p = project(p + rate p (M q - p M q));  q = project(q + rate q (p M q - p M))
         project(x) = the nearest mixture whose weights are all at least `least`
 
-    In zero-sum games these means approach an equilibrium; the mixtures themselves need not.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    steps : int, optional
-        Number of steps, at least 1.
-    rate : float, optional
-        Length of a step, above 0.
-    least : float, optional
-        Smallest weight, from 0 to one over the number of generations of either team.
-
-    References
-    ----------
-    Lanctot et al. (2017), "A unified game-theoretic approach to multiagent reinforcement learning".
+    In zero-sum games these means approach an equilibrium (Lanctot et al. 2017).
     """
     matrix = check_payoff(payoff)
     most = 1.0 / max(matrix.shape)
@@ -477,23 +445,10 @@ def _prd(payoff: ArrayLike) -> Rates:
 def rectified_nash(payoff: ArrayLike) -> Rates:
     """Return weights (m,) of the opponents that the newest row should meet: its rectified Nash.
 
-    In PSRO_rN every member v of a population in the support of its Nash equilibrium learns against
-    the members w that it beats or ties, with their weights in the equilibrium, in order to amplify
-    what it is good at. That is defined for one population in a symmetric game, where a tie has the
-    payoff 0 and as many members are added as the support has. With two populations the members w
-    are the other team's; neither team beats the other at the value of the game, which therefore
-    stands for 0. One learner adds one generation at a time, and starts from the newest one, which
-    is v. If v is not in the support, PSRO_rN would not train it: then it meets the whole
-    equilibrium.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoffs of the learning team; its newest generation is the last row.
-
-    References
-    ----------
-    Balduzzi et al. (2019), "Open-ended learning in symmetric zero-sum games", algorithm 4.
+    In PSRO_rN every member of the support of an equilibrium learns against the members that it
+    beats or ties, with their weights in it (Balduzzi et al. 2019, algorithm 4). With two
+    populations these are the other team's, and a tie is the value of the game. The one member that
+    learns is the newest row; if it is not in the support, it meets the whole equilibrium.
     """
     nash = nash_averaging(payoff)
     beaten = check_payoff(payoff)[-1] >= nash.value - _TIE

@@ -1,7 +1,7 @@
 """Intervals: over training runs, over the episodes of one run, and of collision rates.
 
-Each kind of interval is defined here once: Student's t (means, curves, linear measures), Welch's t
-(differences of runs), Gaffke's (scores in [0, 1]) and the bootstrap-t of a rate.
+Student's t (means, curves, linear measures), Welch's t (differences of runs), Gaffke's (scores in
+[0, 1]) and the bootstrap-t of a rate.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Estimate(Readable):
         Why there is no interval, or what to know about it.
     biased_low, biased_high : float or None, optional
         Values that are not too high and not too low on average, where the number has a bias of
-        unknown size; None for `value`. Intervals over runs rest on them.
+        unknown size. Intervals over runs rest on them.
     """
 
     value: float
@@ -98,16 +98,8 @@ class Estimate(Readable):
 class Band(Readable):
     """A mean curve with its pointwise interval; all of shape (k,).
 
-    Parameters
-    ----------
-    places : ndarray of int64 or float64
-        Where the points lie, such as generations.
-    mean : ndarray of float64
-        Mean over runs or episodes.
-    low, high : ndarray of float64, or None
-        Ends of the intervals, NaN where there is none; None for a single run.
-    runs : ndarray of int64
-        Number of runs, or of episodes, behind each point.
+    `places`: where the points lie, such as generations. `low` and `high` are NaN where there is no
+    interval, and None for a single run. `runs`: runs, or episodes, behind each point.
     """
 
     places: NDArray[Any]
@@ -123,7 +115,8 @@ def interval_over_runs(
     """Return the mean over training runs with Student's t interval.
 
     A single run has no interval, and runs with equal values have none either: they do not show how
-    much runs vary.
+    much runs vary. The coverage is exact for normal values; evolution/results/coverage has it for
+    others.
 
     Parameters
     ----------
@@ -134,12 +127,6 @@ def interval_over_runs(
         Confidence level, in (0, 1).
     bounds : tuple of float, optional
         Smallest and largest possible value; the interval is clipped to them.
-
-    Notes
-    -----
-    ``mean +- t s / sqrt(runs)`` with the t quantile of ``runs - 1`` degrees of freedom (Student
-    1908, "The probable error of a mean"). The coverage is exact for normal values;
-    evolution/results/coverage has it for others.
     """
     array = _check_values(values)
     check_level(level)
@@ -168,14 +155,9 @@ def difference_of_runs(
         One finite number for each run of both groups.
     paired : bool, optional
         Whether entry i of both groups belongs together, for example through the same seed. The
-        default is independent groups, whose variances may differ (Welch).
+        default is independent groups, whose variances may differ (Welch 1947).
     level, bounds : optional
         As for `interval_over_runs`.
-
-    References
-    ----------
-    Welch (1947), "The generalization of 'Student's' problem when several different population
-    variances are involved".
     """
     first, second = (_check_values(each) for each in (one, other))
     check_level(level)
@@ -205,6 +187,8 @@ def band_over_runs(
 ) -> Band:
     """Return the mean curve over training runs with Student's t interval at each point.
 
+    The interval is NaN at points of a single run, and where all runs are equal.
+
     Parameters
     ----------
     curves : array_like of float, shape (runs, k)
@@ -215,12 +199,6 @@ def band_over_runs(
         Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
     bounds : tuple of float, optional
         Smallest and largest possible value; the band is clipped to them.
-
-    Returns
-    -------
-    Band
-        The mean over the runs that have a value; its interval is NaN at points of a single run,
-        and where all runs are equal, which do not show how much runs vary.
     """
     array = np.asarray(curves, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
@@ -258,8 +236,7 @@ def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
     -----
     The upper end is a quantile of the weighted mean of the scores and one further score of 1, with
     weights that are uniform on the simplex; the lower end adds a 0. For win or loss this is the
-    interval of Clopper and Pearson (1934). Other scores with the same mean vary less, and their
-    interval is narrower. It has a width even if all episodes are equal.
+    interval of Clopper and Pearson (1934). It has a width even if all episodes are equal.
 
     References
     ----------
@@ -275,16 +252,8 @@ def mean_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
 def difference_over_episodes(one: ArrayLike, other: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the difference of two means of scores in [0, 1] with an interval over episodes.
 
-    The squared distances of both means from the ends of their own intervals are added, as Newcombe
-    (1998) does for shares, which keeps the asymmetry of the two intervals (Zou and Donner 2008,
-    "Construction of confidence limits about effect measures: a general approach").
-
-    Parameters
-    ----------
-    one, other : array_like of float, shapes (episodes,) and (other_episodes,)
-        Scores in [0, 1] of independent episodes, at least two of each.
-    level : float, optional
-        Confidence level, in (0, 1).
+    The squared distances of both means from the ends of their own intervals are added, which keeps
+    the asymmetry of the two intervals (Newcombe 1998, Zou and Donner 2008).
     """
     first, second = _check_scores(one, level), _check_scores(other, level)
     means = float(first.mean()), float(second.mean())
@@ -303,24 +272,11 @@ def linear_over_episodes(
     level: float = LEVEL,
     bounds: Bounds = UNBOUNDED,
 ) -> Estimate:
-    """Return a linear measure of the payoff matrix with a t interval over episodes.
+    """Return a sum of cells of the payoff matrix with a t interval over episodes.
 
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Scores in [0, 1] of independent episodes, at least two of each cell.
-    measure : callable
-        Takes a matrix (n, m) and returns a weighted sum of its cells plus a constant, such as a
-        mean or a difference of means.
-    level, bounds : optional
-        As for `interval_over_runs`.
-
-    Notes
-    -----
-    Episode e of all cells is one measurement of the whole matrix, independent of other episodes.
-    A linear measure of the mean matrix is the mean of the measures of these matrices, so the t
-    interval of a mean applies; there is none if all episodes are equal. Cells may share the seeds
-    of their episodes.
+    Episode e of all cells of the scores (n, m, episodes) is one measurement of the whole matrix, so
+    the interval is that of a mean; there is none if all episodes are equal. Cells may share the
+    seeds of their episodes.
     """
     array = check_cells(scores, level)
     episodes = array.shape[2]
@@ -334,17 +290,7 @@ def linear_over_episodes(
 
 
 def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> tuple[Band, Band]:
-    """Return `generalization` of pursuers and of evaders with t intervals over episodes.
-
-    As in `linear_over_episodes`, episode e of all cells is one measurement of each mean. The
-    interval is about other episodes of the same opponents, not about other opponents; it is NaN
-    where all episodes are equal.
-
-    Parameters
-    ----------
-    scores, level
-        As for `linear_over_episodes`. A whole curve leaves the band more often than a point.
-    """
+    """Return `generalization` of both teams with t intervals over episodes (n, m, episodes)."""
     array = check_cells(scores, level)
     captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
     pursuers = band_over_runs(captured, level=level, bounds=UNIT)
@@ -385,17 +331,15 @@ def check_cells(scores: ArrayLike, level: float) -> Rates:
 def rate_intervals(
     counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int = 0
 ) -> NDArray[np.float64]:
-    """Return bootstrap-t intervals of rates per 1000 agent-steps.
+    """Return bootstrap-t intervals (..., 2, 3, 2) of rates per 1000 agent-steps.
 
     Counts have the shape (episodes, ..., 2, 3): agent-steps in collision by team and kind;
-    agent-steps have the shape (episodes, 2). The ends have the shape (..., 2, 3, 2), and are NaN
-    with fewer than `EPISODES_FOR_RATES` episodes, or fewer than `COLLIDING_FOR_RATES` with a count
-    above 0.
+    agent-steps have the shape (episodes, 2). NaN with too few episodes, or too few with a
+    collision.
 
     Episodes are resampled. Each resample gives the distance of its rate from the rate of all
     episodes in standard errors of a ratio; quantiles of this distance replace those of Student's
-    t. This covers skewed counts better than quantiles of the resampled rates
-    (Hall 1988, "Theoretical comparison of bootstrap confidence intervals").
+    t, which covers skewed counts better (Hall 1988).
     """
     n, rng = len(counts), np.random.default_rng(seed)
     c = counts.reshape(n, -1).astype(float)

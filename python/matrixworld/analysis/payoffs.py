@@ -167,20 +167,14 @@ class Payoffs(Readable):
 
 
 def check_payoff(payoff: ArrayLike) -> Rates:
-    """Return the payoff matrix as a float64 array, or raise an error that says what is wrong.
-
-    Parameters
-    ----------
-    payoff : array_like of real numbers, shape (n, m)
-        Capture rates in [0, 1]; n and m are at least 1. Not copied if they are float64 already.
-    """
+    """Return a payoff matrix (n, m) of capture rates as float64, or say what is wrong."""
     return check_rates(payoff, ndim=2, what="a payoff matrix")
 
 
 def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates") -> Rates:
     """Return rates in [0, 1] as float64, with `ndim` dimensions of which none is empty.
 
-    Raises ValueError or TypeError, which call the array `what`, as `check_payoff` does.
+    Raises ValueError or TypeError, which call the array `what`.
     """
     array = _as_array(values, what)
     # Booleans count as rates of 0 and 1: single matches are stored this way.
@@ -304,13 +298,10 @@ def read_payoffs(
     A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
     a first line that is not numbers is a header, and if its first cell is empty, the first cell of
     each line is a label. Or it holds one line for each pair: a header with ``pursuer, evader,
-    capture_rate`` in any order, and ``run`` or ``episode`` if there are several. Generations, runs
-    and episodes are whole numbers and are sorted; every combination has one line. Other columns,
-    empty lines and lines that begin with ``#`` are ignored.
-
-    Of several arrays in an .npz file ``capture_rates`` is taken, which holds episodes, or else
-    ``capture_rate``, ``payoff`` or ``payoffs``. Nothing is unpickled. Errors name the file, and the
-    line of a CSV file.
+    capture_rate`` in any order, and ``run`` or ``episode`` if there are several; every combination
+    of these whole numbers has one line. Other columns, empty lines and lines that begin with ``#``
+    are ignored. Of several arrays in an .npz file ``capture_rates`` is taken, which holds episodes,
+    or else ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     if isinstance(source, Payoffs):
         payoffs = source

@@ -26,9 +26,8 @@ from matrixworld.analysis.payoffs import (
 class TeamProgress:
     """Payoff of one team against one kind of opponents, over its generations 0 to k - 1.
 
-    `scores`, shape (..., k): mean payoff of each generation, in [0, 1]. `gains`, shape
-    (..., k - 1): score of generations 1, 2, ... minus that of the previous generation against the
-    same opponents, in [-1, 1].
+    `scores`, shape (..., k): mean payoff of each generation. `gains`, shape (..., k - 1): score of
+    generations 1, 2, ... minus that of the previous generation against the same opponents.
     """
 
     scores: Rates
@@ -100,8 +99,7 @@ def global_progress(cross: ArrayLike) -> ByTeam[TeamProgress]:
     """Return progress against unknown opponents: all opponents of other independent runs.
 
     A race can make historical progress without global progress if a team learns the habits of its
-    own opponents only. Scores have the shapes (runs, n) and (runs, m). Sources: as for
-    `local_progress`.
+    own opponents only. Scores have the shapes (runs, n) and (runs, m).
 
     Parameters
     ----------
@@ -152,10 +150,9 @@ def _progress(matrix: Rates, opponents: Mask) -> TeamProgress:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LagProfile(Readable):
-    """Mean capture rate by lag, pursuer minus evader generation.
+    """Mean capture rate by lag, pursuer minus evader generation, from ``-(m - 1)`` to ``n - 1``.
 
-    All have the shape (n + m - 1,). `lags` ascend from ``-(m - 1)`` to ``n - 1``; `means` are those
-    over k of ``M[k + lag, k]``; `cells` is the number of cells in each mean, few at both ends.
+    `means` are those over k of ``M[k + lag, k]``; `cells` is the number of cells in each mean.
     """
 
     lags: NDArray[np.int64]
@@ -173,8 +170,7 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
     """Return the mean capture rate for every lag between pursuers and evaders.
 
     At lag d: pursuers against evaders that are d generations older. Specialists beat the current
-    opponent only, so their profile is flat with a notch at 0. Generalists keep improving against
-    all opponents, so their profile rises.
+    opponent only, so their profile is flat with a notch at 0; that of generalists rises.
 
     Parameters
     ----------
@@ -204,15 +200,12 @@ def lag_rise(matrix: Rates) -> float:
 def team_phase_rates(payoff: ArrayLike) -> Rates:
     """Return the capture rate after each team phase of generations 1, 2, ...
 
+    Row ``k - 1`` of the result (min(n, m) - 1, 2) holds ``M[k, k - 1]``, after the pursuers of
+    generation k have learned, and ``M[k, k]``, after the evaders have learned.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-
-    Returns
-    -------
-    ndarray of float64, shape (min(n, m) - 1, 2)
-        Row ``k - 1`` holds ``M[k, k - 1]``, after the pursuers of generation k have learned, and
-        ``M[k, k]``, after the evaders have learned.
     """
     matrix = check_payoff(payoff)
     # Generation 0 is untrained: no team phase precedes it.
@@ -224,8 +217,7 @@ def swing(matrix: Rates) -> float:
     """Return how much the capture rate changes on average in the evaders' team phase.
 
     Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations k from a quarter of them on, rounded up,
-    for at least 2 x 2. Pursuers learn first in a generation, so swapping the teams gives another
-    number.
+    for at least 2 x 2.
     """
     # The first generations are untrained; row k - 1 belongs to generation k.
     first = max(1, -(-min(matrix.shape) // 4))
@@ -267,7 +259,8 @@ class Disengagement:
 def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
     """Find the longest stretches of generations in which one team wins both team phases.
 
-    They come in order; the last one has not ended if its `last` is the newest generation.
+    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. A stretch
+    has at least 3 generations; the last one has not ended if its `last` is the newest generation.
 
     Parameters
     ----------
@@ -275,11 +268,6 @@ def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
         Capture rate after the pursuers' and after the evaders' team phase of generations 1, 2, ...
         A matrix gives them by `team_phase_rates`, a training log during the race. K may be 0,
         before the first generation.
-
-    Notes
-    -----
-    Pursuers win a team phase with a capture rate above .97, evaders with one below .03. A stretch
-    has at least 3 generations.
     """
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
     winners = (
@@ -299,14 +287,10 @@ def disengagements(rates: ArrayLike) -> tuple[Disengagement, ...]:
 def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimate:
     """Return how much of the payoff the winning team gets, where a race is most one-sided.
 
-    The rates (K, 2) are those of both team phases, as for `disengagements`; the number of episodes
-    is effective: as many wins and losses as have the variance of each rate. The number is the mean
-    payoff of the winning team over consecutive generations, half of the K rounded up, for which it
-    is largest; in [1/2, 1].
-
-    The interval is that of Clopper and Pearson (1934) for the effective number of episodes (Korn
-    and Graubard 1998). Each end is at the level of all stretches together (Bonferroni), so the
-    choice of the stretch does not matter. The ends are `biased_low` and `biased_high`, too.
+    The number is the mean payoff of the winning team over consecutive generations, half of the K
+    rounded up, for which it is largest, from `rates` (K, 2) as for `disengagements`. The interval
+    is that of Clopper and Pearson (1934) for as many wins and losses as have the variance of each
+    rate (Korn and Graubard 1998), at the level of all stretches together (Bonferroni).
     """
     from scipy.special import betaincinv
 
@@ -347,16 +331,14 @@ class Triangle:
     """One team's half of a CIAO plot, measured by its own payoff: higher is better.
 
     `payoff` (n, m): of generation g against opponents of generation ``h <= g``; NaN where these are
-    newer. `by_age` (n,): mean payoff by age ``g - h`` of the opponent; NaN without one.
+    newer. `by_age` (n,): mean payoff by age ``g - h`` of the opponent.
 
-    `fading`: mean over generations of the payoff against the newer half of the ancestral opponents
-    minus that against the older half. Positive: old opponents are forgotten. Negative: new
-    opponents are harder. NaN with fewer than two generations of opponents.
+    `fading`: mean payoff against the newer half of the ancestral opponents minus that against the
+    older half. Positive: old opponents are forgotten. Negative: new opponents are harder.
 
     `stripes`: regularity with which wins and losses come back with the age of the opponent: the
     first peak of the autocorrelation along the rows after it has been negative, in [0, 1]; 0
-    without such a peak. Noise alone gives up to about .2 on 30 generations. `period`: generations
-    between stripes, the lag of that peak.
+    without one, and up to about .2 of noise. `period`: the lag of that peak.
     """
 
     payoff: Rates
@@ -369,10 +351,9 @@ class Triangle:
 def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
     """Compare current individuals with ancestral opponents, in a triangle of each team.
 
-    Both triangles contain the diagonal, which is the current opponent; evaders stand in the rows of
-    theirs. Stripes show intransitivity. Fading away from the diagonal shows that a team loses to
-    opponents that it once beat. A race in which both teams keep improving shows neither, since old
-    opponents are easy.
+    Stripes show intransitivity. Fading away from the diagonal, the current opponent, shows that a
+    team loses to opponents that it once beat. A race in which both teams keep improving shows
+    neither.
 
     Parameters
     ----------
@@ -410,8 +391,7 @@ def _fading(lower: Rates) -> float:
 def autocorrelation(lower: Rates) -> Rates:
     """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in a lower triangle, by d.
 
-    The mean of each row is subtracted, then all rows are pooled: stripes count wherever they lie in
-    a row. NaN where fewer than 6 pairs of cells are left or they do not vary.
+    Stripes count wherever they lie in a row. NaN where fewer than 6 pairs of cells are left.
     """
     counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
     centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
@@ -457,10 +437,9 @@ _ROUNDING = 1e-12  # differences of mean scores below this are floating-point no
 
 @dataclass(frozen=True)
 class Ladder:
-    """The dominant generations of one team, ascending.
+    """The dominant generations of one team, ascending; 0 is the first.
 
-    `generations`: 0, and every one that scored significantly higher than all dominant ones before
-    it. `p_values`: for each of them after the first, the largest one against an earlier one.
+    `p_values`: for each of them after the first, the largest one against an earlier one.
     """
 
     generations: tuple[int, ...]
@@ -487,24 +466,17 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> B
     Parameters
     ----------
     scores : array_like of float, shape (n, m, episodes)
-        Capture rate of each episode; at least two independent episodes of each cell.
+        Capture rate of each episode; at least two independent episodes of each cell. Counts of won
+        episodes are scores, too: ``np.arange(episodes) < wins[..., None]``.
     level : float, optional
-        Significance level of the one-sided test, in (0, 1/2].
-
-    Notes
-    -----
-    The test is Welch's t of the two mean scores. The archive is fixed and only episodes are random,
-    so the variance of a mean score is the sum of ``s_gh^2 / episodes`` over opponents h, divided by
-    ``m^2``. A generation has to pass against *all* dominant ones, which needs no correction for
-    multiple tests. But each new generation is another chance to pass: among k equal generations at
-    most about ``k * level`` are dominant by chance. Where no score varies, every difference is
-    significant. Counts of won episodes are scores, too: ``np.arange(episodes) < wins[..., None]``.
+        Significance level of the one-sided test, in (0, 1/2]. Among k equal generations at most
+        about ``k * level`` are dominant by chance.
 
     References
     ----------
     Stanley and Miikkulainen (2002), "The dominance tournament method of monitoring progress in
-    coevolution"; extended here to two teams. Degrees of freedom: Welch (1947), Satterthwaite
-    (1946).
+    coevolution"; extended here to two teams. The test is Welch's t (1947) of the two mean scores,
+    with the degrees of freedom of Satterthwaite (1946): the archive is fixed, episodes are random.
     """
     array = check_cells(scores, level)
     require(0.0 < level <= 0.5, "a level in (0, 0.5]", level)

@@ -35,10 +35,9 @@ class Elo(Readable):
     """Ratings: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
 
     `pursuers` (n,) and `evaders` (m,) are in natural logits, sum 0; higher captures, and escapes,
-    more. Times `ELO_POINTS`: points as in chess. The `offset` is the advantage of the pursuers in
-    the game itself, the `shrinkage` that of the rates before the fit. `u` (n, 2 cycles): style of
-    each pursuer generation, strongest dimension first; `v` (m, 2 cycles): weakness of each evader
-    generation against these styles.
+    more. The `offset` is the advantage of the pursuers in the game itself, the `shrinkage` that of
+    the rates before the fit. `u` (n, 2 cycles): style of each pursuer generation, strongest
+    dimension first; `v` (m, 2 cycles): weakness of each evader generation against these styles.
     """
 
     pursuers: Rates
@@ -65,7 +64,7 @@ def elo(
 ) -> Elo:
     """Fit Elo ratings of both teams to a payoff matrix, and cycles beside them (mElo).
 
-    The ratings are the same with and without cycles.
+    All matches enter at once, so their order does not matter. The ratings are the same with cycles.
 
     Parameters
     ----------
@@ -82,15 +81,13 @@ def elo(
     Notes
     -----
     The fit minimises the cross entropy of P with ``x = s + (1 - 2 s) M``, summed over cells, plus
-    ``ridge / 2`` times the sum of the squared ratings. All matches enter at once, so their order
-    does not matter, and there is one solution. The residual of the ratings on the logits is
+    ``ridge / 2`` times the sum of the squared ratings. The residual of the ratings on the logits is
     approximated by its 2 k largest singular values, each divided evenly between u and v.
 
     References
     ----------
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
-    "Re-evaluating evaluation": the batch form, and mElo. Eckart and Young (1936), "The
-    approximation of one matrix by another of lower rank".
+    "Re-evaluating evaluation": the batch form, and mElo.
     """
     require(0.0 <= ridge < math.inf, "a finite ridge of at least 0", ridge)
     values = logits(payoff, shrinkage=shrinkage)
@@ -118,9 +115,8 @@ def elo(
 class Ratings(Readable):
     """Elo ratings of one team in points, with intervals: arrays of shape (runs, k).
 
-    `mean`: rating of each generation of each run; `low` and `high`: its interval, NaN where all
-    episodes are equal. `between`: standard deviation between runs, without noise; NaN for a single
-    run. `within`: standard error of a rating of one run.
+    `low` and `high` are NaN where all episodes are equal. `between`: standard deviation between
+    runs, without noise; NaN for a single run. `within`: standard error of a rating of one run.
     """
 
     mean: Rates
@@ -142,18 +138,12 @@ def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Rati
 
     Notes
     -----
-    The model is that of `elo`, which is Bradley-Terry's. Episode e of all cells is one measurement
-    of the matrix; ratings follow it by their gradient (delta method), and have Student's t interval
-    over these measurements. Several runs are a hierarchy: the ratings of a generation are normal
-    over runs, with a mean of its own and a variance that all generations share, estimated by
-    moments. So each is moved towards the mean over runs, the more the larger noise is beside that
-    variance. The interval is about this run; `race_bands` has that of the mean over runs.
-
-    References
-    ----------
-    Bradley and Terry (1952), "Rank analysis of incomplete block designs". DerSimonian and Laird
-    (1986), "Meta-analysis in clinical trials". Morris (1983), "Parametric empirical Bayes
-    inference: theory and applications".
+    Episode e of all cells is one measurement of the matrix; ratings follow it by their gradient
+    (delta method), and have Student's t interval over these measurements. Several runs are a
+    hierarchy: the ratings of a generation are normal over runs, with a variance that all
+    generations share, estimated by moments (DerSimonian and Laird 1986). So each is moved towards
+    the mean over runs, the more the larger noise is beside that variance (Morris 1983, "Parametric
+    empirical Bayes inference"). The interval is about this run.
     """
     ndim = 3 if np.ndim(scores) == 3 else 4
     array = check_rates(scores, ndim=ndim, what="scores ([runs,] n, m, episodes)")

@@ -41,11 +41,6 @@ def fewest_runs(level: float = LEVEL) -> int:
 
     All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a bootstrap
     interval of fewer runs cannot reach the level, whatever its method.
-
-    Parameters
-    ----------
-    level : float, optional
-        Confidence level, in (0, 1).
     """
     check_level(level)
     return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
@@ -57,7 +52,7 @@ def interquartile_mean(
     """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
 
     Single runs that fail and single opponents that are easy count less than in the mean. There is
-    no interval below `fewest_runs`, and if all runs are equal.
+    no interval below 6 runs (at 95 %), and if all runs are equal.
 
     Parameters
     ----------
@@ -70,13 +65,9 @@ def interquartile_mean(
 
     Notes
     -----
-    Whole runs are resampled: scores of one run against several opponents depend on each other.
-    Agarwal et al. have tasks in place of opponents, and resample each on its own (stratified),
-    because their runs of different tasks are different trainings.
-
-    The interval is an expanded percentile interval (Hesterberg): its quantiles are
-    ``Phi(-+sqrt(n / (n - 1)) t)``, with the t quantile of n - 1 degrees of freedom. Plain
-    percentiles are too narrow for few runs.
+    Whole runs are resampled, because scores of one run against several opponents depend on each
+    other. The interval is an expanded percentile interval (Hesterberg), since plain percentiles are
+    too narrow for few runs.
 
     References
     ----------
@@ -105,6 +96,9 @@ def performance_profile(
 ) -> Band:
     """Return the share of scores above each threshold, with its pointwise interval over runs.
 
+    Each run has a share of the opponents; the interval is that of `band_over_runs`. There is none
+    below 6 runs (at 95 %).
+
     Parameters
     ----------
     scores : array_like of float, shape (runs, opponents)
@@ -113,12 +107,6 @@ def performance_profile(
         Thresholds in ascending order. The default is 0, 0.01 ... 1, for rates.
     level : float, optional
         Confidence level of each point, in (0, 1).
-
-    Notes
-    -----
-    Each run has a share: that of the opponents against which it is above the threshold. The profile
-    is the mean over runs, so its interval is that of `band_over_runs`: none below `fewest_runs`,
-    and NaN where all runs have the same share.
 
     References
     ----------
@@ -137,8 +125,8 @@ def probability_of_improvement(
 ) -> Estimate:
     """Return how probably a run of one group scores higher than a run of another group.
 
-    Mean over opponents; equal scores count one half. There is no interval if a group has fewer runs
-    than `fewest_runs`, or if the groups do not overlap.
+    Mean over opponents; equal scores count one half. There is no interval below 6 runs in a group
+    (at 95 %), or if the groups do not overlap.
 
     Parameters
     ----------
@@ -147,15 +135,11 @@ def probability_of_improvement(
     level : float, optional
         Confidence level, in (0, 1).
 
-    Notes
-    -----
-    The Mann-Whitney statistic divided by the number of pairs. Each run has a placement, the share
-    of the other group that it beats. The interval is Welch's t interval of the placements (Brunner
-    and Munzel), clipped to [0, 1].
-
     References
     ----------
-    Mann and Whitney (1947). Brunner and Munzel (2000), "The nonparametric Behrens-Fisher problem".
+    Mann and Whitney (1947): the statistic, divided by the number of pairs. Brunner and Munzel
+    (2000), "The nonparametric Behrens-Fisher problem": Welch's t interval of the placements, the
+    share of the other group that each run beats.
     """
     first, second = _check_scores(one), _check_scores(other)
     opponents = first.shape[1]
@@ -203,21 +187,9 @@ def _too_few(runs: int, level: float) -> str:
 def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> dict[str, Band]:
     """Return mean generalization, ratings and lag profile of several runs, with intervals.
 
-    Parameters
-    ----------
-    payoffs : iterable of array_like of float, each of shape (n, m)
-        Payoff matrix of each run. Runs may have different numbers of generations, such as runs that
-        were stopped early: a mean is over the runs that have the generation.
-    level : float, optional
-        Confidence level of each point, in (0, 1).
-
-    Returns
-    -------
-    dict of str to Band
-        ``pursuer_generalization`` and ``evader_generalization``: mean payoff of each generation
-        against all opponents. ``pursuer_ratings`` and ``evader_ratings``: Elo ratings in points,
-        mean 0 over the generations of a run. ``lag_profile``: mean capture rate at each lag. A
-        point of a single run has no interval.
+    ``pursuer_generalization`` and ``evader_generalization``, ``pursuer_ratings`` and
+    ``evader_ratings`` (Elo points, mean 0 over the generations of a run), and ``lag_profile``. Runs
+    may have different numbers of generations: a mean is over the runs that have the generation.
     """
     matrices = [check_payoff(payoff) for payoff in payoffs]
     require(bool(matrices), "at least one run", "none")

@@ -30,21 +30,17 @@ def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estim
     """Return how much the strength of a team changes by its trend: ``k - 1`` times the drift.
 
     The scores (k,), of at least 4 generations, are mean payoffs against the same opponents, the
-    noise (k,) is the variance of their measurement errors; 0 if it is unknown, which widens the
-    interval. It is an equal-tailed credible interval. The model is a random walk with drift that is
-    observed with fluctuation and noise (the local level model with drift, Harvey 1989,
-    "Forecasting, structural time series models and the Kalman filter")::
+    noise (k,) is the variance of their errors, 0 if unknown. The model is a random walk with drift
+    that is observed with fluctuation and noise (the local level model with drift, Harvey 1989)::
 
         score[g]        = strength[g] + fluctuation[g] + error[g]
         strength[g + 1] = strength[g] + drift + step[g]
         step ~ N(0, s^2)    fluctuation ~ N(0, t^2)    error ~ N(0, mean noise)
 
-    A team that improves steadily has small steps, and its drift is known as well as that of a
-    regression line, also if single generations fluctuate about it. A team that jumps once, or
-    drifts at random, has large steps, and its drift cannot be told from 0. The prior is flat on the
-    drift and on t, and half-normal on s with the standard deviation of the observed steps as its
-    scale (Gelman 2006, "Prior distributions for variance parameters in hierarchical models"). Given
-    s and t the drift is normal; both are summed out on a grid.
+    A team that improves steadily has small steps, so its drift is known, also if single generations
+    fluctuate about it; that of a team that jumps once, or drifts at random, cannot be told from 0.
+    The credible interval is equal-tailed. The prior is flat on the drift and on t, and half-normal
+    on s at the scale of the observed steps (Gelman 2006); s and t are summed out on a grid.
     """
     steps = len(scores) - 1
     drifts, deviations, weights = _posterior(np.diff(scores), float(noise.mean()))
@@ -155,21 +151,16 @@ def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rate
 def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> ByTeam[Rates]:
     """Return how far each generation falls below the best of its ancestors, over all opponents.
 
+    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
+    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
+    mean nothing. With held-out episodes there is no such bias: one set chooses the best ancestor
+    and the other one measures, then they change roles. Pure noise then gives 0 on average.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
     held_out : array_like of float, shape (n, m), optional
         Capture rates of the same pairs in other episodes.
-
-    Notes
-    -----
-    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
-    same on ``1 - M``. It is 0 where no generation lost a payoff that an earlier one had. The
-    maximum of many noisy cells is too high by chance, so a few hundredths mean nothing. With
-    held-out episodes there is no such bias: one set chooses the best ancestor and the other one
-    measures how far a generation falls below it; then the sets change roles, and the mean is taken.
-    Pure noise then gives 0 on average, and noise that hides the best ancestor makes the value too
-    low.
 
     References
     ----------
@@ -197,10 +188,10 @@ def late_forgetting_over_episodes(
 ) -> Estimate:
     """Return `late_forgetting` without selection bias, with an interval over episodes.
 
-    The halves (n, m) are payoffs of the row team in two independent sets of episodes of equal size,
-    the noise (n, m) is the variance of the mean of both. The number is that of `forgetting` with
-    held-out episodes, which is not too high on average; `biased_high` is `late_forgetting`, which
-    is not too low on average. The interval reaches from below the first to above the second.
+    The halves (n, m) are payoffs of the row team in two sets of episodes of equal size, the noise
+    (n, m) is the variance of the mean of both. The number is that of `forgetting` with held-out
+    episodes, which is not too high on average; `biased_high` is `late_forgetting`, which is not too
+    low. The interval reaches from below the first to above the second.
     """
     (first, second), late = halves, _later_half(generations)
     value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[late].mean())

@@ -192,9 +192,6 @@ def report(
 ) -> str:
     """Return all measures of one run or several, and the judgement, as text.
 
-    Several runs have intervals over runs. A single run has intervals over episodes if they are
-    known.
-
     Parameters
     ----------
     source, level
@@ -217,10 +214,7 @@ def report(
 
 
 def measure_table(source: Source, *, level: float = LEVEL) -> str:
-    """Return all measures as lines of text, grouped by the window that they are about.
-
-    Notes say why a number has no interval.
-    """
+    """Return all measures as lines of text by window; notes say why one has no interval."""
     payoffs = read_payoffs(source)
     estimates = measure_all(payoffs, level=level)
     notes = _footnotes(payoffs, estimates)
@@ -267,22 +261,12 @@ def _dominant(payoffs: Payoffs) -> list[str]:
 
 
 def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
-    """Return measures and curves as plain values that JSON can represent.
+    """Return measures and curves as plain values that JSON can represent: lists, and None for NaN.
 
-    Parameters
-    ----------
-    source, level
-        As for `measure_all`.
-
-    Returns
-    -------
-    dict
-        ``measures``: those of `measure_all`. ``bands``: the mean curves of `race_bands`. ``runs``:
-        for each run its payoff matrix and the results of `generalization`, `forgetting`,
-        `local_progress`, `historical_progress`, `lag_profile`, `ciao`, `elo` with one cycle
-        (``ratings``), `nash_averaging`, `alpha_rank` and `replicator_dynamics`; of episodes also
-        `dominance_tournament` and `spinning_top`. ``ratings``: of episodes, `elo_over_episodes`.
-        With cross tests ``global_progress``. Arrays are lists, NaN is None.
+    ``measures``: those of `measure_all`. ``bands``: the mean curves of `race_bands`. ``runs``: for
+    each run its payoff matrix and the results of `CURVES`, of episodes also those of
+    `dominance_tournament` and `spinning_top`. ``ratings``: of episodes, `elo_over_episodes`. With
+    cross tests ``global_progress``.
     """
     payoffs = read_payoffs(source)
     found: dict[str, Any] = {

@@ -9,12 +9,30 @@ without an entry, raise a ValueError.
 
 from __future__ import annotations
 
-from matrixworld.plots.concepts import learning_concepts
-from matrixworld.plots.dynamics import replicator_trajectories, spinning_top
-from matrixworld.plots.game import conflict_outcomes, interaction_models, right_of_way, rules_table
-from matrixworld.plots.generalization import generalization_curves, generalization_over_seeds
-from matrixworld.plots.payoffs import ciao_triangles, comparison, lag_profile_curve, payoff_heatmap
-from matrixworld.plots.runs import run_curves, run_dots, seed_bands, seed_scores, verdict_strip
+from matrixworld.plots.game import (
+    conflict_outcomes,
+    interaction_models,
+    learning_concepts,
+    right_of_way,
+    rules_table,
+)
+from matrixworld.plots.race import (
+    ciao_triangles,
+    comparison,
+    generalization_curves,
+    lag_profile_curve,
+    payoff_heatmap,
+    replicator_trajectories,
+    spinning_top,
+)
+from matrixworld.plots.runs import (
+    generalization_over_seeds,
+    run_curves,
+    run_dots,
+    seed_bands,
+    seed_scores,
+    verdict_strip,
+)
 from matrixworld.plots.style import at_width, save_figure
 from matrixworld.plots.training import collision_rates, training_curve
 

@@ -1,4 +1,4 @@
-"""Figures of several runs: any number or curve, bands over generations, verdicts, and scores."""
+"""Figures of groups of runs: any number or curve, bands over generations, verdicts, and scores."""
 
 from __future__ import annotations
 
@@ -15,14 +15,18 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis import CONDITIONS, Judgement
 from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
-from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
-from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
+from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.analysis.runs import fewest_runs, race_bands
 from matrixworld.plots import style
-from matrixworld.plots.generalization import OVER_SEEDS, TEAMS, draw_teams
+from matrixworld.plots.race import draw_baselines, draw_teams, mark_lag_0
 
+Baselines = Mapping[str, Mapping[str, ArrayLike]]
+"""Scores (seeds,) of teams that were trained in another way, by race and by their name."""
+
+TEAMS = ("pursuer", "evader")
+OVER_SEEDS = "95% interval of the mean over seeds"
 NAMES = 3
 """Share of the width that the names of groups may take: a third."""
 
@@ -56,21 +60,16 @@ def run_dots(
         Smallest and largest possible number; intervals are clipped to them.
     """
     style.check_some(groups)
-    figure = style.new_figure(6.6, 1.5 + 0.5 * len(groups))
-    axes = figure.add_subplot()
+    figure, axes = style.single(6.6, 1.5 + 0.5 * len(groups))
     for row, values in enumerate(groups.values()):
         mean = analysis.interval_over_runs(values, bounds=bounds)
         _draw_dots(axes, row, mean, np.asarray(values))
-    for dashes, (name, level) in zip(
-        style.DASHES * len(groups), (levels or {}).items(), strict=False
-    ):
-        axes.axvline(level, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
+    dashes = style.DASHES * len(groups)
+    for line, (name, level) in zip(dashes, (levels or {}).items(), strict=False):
+        axes.axvline(level, color=colors.MUTED, linestyle=line, linewidth=1.3, label=name)
     axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
     axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
-    axes.set_yticks(
-        range(len(groups)), [style.wrapped(name, style.room(figure, NAMES)) for name in groups]
-    )
-    axes.set_ylim(len(groups) - 0.5, -0.5)
+    _name_rows(figure, axes, groups, NAMES)
     axes.set_xlabel(label)
     low, high = axes.get_xlim()
     numbers = np.concatenate([np.ravel(values) for values in groups.values()])
@@ -79,8 +78,7 @@ def run_dots(
     style.plain_axis(axes)
     axes.grid(visible=False, axis="y")
     style.legend_below(figure, style.labelled(axes), columns=4)
-    if title:
-        figure.suptitle(style.fitting(figure, title))
+    style.entitle(figure, title)
     return figure
 
 
@@ -91,6 +89,15 @@ def _draw_dots(axes: Axes, row: int, mean: analysis.Estimate, values: np.ndarray
     if mean.low is not None and mean.high is not None:
         axes.plot([mean.low, mean.high], [row + 0.2] * 2, color=colors.INK, linewidth=1.8)
     axes.plot(mean.value, row + 0.2, "D", color=colors.INK, markersize=5)
+
+
+def _name_rows(
+    figure: Figure, axes: Axes, names: Iterable[str], columns: float, **look: Any
+) -> None:
+    """Name the rows of a panel from above, in a part of the width of the figure."""
+    texts = [style.wrapped(name, style.room(figure, columns)) for name in names]
+    axes.set_yticks(np.arange(len(texts)), texts, **look)
+    axes.set_ylim(len(texts) - 0.5, -0.5)
 
 
 def run_curves(
@@ -104,7 +111,7 @@ def run_curves(
 ) -> Figure:
     """Draw mean curves over runs with their 95% bands.
 
-    Thin lines are single runs, if there are at most `MOST_LINES` in the group.
+    Thin lines are single runs, if there are at most 10 in the group.
 
     Parameters
     ----------
@@ -122,8 +129,7 @@ def run_curves(
         Smallest and largest possible number; bands are clipped to them.
     """
     style.check_some(groups)
-    figure = style.new_figure(6.6, 3.6)
-    axes = figure.add_subplot()
+    figure, axes = style.single(6.6, 3.6)
     for index, (name, curves) in enumerate(groups.items()):
         color, line = style.LINES[index % len(style.LINES)]
         band = analysis.band_over_runs(curves, places=places, bounds=bounds)
@@ -136,13 +142,11 @@ def run_curves(
         axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
     axes.set(xlabel=along, ylabel=label)
-    axes.xaxis.set_major_locator(style.whole_numbers())
-    axes.margins(x=0.02)
+    style.generation_axis(axes)
     style.plain_axis(axes)
     entries = style.labelled(axes)
     style.legend_below(figure, entries, columns=4 if len(entries) <= 4 else 3)
-    if title:
-        figure.suptitle(style.fitting(figure, title))
+    style.entitle(figure, title)
     return figure
 
 
@@ -161,8 +165,8 @@ def seed_scores(
 
     A row for each team. On the left the share of all scores (runs times opponents) above each
     threshold, with its pointwise 95% interval over seeds. On the right the interquartile mean with
-    its 95% interval, and the mean score of each seed as a dot. Groups with fewer seeds than
-    :func:`matrixworld.analysis.runs.fewest_runs` have no intervals.
+    its 95% interval, and the mean score of each seed as a dot. Groups with fewer than 6 seeds have
+    no intervals.
 
     Parameters
     ----------
@@ -186,9 +190,11 @@ def seed_scores(
     for (left, right), team in zip(grid, teams, strict=True):
         of_team = {group: each[team] for group, each in arrays.items() if team in each}
         _draw_profiles(left, of_team, team)
-        _draw_middles(right, of_team, team, style.room(figure, NAMES))
-    _write_legend(figure, arrays)
-    figure.suptitle(style.fitting(figure, title))
+        _draw_middles(right, of_team, team)
+        names = [f"{name} ({len(values)} seeds)" for name, values in of_team.items()]
+        _name_rows(figure, right, names, NAMES, size="small")
+    style.legend_below(figure, _legend_of_scores(arrays), columns=min(3, len(arrays) + 2))
+    style.entitle(figure, title)
     return figure
 
 
@@ -209,7 +215,7 @@ def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     style.unit_axis(axes)
 
 
-def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str, width: int) -> None:
+def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     for row, ((color, _), values) in enumerate(zip(style.LINES, scores.values(), strict=False)):
         middle = analysis.interquartile_mean(values)
         means = values.mean(axis=1)
@@ -219,16 +225,12 @@ def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str, width: int
         if middle.low is not None and middle.high is not None:
             axes.plot([middle.low, middle.high], [row - 0.22] * 2, color=color, linewidth=2.2)
         axes.plot(middle.value, row - 0.22, marker="D", markersize=6, color=color)
-    names = [
-        style.wrapped(f"{name} ({len(values)} seeds)", width) for name, values in scores.items()
-    ]
-    axes.set_yticks(np.arange(len(names)), names, size="small")
-    axes.set(xlim=(-0.02, 1.02), ylim=(len(names) - 0.5, -0.5), xlabel=SCORES[team])
+    axes.set(xlim=(-0.02, 1.02), xlabel=SCORES[team])
     axes.set_title(f"{team}s: interquartile mean", size="medium")
     style.plain_axis(axes)
 
 
-def _write_legend(figure: Figure, groups: Iterable[str]) -> None:
+def _legend_of_scores(groups: Iterable[str]) -> dict[str, Line2D]:
     entries = {
         group: Line2D([], [], color=color, linestyle=line, linewidth=1.6)
         for (color, line), group in zip(style.LINES, groups, strict=False)
@@ -238,7 +240,7 @@ def _write_legend(figure: Figure, groups: Iterable[str]) -> None:
     entries["mean of one run"] = Line2D(
         [], [], color=colors.MUTED, marker="o", markersize=4, linewidth=0, alpha=0.6
     )
-    style.legend_below(figure, entries, columns=min(3, len(entries)))
+    return entries
 
 
 # ---- Bands over generations ----------------------------------------------------------------------
@@ -256,7 +258,7 @@ def seed_bands(
     """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
 
     The rows show generalization (mean score against all opponents, the strength in verdicts), Elo
-    rating and lag profile. Thin lines are single runs, if there are at most `MOST_LINES`.
+    rating and lag profile. Thin lines are single runs, if there are at most 10.
 
     Parameters
     ----------
@@ -268,25 +270,30 @@ def seed_bands(
     title : str, optional
     """
     style.check_some(payoffs)
-    lines, columns = style.rows_of(len(payoffs), style.beside(GROUPS))
-    figure = style.new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
-    panels = style.columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.0, 1.0, 1.0))
-    groups = {name: [check_payoff(m) for m in each] for name, each in payoffs.items()}
-    ratings = []
-    for column, (name, matrices) in zip(panels, groups.items(), strict=True):
-        ratings.append(_draw_group(column, matrices))
-        width = style.room(figure, max(2, columns) + 0.3)
-        _write_head(column[0], name, len(matrices), (judgements or {}).get(name), width)
-    _share_scales(panels, columns, ratings)
+    figure, panels, columns = style.columns_of_groups(
+        len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
+    )
+    width = style.room(figure, max(2, columns) + 0.3)
+    for number, (column, (name, each)) in enumerate(zip(panels, payoffs.items(), strict=True)):
+        matrices = list(each)
+        _draw_group(column, matrices)
+        counted = "1 seed: no band" if len(matrices) == 1 else f"{len(matrices)} seeds"
+        judged = analysis.headline(judgements[name]) if name in (judgements or {}) else ""
+        head = [style.wrapped(name, width), counted, *textwrap.wrap(judged, width)]
+        column[0].set_title("\n".join(head), size="medium")
+        names = ("mean score", "Elo rating (points)", "mean capture rate")
+        style.label_first(column, names, is_first=number % columns == 0)
+    ends = [column[1].get_ylim() for column in panels]
+    for column in panels:  # all groups have the same scale of ratings
+        column[1].set_ylim(min(low for low, _ in ends), max(high for _, high in ends))
     entries = style.labelled(*(column[0] for column in panels))
     style.legend_below(figure, entries, columns=2 if columns < 3 else 4)
-    if title:
-        figure.suptitle(style.fitting(figure, title))
+    style.entitle(figure, title)
     return figure
 
 
-def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[float, float]:
-    """Draw the three panels of a group; return the limits of the axis of ratings."""
+def _draw_group(column: Sequence[Axes], matrices: Sequence[ArrayLike]) -> None:
+    """Draw the three panels of a group."""
     bands = race_bands(matrices)
     few = len(matrices) <= style.MOST_LINES
     singles = [race_bands([matrix]) for matrix in matrices] if few else []
@@ -300,15 +307,13 @@ def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[floa
         scores.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="one run")
     _draw_singles(lags, singles, "lag_profile", colors.INK)
     style.draw_band(lags, bands["lag_profile"], colors.INK, "-")
-    lags.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
+    mark_lag_0(lags)
     lags.set_xlabel("lag: pursuer minus\nevader generation")
     for axes in column:
-        axes.xaxis.set_major_locator(style.whole_numbers())
-        axes.margins(x=0.02)
+        style.generation_axis(axes)
         style.plain_axis(axes)
     style.unit_axis(scores)
     style.unit_axis(lags)
-    return strength.get_ylim()
 
 
 def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, color: str) -> None:
@@ -317,26 +322,43 @@ def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, 
         axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
 
 
-def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None, width: int) -> None:
-    counted = "1 seed: no band" if seeds == 1 else f"{seeds} seeds"
-    found = "" if judgement is None else analysis.headline(judgement)
-    lines = [style.wrapped(name, width), counted, *textwrap.wrap(found, width)]
-    axes.set_title("\n".join(lines), size="medium")
+def generalization_over_seeds(
+    payoffs: Mapping[str, Iterable[ArrayLike]],
+    *,
+    pursuer_baselines: Baselines | None = None,
+    evader_baselines: Baselines | None = None,
+    title: str = "Generalization: mean score against all opponents",
+) -> Figure:
+    """Draw the mean score of each generation against all opponents, with 95% intervals over seeds.
 
-
-def _share_scales(
-    panels: Sequence[Sequence[Axes]], columns: int, ratings: Sequence[tuple[float, float]]
-) -> None:
-    """Give all groups the same scale of ratings, and label the first column only."""
-    low, high = min(low for low, _ in ratings), max(high for _, high in ratings)
-    names = ("mean score", "Elo rating (points)", "mean capture rate")
-    for number, column in enumerate(panels):
-        column[1].set_ylim(low, high)
-        for axes, name in zip(column, names, strict=True):
-            if number % columns == 0:
-                axes.set_ylabel(name)
-            else:
-                axes.tick_params(labelleft=False)
+    Parameters
+    ----------
+    payoffs : mapping of str to iterable of array_like of float, shape (n, m)
+        Payoff matrix of each seed, by the name of the race, such as its schedule. Each name has a
+        panel.
+    pursuer_baselines, evader_baselines : mapping of str to mapping of str to array_like, optional
+        As for `generalization_curves`, for the races named in `payoffs`: scores of each seed. Each
+        is a level line at its mean, and a band for its interval.
+    title : str, optional
+    """
+    style.check_some(payoffs, "race")
+    baselines = (pursuer_baselines or {}, evader_baselines or {})
+    for name in [name for team in baselines for name in team if name not in payoffs]:
+        raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
+    figure, panels, columns = style.columns_of_groups(
+        len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
+    )
+    for number, ([axes], (name, matrices)) in enumerate(zip(panels, payoffs.items(), strict=True)):
+        bands = race_bands(matrices)
+        draw_teams(axes, (bands[f"{team}_generalization"] for team in TEAMS), OVER_SEEDS)
+        style.unit_axis(axes)
+        draw_baselines(axes, *(team.get(name, {}) for team in baselines))
+        head = style.wrapped(name, style.room(figure, columns, 1.2))
+        axes.set_title(head, size="medium", fontweight="bold")
+        style.label_first([axes], ["mean score (0 to 1)"], is_first=number % columns == 0)
+    style.legend_below(figure, style.labelled(*(axes for [axes] in panels)))
+    style.entitle(figure, title)
+    return figure
 
 
 # ---- Verdicts ------------------------------------------------------------------------------------
@@ -374,35 +396,28 @@ def verdict_strip(
     title : str, optional
     """
     style.check_some(judgements)
+    columns: dict[str, dict[int, dict[str, str]]] = {}
     for name, judgement in judgements.items():
         if len(seeds[name]) != judgement.runs:
             raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(seeds[name])}")
-    absent = missing or {}
-    most = max(len(seeds[name]) + len(absent.get(name, ())) for name in judgements)
+        verdicts = {
+            seed: {each: found.by_run[run] for each, found in judgement.headline.items()}
+            for run, seed in enumerate(seeds[name])
+        }
+        absent = (missing or {}).get(name, ())
+        verdicts |= {seed: dict.fromkeys(CONDITIONS, NOT_FINISHED) for seed in absent}
+        columns[name] = dict(sorted(verdicts.items()))
+    most = max(map(len, columns.values()))
     figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
     panels = figure.subplots(len(judgements), 1, squeeze=False)[:, 0]
     for axes, (name, judgement) in zip(panels, judgements.items(), strict=True):
-        columns = _columns(judgement, seeds[name], absent.get(name, ()))
-        _draw_verdicts(axes, columns, judgement, most)
+        _draw_verdicts(axes, columns[name], judgement, most)
         head = style.wrapped(f"{name}: {analysis.headline(judgement)}", style.room(figure, 1.3))
         axes.set_title(head, size="medium", loc="left")
     panels[-1].set_xlabel("seed", loc="left")
     style.legend_below(figure, {name: Patch(**look) for name, look in LOOKS.items()}, columns=4)
-    figure.suptitle(style.fitting(figure, title))
+    style.entitle(figure, title)
     return figure
-
-
-def _columns(
-    judgement: Judgement, seeds: Sequence[int], missing: Sequence[int]
-) -> dict[int, dict[str, str]]:
-    """Return the verdicts of each seed by condition, in the order of the seeds."""
-    found = judgement.headline
-    columns = {
-        seed: {name: found[name].by_run[run] for name in CONDITIONS}
-        for run, seed in enumerate(seeds)
-    }
-    columns |= {seed: dict.fromkeys(CONDITIONS, NOT_FINISHED) for seed in missing}
-    return dict(sorted(columns.items()))
 
 
 def _draw_verdicts(
@@ -410,12 +425,13 @@ def _draw_verdicts(
 ) -> None:
     for place, verdicts in enumerate(columns.values()):
         for row, name in enumerate(CONDITIONS):
-            _draw_cell(axes, place, row, 1.0, verdicts[name], worded=most <= WORDED)
+            word = SIGNS[verdicts[name]] if most <= WORDED else ""
+            _draw_cell(axes, place, row, 1.0, verdicts[name], word)
     # The verdict on all seeds is apart from the single ones, and always in words.
     width = max(2.4, 0.13 * most)
     for row, name in enumerate(CONDITIONS):
         verdict = judgement.headline[name].verdict
-        _draw_cell(axes, most + 0.5, row, width, verdict, worded=True, word=verdict)
+        _draw_cell(axes, most + 0.5, row, width, verdict, verdict)
     every = -(-most // 30)
     places = [*range(0, len(columns), every)]
     axes.set_xticks(
@@ -428,14 +444,11 @@ def _draw_verdicts(
     axes.spines[:].set_visible(False)
 
 
-def _draw_cell(
-    axes: Axes, x: float, y: float, width: float, verdict: str, *, worded: bool, word: str = ""
-) -> None:
-    inset = 0.05
-    look = LOOKS[verdict]
+def _draw_cell(axes: Axes, x: float, y: float, width: float, verdict: str, word: str) -> None:
+    inset, look = 0.05, LOOKS[verdict]
     axes.add_patch(Rectangle((x + inset, y + inset), width - 2 * inset, 1 - 2 * inset, **look))
-    if worded:
+    if word:
         axes.text(
-            x + width / 2, y + 0.5, word or SIGNS[verdict], ha="center", va="center", size="small",
+            x + width / 2, y + 0.5, word, ha="center", va="center", size="small",
             color=colors.PAPER if verdict == PRESENT else colors.INK,
         )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -138,27 +138,59 @@ def fitting(figure: Figure, title: str) -> str:
     return wrapped(title, room(figure, size=LARGE))
 
 
+def single(width: float, height: float, title: str | None = None) -> tuple[Figure, Axes]:
+    """Return a figure of one panel, perhaps with a title above it."""
+    figure = new_figure(width, height)
+    axes = figure.add_subplot()
+    if title is not None:
+        axes.set_title(fitting(figure, title))
+    return figure, axes
+
+
+def entitle(figure: Figure, title: str | None) -> None:
+    """Write a title above all panels of a figure, if there is one."""
+    if title:
+        figure.suptitle(fitting(figure, title))
+
+
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
     """Raise ValueError if there is nothing to draw."""
     require(bool(groups), f"at least one {what} to draw", "none")
 
 
-def rows_of(count: int, most: int) -> tuple[int, int]:
-    """Return lines and columns of panels, so that lines are equally long: 5 of 4 are 3 and 2."""
-    lines = -(-count // most)
-    return lines, -(-count // lines)
+def columns_of_groups(
+    count: int,
+    most: int,
+    *,
+    width: tuple[float, float],
+    height: tuple[float, float],
+    heights: tuple[float, ...],
+    least: float = 0.0,
+) -> tuple[Figure, list[list[Axes]], int]:
+    """Return a figure with a column of panels for each of some groups, line by line.
 
-
-def columns_of_three(
-    figure: Figure, count: int, shape: tuple[int, int], *, heights: tuple[float, ...]
-) -> list[list[Axes]]:
-    """Return three panels below each other for each of `count` things, line by line."""
-    lines, columns = shape
-    grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=heights * lines)
-    panels = [[*grid[3 * line : 3 * line + 3, k]] for line, k in np.ndindex(lines, columns)]
+    At most so many columns stand beside each other, and lines are equally long: 5 of 4 are 3 and 2.
+    Width and height have a part of their own, and one for each column and line; `least` is the
+    least width. The last result is the number of columns.
+    """
+    lines = -(-count // beside(most))
+    columns = -(-count // lines)
+    figure = new_figure(max(least, width[0] + width[1] * columns), height[0] + height[1] * lines)
+    rows = len(heights)
+    grid = figure.subplots(rows * lines, columns, squeeze=False, height_ratios=heights * lines)
+    panels = [[*grid[rows * line : rows * (line + 1), k]] for line, k in np.ndindex(lines, columns)]
     for axes in (axes for column in panels[count:] for axes in column):
         axes.remove()
-    return panels[:count]
+    return figure, panels[:count], columns
+
+
+def label_first(column: Sequence[Axes], names: Sequence[str], *, is_first: bool) -> None:
+    """Label the vertical axes of the first column only: all columns have the same scales."""
+    for axes, name in zip(column, names, strict=True):
+        if is_first:
+            axes.set_ylabel(name)
+        else:
+            axes.tick_params(labelleft=False)
 
 
 def labelled(*panels: Axes) -> dict[str, Artist]:
@@ -198,6 +230,12 @@ def plain_axis(axes: Axes) -> None:
 def whole_numbers() -> MaxNLocator:
     """Return a locator of as many ticks as fit, at round whole numbers: generations, epochs."""
     return MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True)
+
+
+def generation_axis(axes: Axes) -> None:
+    """Let the horizontal axis show round generations, with some room at both ends."""
+    axes.xaxis.set_major_locator(whole_numbers())
+    axes.margins(x=0.02)
 
 
 def draw_band(axes: Axes, band: Band, color: str, line: str, *, label: str = "") -> None:

@@ -1,0 +1,436 @@
+"""Figures of a single race, and of races side by side: payoffs, lags, generalization, dynamics."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.patheffects import Normal, Stroke
+from numpy.typing import ArrayLike
+
+from matrixworld import analysis
+from matrixworld._util import colors
+from matrixworld.analysis.dynamics import TIME, ReplicatorPath
+from matrixworld.analysis.games import Nash
+from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
+from matrixworld.analysis.judge import LEAST_INTRANSITIVITY, Judgement
+from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates, require
+from matrixworld.plots import style
+
+COLORMAP = "viridis"
+"""Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
+FEWEST_CELLS = 5
+"""A lag whose mean rests on fewer cells is drawn faintly."""
+COLUMNS = 3
+"""The most races beside each other in `comparison`; further ones are in rows below."""
+CORNERS = np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.75**0.5]])
+"""Where the three strategies of a triangle are."""
+_LINE = 1.4  # height of a line above a heat map, as a multiple of the type
+_SCALE = "capture rate\n(0 all escape, 1 all caught)"
+_LAG = "lag: pursuer minus evader generation"
+_SCORES = ("pursuers (score: capture rate)", "evaders (score: 1 - capture rate)")
+
+
+def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
+    """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+    title : str, optional
+    """
+    rows, columns = check_payoff(payoff).shape
+    figure, axes = style.single(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0, title)
+    figure.colorbar(_draw_heatmap(axes, payoff), ax=axes, label=_SCALE, shrink=0.9)
+    return figure
+
+
+def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figure:
+    """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
+
+    A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
+    rising curve means that later generations win against earlier and later opponents as well.
+    Lags with fewer than 5 cells are faint.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+    title : str, optional
+    """
+    figure, axes = style.single(6.4, 4.2, title)
+    _draw_lag_profile(axes, payoff)
+    style.legend_below(figure, style.labelled(axes))
+    return figure
+
+
+def ciao_triangles(
+    payoff: ArrayLike,
+    *,
+    names: tuple[str, str] = ("pursuers", "evaders"),
+    title: str = "CIAO: current individuals against ancestral opponents",
+) -> Figure:
+    """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
+
+    Light cells are wins of the team. The upper edge of a triangle is the current opponent; the
+    further down, the older the opponent. See :func:`matrixworld.analysis.ciao`.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+    names : tuple of str, optional
+        Names of the teams: that of the rows, then that of the columns.
+    title : str, optional
+    """
+    triangles = analysis.ciao(payoff)
+    figure = style.new_figure(7.4, 3.8)
+    panels = figure.subplots(1, 2)
+    for axes, triangle, name, other, color in zip(
+        panels, triangles, names, names[::-1], colors.TEAMS, strict=True
+    ):
+        image = _draw_cells(axes, triangle.payoff.T, interpolation="nearest", aspect="auto")
+        axes.set(xlabel=f"generation of {name}", ylabel=f"generation of {other}")
+        axes.set_title(f"score of {name}", color=color, size="medium")
+        axes.spines[["top", "right"]].set_visible(False)
+    figure.colorbar(
+        image, ax=list(panels), label="score (0 loses, 1 wins)", location="bottom", shrink=0.6,
+        aspect=30,
+    )  # fmt: skip
+    style.entitle(figure, title)
+    return figure
+
+
+def generalization_curves(
+    payoff: ArrayLike,
+    *,
+    per_episode: bool = False,
+    pursuer_baselines: Mapping[str, float] | None = None,
+    evader_baselines: Mapping[str, float] | None = None,
+    title: str = "Generalization: mean score against all opponents",
+) -> Figure:
+    """Draw the mean score of each generation against all opponents.
+
+    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m) or (n, m, episodes)
+    per_episode : bool, optional
+        Whether the capture rates are those of single episodes. If there are several of each pair,
+        a band shows the 95% interval over episodes of each score.
+    pursuer_baselines, evader_baselines : mapping of str to float, optional
+        Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
+        Each is drawn as a level line with its name.
+    title : str, optional
+    """
+    figure, axes = style.single(6.4, 4.2, title)
+    _draw_generalization(axes, payoff, per_episode)
+    draw_baselines(
+        axes,
+        {name: [score] for name, score in (pursuer_baselines or {}).items()},
+        {name: [score] for name, score in (evader_baselines or {}).items()},
+    )
+    style.legend_below(figure, style.labelled(axes))
+    return figure
+
+
+def comparison(
+    payoffs: Mapping[str, ArrayLike],
+    judgements: Mapping[str, Judgement] | None = None,
+    *,
+    per_episode: bool = False,
+    measures: bool = True,
+    title: str | None = None,
+) -> Figure:
+    """Draw several races side by side, on the same scales, at most 3 in a row.
+
+    Each race has its heat map, its lag profile and its generalization curves, in a column below its
+    name, its judgement and two of its measures.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to array_like of float
+        Payoff matrices of at least 2 x 2, by the name of the race.
+    judgements : mapping of str to Judgement, optional
+        Results of :func:`matrixworld.analysis.judge`; a race without one has numbers only.
+    per_episode : bool, optional
+        Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
+    measures : bool, optional
+        Whether two measures stand below the names.
+    title : str, optional
+    """
+    style.check_some(payoffs, "race")
+    figure, panels, columns = style.columns_of_groups(
+        len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
+    )
+    heads: dict[str, list[str]] = {}
+    width = style.room(figure, columns + 0.3)
+    for (heatmap, lags, scores), (name, payoff) in zip(panels, payoffs.items(), strict=True):
+        matrix = _mean_of(payoff, per_episode)
+        _draw_heatmap(heatmap, matrix)
+        _draw_lag_profile(lags, matrix)
+        _draw_generalization(scores, payoff, per_episode)
+        lags.set_title("lag profile", size="medium")
+        scores.set_title("generalization", size="medium")
+        lags.set_xlabel("lag: pursuer minus\nevader generation")
+        judged = analysis.headline(judgements[name]) if name in (judgements or {}) else ""
+        numbers = _numbers(matrix) if measures else ""
+        heads[name] = textwrap.wrap(judged, width) + textwrap.wrap(numbers, width)
+    _write_heads([heatmap for heatmap, *_ in panels], heads, width)
+    for first in range(0, len(panels), columns):
+        row = panels[first : first + columns]
+        # The bar of a shorter row would be in the middle, and push the other rows apart.
+        if len(row) == columns:
+            heatmaps = [column[0] for column in row]
+            figure.colorbar(heatmaps[0].images[0], ax=heatmaps, label=_SCALE, shrink=0.9)
+        # The scales are shared, so one label per row is enough.
+        for axes in [axes for column in row[1:] for axes in column]:
+            axes.set_ylabel("")
+    style.legend_below(figure, style.labelled(panels[0][2], panels[0][1]), columns=min(columns, 3))
+    style.entitle(figure, title)
+    # A first pass of the layout: one alone leaves the names of three races above the edge.
+    layout = figure.get_layout_engine()
+    if layout is not None:
+        layout.execute(figure)
+    return figure
+
+
+def _write_heads(heatmaps: Sequence[Axes], heads: Mapping[str, list[str]], width: int) -> None:
+    """Write name, judgement and numbers of each race above its heat map."""
+    # The names of all races are at the same height.
+    pad = 5 + _LINE * mpl.rcParams["font.size"] * max(map(len, heads.values()))
+    for axes, (name, lines) in zip(heatmaps, heads.items(), strict=True):
+        # Bold, and larger than the lines below it.
+        named = style.wrapped(name, int(width / style.LARGE / 1.1))
+        axes.set_title(named, fontweight="bold", pad=pad)
+        axes.annotate(
+            "\n".join(lines), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
+            textcoords="offset points", ha="center", va="bottom", in_layout=False,
+        )  # fmt: skip
+
+
+def _numbers(matrix: Rates) -> str:
+    """Return what stands above a heat map, and the window that it is about."""
+    payoffs = analysis.read_payoffs(matrix)
+    share, boards = (
+        analysis.MEASURES[name].of(payoffs).value for name in ("transitive_share", "checkerboards")
+    )
+    numbers = [] if math.isnan(share) else [f"transitive share {share:.2f}"]
+    return f"{payoffs.late.name}: {', '.join([*numbers, f'checkerboards {boards:.1%}'])}"
+
+
+# ---- Parts of these figures ----------------------------------------------------------------------
+
+
+def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
+    matrix = check_payoff(payoff)
+    image = _draw_cells(axes, matrix)
+    _enclose_diagonal(axes, min(matrix.shape))
+    axes.set(xlabel="evader generation", ylabel="pursuer generation")
+    axes.set(xlim=(-0.5, matrix.shape[1] - 0.5), ylim=(-0.5, matrix.shape[0] - 0.5))
+    return image
+
+
+def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(style.whole_numbers())
+    return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
+
+
+def _enclose_diagonal(axes: Axes, cells: int) -> None:
+    """Draw a line above and a line below the cells of equal generations, which stay visible."""
+    corners = np.arange(cells + 1) - 0.5
+    early, late = np.repeat(corners, 2)[:-1], np.repeat(corners, 2)[1:]
+    width = min(0.7, 25 / cells)  # points; thinner where cells are small
+    outline = [Stroke(linewidth=1.9 * width, foreground=colors.INK), Normal()]
+    for x, y in ((early, late), (late, early)):
+        axes.plot(x, y, color=colors.PAPER, linewidth=width, path_effects=outline)
+
+
+def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
+    profile = analysis.lag_profile(payoff)
+    # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
+    cells = min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
+    solid = profile.cells >= cells
+    faint = f"lags with fewer than {cells} cells"
+    axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0, label=faint)
+    axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
+    mark_lag_0(axes)
+    axes.set(xlabel=_LAG, ylabel="mean capture rate")
+    style.generation_axis(axes)
+    style.unit_axis(axes)
+    aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
+    axes.text(0.02, 0.97, "later evaders", ha="left", va="top", **aside)
+    axes.text(0.98, 0.03, "later pursuers", ha="right", va="bottom", **aside)
+
+
+def mark_lag_0(axes: Axes) -> None:
+    """Draw a line where opponents are of the same generation."""
+    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
+
+
+def _mean_of(payoff: ArrayLike, per_episode: bool) -> Rates:
+    """Return the checked payoff matrix of a race, from capture rates of its episodes if given."""
+    # In float64: the sum of many float32 rates would round.
+    mean = np.asarray(payoff).mean(axis=2, dtype=np.float64) if per_episode else payoff
+    return check_payoff(mean)
+
+
+def _draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
+    """Draw the mean scores of both teams, with bands over episodes if they are known."""
+    if per_episode and np.shape(payoff)[2] >= 2:
+        bands = [*generalization_over_episodes(payoff)]
+    else:
+        curves = analysis.generalization(_mean_of(payoff, per_episode))
+        bands = [analysis.band_over_runs([curve]) for curve in curves]
+    draw_teams(axes, bands, "95% interval over episodes")
+    axes.set_ylabel("mean score")
+    style.unit_axis(axes)
+
+
+def draw_teams(axes: Axes, bands: Iterable[Band], interval: str) -> None:
+    """Draw the curves of both teams, evaders dashed, and the intervals if they have some."""
+    looks = zip(bands, colors.TEAMS, ("-", style.EVADERS), _SCORES, strict=True)
+    for band, color, line, label in looks:
+        style.draw_band(axes, band, color, line, label=label)
+    if band.low is not None:
+        # An empty band for the legend, whose entry is of both teams.
+        axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
+    axes.set_xlabel("generation")
+    style.generation_axis(axes)
+
+
+def draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
+    """Draw the levels of both teams, each with dashes of its own: in grey colours are equal."""
+    of_teams = zip(teams, colors.TEAMS, strict=True)
+    each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]
+    for index, (name, scores, color) in enumerate(each):
+        values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
+        level = analysis.interval_over_runs(values, bounds=UNIT)
+        dashes = style.LEVELS[index % len(style.LEVELS)]
+        axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
+        if level.low is not None and level.high is not None:
+            axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
+
+
+# ---- Dynamics and the spinning top ---------------------------------------------------------------
+
+
+def replicator_trajectories(
+    payoff: ArrayLike,
+    starts: Sequence[tuple[ArrayLike, ArrayLike]] = (),
+    *,
+    time: float = TIME,
+    title: str = "Replicator dynamics",
+) -> Figure:
+    """Draw how the shares of all strategies change, and their distance from the Nash equilibrium.
+
+    A team of three strategies has a triangle with a path from each start, which is a dot, and a
+    cross in the equilibrium. Other teams have stacked shares over time, of the first start. Noise
+    of the capture rates moves shares, too: which generation remains may be chance. See
+    :func:`matrixworld.analysis.replicator_dynamics`.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Capture rates.
+    starts : sequence of pairs of array_like of float, shapes (n,) and (m,), optional
+        Shares of pursuers and evaders at the begin, at most 20. The default is equal shares.
+    time : float, optional
+        Duration, above 0.
+    title : str, optional
+    """
+    nash = analysis.nash_averaging(payoff)
+    require(len(starts) <= len(style.LINES), f"at most {len(style.LINES)} starts", len(starts))
+    pairs: Sequence[Any] = starts or [(None, None)]
+    paths = [
+        analysis.replicator_dynamics(payoff, pursuers=p, evaders=q, time=time, points=1001)
+        for p, q in pairs
+    ]
+    columns = style.beside(3, inches=3.0)
+    figure = style.new_figure(11.0, 3.8 * -(-3 // columns))
+    panels = figure.subplots(-(-3 // columns), columns, squeeze=False).flat
+    for axes, team, color in zip(panels, ("pursuers", "evaders"), colors.TEAMS, strict=False):
+        _draw_shares(axes, [getattr(path, team) for path in paths], paths[0], getattr(nash, team))
+        axes.set_title(team, color=color, size="medium")
+    _draw_divergence(panels[2], paths, nash)
+    for axes in panels[3:]:
+        axes.remove()
+    style.entitle(figure, title)
+    return figure
+
+
+def _draw_shares(axes: Axes, shares: Sequence[Rates], path: ReplicatorPath, nash: Rates) -> None:
+    if len(nash) == 3:
+        _draw_triangle(axes, shares, nash)
+        return
+    norm = Normalize(0, max(1, len(nash) - 1))
+    shades = [*mpl.colormaps[COLORMAP](norm(np.arange(len(nash))))]
+    axes.stackplot(path.times, shares[0].T, colors=shades, linewidth=0)
+    axes.set(xlabel="time", ylabel="share", xlim=(0, path.times[-1]), ylim=(0, 1))
+    axes.figure.colorbar(
+        ScalarMappable(norm, COLORMAP), ax=axes, label="generation", ticks=style.whole_numbers()
+    )
+
+
+def _draw_triangle(axes: Axes, shares: Sequence[Rates], nash: Rates) -> None:
+    axes.plot(*CORNERS[[0, 1, 2, 0]].T, color=colors.MUTED, linewidth=0.8)
+    for number, (corner, shift) in enumerate(zip(CORNERS, (-0.07, -0.07, 0.07), strict=True)):
+        axes.text(corner[0], corner[1] + shift, str(number), ha="center", va="center")
+    for each, (color, line) in zip(shares, style.LINES, strict=False):
+        places = (each @ CORNERS).T
+        axes.plot(*places, color=color, linestyle=line, linewidth=1.2)
+        axes.plot(*places[:, 0], color=color, marker="o", markersize=5)
+    axes.plot(*nash @ CORNERS, color=colors.INK, marker="+", markersize=9)
+    axes.set(aspect="equal", ylim=(-0.13, 1.0))
+    axes.set_axis_off()
+
+
+def _draw_divergence(axes: Axes, paths: Sequence[ReplicatorPath], nash: Nash) -> None:
+    for path, (color, line) in zip(paths, style.LINES, strict=False):
+        away = path.divergence(nash.pursuers, nash.evaders)
+        axes.plot(path.times, away, color=color, linestyle=line, linewidth=1.5)
+    axes.set(xlabel="time", ylabel="divergence, nats")
+    axes.set_ylim(0, 1.1 * axes.get_ylim()[1])
+    axes.set_title("distance from equilibrium", size="medium")
+    style.plain_axis(axes)
+
+
+def spinning_top(
+    scores: ArrayLike, *, title: str = "Strength and cycles of the generations"
+) -> Figure:
+    """Draw the intransitivity of each generation at its strength: pursuers left, evaders right.
+
+    Thin lines are 95 % intervals over episodes, of each generation by itself. Beyond the dotted
+    lines a generation deviates by more than the margin of the judgement. See
+    :func:`matrixworld.analysis.spinning_top`.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rates of single episodes, at least two of each cell.
+    title : str, optional
+    """
+    figure, axes = style.single(6.4, 4.6, title)
+    tops = analysis.spinning_top(scores)
+    sides = (("pursuers", -1), ("evaders", 1))
+    for (team, side), top, color in zip(sides, tops, colors.TEAMS, strict=True):
+        places = side * top.intransitivity
+        axes.hlines(top.strength, side * top.low, side * top.high, color=color, linewidth=0.8)
+        axes.plot(places, top.strength, "o", markersize=5, color=color, label=team)
+        axes.barh(top.strength, places, height=0.012, color=color, alpha=0.3, linewidth=0)
+        axes.axvline(side * LEAST_INTRANSITIVITY, color=colors.MUTED, linestyle=":", linewidth=1.0)
+    most = 1.05 * max(LEAST_INTRANSITIVITY, *(float(top.high.max()) for top in tops))
+    axes.set(xlim=(-most, most), xlabel="intransitivity", ylabel="strength (mean payoff)")
+    axes.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
+    style.unit_axis(axes)
+    style.legend_below(figure, style.labelled(axes))
+    return figure
