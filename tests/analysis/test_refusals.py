@@ -1,6 +1,5 @@
 """Arguments that are wrong are refused in one sentence: what was expected and what came."""
 
-import math
 from collections.abc import Callable
 from functools import partial
 
@@ -10,11 +9,9 @@ import pytest
 from matrices import ROCK_PAPER_SCISSORS, logistic
 from matrixworld import analysis
 from matrixworld.analysis.intervals import (
-    difference_over_episodes,
-    generalization_over_episodes,
     linear_over_episodes,
 )
-from matrixworld.analysis.payoffs import check_payoff, check_runs
+from matrixworld.analysis.payoffs import check_payoff
 from matrixworld.analysis.runs import race_bands
 from rliable_numbers import ONE, TASK
 
@@ -37,21 +34,9 @@ MATRICES = [
 
 
 @pytest.mark.parametrize(("bad", "error", "message"), MATRICES)
-@pytest.mark.parametrize(
-    "function",
-    [
-        check_payoff,
-        analysis.generalization,
-        analysis.lag_profile,
-        analysis.transitive_share,
-        analysis.checkerboards,
-    ],
-)
-def test_bad_matrices_are_refused(
-    function: Callable[[object], object], bad: object, error: type[Exception], message: str
-) -> None:
+def test_bad_matrices_are_refused(bad: object, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
-        function(bad)
+        check_payoff(bad)  # type: ignore[arg-type]
 
 
 stretches = analysis.disengagements
@@ -69,66 +54,42 @@ share_on_logits = partial(analysis.transitive_share, PENNIES, logits=True)
 CALLS: list[tuple[Callable[[], object], str]] = [
     # Cycles
     (lambda: boards(margin=-0.1), r"margin in \[0, 1\), got -0.1"),
-    (lambda: boards(margin=math.nan), r"margin in \[0, 1\), got nan"),
-    (lambda: boards(level=1.1), r"level in \[0, 1\] or None, got 1.1"),
     (lambda: share_on_logits(shrinkage=0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
-    (lambda: share_on_logits(shrinkage=0.5), r"shrinkage in \(0, 0.5\), got 0.5"),
     # Games
     (lambda: alpha_rank(alpha=0.0), "alpha above 0, got 0.0"),
-    (lambda: alpha_rank(alpha=math.nan), "alpha above 0, got nan"),
     (lambda: alpha_rank(population=1), "population of at least 2, got 1"),
     (lambda: analysis.alpha_rank(np.zeros((65, 65))), "at most 4096 pairs .*, got 4225"),
-    (lambda: exploit([1.5, -0.5, 0.0]), r"\[0, 1\], got 1.5"),
     (lambda: exploit([0.5, 0.5]), "3 weights of the pursuers, got 2"),
     (lambda: exploit([0.5, 0.5, 0.5]), "weights of the pursuers with sum 1, got 1.5"),
     (lambda: analysis.response_gain([0], [1], budget=0), "budget of at least 1 match, got 0"),
     # Progress, dominance
     (lambda: cross(np.zeros((2, 3, 4, 4))), r"\(runs, runs, n, m\), got \(2, 3, 4, 4\)"),
     (lambda: cross(np.zeros((1, 1, 4, 4))), "at least 2 runs, got 1"),
-    (lambda: cross(np.full((2, 2, 3, 3), np.nan)), r"\[0, 1\], got nan"),
-    (lambda: cross(np.zeros((2, 2, 0, 3))), "none of them empty"),
     (lambda: dominance(np.zeros((2, 2, 1))), "at least 2 episodes a cell, got 1"),
-    (lambda: dominance(np.zeros((2, 2))), "3 dimension"),
     (lambda: dominance(np.zeros((2, 2, 2)), level=0.6), "got 0.6"),
     # Engagement
     (lambda: stretches([[0.5, 0.5, 0.5]]), r"shape \(K, 2\), got \(1, 3\)"),
-    (lambda: stretches([0.5, 0.5]), r"got shape \(2,\)"),
-    (lambda: stretches([[0.5, np.nan]]), "got nan"),
     # Strength, ratings
     (lambda: analysis.forgetting(PENNIES, [[0.5]]), r"of shape \(2, 2\), got \(1, 1\)"),
     (lambda: elo(ridge=-1.0), "ridge of at least 0, got -1.0"),
-    (lambda: elo(ridge=np.inf), "finite ridge"),
     (lambda: elo(cycles=2), r"cycles from 0 to 1 for a matrix of \(3, 3\), got 2"),
-    (lambda: elo(cycles=-1), "got -1"),
     (lambda: analysis.log_loss([[0.5, 0.5]], [[0.5]]), r"of shape \(1, 2\), got \(1, 1\)"),
     # Intervals
     (lambda: over_runs([]), r"values of runs of shape \(k,\), k >= 1, got \(0,\)"),
     (lambda: over_runs([0.1, np.nan]), "finite values of runs, got"),
-    (lambda: over_runs([0.1, 0.2], level=1.0), r"level in \(0, 1\), got 1.0"),
     (lambda: difference([0.1], [0.1, 0.2], paired=True), "expected 1 paired runs, got 2"),
-    (lambda: band([0.1, 0.2, 0.3]), r"curves of shape \(runs, k\), got \(3,\)"),
-    (lambda: band([[0.1, np.inf]]), "finite curves"),
     (lambda: band([[0.1, np.nan], [0.2, np.nan]]), "a run with a value at each point"),
     (lambda: linear(np.zeros((2, 2, 1)), np.mean), "at least 2 episodes a cell, got 1"),
-    (lambda: generalization_over_episodes(np.zeros((4, 3, 1))), "2 episodes a cell"),
-    (lambda: difference_over_episodes([0.5, 1.5], [0.0, 1.0]), "got 1.5 at index"),
     (lambda: mean([0.5]), "at least 2 episodes, got 1"),
-    (lambda: mean([0.5, 1.0], level=0), r"level in \(0, 1\), got 0"),
     # Several runs
-    (lambda: check_runs([0.1, 0.2]), r"payoff matrices \(runs, n, m\) .*got shape \(2,\)"),
     (lambda: middle([0.1]), r"scores of shape \(runs, opponents\), got \(1,\)"),
-    (lambda: middle([[np.nan]]), r"finite scores, got \[nan\]"),
-    (lambda: middle([[0.1]], level=1), r"level in \(0, 1\), got 1"),
     (lambda: middle(ONE, resamples=9), "resamples: expected at least 100"),
     (lambda: profile(ONE, [[1]]), r"thresholds of shape \(k,\)"),
     (lambda: profile(ONE, [1, 0]), "ascending thresholds"),
-    (lambda: profile(ONE, [0, np.inf]), "finite thresholds"),
     (lambda: analysis.probability_of_improvement(ONE, TASK), "the same 5 opponents, got 1"),
     (lambda: race_bands([]), "at least one run, got none"),
-    (lambda: race_bands([[[0.5, 2.0]]]), "got 2"),
     # Reports and the judgement
     (lambda: analysis.report(np.zeros((1, 5))), r"at least 2 x 2 generations, got \(1, 5\)"),
-    (lambda: analysis.report(np.zeros((3, 3)), level=0.0), r"level in \(0, 1\), got 0.0"),
     (lambda: analysis.report([PENNIES] * 2, cross=[PENNIES]), r"\(2, 2, 2, 2\), got \(1, 2, 2\)"),
     (lambda: analysis.MEASURES["swing"].of(PENNIES, "x"), "^window: expected one of whole, first"),
     (lambda: judge(logistic(8), level=1.5), r"level in \(0, 1\), got 1.5"),
@@ -137,7 +98,6 @@ CALLS: list[tuple[Callable[[], object], str]] = [
         lambda: judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5),
         "the 3 episodes of each cell that the payoffs hold, got",
     ),
-    (lambda: judge(1.5 * np.ones((8, 8))), "got 1.5"),
 ]
 
 

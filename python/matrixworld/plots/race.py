@@ -172,6 +172,7 @@ def comparison(
         len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
     )
     heads: dict[str, list[str]] = {}
+    known = judgements or {}
     width = style.room(figure, columns + 0.3)
     for (heatmap, lags, scores), (name, payoff) in zip(panels, payoffs.items(), strict=True):
         matrix = _mean_of(payoff, per_episode)
@@ -181,7 +182,7 @@ def comparison(
         lags.set_title("lag profile", size="medium")
         scores.set_title("generalization", size="medium")
         lags.set_xlabel("lag: pursuer minus\nevader generation")
-        judged = analysis.headline(judgements[name]) if name in (judgements or {}) else ""
+        judged = analysis.headline(known[name]) if name in known else ""
         numbers = _numbers(matrix) if measures else ""
         heads[name] = textwrap.wrap(judged, width) + textwrap.wrap(numbers, width)
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)

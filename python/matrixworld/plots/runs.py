@@ -273,12 +273,12 @@ def seed_bands(
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )
-    width = style.room(figure, max(2, columns) + 0.3)
+    width, known = style.room(figure, max(2, columns) + 0.3), judgements or {}
     for number, (column, (name, each)) in enumerate(zip(panels, payoffs.items(), strict=True)):
         matrices = list(each)
         _draw_group(column, matrices)
         counted = "1 seed: no band" if len(matrices) == 1 else f"{len(matrices)} seeds"
-        judged = analysis.headline(judgements[name]) if name in (judgements or {}) else ""
+        judged = analysis.headline(known[name]) if name in known else ""
         head = [style.wrapped(name, width), counted, *textwrap.wrap(judged, width)]
         column[0].set_title("\n".join(head), size="medium")
         names = ("mean score", "Elo rating (points)", "mean capture rate")
