@@ -60,7 +60,7 @@ def test_csv_files_of_runs_and_episodes(tmp_path: Path) -> None:
         ("0,nan\n0,1\n", r"line 1: expected a capture rate in \[0, 1\], got 'nan'"),
         ("pursuer,evader,capture_rate\n", "got a header only"),
         ("pursuer,evader,capture_rate\n0,0\n", "line 2: expected 3 cells as in the header, got 2"),
-        ("pursuer,evader,capture_rate\n0,a,0\n", "line 2: expected a whole number, got 'a'"),
+        ("pursuer,evader,capture_rate\n0,a,0\n", "line 2: expected whole numbers, got '0', 'a'"),
         (
             "pursuer,evader,capture_rate\n0,0,1\n0,0,1\n",
             "line 3: expected pursuer 0, evader 0 once, got it twice",

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.cycles import transitive_fit
@@ -18,7 +18,7 @@ from matrixworld.analysis.intervals import (
     difference_over_episodes,
     t_ends,
 )
-from matrixworld.analysis.payoffs import Mask, Rates, check_payoff, check_rates, require, swap_teams
+from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates, require, swap_teams
 
 # Capture rates closer than this count as equal: the tolerance of the linear programmes.
 _TIE = 1e-7
@@ -153,7 +153,7 @@ def _mixture(weights: Rates) -> Rates:
     return mixture
 
 
-def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: Mask) -> Rates:
+def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: NDArray[np.bool_]) -> Rates:
     """Return the optimal mixture of maximum entropy.
 
     In every optimal mixture the columns ``tight``, which the opponent may play, give exactly

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -24,7 +25,6 @@ from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Rates = NDArray[np.float64]
 """Capture rates, or other float64 numbers of the analysis."""
-Mask = NDArray[np.bool_]
 OfTeam = TypeVar("OfTeam")
 
 SHRINKAGE = 0.01
@@ -204,14 +204,6 @@ def check_finite(values: ArrayLike, name: str, shape: str, *, ndim: int) -> Rate
     return array
 
 
-def check_runs(payoffs: ArrayLike) -> Rates:
-    """Return payoff matrices (runs, n, m) as float64; one matrix (n, m) is a single run."""
-    # A single matrix is a stack of one run, so callers need no second case.
-    if np.ndim(_as_array(payoffs, "payoff matrices")) == 2:
-        return check_payoff(payoffs)[None]
-    return check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
-
-
 def last_half(payoff: ArrayLike) -> Rates:
     """Return rows from ``n // 2`` on and columns from ``m // 2`` on.
 
@@ -328,23 +320,18 @@ def read_payoffs(
 
 def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
     runs = [_read_file(path, per_episode) for path in paths]
-    first = runs[0]
-    for path, run in zip(paths, runs, strict=True):
-        if len(run.matrices) != 1:
-            raise ValueError(f"{path}: expected one run a file, got {len(run.matrices)}")
-        # Episodes are part of the shape: a mix of runs with and without them is refused here.
-        if _shape(run) != _shape(first):
+    # Episodes are part of the shape: a mix of runs with and without them is refused.
+    shapes = [(run.matrices if run.scores is None else run.scores).shape for run in runs]
+    for path, shape in zip(paths, shapes, strict=True):
+        if shape[0] != 1:
+            raise ValueError(f"{path}: expected one run a file, got {shape[0]}")
+        if shape != shapes[0]:
             raise ValueError(
-                f"{path}: expected the shape of {paths[0]}, {_shape(first)}, got {_shape(run)}"
+                f"{path}: expected the shape of {paths[0]}, {shapes[0][1:]}, got {shape[1:]}"
             )
     matrices = np.concatenate([run.matrices for run in runs])
     scores = [run.scores for run in runs if run.scores is not None]
-    # All runs have the same shape, so also the same number of episodes.
-    return Payoffs(matrices, np.concatenate(scores) if scores else None, first.episodes)
-
-
-def _shape(run: Payoffs) -> tuple[int, ...]:
-    return (run.matrices if run.scores is None else run.scores).shape[1:]
+    return Payoffs(matrices, np.concatenate(scores) if scores else None, runs[0].episodes)
 
 
 def _read_file(path: Path, per_episode: bool) -> Payoffs:
@@ -373,19 +360,18 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
 
 
 def _payoffs(values: Any, per_episode: bool) -> Payoffs:
-    if not per_episode:
-        return Payoffs(check_runs(values))
-    array = np.asarray(values)
-    if array.ndim == 3:  # a single run
-        array = array[None]
-    scores = check_rates(array, ndim=4, what="scores ([runs,] n, m, episodes)")
-    return Payoffs(scores.mean(axis=3), scores, scores.shape[3])
+    """Return the payoffs of an array; one without the axis of runs is a single run."""
+    ndim = np.ndim(_as_array(values, "payoff matrices"))
+    if per_episode:
+        array = np.asarray(values)[None] if ndim == 3 else values
+        scores = check_rates(array, ndim=4, what="scores ([runs,] n, m, episodes)")
+        return Payoffs(scores.mean(axis=3), scores, scores.shape[3])
+    if ndim == 2:
+        return Payoffs(check_payoff(values)[None])
+    return Payoffs(check_rates(values, ndim=3, what="payoff matrices (runs, n, m)"))
 
 
 # ---- CSV files -----------------------------------------------------------------------------------
-
-Line = tuple[str, list[str]]
-"""Where it is, as errors say it, and its cells."""
 
 _LONG = ("pursuer", "evader", "capture_rate")
 _KEYS = ("run", "pursuer", "evader", "episode")
@@ -393,7 +379,19 @@ _KEYS = ("run", "pursuer", "evader", "episode")
 
 def _read_table(path: Path) -> tuple[Rates, bool]:
     """Return the capture rates of a CSV file, and whether their last dimension is episodes."""
-    lines = _lines(path)
+    # utf-8-sig: spreadsheets write a byte order mark.
+    text = io.StringIO(read_text(path, "CSV", encoding="utf-8-sig"), newline="")
+    try:
+        rows = [[cell.strip() for cell in row] for row in csv.reader(text)]
+    except csv.Error as error:
+        raise DamagedFileError(path, f"expected a CSV file of text, got: {error}") from error
+    lines = [
+        (f"{path}, line {number}", row)
+        for number, row in enumerate(rows, 1)
+        if any(row) and not row[0].startswith("#")
+    ]
+    if not lines:
+        raise ValueError(f"{path}: expected a table of capture rates, got no lines")
     names = [cell.lower() for cell in lines[0][1]]
     is_long = set(_LONG) <= set(names)
     # A header is recognised by a cell that is not a number.
@@ -411,47 +409,30 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     return np.array([[_number(at, cell) for cell in row[start:]] for at, row in body]), False
 
 
-def _lines(path: Path) -> list[Line]:
-    # utf-8-sig: spreadsheets write a byte order mark.
-    text = io.StringIO(read_text(path, "CSV", encoding="utf-8-sig"), newline="")
-    try:
-        rows = [[cell.strip() for cell in row] for row in csv.reader(text)]
-    except csv.Error as error:
-        raise DamagedFileError(path, f"expected a CSV file of text, got: {error}") from error
-    kept = [
-        (f"{path}, line {number}", row)
-        for number, row in enumerate(rows, 1)
-        if any(row) and not row[0].startswith("#")
-    ]
-    if not kept:
-        raise ValueError(f"{path}: expected a table of capture rates, got no lines")
-    return kept
-
-
-def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
+def _long(path: Path, names: list[str], lines: list[tuple[str, list[str]]]) -> Rates:
+    """Return the array of a table of one line for each pair, whose axes are its keys."""
     keys = [key for key in _KEYS if key in names]
     places, place = [names.index(key) for key in keys], names.index("capture_rate")
     found: dict[tuple[int, ...], float] = {}
     for where, row in lines:
-        key = tuple(_whole(where, row[i]) for i in places)
+        try:
+            key = tuple(int(row[i]) for i in places)
+        except ValueError:
+            cells = ", ".join(repr(row[i]) for i in places)
+            raise ValueError(f"{where}: expected whole numbers, got {cells}") from None
         if key in found:
             raise ValueError(f"{where}: expected {_combination(keys, key)} once, got it twice")
         found[key] = _number(where, row[place])
     # Numbers of generations may start anywhere; their ranks are the indices.
-    axes, inverse = zip(
-        *(np.unique(column, return_inverse=True) for column in np.array(list(found)).T), strict=True
-    )
-    cube = np.full([len(axis) for axis in axes], np.nan)
-    # A mask of its own, so that missing combinations are found without looking for NaN.
-    given = np.zeros(cube.shape, dtype=bool)
-    cube[inverse], given[inverse] = list(found.values()), True
-    missing = np.argwhere(~given)
-    if len(missing):
-        key = tuple(int(axis[i]) for axis, i in zip(axes, missing[0], strict=True))
-        raise ValueError(
-            f"{path}: expected a line for every combination, got none for {_combination(keys, key)}"
-        )
-    return cube
+    axes = [sorted({key[axis] for key in found}) for axis in range(len(keys))]
+    for key in itertools.product(*axes):
+        if key not in found:
+            missing = _combination(keys, key)
+            raise ValueError(
+                f"{path}: expected a line for every combination, got none for {missing}"
+            )
+    rates = [found[key] for key in itertools.product(*axes)]
+    return np.array(rates).reshape([len(axis) for axis in axes])
 
 
 def _combination(keys: list[str], key: tuple[int, ...]) -> str:
@@ -471,10 +452,3 @@ def _number(where: str, cell: str) -> float:
     if not (_is_number(cell) and 0.0 <= float(cell) <= 1.0):
         raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")
     return float(cell)
-
-
-def _whole(where: str, cell: str) -> int:
-    try:
-        return int(cell)
-    except ValueError:
-        raise ValueError(f"{where}: expected a whole number, got {cell!r}") from None

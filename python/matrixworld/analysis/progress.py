@@ -13,7 +13,6 @@ from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import Estimate, check_cells
 from matrixworld.analysis.payoffs import (
     ByTeam,
-    Mask,
     Rates,
     check_payoff,
     check_rates,
@@ -130,12 +129,12 @@ def global_progress(cross: ArrayLike) -> ByTeam[TeamProgress]:
     )
 
 
-def _both_teams(matrix: Rates, opponents: Mask) -> ByTeam[TeamProgress]:
+def _both_teams(matrix: Rates, opponents: NDArray[np.bool_]) -> ByTeam[TeamProgress]:
     """Return progress of both teams; ``opponents[g, h]``: generation g is scored against h."""
     return ByTeam(_progress(matrix, opponents), _progress(swap_teams(matrix), opponents))
 
 
-def _progress(matrix: Rates, opponents: Mask) -> TeamProgress:
+def _progress(matrix: Rates, opponents: NDArray[np.bool_]) -> TeamProgress:
     rows, columns = matrix.shape
     met = opponents[:rows, :columns]
     weights = met / met.sum(axis=1, keepdims=True)

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -536,44 +536,25 @@ def _name_rows(axes: Axes) -> None:
 
 # ---- Concepts ------------------------------------------------------------------------------------
 
-
-class Area(NamedTuple):
-    """A box that stands for a concept: left, bottom, width, height, name, colour."""
-
-    x: float
-    y: float
-    width: float
-    height: float
-    name: str
-    color: str
-
-
-class Note(NamedTuple):
-    """A text in an area: its place, words in bold, and what they mean."""
-
-    x: float
-    y: float
-    name: str
-    text: str
-
-
 AREAS = (
-    Area(0.1, 1.0, 6.6, 4.9, "co-evolution", colors.SKY_BLUE),
-    Area(3.3, 0.4, 6.6, 4.9, "curriculum learning", colors.ORANGE),
+    (0.1, 1.0, 6.6, 4.9, colors.SKY_BLUE, 0.25),
+    (3.3, 0.4, 6.6, 4.9, colors.ORANGE, 0.25),
+    (3.5, 1.2, 3.0, 3.9, colors.PAPER, 1.0),
 )
-SHARED = Area(3.5, 1.2, 3.0, 3.9, "", colors.PAPER)
-"""What is both: the tasks are opponents that learn."""
+"""Co-evolution, curriculum learning, and what is both, where the tasks are opponents that learn:
+left, bottom, width, height, colour and opacity of a box."""
 NOTES = (
-    Note(1.7, 5.2, "", "the fitness of one learner\ndepends on other learners"),
-    Note(1.7, 3.8, "cooperative\nco-evolution", "partners that learn\nfor a common aim"),
-    Note(1.7, 2.0, "", "one population or several,\nequal roles or different ones"),
-    Note(8.3, 4.55, "", "tasks in a sequence,\nfor example easy to hard"),
-    Note(8.3, 3.25, "by hand", "a teacher chooses\nthe tasks"),
-    Note(8.3, 1.6, "automatic", "a rule chooses\nthe tasks"),
-    Note(5.0, 4.5, "self-play,\nautocurriculum", "rivals set each\nother's tasks"),
-    Note(5.0, 2.0, "adversarial learning", "one way to do it: rivals\nlearn in turns"),
-    Note(1.7, 0.42, "", "not co-evolution: only one side\nlearns against a fixed rival"),
+    (1.7, 5.2, "", "the fitness of one learner\ndepends on other learners"),
+    (1.7, 3.8, "cooperative\nco-evolution", "partners that learn\nfor a common aim"),
+    (1.7, 2.0, "", "one population or several,\nequal roles or different ones"),
+    (8.3, 4.55, "", "tasks in a sequence,\nfor example easy to hard"),
+    (8.3, 3.25, "by hand", "a teacher chooses\nthe tasks"),
+    (8.3, 1.6, "automatic", "a rule chooses\nthe tasks"),
+    (5.0, 4.5, "self-play,\nautocurriculum", "rivals set each\nother's tasks"),
+    (5.0, 2.0, "adversarial learning", "one way to do it: rivals\nlearn in turns"),
+    (1.7, 0.42, "", "not co-evolution: only one side\nlearns against a fixed rival"),
 )
+"""Texts in the areas: their places, words in bold, and what they mean."""
 
 
 def learning_concepts() -> Figure:
@@ -588,48 +569,28 @@ def learning_concepts() -> Figure:
     axes = figure.subplots()
     axes.set(xlim=(0.0, 10.0), ylim=(0.0, 6.0))
     axes.axis("off")
-    for area in AREAS:
-        _draw_area(axes, area, alpha=0.25)
-        # The names of both are where the other one is not.
-        x = area.x + 0.25 if area is AREAS[0] else area.x + area.width - 0.25
-        side = "left" if area is AREAS[0] else "right"
-        top = area.y + area.height - 0.28
-        axes.text(x, top, area.name, ha=side, va="center", weight="bold", size="large")
-    _draw_area(axes, SHARED, alpha=1.0)
-    for note in NOTES:
-        _draw_note(axes, note)
-    _draw_arms_race(axes)
-    return figure
-
-
-def _draw_area(axes: Axes, area: Area, *, alpha: float) -> None:
-    style = "round,pad=0,rounding_size=0.18"
-    place = (area.x, area.y)
-    ground: dict[str, Any] = {"facecolor": area.color, "alpha": alpha, "edgecolor": "none"}
-    outline: dict[str, Any] = {"facecolor": "none", "linewidth": 1.2, "edgecolor": colors.INK}
-    for look in (ground, outline):
-        axes.add_patch(FancyBboxPatch(place, area.width, area.height, boxstyle=style, **look))
-
-
-def _draw_note(axes: Axes, note: Note) -> None:
-    lines = note.name.count("\n") + 1 if note.name else 0
-    if note.name:
-        axes.text(
-            note.x, note.y, note.name, ha="center", va="center", weight="bold", linespacing=1.1
-        )
-    below = note.y - 0.13 * lines - 0.08 if lines else note.y + 0.2
-    axes.text(note.x, below, note.text, ha="center", va="top", size="small", linespacing=1.15)
-
-
-def _draw_arms_race(axes: Axes) -> None:
+    for x, y, width, height, color, alpha in AREAS:
+        ground: dict[str, Any] = {"facecolor": color, "alpha": alpha, "edgecolor": "none"}
+        outline: dict[str, Any] = {"facecolor": "none", "linewidth": 1.2, "edgecolor": colors.INK}
+        for look in (ground, outline):
+            box = "round,pad=0,rounding_size=0.18"
+            axes.add_patch(FancyBboxPatch((x, y), width, height, boxstyle=box, **look))
+    name: dict[str, Any] = {"va": "center", "weight": "bold", "size": "large"}
+    # The names of both are where the other one is not.
+    axes.text(0.35, 5.62, "co-evolution", ha="left", **name)
+    axes.text(9.65, 5.02, "curriculum learning", ha="right", **name)
+    for x, y, head, text in NOTES:
+        lines = head.count("\n") + 1 if head else 0
+        if head:
+            axes.text(x, y, head, ha="center", va="center", weight="bold", linespacing=1.1)
+        below = y - 0.13 * lines - 0.08 if lines else y + 0.2
+        axes.text(x, below, text, ha="center", va="top", size="small", linespacing=1.15)
     # Each side adapts to the other.
     for begin, end, y in ((4.25, 5.75, 3.03), (5.75, 4.25, 2.87)):
-        axes.add_patch(
-            FancyArrowPatch(
-                (begin, y), (end, y), arrowstyle="-|>", mutation_scale=12, color=colors.INK
-            )
-        )
+        arrow: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 12, "color": colors.INK}
+        axes.add_patch(FancyArrowPatch((begin, y), (end, y), **arrow))
     axes.text(5.0, 3.28, "arms race", ha="center", va="center", weight="bold")
     axes.text(5.0, 2.6, "each adapts to the other", ha="center", va="center", size="small")
     axes.plot(4.0, 2.95, "^", color=colors.PURSUER, markersize=9)
     axes.plot(6.0, 2.95, "o", color=colors.EVADER, markersize=8)
+    return figure
