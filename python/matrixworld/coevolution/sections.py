@@ -209,31 +209,40 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     What is not given stays as in the section `before`, if there is one of the same class. A mapping
     without a kind is of the class of that section, or of the default one.
     """
-    known, kinds = sections_in(hint), kinds_in(hint)
-    if ("own" in known and callable(given)) or (kinds and isinstance(given, str)):
+    known = sections_in(hint)
+    if isinstance(given, Section) and isinstance(given, tuple(known.values())):
+        return given
+    if isinstance(given, str) or callable(given):
         given = {"kind": given}
     if not isinstance(given, Mapping):
-        if isinstance(given, Section) and isinstance(given, tuple(known.values())):
-            return given
         classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
         raise TypeError(f"{item.name}: expected {classes}, got {shown(given)}")
-    if "kind" not in given:
+    changes = dict(given)
+    if "kind" in changes:
+        cls, sets = _named(item.name, hint, changes.pop("kind"))
+    else:
         before = before or item.metadata["default"]
-    changes: dict[str, Any] = {"kind": getattr(before, "kind", None), **given}
-    kind = changes.pop("kind")
+        cls, sets = type(before), {}
+    # The settings of other code of your own mean nothing to this one.
+    start = vars(before) if type(before) is cls and "code" not in sets else {}
+    with inside(item.name):
+        return cls(**merged(cls, merged(cls, start, sets), changes))
+
+
+def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str, Any]]:
+    """Return the section of a kind, a shorthand or own code, and the fields that this sets."""
+    known, kinds = sections_in(hint), kinds_in(hint)
     own: Any = known.get("own")
     if own and callable(kind):
         kind = name_of(kind, own.interface)
-    if isinstance(kind, str) and kind in known:
-        cls, sets = known[kind], known[kind].shorthands.get(kind, {})
-    elif isinstance(kind, str) and own and PATH.fullmatch(kind):
-        cls, sets, before = own, {"code": kind}, None
-    else:
-        names = [*kinds, *(["or module:object"] if own else [])]
-        raise ValueError(f"{item.name}: expected one of {', '.join(names)}, got {shown(kind)}")
-    start = vars(before) if type(before) is cls else {}
-    with inside(item.name):
-        return cls(**merged(cls, merged(cls, start, sets), changes))
+    if isinstance(kind, str):
+        if kind in known:
+            return known[kind], known[kind].shorthands.get(kind, {})
+        if own and PATH.fullmatch(kind):
+            return own, {"code": kind}
+    names = [*kinds, "or module:object"] if own else kinds
+    expected = f"one of {', '.join(names)}" if names else known[""].__name__
+    raise ValueError(f"{name}: expected {expected}, got {shown(kind)}")
 
 
 # Sections as values that JSON and TOML can hold:
