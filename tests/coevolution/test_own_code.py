@@ -218,11 +218,6 @@ def begin_unevenly(self, genome, samples):
     self.seed_groups[0] = 1
 
 
-class NoTell:
-    genome, seed_groups = np.zeros(20, np.float32), np.zeros(8, np.intp)
-    ask = HillClimber.ask
-
-
 OTHER_NOISE = climber(ask=lambda self, rng: HillClimber.ask(self, np.random.default_rng()))
 FORGETS_SIGMA = climber(
     state=lambda self: {"genome": self.genome},
@@ -241,9 +236,8 @@ FORGETS_SIGMA = climber(
         (asks(lambda asked: asked + np.float32(np.inf)), "ask: expected finite numbers"),
         (states(lambda self: {"self": np.array([self])}), "state: expected an array of numbers"),
         (states(lambda self: {"a.mean": np.zeros(1)}), "state: expected names such as sigma"),
-        (climber(tell=tell_and_regroup), "seed_groups: expected equal groups in all epochs"),
+        (climber(tell=tell_and_regroup), r"seed_groups: expected \[0 .* in all epochs, got"),
         (climber(__init__=begin_unevenly), "seed_groups: expected 8 numbers of groups from 0"),
-        (NoTell, "learner NoTell: expected genome, seed_groups, ask, .*, got no tell"),
     ],
 )
 def test_a_broken_promise_of_a_learner_is_named(learner, message):
@@ -262,7 +256,7 @@ UNSAVED = type("Unsaved", (Hardest,), {"state": lambda _: {}, "restore": lambda 
     ("sampler", "message"),
     [
         (samples(1), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
-        (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0, 0\]"),
+        (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0 0\]"),
         (samples(), r"sample: expected .* got \[\]"),
         (UNSAVED, "expected equal results after restore in a (new|used) one"),
     ],

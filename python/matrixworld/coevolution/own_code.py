@@ -45,17 +45,13 @@ class PluginError(RuntimeError):
 
 @dataclass(frozen=True)
 class Interface:
-    """What a class of your own has to be.
-
-    Messages call one `what`. It has the `methods`; its instances have the `attributes`, too.
-    """
+    """What a class of your own has to be: what messages call one, and its methods."""
 
     what: str
     methods: tuple[str, ...]
-    attributes: tuple[str, ...] = ()
 
 
-LEARNER = Interface("learner", ("ask", "tell", "state", "restore"), ("genome", "seed_groups"))
+LEARNER = Interface("learner", ("ask", "tell", "state", "restore"))
 OPPONENT = Interface("opponent sampler", ("sample", "tell", "state", "restore"))
 
 Code = str | Callable[..., Any]
@@ -157,19 +153,13 @@ def made(code: Code, interface: Interface, run: Mapping[str, Any], own: Mapping[
             f"({error})"
         ) from error
     try:
-        found = factory(**given, **own)
+        return factory(**given, **own)
     except ValueError as error:
         raise ValueError(
             f"{title}: expected settings that it accepts, got {own} ({error})"
         ) from error
     except (Exception, SystemExit) as error:
         raise _failed(title, error) from error
-    expected = (*interface.attributes, *interface.methods)
-    for name in expected:
-        # Not by hasattr, which would compute a property.
-        if inspect.getattr_static(found, name, None) is None and not hasattr(found, name):
-            raise PluginError(f"{title}: expected {', '.join(expected)}, got no {name}")
-    return found
 
 
 def _failed(where: str, error: BaseException) -> PluginError:
@@ -229,8 +219,14 @@ def check_learner(
         return made(learner, LEARNER, run, own)
 
     groups = np.array(new().seed_groups)
-    if groups.shape != (samples,) or groups.dtype.kind not in "iu" or not _even(groups):
-        raise _broken("seed_groups", f"{samples} numbers of groups from 0, all of one size", groups)
+    numbers, sizes = np.unique(groups, return_counts=True)
+    _expect(
+        groups.shape == (samples,)
+        and groups.dtype.kind in "iu"
+        and 0 <= numbers[0] <= numbers[-1] < samples
+        and len(set(sizes)) == 1,
+        f"seed_groups: expected {samples} numbers of groups from 0, all of one size, got {groups}",
+    )
 
     def step(part: Any, epoch: int) -> list[np.ndarray[Any, Any]]:
         asked = part.ask(np.random.default_rng([0, epoch]))
@@ -238,8 +234,8 @@ def check_learner(
         # Equal values are usual at the start of a race, and a learner may then take another path.
         distance = ((candidates - target[0]) ** 2).mean(axis=1, dtype=np.float64)
         part.tell(np.zeros(samples) if epoch % 3 == 1 else -distance)
-        if not np.array_equal(part.seed_groups, groups):
-            raise _broken("seed_groups", "equal groups in all epochs", part.seed_groups)
+        same = np.array_equal(part.seed_groups, groups)
+        _expect(same, f"seed_groups: expected {groups} in all epochs, got {part.seed_groups}")
         return [candidates, _genomes("genome", part.genome, (GENES,))]
 
     _check_part(new, step)
@@ -273,32 +269,37 @@ def check_sampler(
         rng = np.random.default_rng([0, epoch])
         # Several epochs with the same opponents, then one more, as in a race.
         available = 1 + epoch // 2
-        most, chosen = min(count, available), np.array(part.sample(available, epoch, rng))
-        numbers = chosen.dtype.kind in "iu" and chosen.ndim == 1 and 1 <= len(chosen) <= most
-        if not numbers or len({*chosen.tolist()} & {*range(available)}) < len(chosen):
-            expected = f"1 to {most} different opponents from 0 to {available - 1}"
-            raise _broken("sample", expected, chosen)
+        most, chosen = min(count, available), part.sample(available, epoch, rng)
+        _expect(
+            isinstance(chosen, np.ndarray)
+            and chosen.dtype.kind in "iu"
+            and chosen.ndim == 1
+            and 1 <= len(chosen) <= most
+            and len({*chosen.tolist()} & {*range(available)}) == len(chosen),
+            f"sample: expected 1 to {most} different opponents from 0 to {available - 1}, got "
+            f"{chosen}",
+        )
         part.tell(chosen, rng.random((4, len(chosen))))
-        return [chosen]
+        return [chosen.copy()]
 
     _check_part(lambda: made(sampler, OPPONENT, {"count": count}, own), step)
 
 
-def _even(groups: np.ndarray[Any, Any]) -> bool:
-    """Return whether the groups of some candidates, by their numbers, have one size."""
-    numbers, sizes = np.unique(groups, return_counts=True)
-    return len(set(sizes)) == 1 and 0 <= numbers[0] <= numbers[-1] < len(groups)
+def _expect(kept: bool, promise: str) -> None:
+    """Raise PluginError unless a promise is kept."""
+    if not kept:
+        raise PluginError(promise)
 
 
 def _genomes(name: str, found: Any, shape: tuple[int, ...]) -> np.ndarray[Any, Any]:
     """Return a copy of what a learner gave; PluginError unless it is finite float32 (shape)."""
-    is_array = isinstance(found, np.ndarray)
-    if not is_array or (found.shape, found.dtype) != (shape, np.float32):
-        got = f"{found.dtype} {found.shape}" if is_array else type(found).__name__
-        raise _broken(name, f"an array of float32 {shape}", got)
-    if not np.isfinite(found).all():
-        raise _broken(name, "finite numbers", "NaN or infinity")
-    return np.array(found)
+    array = np.array(found)
+    _expect(
+        isinstance(found, np.ndarray) and array.shape == shape and array.dtype == np.float32,
+        f"{name}: expected an array of float32 {shape}, got {array.dtype} {array.shape}",
+    )
+    _expect(bool(np.isfinite(array).all()), f"{name}: expected finite numbers, got {array}")
+    return array
 
 
 def _check_part(new: Callable[[], Any], step: Step) -> None:
@@ -309,28 +310,25 @@ def _check_part(new: Callable[[], Any], step: Step) -> None:
         expected.append(step(first, epoch))
         states.append(_saved(first))
         kept.append(first.state())
-    if not all(_equal(*pair) for pair in zip(states, kept, strict=True)):
-        raise _broken("state", "copies", "arrays that change afterwards")
+    unchanged = all(map(_equal, states, kept))
+    _expect(unchanged, "state: expected copies, got arrays that change afterwards")
     _check_equal(step, new(), 0, expected, "from equal generators and results")
     for epoch, state in enumerate(states):
         # `first` has gone further: a run that is interrupted restores its learners in place.
         for part, which in ((new(), "new"), (first, "used")):
             part.restore(deepcopy(state))
             when = f"after restore in a {which} one"
-            if not _equal(state, _saved(part)):
-                raise _broken("state", f"an equal one {when}", "another")
+            _expect(_equal(state, _saved(part)), f"state: expected an equal one {when}")
             _check_equal(step, part, epoch, expected, when)
 
 
 def _check_equal(step: Step, part: Any, start: int, expected: list[Any], when: str) -> None:
     for epoch in range(start, EPOCHS):
-        found = step(part, epoch)
-        if not all(map(np.array_equal, found, expected[epoch])):
-            raise PluginError(
-                f"expected equal results {when}, got others in epoch {epoch}; random "
-                f"numbers must come from the generator that is passed, and state() must return "
-                f"all that changes"
-            )
+        _expect(
+            all(map(np.array_equal, step(part, epoch), expected[epoch])),
+            f"expected equal results {when}, got others in epoch {epoch}; random numbers must "
+            f"come from the generator that is passed, and state() must return all that changes",
+        )
 
 
 def _equal(one: State, other: State) -> bool:
@@ -340,22 +338,13 @@ def _equal(one: State, other: State) -> bool:
 def _saved(part: Any) -> State:
     """Return the state of a part as it comes back from a file."""
     state = part.state()
-    if not isinstance(state, dict):
-        raise _broken("state", "arrays by name", type(state).__name__)
     for name, value in state.items():
         # A checkpoint holds the arrays of all parts of a run, as part.name.
-        if not isinstance(name, str) or not name.isidentifier():
-            raise _broken("state", "names such as sigma", repr(name))
-        if not isinstance(value, np.ndarray) or value.dtype.hasobject:
-            raise _broken("state", f"an array of numbers or text as {name}", repr(value))
+        _expect(name.isidentifier(), f"state: expected names such as sigma, got {name!r}")
+        is_plain = isinstance(value, np.ndarray) and not value.dtype.hasobject
+        _expect(is_plain, f"state: expected an array of numbers or text as {name}, got {value!r}")
     buffer = io.BytesIO()
     np.savez(buffer, **state)
     buffer.seek(0)
     with np.load(buffer, allow_pickle=False) as arrays:
         return {name: arrays[name] for name in arrays.files}
-
-
-def _broken(name: str, expected: str, got: Any) -> PluginError:
-    """Return the error for what an attribute or a method has given."""
-    given = got.tolist() if isinstance(got, np.ndarray) else got
-    return PluginError(f"{name}: expected {expected}, got {given}")
