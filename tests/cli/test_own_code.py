@@ -48,7 +48,6 @@ class Learner(HillClimber):
 """
 COMMAND = """
 from matrixworld.cli import main, report
-from matrixworld.cli.setting_options import parsed, settings_of
 
 report.draw = report.write_explorer = lambda *args: None
 main()

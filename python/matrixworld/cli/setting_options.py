@@ -115,28 +115,24 @@ def settings_of(given: Mapping[str, Any]) -> list[RaceSettings]:
     file: Mapping[str, Any] = given.get("config", {})
     changes = {path: given[name] for name, path in PATHS.items() if name in given}
     changes |= given.get("sets", ())
-    names = _schedules(given.get("schedule", ()), changes.pop("schedule", None), file)
+    names: Sequence[str] = given.get("schedule", ())
+    if ALL in names:
+        names = [*SCHEDULES, *(name for name in names if name != ALL)]
+    elif not names:
+        # "" stands for the schedule of the file.
+        usual = [""] if "schedule" in file else MAIN_JOB
+        names = [changes.pop("schedule")] if "schedule" in changes else usual
     known = sections_in(HINTS["schedule"])
-    own = [{item.name for item in fields(known[n])} if n in known else set() for n in names]
+    own = {n: {item.name for item in fields(known[n])} if n in known else set() for n in names}
     settings = []
     with usage_errors():
-        for name, parts in zip(names, own, strict=True):
+        for name in own:
             # What this schedule lacks and another one of the job has belongs to that one.
-            others = {f"schedule.{part}" for part in set().union(*own) - parts}
+            others = {f"schedule.{part}" for part in set().union(*own.values()) - own[name]}
             kept = {p: v for p, v in changes.items() if ".".join(p.split(".")[:2]) not in others}
             named = {"schedule": name} if name else {}
             settings.append(_with_runs(RaceSettings.of(file, {**named, **kept})))
     return settings
-
-
-def _schedules(named: Sequence[str], set_to: Any, file: Mapping[str, Any]) -> list[str]:
-    """Return the names of the schedules, one for each run; "" for that of the file."""
-    if named:
-        wanted = [*(SCHEDULES if ALL in named else ()), *named]
-        return [name for name in dict.fromkeys(wanted) if name != ALL]
-    if set_to is not None:
-        return [set_to]
-    return [""] if "schedule" in file else list(MAIN_JOB)
 
 
 def _with_runs(settings: RaceSettings) -> RaceSettings:
@@ -185,17 +181,15 @@ def _in_options(message: str) -> str:
 
 def _meant(path: str) -> str:
     """Return what may be meant by an unknown path: one of another kind, or with the same end."""
-    titles: dict[str, list[str]] = {}
-    for title, rows in _help_sections().items():
-        for row, _ in rows:
-            titles.setdefault(row.split()[0], []).append(title)
-    if path in titles:
-        return f"; it is a setting of {' and '.join(titles[path])}"
-    ends: dict[str, list[str]] = {}
-    for each in titles:
-        ends.setdefault(each.rpartition(".")[2], []).append(each)
+    sections = dict(_help_sections()).items()
+    every = [(row.split()[0], title) for title, rows in sections for row, _ in rows]
+    titles = [title for each, title in every if each == path]
+    if titles:
+        return f"; it is a setting of {' and '.join(titles)}"
+    ends = [each.rpartition(".")[2] for each, _ in every]
     near = get_close_matches(path.rpartition(".")[2], ends, 1)
-    return f"; did you mean {' or '.join(ends[near[0]])}?" if near else ""
+    same = dict.fromkeys(each for each, _ in every if each.rpartition(".")[2] in near)
+    return f"; did you mean {' or '.join(same)}?" if near else ""
 
 
 def option_of(path: str, value: Any) -> str:
@@ -211,24 +205,26 @@ Rows = list[tuple[str, str]]
 """Path with type, and help text, of each setting of a section."""
 
 
-def _help_sections() -> dict[str, Rows]:
-    """Return the sections of all settings by their titles."""
-    world = [(f"world.{name}", text) for name, text in WORLD_HELP.items()]
-    return {"world": world, **dict(_sections_of(RaceSettings, "", "settings"))}
+def _help_sections(
+    cls: type[Section] = RaceSettings, path: str = "", title: str = "settings"
+) -> Iterator[tuple[str, Rows]]:
+    """Yield all settings in a section, those of each kind under a title of their own.
 
-
-def _sections_of(cls: type[Section], path: str, title: str) -> Iterator[tuple[str, Rows]]:
+    The rows of a section are complete when all have been taken.
+    """
     rows: Rows = []
     yield title, rows
     for item in fields(cls):
         hint, here = hints_of(cls)[item.name], f"{path}{item.name}"
         kinds = dict.fromkeys(sections_in(hint).values())
-        if hint is WorldConfig or here == "schedule.evaders_meet":
-            continue
-        for each in kinds:
-            yield from _sections_of(each, f"{here}.", f"{here}={each.kind}" if each.kind else here)
-        if not kinds:
+        if hint is WorldConfig:
+            yield here, [(f"{here}.{name}", text) for name, text in WORLD_HELP.items()]
+        elif not kinds:
             rows.append((f"{here} {_type(hint)}", _text(item)))
+        elif here != "schedule.evaders_meet":  # it is as schedule.pursuers_meet
+            for each in kinds:
+                kind = f"{here}={each.kind}" if each.kind else here
+                yield from _help_sections(each, f"{here}.", kind)
 
 
 def _type(hint: Any) -> str:
@@ -267,9 +263,9 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         "All settings, for --set and for files. A kind, such as learner=ga, chooses among the "
         "sections of a name."
     )
-    for title, rows in _help_sections().items():
-        if rows:
-            with formatter.section(title):
-                formatter.write_dl(rows)
+    # The opponents of several schedules have the same sections.
+    for title, rows in dict(_help_sections()).items():
+        with formatter.section(title):
+            formatter.write_dl(rows)
     say(formatter.getvalue().rstrip())
     ctx.exit()
