@@ -10,7 +10,7 @@ from browser import DESKTOP, Browser, browser, data_of
 from class_submissions import write_genomes
 from matrixworld import WorldConfig
 from matrixworld.classroom import play_class
-from matrixworld.classroom.results import ClassResult, class_page, pack_actions, rank_ranges
+from matrixworld.classroom.results import ClassResult, class_page, rank_ranges
 from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.page import write_page
@@ -83,15 +83,6 @@ def test_standings_of_both_teams() -> None:
     assert (cy.best, cy.worst) == (2, 1)
 
 
-@pytest.mark.parametrize(("n_actions", "count"), [(5, 3), (9, 2)])
-def test_packed_actions_can_be_read(n_actions: int, count: int) -> None:
-    actions = np.random.default_rng(0).integers(0, n_actions, (7, 4)).astype(np.uint8)
-    packed = np.frombuffer(pack_actions(actions, n_actions), np.uint8)
-    assert len(packed) == -(-actions.size // count)
-    read = [int(packed[at // count]) // n_actions ** (at % count) % n_actions for at in range(28)]
-    assert read == actions.ravel().tolist()
-
-
 def test_a_class_may_hand_in_predictions_alone(tmp_path: Path) -> None:
     (tmp_path / "ada.jsonl").write_text('{"prediction": "4.a", "choice": "b"}\n')
     config = WorldConfig("O", rows=5, cols=5, n_pursuers=2, n_evaders=2, max_steps=4)
@@ -151,7 +142,7 @@ def test_a_page_without_room_keeps_the_best_and_worst_matches(
     browser: Browser, played: ClassResult, tmp_path: Path
 ) -> None:
     page = tmp_path / "small.html"
-    whole = sum(-(-actions.size // 3) for actions in played.recordings.values())
+    whole = sum(actions.size for actions in played.recordings.values())
     write_page(page, class_page(played, title="small", most=whole // 2))
     steps = data_of(page)["steps"]
     first = played.standings["pursuer"][0]

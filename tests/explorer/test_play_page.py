@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from browser import PHONE, Browser
+from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
 from matrixworld.coevolution import TEAMS, SavedRun, Team, held_out, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -303,3 +304,15 @@ def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:
         last = players[team]["generation 2"]
         assert np.array_equal(last.genomes, generation(job[0], team, 2).genomes)
     assert '"usual":2' in play_page("play", config, players)
+
+
+def test_the_command_writes_the_page(
+    job: list[SavedRun], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert matrixworld_command("play", "sb", "--no-open").output == "play.html\n"
+    page = (tmp_path / "play.html").read_text(encoding="utf-8")
+    assert page == play_page("matrixworld play", *shipped("SB"))
+    run = job[0].files.path
+    matrixworld_command("play", run, "--no-open")
+    assert "generation 2" in (run / "play.html").read_text(encoding="utf-8")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -22,8 +23,8 @@ from matrixworld.world.config import WorldConfig
 
 ERROR = 0.05
 """Chance that the range of an entry's rank misses its true rank."""
-MOST_BYTES = 3 * 2**20
-"""Recordings of a page, in bytes; base64 adds a third. 56 x 56 default matches take 0.8 MB."""
+MOST_BYTES = 8 * 2**20
+"""Recordings of a page in bytes; compression leaves a third of them, or less."""
 
 Pair = tuple[int, int]
 
@@ -203,32 +204,33 @@ def class_page(result: ClassResult, *, title: str, most: int = MOST_BYTES) -> st
 
     It holds `most` bytes of recordings: the best and the worst match of each entry come first.
     """
-    packed = _chosen(result, most)
+    kept = _chosen(result, most)
     rows, columns, _ = result.capture_rates.shape
     data = {
         **_summary(result),
         "title": title,
-        "n_actions": result.config.n_actions,
         "capture_rate": _rounded(result.capture_rates.mean(axis=2)),
         "lowest": _rounded(result.capture_rates.min(axis=2)),
         "highest": _rounded(result.capture_rates.max(axis=2)),
         "length": _rounded(result.lengths.mean(axis=2)),
         "first": _rounded(result.capture_rates[:, :, 0]),
         "steps": [
-            [len(result.recordings[g, h]) if (g, h) in packed else -1 for h in range(columns)]
+            [len(result.recordings[g, h]) if (g, h) in kept else -1 for h in range(columns)]
             for g in range(rows)
         ],
     }
-    blob = b"".join(packed[pair] for pair in sorted(packed))
-    return render_page("class", f"{title} - matrixworld", data, {"recordings": blob})
+    # An action a byte, row by row of the matrix.
+    actions = b"".join(result.recordings[pair].tobytes() for pair in sorted(kept))
+    blobs = {"recordings": zlib.compress(actions, 9)}
+    return render_page("class", f"{title} - matrixworld", data, blobs)
 
 
 def _rounded(values: NDArray[np.floating[Any]]) -> Any:
     return plain_values(np.round(values, 4))
 
 
-def _chosen(result: ClassResult, most: int) -> dict[Pair, bytes]:
-    """Return the recordings of the page by pair, as many as fit."""
+def _chosen(result: ClassResult, most: int) -> set[Pair]:
+    """Return the pairs whose recordings are on the page, as many as fit."""
     wanted: list[Pair] = []
     for standing in result.standings["pursuer"]:
         wanted += [(standing.number, standing.best), (standing.number, standing.worst)]
@@ -236,23 +238,9 @@ def _chosen(result: ClassResult, most: int) -> dict[Pair, bytes]:
         wanted += [(standing.best, standing.number), (standing.worst, standing.number)]
     rows, columns, _ = result.capture_rates.shape
     wanted += product(range(rows), range(columns))
-    kept: dict[Pair, bytes] = {}
+    kept: set[Pair] = set()
     for pair in dict.fromkeys(wanted):
-        packed = pack_actions(result.recordings[pair], result.config.n_actions)
-        if len(packed) <= most:
-            kept[pair] = packed
-            most -= len(packed)
+        if result.recordings[pair].nbytes <= most:
+            kept.add(pair)
+            most -= result.recordings[pair].nbytes
     return kept
-
-
-def pack_actions(actions: NDArray[np.uint8], n_actions: int) -> bytes:
-    """Return actions with several to a byte: digits of a number with base `n_actions`.
-
-    The first is the lowest digit. The page's script reads them (``web/src/class/recordings.ts``).
-    """
-    count = 3 if n_actions == 5 else 2  # of 5 actions, or of 9, fit into a byte
-    flat = actions.ravel()
-    padded = np.zeros(-(-len(flat) // count) * count, np.uint8)
-    padded[: len(flat)] = flat
-    weights = n_actions ** np.arange(count)
-    return (padded.reshape(-1, count) @ weights).astype(np.uint8).tobytes()

@@ -31,7 +31,6 @@ export interface Data {
   readonly matrixworld: string;
   readonly title: string;
   readonly world: WorldConfig;
-  readonly n_actions: number;
   readonly seed: string;
   readonly match_seed: string;
   readonly episodes: number;
