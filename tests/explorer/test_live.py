@@ -71,9 +71,9 @@ def test_only_the_page_is_served_and_only_to_this_machine(live: LivePage, job: P
         assert urlsplit(other.url).path != token
 
 
-def bytes_of(root: Path) -> dict[str, bytes]:
-    files = [file for file in root.rglob("*") if file.is_file() and file.name != "explorer.html"]
-    return {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
+def bytes_of(root: Path) -> dict[Path, bytes]:
+    files = (file for file in root.rglob("*") if file.is_file() and file.name != "explorer.html")
+    return {file.relative_to(root): file.read_bytes() for file in files}
 
 
 @pytest.mark.slow

@@ -187,12 +187,6 @@ def test_a_notebook_shows_the_page_in_a_frame_and_as_a_picture_of_its_scene() ->
     assert np.array_equal(picture(bundle), rgb(before, cell=cell, numbers=True))
 
 
-@pytest.mark.parametrize("side", [1, 64])
-def test_pictures_of_small_and_large_worlds(side: int) -> None:
-    world = mw.World("O", rows=side, cols=max(2, side), n_pursuers=1, n_evaders=1)
-    assert 100 < max(picture(Playground(world)._repr_mimebundle_()).shape) < 2000
-
-
 def test_a_notebook_that_is_kept_shows_the_picture_and_no_frame() -> None:
     """The formatter of a notebook, and then the script that runs and keeps the notebooks."""
     formatters = pytest.importorskip("IPython.core.formatters")

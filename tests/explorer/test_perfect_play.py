@@ -1,16 +1,12 @@
-"""Pages show perfect play of small worlds, and it is that of `Solution`."""
-
-from pathlib import Path
+"""The explorer shows perfect play of small worlds, and it is that of `Solution`."""
 
 import numpy as np
 import pytest
 
 from browser import Browser
-from matrixworld import Action, World, WorldConfig, parallel_env
+from matrixworld import World, parallel_env
 from matrixworld.coevolution import SavedRun, open_run, start
-from matrixworld.explorer import Playground, explore
-from matrixworld.explorer.page import write_page
-from matrixworld.explorer.play_page import of_run, play_page
+from matrixworld.explorer import explore
 from matrixworld.solve import solve
 from perfect_play import solved_moment
 from tiny_race import tiny_race
@@ -73,42 +69,6 @@ def test_the_explorer_shows_perfect_play_and_what_was_lost(browser: Browser, run
     assert titles == lost
     assert lost
     assert browser.errors() == []
-
-
-def test_who_plays_is_told_the_best_move(browser: Browser, run: SavedRun, tmp_path: Path) -> None:
-    write_page(tmp_path / "play.html", play_page("play", *of_run(run)))
-    browser.open(tmp_path / "play.html")
-    browser.js("document.querySelectorAll('.play-choice input')[1].click()")
-    told = "document.querySelector('.play-told').textContent"
-    browser.wait(f"{told}.includes('Perfect play')")
-    positions = browser.js("Array.from(matrixworldPlay.live.recording.moments[0].positions)")
-    cells = np.array(positions).reshape(-1, 2)
-    config = WorldConfig.from_json(browser.js("matrixworldPlay.live.config"))
-    world = World(config)
-    world.reset(0, pursuers=cells[:2], evaders=cells[2:])
-    moment = solved_moment(solve(config, payoff="capture-time"), world, np.zeros(3, np.int64))
-    assert f"captured after {1 - moment.value:.1f} steps" in browser.js(told)
-    shares = moment.marginals[2]
-    best = "decided in its turn" if shares is None else Action(int(np.argmax(shares))).name.lower()
-    assert best in browser.js(told)
-
-
-def test_the_playground_solves_a_scene(browser: Browser, tmp_path: Path) -> None:
-    world = World("O", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=20)
-    world.reset(0, pursuers=[[0, 0], [3, 1]], evaders=[[3, 3]])
-    row = np.array([Action.STAY, Action.NORTH, Action.STAY], np.int64)
-    Playground(world, row.tolist()).save(tmp_path / "small.html")
-    browser.open(tmp_path / "small.html")
-    browser.driver.execute_script("document.querySelector('.perfect').open = true")
-    text = "document.querySelector('.perfect').innerText"
-    solution = solve(world.config, payoff="capture-time")
-    before = solved_moment(solution, world, row)
-    browser.wait(f"{text}.includes('From here: captured after {1 - before.value:.1f} steps.')")
-    world.step(row)
-    browser.click("#step")
-    after = solved_moment(solution, world, row)
-    browser.wait(f"{text}.includes('From here: captured after {1 - after.value:.1f} steps.')")
-    assert f"The pursuers lose {before.lost[0]:.1f} steps" in browser.js(text)
 
 
 def test_a_team_of_an_environment_can_be_solved(run: SavedRun) -> None:

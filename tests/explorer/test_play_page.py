@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from browser import PHONE, Browser
+from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
 from matrixworld.coevolution import TEAMS, SavedRun, Team, held_out, open_run, start
@@ -278,22 +278,6 @@ def test_shipped_networks_decide_as_in_python(browser: Browser, own: Path) -> No
     }  # fmt: skip
     for actions, move in zip(played["actions"], (1, 2, 3, 4), strict=True):
         assert actions == decided(world, policies, 0, move).tolist()
-
-
-def test_fingers_move_on_a_phone(browser: Browser, own: Path) -> None:
-    """The pad, a swipe, and a tap on the board."""
-    browser.open(own, PHONE)
-    browser.click(".play-pad [aria-label=east]")
-    left, top, side = browser.js(
-        "(({left, top, width}) => [left, top, width])"
-        "(document.querySelector('.play canvas').getBoundingClientRect())"
-    )
-    middle = left + side / 2, top + side / 2
-    browser.drag(middle, (middle[0] - 60, middle[1] + 5))
-    row, col = np.array(shown(browser, IN_PAGE)["positions"][-1]).reshape(-1, 2)[-1]
-    cell, below = side / 20, row < 10
-    browser.drag((left + (col + 0.5) * cell, top + (row + (5.5 if below else -4.5)) * cell))
-    assert shown(browser, IN_PAGE)["moves"] == [2, 4, 3 if below else 1]
 
 
 def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:
