@@ -1,7 +1,6 @@
 """The actor-critic learner: advantages, gradients, state, what it learns, and its runs."""
 
 import pickle
-import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
@@ -9,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import RaceSettings, best_responses, finish, open_run, start
+from matrixworld.coevolution import best_responses, finish, open_run, start
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
@@ -19,7 +18,6 @@ from matrixworld.coevolution.learners.actor_critic import (
     orthogonal,
 )
 from matrixworld.coevolution.learners.transitions import experience
-from matrixworld.coevolution.schedules import SCHEDULES
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
@@ -45,17 +43,8 @@ def learner(**changes: Any) -> ActorCritic:
 
 def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
     seeds = np.arange(seed, seed + matches, dtype=np.uint64)
-    own = Population(by.genome, NETWORK)
-    return experience(
-        config,
-        "pursuer",
-        own,
-        "random",
-        np.zeros(matches, int),
-        seeds,
-        states=by.chosen.central_critic,
-        threads=1,
-    )
+    own, chosen = Population(by.genome, NETWORK), np.zeros(matches, int)
+    return experience(config, "pursuer", own, "random", chosen, seeds, threads=1)
 
 
 def slow_advantages(acted, rewards, values, discount, trace):
@@ -231,7 +220,7 @@ def torch() -> Any:
     return pytest.importorskip("torch")
 
 
-@pytest.mark.parametrize("schedule", [*SCHEDULES, "alternating", "hall-of-fame"])
+@pytest.mark.parametrize("schedule", ["generalist-generalist", "hall-of-fame"])
 def test_every_schedule_learns_and_resumes_bit_for_bit(
     torch, schedule: str, tmp_path: Path
 ) -> None:
@@ -241,27 +230,19 @@ def test_every_schedule_learns_and_resumes_bit_for_bit(
     for team in ("pursuer", "evader"):
         genomes = run.teams[team].genomes
         assert len(np.unique(genomes, axis=0)) == len(genomes) == 3
-    run.record(pursuer=-1, evader=-1)
 
 
 @pytest.mark.parametrize(
     "changes",
     [
-        {"central_critic": True},
-        {"cost_limit": 2.0, "clip": 0.2, "actor_updates": 2},
-        {"match_episodes": 2},
-        {"hidden": ()},
+        {"central_critic": True, "match_episodes": 2},
+        {"cost_limit": 2.0, "clip": 0.2, "actor_updates": 2, "hidden": ()},
     ],
-    ids=["central", "costs", "worlds", "linear"],
+    ids=["central", "costs"],
 )
 def test_options_of_the_learner(torch, changes: dict[str, Any], tmp_path: Path) -> None:
     # With one thread and a stop, or with two.
-    check_resumes(tiny_single(**{**LEARNER, **changes}), 2, tmp_path / "one")
-    plain = finish(tiny_single(**LEARNER), tmp_path / "plain", threads=1)
-    assert not np.array_equal(
-        open_run(tmp_path / "one").teams["pursuer"].genomes[-1],
-        plain.teams["pursuer"].genomes[-1],
-    )
+    check_resumes(tiny_single(**{**LEARNER, **changes}), 2, tmp_path / "run")
 
 
 def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Path) -> None:
@@ -273,34 +254,21 @@ def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Pat
     best_responses({"a": run}, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
 
 
-def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "torch", None)
-    with pytest.raises(ImportError, match=r"pip install 'matrixworld-pursuit\[torch\]'"):
-        start(tiny_race(**LEARNER), tmp_path / "run")
-    assert not (tmp_path / "run").exists()
-
-
-# Unknown, without data, and not there.
-@pytest.mark.parametrize("device", ["tpu9", "meta", "cuda:99"])
+# Unknown, and without data.
+@pytest.mark.parametrize("device", ["tpu9", "meta"])
 def test_a_device_that_is_missing_is_refused_before_anything_is_written(
     torch, device: str, tmp_path: Path
 ) -> None:
-    with pytest.raises(ValueError, match="device: expected a device that PyTorch has on this mach"):
+    with pytest.raises(ValueError, match="^device: expected"):
         start(tiny_race(**LEARNER, device=device), tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 
-def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "torch", None)
-    assert isinstance(tiny_race(**LEARNER), RaceSettings)
-
-
-@pytest.mark.parametrize("switch", ["no_grad", "inference_mode"])
-def test_it_learns_where_a_caller_has_switched_gradients_off(torch, switch, tmp_path):
+def test_it_learns_where_a_caller_has_switched_gradients_off(torch, tmp_path):
     settings = tiny_single(**LEARNER, epochs=2)
     plain, within = (start(settings, tmp_path / name, threads=1) for name in ("plain", "within"))
     plain.run()
-    with getattr(torch, switch)():
+    with torch.inference_mode():
         within.run()
     np.testing.assert_array_equal(within.genomes("pursuer"), plain.genomes("pursuer"))
 
@@ -319,19 +287,8 @@ def test_rates_fall_to_a_tenth(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_minibatches_divide_the_transitions() -> None:
-    pytest.importorskip("torch")
     one = learner(minibatches=3, actor_updates=3)
     seen = played(one)
-    places = [place for part in one._parts(seen.views) for _, place in part]
     numbers = np.arange(len(seen))
-    divided = np.concatenate([numbers[place] for place in places])
-    np.testing.assert_array_equal(np.sort(divided), numbers)
-    sums = [inputs(torch_ones(seen.views.shape[1])).sum() for part in one._parts(seen.views)
-            for inputs, _ in part]  # fmt: skip
-    assert sum(map(float, sums)) == seen.views.sum()
-
-
-def torch_ones(n: int) -> Any:
-    import torch
-
-    return torch.ones(n, 1)
+    places = [numbers[place] for part in one._parts(seen.views) for _, place in part]
+    np.testing.assert_array_equal(np.sort(np.concatenate(places)), numbers)

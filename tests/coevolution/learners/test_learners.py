@@ -1,7 +1,6 @@
 """Learners and their parts, on functions of known optimum; champions of a genetic algorithm."""
 
 import math
-from functools import partial
 from itertools import count
 
 import numpy as np
@@ -85,35 +84,26 @@ GRADIENTS = np.array([[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]], dtype=n
 RATES = [0.02, 0.02, 0.01, 0.005]
 
 
-def test_adam_is_the_textbook_algorithm():
-    adam = Adam(2)
+def test_optimizers_are_the_textbook_algorithms():
+    """Kingma & Ba 2015 and Sutskever et al. 2013, written out as sums over all gradients so far."""
+    adam, heavy = Adam(2), Momentum(2, momentum=0.8)
     for t, (gradient, rate) in enumerate(zip(GRADIENTS, RATES, strict=True), start=1):
         past = GRADIENTS[:t][::-1].T.astype(np.float64)
         m, v = past @ (0.1 * 0.9 ** np.arange(t)), past**2 @ (0.001 * 0.999 ** np.arange(t))
         expected = rate * (m / (1 - 0.9**t)) / (np.sqrt(v / (1 - 0.999**t)) + 1e-8)
         assert adam.step(gradient, rate) == pytest.approx(expected, rel=1e-4)
-
-
-def test_momentum_is_the_textbook_algorithm():
-    """Sutskever et al. 2013: v = mu v + rate g, written out as a sum over all gradients so far."""
-    optimizer = Momentum(2, momentum=0.8)
-    for t, (gradient, rate) in enumerate(zip(GRADIENTS, RATES, strict=True)):
-        expected = sum(0.8 ** (t - s) * RATES[s] * GRADIENTS[s] for s in range(t + 1))
-        assert optimizer.step(gradient, rate) == pytest.approx(expected, rel=1e-5)
-    assert optimizer.updates == 4
+        expected = past @ (RATES[:t][::-1] * 0.8 ** np.arange(t))
+        assert heavy.step(gradient, rate) == pytest.approx(expected, rel=1e-5)
 
 
 def test_noise_vectors_are_windows_of_normal_numbers():
-    table = noise_table(50, sigma=2.0)
-    vectors = np.array(table.draw(400, generator(1)))
+    vectors = np.array(noise_table(50, sigma=2.0).draw(400, generator(1)))
     assert vectors.shape == (400, 50)
     assert abs(vectors.mean()) < 0.1  # windows overlap, so this is far from 20,000 free numbers
     assert abs(vectors.std() - 2.0) < 0.1
     assert len({vector.tobytes() for vector in vectors}) > 380  # two draws may meet
-    again = np.array(noise_table(50, sigma=2.0).draw(400, generator(1)))
-    assert np.array_equal(vectors, again)
     with pytest.raises(ValueError, match="read-only"):
-        table.draw(1, generator())[0][0] = 1.0
+        noise_table().draw(1, generator())[0][0] = 1.0
 
 
 def test_evolution_strategy_samples_mirrored_pairs_on_shared_matches():
@@ -239,30 +229,24 @@ def test_bad_fitness_is_refused(make, fitness):
     with pytest.raises(RuntimeError, match="ask"):
         learner.tell(fitness)
     learner.ask(generator())
-    with pytest.raises(ValueError, match="fitness: expected"):
+    with pytest.raises(ValueError, match="^fitness: "):
         learner.tell(fitness)
 
 
 @pytest.mark.parametrize(
-    ("call", "message"),
+    ("call", "field"),
     [
-        (lambda: strategy(samples=5), "samples: expected an even number.*got 5"),
-        (lambda: EvolutionStrategy(np.zeros(SIZE + 1), noise_table()), "genome: expected shape"),
-        (lambda: strategy(relative_sigma=-1), "relative_sigma: expected .*got -1"),
-        (lambda: algorithm(truncation=2.0), "truncation: expected a number above 0 and at most 1"),
-        (lambda: algorithm(elites=40), "population: expected"),
-        (lambda: GeneticAlgorithm(np.zeros((4, 9)), noise_table(3)), "noise: .* 9 genes, .* 3"),
-        (lambda: noise_table(sigma=0), "sigma: expected .*got 0"),
-        *((partial(momentum, momentum=share), "momentum: expected a number")
-          for share in (1.0, -0.1, math.nan)),
-        (lambda: CmaEs(np.zeros(1001), sigma=0.1), "learner: expected at most 1000 .* got 1001; a"),
-        (lambda: CmaEs(np.zeros((2, 3)), sigma=0.1), r"genome: expected shape \(genes,\), got"),
-        (lambda: covariance(samples=1), "samples: expected at least 2, got 1"),
-        (lambda: covariance(sigma=-1), "sigma: expected .*got -1"),
+        (lambda: strategy(samples=5), "samples"),
+        (lambda: EvolutionStrategy(np.zeros(SIZE + 1), noise_table()), "genome"),
+        (lambda: algorithm(elites=40), "population"),
+        (lambda: GeneticAlgorithm(np.zeros((4, 9)), noise_table(3)), "noise"),
+        (lambda: momentum(momentum=1.0), "momentum"),
+        (lambda: CmaEs(np.zeros(1001), sigma=0.1), "learner"),
+        (lambda: CmaEs(np.zeros((2, 3)), sigma=0.1), "genome"),
     ],
-)  # fmt: skip
-def test_bad_learners_are_refused(call, message):
-    with pytest.raises(ValueError, match=f"^{message}"):
+)
+def test_parts_that_do_not_fit_are_refused(call, field):
+    with pytest.raises(ValueError, match=f"^{field}: expected"):
         call()
 
 
@@ -291,21 +275,15 @@ def test_learners_work_with_deap_algorithms(make):
     assert np.array_equal(last, teach(make(), 29).ask(generator(29)))
 
 
-# The genetic algorithm:
-
-
-def test_tournament_prefers_the_fitter():
+def test_selection_prefers_the_fitter():
     fitness = np.arange(10.0)
     chosen = select_tournament(fitness, 20_000, generator(), size=3)
     # Absent from three draws otherwise.
     assert np.mean(chosen == 9) == pytest.approx(1 - 0.9**3, abs=0.02)
     at_random = select_tournament(fitness, 20_000, generator(), size=1)
     assert np.bincount(at_random).min() > 1700  # of 2000 expected, with a deviation of 42
-
-
-def test_truncation_takes_from_the_best_only():
-    chosen = select_truncation(np.array([3.0, 9.0, 1.0, 8.0]), 500, generator(), fraction=0.5)
-    assert set(chosen) == {1, 3}
+    survivors = select_truncation(np.array([3.0, 9.0, 1.0, 8.0]), 500, generator(), fraction=0.5)
+    assert set(survivors) == {1, 3}
 
 
 def test_mating_mixes_the_given_share():
@@ -345,8 +323,6 @@ def test_elites_are_kept_and_an_operator_may_return_a_new_array():
     assert np.array_equal(learner.ask(generator(1)), [*elite, *np.zeros((5, 5))])
 
 
-# Champions of new matches:
-
 INDIVIDUALS, ELITES = 40, 10
 
 
@@ -376,14 +352,3 @@ def test_crowning_changes_the_champion_and_no_offspring():
         # The next epoch has its own champion.
         assert learner.genome == children[-1][-1]
     assert np.array_equal(*children)
-
-
-def test_there_is_no_elite_before_the_first_fitness():
-    learner = learner_of(np.zeros((4, 1)))
-    with pytest.raises(RuntimeError, match="elite: expected a call of tell before it, got none"):
-        learner.choose_champion([1.0, 2.0])
-    learner.ask(generator())
-    learner.tell([0.0, 3.0, 1.0, 2.0])
-    for bad in ([1.0], [1.0, np.nan]):
-        with pytest.raises(ValueError, match="fitness: expected"):
-            learner.choose_champion(bad)

@@ -12,8 +12,7 @@ from matrixworld.world.policy import Network, Population
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
-@pytest.mark.parametrize("team", ["pursuer", "evader"])
-@pytest.mark.parametrize("against", ["random", "still", "chaser", "fleer"])
+@pytest.mark.parametrize(("team", "against"), [("pursuer", "fleer"), ("evader", "random")])
 def test_against_scripts(tmp_path, team, against):
     run = coevolution.start(tiny_single(team=team, opponent=against), tmp_path / "run")
     payoff = run.run()
@@ -115,23 +114,22 @@ def test_warm_start(tmp_path, learner):
 
 
 def test_bad_opponents_and_starts_are_refused(tmp_path, other_run):
+    settings, run = tiny_single(), tmp_path / "run"
     with pytest.raises(FileNotFoundError, match="holds no run"):
-        SingleTeam(tiny_single(opponent=str(tmp_path / "nowhere")), tmp_path / "run")
-    settings = tiny_single()
+        SingleTeam(tiny_single(opponent=str(tmp_path / "nowhere")), run)
     wide = Network(hidden=(4,), fov=5)
-    genomes = np.zeros((1, wide.genome_size), dtype=np.float32)
-    with pytest.raises(ValueError, match=r"opponents: expected a network for fov 3 .* got fov 5"):
-        SingleTeam(settings, tmp_path / "run", opponents=Population(genomes, wide))
+    others = Population(np.zeros((1, wide.genome_size), dtype=np.float32), wide)
+    with pytest.raises(ValueError, match="^opponents: "):
+        SingleTeam(settings, run, opponents=others)
     size = settings.network.genome_size
     for start in (np.zeros(size - 1), np.full(size, np.nan)):
-        with pytest.raises(ValueError, match=f"start: expected {size} finite genes"):
-            SingleTeam(settings, tmp_path / "run", start=start)
-    started = tiny_single(start=str(other_run.files.path))
-    with pytest.raises(ValueError, match=r"start: expected a genome of Network\(hidden=\(4,\)"):
-        SingleTeam(started, tmp_path / "run")
-    with pytest.raises(ValueError, match="^schedule: expected against, got alternating"):
-        SingleTeam(tiny_race(), tmp_path / "run")
-    assert not (tmp_path / "run").exists()
-    SingleTeam(settings, tmp_path / "run").run()
-    with pytest.raises(ValueError, match="expected a run with genomes of evaders, got none"):
-        last_generation(tmp_path / "run", "evader")
+        with pytest.raises(ValueError, match="^start: "):
+            SingleTeam(settings, run, start=start)
+    with pytest.raises(ValueError, match="^start: "):  # a genome of another network
+        SingleTeam(tiny_single(start=str(other_run.files.path)), run)
+    with pytest.raises(ValueError, match="^schedule: "):
+        SingleTeam(tiny_race(), run)
+    assert not run.exists()
+    SingleTeam(settings, run).run()
+    with pytest.raises(ValueError, match="genomes of evaders"):
+        last_generation(run, "evader")
