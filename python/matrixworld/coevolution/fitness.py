@@ -91,23 +91,19 @@ def mean_over_opponents(values: FloatArray) -> FloatArray:
     return np.asarray(np.nanmean(values, axis=1) if np.isnan(means).any() else means)
 
 
-def shared_fitness(
-    fitness: FloatArray, payoff: FloatArray, *, sharing: str, virulence: float | None
-) -> FloatArray:
+def shared_fitness(fitness: FloatArray, payoff: FloatArray, virulence: float | None) -> FloatArray:
     """Return the fitness (n,) of individuals from results (n, m) against several opponents.
 
     `fitness` has the penalties, `payoff` has not; NaN marks opponents that were not met. The result
-    is `competitive_sharing` or `reduced_virulence` of the payoffs, minus the mean penalty; with
-    neither, the mean fitness over opponents. Sharing is scaled by n / m: a population that beats
-    every opponent then has a mean fitness of 1, whatever its size.
+    is `reduced_virulence` of the payoffs, or without it `competitive_sharing`, minus the mean
+    penalty. Sharing is scaled by n / m: a population that beats every opponent then has a mean
+    fitness of 1, whatever its size.
     """
-    if sharing == "competitive":
-        n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
-        earned = competitive_sharing(np.nan_to_num(payoff)) * (n / m)
-    elif virulence is not None:
+    if virulence is not None:
         earned = reduced_virulence(np.nansum(payoff, axis=1), virulence)
     else:
-        return mean_over_opponents(fitness)
+        n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
+        earned = competitive_sharing(np.nan_to_num(payoff)) * (n / m)
     return np.asarray(earned - mean_over_opponents(payoff - fitness))
 
 

@@ -129,15 +129,15 @@ class TrainingMatches:
         It is the mean over opponents, without sharing and virulence, if not `shared`.
         """
         chosen, penalty = self.settings.fitness, self.settings.overlap_penalty
-        sharing, virulence = chosen.sharing, chosen.virulence(team)
+        virulence = chosen.virulence(team)
         measured = partial(fitness, scores, team, measure=chosen.measure)
         values = table(measured(overlap_penalty=penalty))
-        if not shared or (sharing == "none" and virulence is None):
+        if not shared or (chosen.sharing == "none" and virulence is None):
             found = mean_over_opponents(values)
         else:
             # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
             payoff = table(measured(overlap_penalty=0.0))
-            found = shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
+            found = shared_fitness(values, payoff, virulence)
         if chosen.cost_limit is None:
             return found
         excess = mean_over_opponents(table(collisions(scores, team))) - chosen.cost_limit
