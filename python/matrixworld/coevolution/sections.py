@@ -308,11 +308,14 @@ def _world(name: str, plain: Mapping[str, Any]) -> WorldConfig:
             kind = parts.pop("kind", usual)
             check_choice(row, kind, kinds)
             # Those that are not given are as in the row of that kind.
-            base: Any = WorldConfig(**{row: kinds[kind]}).to_json()
-            with inside(row):
-                check_names(parts, base[row])
-                world = WorldConfig.from_json({**base, row: {**base[row], **parts}})
-            values[row] = getattr(world, row)
+            base: Any = WorldConfig(**{row: kinds[kind]})
+            plain_base = base.to_json()
+            full = {**plain_base[row], **parts}
+            if full != plain_base[row]:
+                with inside(row):
+                    check_names(parts, plain_base[row])
+                    base = WorldConfig.from_json({**plain_base, row: full})
+            values[row] = getattr(base, row)
         return WorldConfig(**values)
 
 

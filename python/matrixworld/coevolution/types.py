@@ -39,7 +39,8 @@ class Stateful(Protocol):
     def state(self) -> State:
         """Return all that changes, as arrays of numbers or text; names are identifiers.
 
-        These arrays do not change afterwards. Called at the end of an epoch: of a learner between `tell` and `ask`.
+        These arrays do not change afterwards. Called at the end of an epoch: of a learner between
+        `tell` and `ask`.
         """
 
     def restore(self, state: State) -> None:
