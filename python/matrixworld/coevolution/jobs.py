@@ -47,7 +47,7 @@ from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report,
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
-from matrixworld.coevolution.schedules import Against, Yoked
+from matrixworld.coevolution.schedules import Yoked
 from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage import (
     CONFIG,
@@ -128,19 +128,13 @@ def _check_names(runs: Mapping[str, RaceSettings]) -> None:
 
 def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     """Return settings whose paths mean the same in another current directory, as workers have."""
-    schedule = settings.schedule
-    if isinstance(schedule, Yoked):
-        race = str(Path(schedule.race).absolute())
-        return replace(settings, schedule=replace(schedule, race=race))
-    if not isinstance(schedule, Against):
-        return settings
-    paths = {"opponent": schedule.opponent, "start": schedule.start}
+    paths = {n: getattr(settings.schedule, n, None) for n in ("race", "opponent", "start")}
     absolute: dict[str, Any] = {
         name: str(Path(path).absolute())
         for name, path in paths.items()
         if path is not None and path not in SCRIPTS
     }
-    return replace(settings, schedule=replace(schedule, **absolute))
+    return replace(settings, schedule=replace(settings.schedule, **absolute))
 
 
 def group_of(name: str) -> str:
@@ -244,16 +238,12 @@ def evolve(
     Raises
     ------
     FileExistsError, TypeError, ValueError
-        If settings are bad, two runs have the same name, an executor and `threads` are given, or
-        the directory holds something else, such as other runs.
-    OutOfMemoryError
-        If the runs that play at one time need more memory than this machine has available.
-    LockedError
-        If another process plays the job.
+        If settings are bad or need too much memory, two runs have the same name, or the directory
+        holds something else, such as other runs. Nothing is written then.
     FailedRunsError
         If runs failed, after all others have ended.
-    BrokenExecutor
-        If the executor, or a process, cannot even begin a run.
+    BrokenExecutor, LockedError
+        If no worker can begin a run, or another process plays the job.
     StopRun
         If `on_epoch` raises it. All runs have stopped then.
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,10 +23,9 @@ from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
-from matrixworld.world.policy import TeamPolicy
+from matrixworld.world.policy import Population
 from matrixworld.world.rules import Rewards
 
-RESPONSE = "best_response.json"
 POPULATION = 48
 """Candidates per epoch: with few matches, many small steps learn more than few large ones."""
 
@@ -50,10 +49,10 @@ class BestResponse(Readable):
         means = f"{self.before.mean():.3f} before, {self.after.mean():.3f} after"
         return [f"{self.team}s' opponents score {means}: {self.gain}"]
 
-    def to_json(self) -> dict[str, Any]:
-        """Return the result as values that JSON can hold, without the single episodes."""
+    def save(self) -> None:
+        """Write the result, without the single episodes, into the directory of the response."""
         gain = self.gain.gain
-        return {
+        values = {
             "champion": self.team,
             "budget_matches": self.gain.budget,
             "evaluation_matches": len(self.before) + len(self.after),
@@ -61,6 +60,7 @@ class BestResponse(Readable):
             "after": float(self.after.mean()),
             "gain": {"value": gain.value, "low": gain.low, "high": gain.high},
         }
+        save_json(self.directory / "best_response.json", values)
 
 
 def best_responses(
@@ -76,9 +76,9 @@ def best_responses(
 ) -> dict[str, BestResponse]:
     """Evolve a response to the last genome of `team` in each run; measure its gain, by name.
 
-    A response starts untrained and plays against the champion only. It is a run of its own in
-    `directory`: called again with the same arguments, the function continues interrupted responses,
-    and only reads finished ones.
+    A response starts untrained and plays against the champion only. It is a run in `directory`,
+    which the same call continues or, if it is finished, only reads. The gain is a lower bound of
+    the champion's exploitability (see `analysis.response_gain`): a longer search may find more.
 
     Parameters
     ----------
@@ -101,11 +101,6 @@ def best_responses(
         If the budget is smaller than one epoch, a setting is bad, `team` did not learn in a run, or
         the directory holds runs of other settings or against another champion. Other errors are
         those of `evolve`.
-
-    Notes
-    -----
-    The gain is a lower bound of the champion's exploitability (see `analysis.response_gain`): a
-    longer search may find more.
     """
     settings = {n: response_settings(run, team, matches, **changes) for n, run in runs.items()}
     found = evolve(settings, directory, executor=executor, threads=threads, report=report)
@@ -117,7 +112,8 @@ def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None
     """Return the gain of a finished response to the last genome of `team` in a run."""
     settings = response.settings
     # The run may have gone on, or been made anew in the same place.
-    if not np.array_equal(_genomes(response.teams[team]), _genomes(run.last(team))):
+    champion, met = (cast(Population, each.last(team)) for each in (run, response))
+    if not np.array_equal(champion.genomes, met.genomes):
         raise ValueError(f"{response.files.path}: holds a run against another champion")
     before = tournament(
         settings.world,
@@ -130,7 +126,7 @@ def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None
     scores = _scores(before.capture_rates, team), _scores(response.payoff().capture_rates, team)
     gain = response_gain(*scores, budget=response.files.summary()["training_matches"])
     result = BestResponse(team, *scores, gain, response.files.path)
-    save_json(response.files.path / RESPONSE, result.to_json())
+    result.save()
     return result
 
 
@@ -163,10 +159,6 @@ def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -
         raise ValueError(f"matches: expected at least {one_epoch} (one epoch), got {matches}")
     # Made anew: the steps of a learner follow from the epochs.
     return RaceSettings(schedule=replace(schedule, epochs=matches // one_epoch), **chosen)
-
-
-def _genomes(team: TeamPolicy) -> Any:
-    return team if isinstance(team, str) else team.genomes
 
 
 def _scores(capture_rates: NDArray[np.float32], champion: Team) -> FloatArray:
