@@ -68,25 +68,6 @@ def test_agents_see_what_was_done_before_their_turn() -> None:
     assert seen_in_midround > 5
 
 
-def test_agents_of_a_team_choose_one_by_one_and_move_at_once() -> None:
-    config = config_of("swarm-S")
-    env = MatrixWorldAEC(config)
-    env.reset(seed=1)
-    start = env.state()
-    for agent in env.possible_agents[: config.n_pursuers]:
-        assert env.agent_selection == agent
-        np.testing.assert_array_equal(env.state(), start)
-        env.step(2)
-    moved = env.state()
-    assert not np.array_equal(moved[1], start[1])
-    np.testing.assert_array_equal(moved[0], start[0])
-    world = mw.World(config)
-    world.reset(1)
-    world.play_turn(np.full(config.n_agents, 2))
-    assert env.agent_selection == "evader_0"
-    np.testing.assert_array_equal(env.observe("evader_0"), world.views()[config.n_pursuers])
-
-
 def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     config = mw.WorldConfig("TO", rows=1, cols=6, n_pursuers=2, n_evaders=2)
     env = MatrixWorldAEC(config)

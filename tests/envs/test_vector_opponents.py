@@ -102,29 +102,6 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     assert envs.opponents == ("fleer",)
 
 
-def test_what_is_refused_changes_nothing() -> None:
-    envs = mw.VectorEnv(config_of("R"), 2, evaders="still")
-    envs.reset(seed=3)
-    state = envs.world(0).state()
-    for options in (
-        {"opponents": "nobody"},
-        {"opponents": "fleer", "evaders": [[0, 0]]},
-        {"foe": 1},
-    ):
-        with pytest.raises(ValueError, match="^evaders: expected|^options: expected"):
-            envs.reset(seed=4, options=options)
-    with pytest.raises(ValueError, match=r"actions: expected 0 to 4, got 9 \(world 1, agent 2\)"):
-        envs.step([[0, 0, 0], [0, 0, 9]])
-    assert envs.opponents == ("still",)
-    assert np.array_equal(envs.world(0).state(), state)
-    plain = mw.VectorEnv(config_of("R"), 2)
-    with pytest.raises(ValueError, match="^options: expected some of"):
-        plain.reset(options={"opponents": "still"})
-    with pytest.raises(ValueError, match="^opponents: expected an environment that plays a team"):
-        plain.opponents = "still"
-    assert plain.opponents == ()
-
-
 # ---- Agents as sub-environments ----------------------------------------------------------------
 
 

@@ -1,6 +1,5 @@
 """Episodes recorded while they are played, and replayed from their actions."""
 
-import copy
 import dataclasses
 
 import numpy as np
@@ -110,11 +109,3 @@ def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> 
         expected = dataclasses.replace(expected, title=shown.title)
         np.testing.assert_array_equal(render.rgb(shown, cell=12), render.rgb(expected, cell=12))
     assert world.steps > 2
-
-
-def test_a_copy_of_a_recorded_world_goes_on_with_its_recording() -> None:
-    # So crowded that some bounce.
-    recorder = copy.deepcopy(mw.Recorder(mw.World("SB", rows=4, cols=4, n_pursuers=6, n_evaders=2)))
-    recorder.world.step([mw.Action.EAST] * 8)
-    recorder.note([mw.Action.EAST] * 8)
-    assert recorder.episode().explain(1) == recorder.world.conflicts != []

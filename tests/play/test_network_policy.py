@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.coevolution import open_run
 from right_of_way import forbidden_in_s, random_teams
 
 # About as many cells are taken as in play.
@@ -173,18 +172,3 @@ def test_onnx_has_the_same_probabilities(
 
 
 # ---- Policies of saved runs --------------------------------------------------------------------
-
-
-def test_a_generation_of_a_run_plays_in_an_environment(race: Path) -> None:
-    run = open_run(race)
-    policy = run.policy("pursuer", -1, seed=0)
-    assert np.array_equal(policy.genome, run.teams["pursuer"].genomes[-1])
-    assert np.array_equal(run.policy("pursuer", 0).genome, run.teams["pursuer"].genomes[0])
-    env = mw.parallel_env(run.settings.world)
-    observations, _ = env.reset(seed=0)
-    while env.agents:
-        observations, *_ = env.step({agent: policy(observations[agent]) for agent in env.agents})
-    with pytest.raises(IndexError, match="generation: expected a generation from 0 to 2, got 9"):
-        run.policy("pursuer", 9)
-    with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
-        run.policy("both")

@@ -6,7 +6,6 @@ from scipy import stats
 
 import matrixworld as mw
 from matrixworld import _core
-from matrixworld.play.rollout import match_seed
 
 WORD = 2**64
 KEYS = [(0, 0), (1, 0), (0, 1), (2**64 - 1, 2**63), (0x123456789ABCDEF, 0xFEDCBA987654321)]
@@ -82,17 +81,6 @@ def test_obstacles_of_a_density_lie_anywhere() -> None:
     assert not np.take_along_axis(ground, places, axis=1).any()
 
 
-@pytest.mark.parametrize("density", [0.0, 0.01, 0.07, 0.1, 1 / 3, 0.5, 0.77])
-@pytest.mark.parametrize("shape", [(3, 3), (7, 9), (40, 40)])
-def test_a_density_is_a_number_of_obstacles(shape: tuple[int, int], density: float) -> None:
-    rows, cols = shape
-    world = mw.World(rows=rows, cols=cols, n_pursuers=1, n_evaders=1, obstacles=density)
-    assert world.map.sum() == int(density * rows * cols + 0.5)
-    first = world.map
-    world.reset()
-    assert world.map.sum() == first.sum()
-
-
 def test_seeds_and_episodes_are_told_apart() -> None:
     config = mw.WorldConfig(rows=40, cols=40)
     world = mw.World(config)
@@ -102,10 +90,3 @@ def test_seeds_and_episodes_are_told_apart() -> None:
             world.reset(seed, episode=episode)
             drawn.add(world.positions.tobytes())
     assert len(drawn) == 16
-
-
-def test_match_seeds() -> None:
-    words = np.random.SeedSequence([1, 2, 3]).generate_state(1, np.uint64)
-    assert match_seed(1, 2, 3) == int(words[0])
-    seeds = {match_seed(run, p, e) for run in range(5) for p in range(20) for e in range(20)}
-    assert len(seeds) == 2000

@@ -44,29 +44,7 @@ def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> No
     assert_same_worlds(new, played)
 
 
-def test_without_a_seed_the_next_episode_follows() -> None:
-    world, other = mw.World("O"), mw.World("O")
-    # The counter is 64 bits wide, and wraps.
-    for episode, following in ((0, 1), (1, 2), (9, 10), (2**64 - 1, 0)):
-        world.reset(5, episode=episode)
-        world.reset()
-        other.reset(5, episode=following)
-        np.testing.assert_array_equal(world.positions, other.positions)
-
-
 # ---- Starts ----------------------------------------------------------------------------------
-
-
-def test_one_team_given_the_other_drawn() -> None:
-    config = mw.WorldConfig(rows=2, cols=3, n_pursuers=2, n_evaders=4)
-    world = mw.World(config)
-    for seed in range(20):
-        world.reset(seed, pursuers=[[1, 2], [0, 0]])
-        last_positions = [tuple(cell) for cell in world.positions.tolist()]
-        assert last_positions[:2] == [(1, 2), (0, 0)]
-        assert len(set(last_positions)) == 6  # the world is full, so any clash would show
-        world.reset(seed, evaders=[[0, 0], [0, 1], [0, 2], [1, 1]])
-        assert {tuple(cell) for cell in world.positions[:2].tolist()} == {(1, 0), (1, 2)}
 
 
 @pytest.mark.parametrize(("always", "count"), [(["....", ".##.", "...."], 2), (0.5, 6)])

@@ -89,15 +89,7 @@ def load_toml(path: Path) -> dict[str, Any]:
 
 
 class DamagedFileError(ValueError):
-    """A file is cut, altered or not of the expected form.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    problem : str
-        What is wrong with it.
-    """
+    """A file is cut, altered or not of the expected form: its path, and what is wrong with it."""
 
     def __init__(self, path: Path, problem: str) -> None:
         # All arguments, so that the error can be pickled: it may come from another process.
@@ -120,10 +112,7 @@ def one_line(text: object) -> str:
 
 
 def printable(text: object) -> str:
-    """Return text with the escapes of Python for what is no printable character or line end.
-
-    A terminal obeys control characters, reverses text after U+202E, and cannot show surrogates.
-    """
+    """Return text in which escapes stand for what a terminal would obey or cannot show."""
     return "".join(
         c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode()
         for c in str(text)

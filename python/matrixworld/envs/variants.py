@@ -74,16 +74,12 @@ def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSetti
 
 
 class VariantText(NamedTuple):
-    """The prose about one variant, in Markdown.
-
-    What the game models; when to choose it, and how it differs from its neighbours; a fact that
-    shows in its episodes.
-    """
+    """The prose about one variant, in Markdown."""
 
     title: str
-    models: str
-    choose: str
-    observe: str
+    models: str  # what the game models
+    choose: str  # when to choose it, and how it differs from its neighbours
+    observe: str  # a fact that shows in its episodes
 
 
 _TEXTS = load_toml(Path(__file__).with_name("variants.toml"))

@@ -32,11 +32,10 @@ def mixture_bounds(
 
     The team draws one of the champions at the start of each episode, for all its members, and not
     in every turn anew. Its opponent knows the mixture, but finds out in the course of the episode
-    only whom it has met. What the best opponent gets is therefore no decision process over the
-    states. Both bounds are exact numbers, without sampling: one opponent is told after its first
-    action whom it has met, and gets at least as much as the best one. The other one cannot be
-    better: it forgets how a state came about, and believes what the state alone says about whom it
-    has met. It is improved round by round until a pass gains less than 1e-6, in at most ten passes.
+    only whom it has met. Both bounds are exact, without sampling: one opponent is told after its
+    first action whom it has met, and gets at least as much as the best one. The other one cannot be
+    better: it believes what the state alone says about whom it has met, and is improved until a
+    pass gains less than 1e-6, in at most ten passes.
 
     Parameters
     ----------

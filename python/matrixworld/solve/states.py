@@ -136,25 +136,11 @@ class States:
         return np.asarray(self.captured().mean(axis=1), np.float64)
 
     def decisions(self, policy: TeamPolicy, team: Team) -> tuple[NDArray[np.float64], ...]:
-        """Return the probabilities with which a policy plays, float64 (S, its joint actions).
+        """Return the probabilities with which a policy plays, for each turn (S, its joint actions).
 
-        Parameters
-        ----------
-        policy : Population or str
-            A population of one genome, or the name of a script.
-        team : {"pursuer", "evader"}
-            Its team.
-
-        Returns
-        -------
-        tuple of ndarray, one for each turn
-            Members decide independently of each other. The softmax of a network's outputs is
-            computed in float64; the engine draws with 24 bits.
-
-        Raises
-        ------
-        ValueError
-            If a script sees nothing that it looks for in some state, and so walks on as before.
+        Members decide independently of each other. The softmax of a network's outputs is computed
+        in float64; the engine draws with 24 bits. ValueError if a script sees nothing that it looks
+        for in some state, and so walks on as before.
         """
         plain, evaders = check_team("champion", policy), team == "evader"
         return tuple(

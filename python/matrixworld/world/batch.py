@@ -180,15 +180,13 @@ class Batch:
         Parameters
         ----------
         policies : sequence of Population, str or None
-            Populations of one genome and names of scripts; None leaves a world's actions as they
-            are.
+            Populations of one genome and names of scripts; None leaves a world's actions alone.
         chosen : array_like of int, shape (W,)
             The place in `policies` of each world's policy.
         agents : range
             The agents that act; all are of one team.
         actions : ndarray of int64, shape (W, A)
-            Where to write. Entries of gone agents, of other agents and of ended worlds stay as they
-            are.
+            Where to write; not for gone agents, other agents and ended worlds.
         """
         teams = [
             policy if policy is None else check_team("policies", policy) for policy in policies

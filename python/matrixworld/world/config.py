@@ -255,20 +255,11 @@ class WorldConfig:
 
         Examples
         --------
-        A world like the recorded one:
-
         >>> import matrixworld as mw
         >>> episode = mw.record(mw.WorldConfig("SB", max_steps=20), "chaser", "fleer", seed=1)
         >>> config = mw.WorldConfig.from_json(episode.config)
         >>> config.rules == mw.VARIANTS["SB"], config.max_steps
         (True, 20)
-        >>> start = episode.positions[0]
-        >>> world = mw.World(config)
-        >>> world.reset(
-        ...     pursuers=start[: config.n_pursuers],
-        ...     evaders=start[config.n_pursuers :],
-        ...     obstacles=episode.map,
-        ... )
         """
         values = _all_fields("config", cls, plain)
         # A text would be the path of a map: plain values must not choose a file to read.
