@@ -123,6 +123,17 @@ def test_meta_strategies_are_those_of_openspiel() -> None:
 # The loop with exact responses
 
 
+def uniform(payoff: np.ndarray) -> np.ndarray:
+    return np.full(payoff.shape[1], 1.0 / payoff.shape[1])
+
+
+def mean_prd(payoff: np.ndarray) -> np.ndarray:
+    return projected_replicator_dynamics(payoff, steps=500, rate=0.02)[1]
+
+
+SOLVERS = {"nash": META_SOLVERS["nash"], "prd": mean_prd, "uniform": uniform}
+
+
 def loop(game: np.ndarray, solver: MetaSolver, rounds: int) -> tuple[list[float], np.ndarray]:
     """Return the NashConv of the meta-strategies of each round, and the last one of the rows."""
     rows, columns, gaps = [0], [0], []
@@ -165,3 +176,58 @@ def test_double_oracle_ends_in_an_equilibrium(name: str) -> None:
         np.testing.assert_allclose(gaps, [1.0, 1.0, 0.0, 0.0], atol=1e-9)
     if name == "ladder":  # the highest cycle has all weight
         np.testing.assert_allclose(p[-3:], [1 / 3] * 3, atol=1e-6)
+
+
+def test_fictitious_play_falls_as_one_over_the_root_of_its_rounds() -> None:
+    """The rate that Karlin (1959) expected; double oracle needs three rounds."""
+    gaps, _ = loop(ROCK_PAPER_SCISSORS, uniform, 400)
+    rounds = np.arange(1, 401)
+    assert (np.array(gaps) * np.sqrt(rounds) < 3.0).all()
+    slope = np.polyfit(np.log(rounds[20:]), np.log(np.array(gaps)[20:]), 1)[0]
+    assert -0.7 < slope < -0.3
+
+
+def test_rectified_responses_miss_an_equilibrium() -> None:
+    """The example of McAleer et al. (2020), "Pipeline PSRO": a strategy that beats all a little."""
+    payoff = np.array([[0, -1, 1, -0.4], [1, 0, -1, -0.4], [-1, 1, 0, -0.4], [0.4, 0.4, 0.4, 0]])
+    game = (1.0 + payoff) / 2.0
+    gaps, _ = loop(game, rectified_nash, 12)
+    assert min(gaps) > 0.3
+    assert loop(game, META_SOLVERS["nash"], 12)[0][-1] < 1e-6
+
+
+@pytest.mark.parametrize("method", SOLVERS)
+def test_the_loop_is_that_of_openspiel(method: str) -> None:
+    pyspiel = pytest.importorskip("pyspiel", reason="open_spiel is not installed")
+    pytest.importorskip("networkx", reason="open_spiel's psro_v2 needs it")
+    from open_spiel.python.algorithms.psro_v2 import best_response_oracle, psro_v2
+    from open_spiel.python.policy import TabularPolicy
+
+    matrix = np.random.default_rng(0).random((6, 5))
+    rounds = {"nash": 3, "prd": 6, "uniform": 6}[method]  # then equal responses repeat
+    game = pyspiel.convert_to_turn_based(
+        pyspiel.create_matrix_game(matrix.tolist(), (-matrix).tolist())
+    )
+    first = TabularPolicy(game)
+    first.action_probability_array[:] = np.eye(6)[0]
+    theirs = psro_v2.PSROSolver(
+        game,
+        best_response_oracle.BestResponseOracle(best_response_backend="py"),
+        sims_per_entry=1,
+        initial_policies=[first, first],
+        training_strategy_selector="probabilistic",
+        meta_strategy_method=method,
+        sample_from_marginals=True,
+        prd_iterations=500,
+        prd_dt=0.02,
+    )
+    for _ in range(rounds - 1):
+        theirs.iteration()
+    begin = game.new_initial_state()
+    weights = np.zeros(6)
+    for weight, policy in zip(
+        theirs.get_meta_strategies()[0], theirs.get_policies()[0], strict=True
+    ):
+        for action, probability in policy.action_probabilities(begin).items():
+            weights[action] += weight * probability
+    np.testing.assert_allclose(loop(matrix, SOLVERS[method], rounds)[1], weights, atol=1e-6)

@@ -27,8 +27,8 @@ from matrixworld.world.policy import Population, Script, TablePolicy
 if TYPE_CHECKING:
     from matrixworld.coevolution import Team
 
-Payoff: TypeAlias = Literal["capture-rate", "capture-time"]
-PAYOFFS: tuple[Payoff, Payoff] = ("capture-rate", "capture-time")
+PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
+PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")
 
 Champion: TypeAlias = "Population | Script | Solution | Sequence[tuple[float, Champion]]"
 """What a team plays whose play is known: a population of one genome, the name of a script, its part
@@ -92,7 +92,7 @@ class Solution(Readable):
 
     states: States
     steps: int
-    payoff: Payoff
+    payoff: PayoffName
     values: tuple[NDArray[np.float64], ...]
     gap: float
     fixed: dict[Team, Fixed]
@@ -231,7 +231,7 @@ def _backup(
 
 
 def induct(
-    world: WorldConfig | States, steps: int | None, payoff: Payoff, fixed: dict[Team, Fixed]
+    world: WorldConfig | States, steps: int | None, payoff: PayoffName, fixed: dict[Team, Fixed]
 ) -> Solution:
     """Go back from the last round to the first."""
     check_choice("payoff", payoff, PAYOFFS)
@@ -264,7 +264,7 @@ def induct(
 
 
 def solve(
-    world: WorldConfig | States, *, steps: int | None = None, payoff: Payoff = "capture-rate"
+    world: WorldConfig | States, *, steps: int | None = None, payoff: PayoffName = "capture-rate"
 ) -> Solution:
     """Return values and perfect play of both teams in a small world.
 
@@ -303,7 +303,7 @@ def best_response(
     team: Team,
     *,
     steps: int | None = None,
-    payoff: Payoff = "capture-rate",
+    payoff: PayoffName = "capture-rate",
 ) -> Solution:
     """Return the best that the other team can do against a champion, and how.
 
@@ -348,7 +348,7 @@ def expected_payoff(
     evaders: Champion,
     *,
     steps: int | None = None,
-    payoff: Payoff = "capture-rate",
+    payoff: PayoffName = "capture-rate",
 ) -> float:
     """Return what a pair comes to on average, exactly: a cell of the payoff matrix without noise.
 
