@@ -154,17 +154,6 @@ def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray, name: str) 
     assert found.note == "episode noise subtracted"
 
 
-def test_shares_without_an_interval() -> None:
-    noise = np.random.default_rng(7).random((6, 6, 10)) < 0.5
-    found = analysis.transitive_share_over_episodes(noise)
-    assert found.note == "biased by episode noise: no interval, no variation beyond it"
-    assert found.low is None
-    assert found.value == pytest.approx(analysis.transitive_share(noise.mean(axis=2)))
-    few = analysis.transitive_share_over_episodes(noise[:, :, :3])
-    assert few.note == "biased by episode noise: no interval below 4 episodes"
-    assert np.isnan(analysis.transitive_share_over_episodes(np.full((3, 3, 4), 0.5)).value)
-
-
 def test_measures_say_which_interval_they_have() -> None:
     rng = np.random.default_rng(8)
     scores = rng.random((9, 9, 60)) < logistic(9)[:, :, None]
@@ -210,14 +199,6 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
     np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
 
 
-def test_scores_of_one_run_are_resampled_together() -> None:
-    # All tasks of a run have the same score: ten tasks say no more than one.
-    one = np.random.default_rng(1).random((8, 1))
-    low, high = analysis.interquartile_mean(one).ends
-    lows, highs = analysis.interquartile_mean(np.repeat(one, 10, axis=1)).ends
-    assert highs - lows == pytest.approx(high - low, rel=0.2)
-
-
 def test_scores_of_few_runs_have_no_interval() -> None:
     assert [fewest_runs(level) for level in (0.5, 0.9, 0.95, 0.99)] == [2, 5, 6, 8]
     for found in (
@@ -241,12 +222,6 @@ def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel()
     at = analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)).ends
     assert min(abs(end - 0.5) for end in at) < 1e-9
     assert found.ends[0] < found.value < found.ends[1]
-
-
-def test_groups_that_do_not_overlap_have_no_interval() -> None:
-    found = analysis.probability_of_improvement(ONE + 2.0, ONE)
-    assert (found.value, found.low) == (1.0, None)
-    assert found.note == "no interval: the scores of the two groups do not overlap"
 
 
 # ---- Mean curves ---------------------------------------------------------------------------------

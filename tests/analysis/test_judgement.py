@@ -81,9 +81,8 @@ def test_races_whose_truth_is_known(
 
 
 @pytest.mark.parametrize("chance", [FLAT, SLOW, LATE_STOP, np.full((31, 31), 0.1)])
-@pytest.mark.parametrize("seed", range(3))
-def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray, seed: int) -> None:
-    scores = played(chance, 10, seed)
+def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
+    scores = played(chance, 10)
     for judgement in (of_scores(scores), judge(scores.mean(axis=2), episodes=10)):
         for window in judgement.windows:
             found = verdicts(judgement, window)

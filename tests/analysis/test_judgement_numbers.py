@@ -135,10 +135,9 @@ def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
     assert found.low > 0.2**2
 
 
-@pytest.mark.parametrize("episodes", [4, 20])
-@pytest.mark.parametrize("chance", [np.full((15, 15), 0.5), logistic(15, 0.4), logistic(15, 0.05)])
-def test_noise_is_not_intransitive(chance: np.ndarray, episodes: int) -> None:
-    found = []
+@pytest.mark.parametrize("chance", [np.full((15, 15), 0.5), logistic(15, 0.4)])
+def test_noise_is_not_intransitive(chance: np.ndarray) -> None:
+    episodes, found = 4, []
     for seed in range(20):
         scores = played(chance, episodes, seed)
         noise = scores.var(axis=2, ddof=1) / episodes

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from scipy import stats
 
-from matrices import circular, logistic, payoffs, staircase
+from matrices import circular, payoffs
 from matrixworld import analysis
 
 MATRIX = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 1.0]])
@@ -43,13 +43,6 @@ def test_cycles_are_stripes_of_their_period(period: int) -> None:
         assert abs(triangle.fading) < 0.12
 
 
-def test_a_race_of_improving_teams_has_no_stripes_and_no_fading() -> None:
-    for matrix in (logistic(31), staircase(31)):
-        for triangle in analysis.ciao(matrix):
-            assert (triangle.stripes, triangle.period) == (0.0, None)
-            assert triangle.fading <= 0.0
-
-
 # ---- kinds of progress --------------------------------------------------------------------------
 
 
@@ -76,16 +69,6 @@ def test_local_and_historical_progress_agree_with_their_definition(matrix: np.nd
             scores, gains = written_out(own, met)
             np.testing.assert_allclose(team.scores, scores)
             np.testing.assert_allclose(team.gains, gains, atol=1e-15)
-
-
-def test_a_race_that_only_cycles_has_local_progress_and_no_other() -> None:
-    # Generation g of the pursuers beats generation g of the evaders, which beats g - 1.
-    turn = np.subtract.outer(np.arange(30), np.arange(30)) % 3
-    matrix = np.array([1.0, 0.0, 0.5])[turn]
-    assert analysis.local_progress(matrix).pursuers.mean_gain == pytest.approx(0.5)
-    assert abs(analysis.historical_progress(matrix).pursuers.mean_gain) < 0.1
-    cross = np.broadcast_to(matrix, (2, 2, 30, 30))
-    assert abs(analysis.global_progress(cross).pursuers.mean_gain) < 0.02
 
 
 def test_global_progress_is_against_other_runs_only() -> None:

@@ -25,7 +25,6 @@ from matrixworld.analysis.intervals import (
     t_quantile,
 )
 from matrixworld.analysis.payoffs import (
-    SHRINKAGE,
     ByTeam,
     Rates,
     check_payoff,
@@ -96,9 +95,7 @@ class TwoWayParts(NamedTuple):
     cyclic: Rates
 
 
-def transitive_share(
-    payoff: ArrayLike, *, logits: bool = False, shrinkage: float = SHRINKAGE
-) -> float:
+def transitive_share(payoff: ArrayLike, *, logits: bool = False) -> float:
     """Return the share of the variance that each generation's own strength explains, in [0, 1].
 
     1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
@@ -111,11 +108,9 @@ def transitive_share(
     logits : bool, optional
         Decompose the logits of the shrunken rates: they straighten graded matrices that flatten out
         at 0 and 1, where a sum of strengths does not.
-    shrinkage : float, optional
-        Shrinkage before the logits, in (0, 1/2).
     """
     matrix = check_payoff(payoff)
-    values = logits_of(matrix, shrinkage=shrinkage) if logits else matrix
+    values = logits_of(matrix) if logits else matrix
     total = float(np.sum((values - values.mean()) ** 2))
     if total <= values.size * _ROUNDING**2:  # constant but for rounding
         return math.nan

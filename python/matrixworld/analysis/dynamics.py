@@ -44,7 +44,6 @@ class ReplicatorPath(Readable):
 
 def replicator_dynamics(
     payoff: ArrayLike,
-    evader_payoff: ArrayLike | None = None,
     *,
     pursuers: ArrayLike | None = None,
     evaders: ArrayLike | None = None,
@@ -53,7 +52,7 @@ def replicator_dynamics(
 ) -> ReplicatorPath:
     """Let the shares of strategies grow by what they gain against the other population.
 
-    ``x_g' = x_g ((A y)_g - x A y)`` and ``y_h' = y_h ((x B)_h - x B y)``: strategies above the mean
+    ``x_g' = x_g ((A y)_g - x A y)`` and ``y_h' = y_h (x A y - (x A)_h)``: strategies above the mean
     of their population become more frequent. Nothing mutates, so a share of 0 stays 0. SciPy
     integrates the payoff that each strategy has collected; shares are proportional to its
     exponential.
@@ -61,9 +60,7 @@ def replicator_dynamics(
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoffs A of the row population: capture rates, or any finite numbers.
-    evader_payoff : array_like of float, shape (n, m), optional
-        Payoffs B of the column population. The default is ``-A``; ``1 - A`` gives the same path.
+        Payoffs A of the row population, any finite numbers; the other one has ``-A``, or ``1 - A``.
     pursuers, evaders : array_like of float, shapes (n,) and (m,), optional
         Shares at the begin, with sum 1. The default is equal shares.
     time : float, optional
@@ -79,8 +76,6 @@ def replicator_dynamics(
     from scipy.integrate import solve_ivp
 
     a = check_finite(payoff, "payoffs", "of shape (n, m)", ndim=2)
-    b = -a if evader_payoff is None else check_finite(evader_payoff, "payoffs", "(n, m)", ndim=2)
-    require(b.shape == a.shape, f"payoffs of the evaders of shape {a.shape}", b.shape)
     require(0.0 < time < math.inf, "a finite time above 0", time)
     check_integer("points", points, 2)
     n, m = a.shape
@@ -88,7 +83,7 @@ def replicator_dynamics(
     y = check_mixture(np.full(m, 1.0 / m) if evaders is None else evaders, m, "evaders")
 
     def collected(_: float, state: Rates) -> Rates:
-        return np.append(a @ _shares(y, state[n:]), _shares(x, state[:n]) @ b)
+        return np.append(a @ _shares(y, state[n:]), _shares(x, state[:n]) @ -a)
 
     times = np.linspace(0.0, time, points)
     solved = solve_ivp(

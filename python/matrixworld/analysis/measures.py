@@ -15,16 +15,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import check_choice
-from matrixworld.analysis import progress
-from matrixworld.analysis.cycles import (
-    TOO_FEW_TO_RECUR,
-    clear_checkerboards,
-    recurrence_over_episodes,
-    squared_intransitivity,
-    transitive_share,
-    transitive_share_over_episodes,
-)
-from matrixworld.analysis.games import effective_diversity_over_episodes, game_value
+from matrixworld.analysis import cycles, games, progress, ratings, strength
 from matrixworld.analysis.intervals import (
     BIASED,
     LEVEL,
@@ -47,14 +38,6 @@ from matrixworld.analysis.payoffs import (
     read_payoffs,
     require,
     swap_teams,
-)
-from matrixworld.analysis.ratings import ELO_POINTS, elo, elo_over_episodes, log_loss
-from matrixworld.analysis.strength import (
-    gain_of_runs,
-    is_sustained,
-    late_forgetting,
-    late_forgetting_over_episodes,
-    strength_change,
 )
 
 TOO_SHORT = f"it takes at least {GENERATIONS_TO_JUDGE} generations of each team"
@@ -164,15 +147,15 @@ def _biased(
 def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimate:
     scores = _episodes(payoffs, window)
     if scores is None:
-        return _mean(payoffs, window, level, transitive_share, UNIT)
-    return transitive_share_over_episodes(scores, level=level)
+        return _mean(payoffs, window, level, cycles.transitive_share, UNIT)
+    return cycles.transitive_share_over_episodes(scores, level=level)
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     scores, number = _episodes(payoffs, window), partial(_last_rating, team=team)
     if scores is None:
         return _mean(payoffs, window, level, number, UNBOUNDED)
-    found = getattr(elo_over_episodes(scores, level=level), team)
+    found = getattr(ratings.elo_over_episodes(scores, level=level), team)
     ends = float(found.low[0, -1]), float(found.high[0, -1])
     if math.isnan(ends[0]):
         return Estimate(number(scores.mean(axis=2)), note="no interval: all episodes are equal")
@@ -214,7 +197,7 @@ def _last_score(matrix: Rates, team: str) -> float:
 
 
 def _last_rating(matrix: Rates, team: str) -> float:
-    return ELO_POINTS * float(getattr(elo(matrix), team)[-1])
+    return ratings.ELO_POINTS * float(getattr(ratings.elo(matrix), team)[-1])
 
 
 def _fading(matrix: Rates, team: str) -> float:
@@ -226,11 +209,11 @@ def _stripes(matrix: Rates, team: str) -> float:
 
 
 def _checkerboards(matrix: Rates) -> float:
-    return clear_checkerboards(matrix).share
+    return cycles.clear_checkerboards(matrix).share
 
 
 def _elo_loss(matrix: Rates, cycles: int) -> float:
-    return log_loss(matrix, elo(matrix, cycles=cycles).predict())
+    return ratings.log_loss(matrix, ratings.elo(matrix, cycles=cycles).predict())
 
 
 # ---- Numbers that take single episodes, or tests between runs ------------------------------------
@@ -315,7 +298,7 @@ def _courses(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]
 def _gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     if window.generations < GENERATIONS_TO_JUDGE:
         return Estimate(math.nan, note=TOO_SHORT)
-    found = gain_of_runs(*_courses(payoffs, window, team), level=level)
+    found = strength.gain_of_runs(*_courses(payoffs, window, team), level=level)
     if len(payoffs) > 1:
         return replace(found, across="runs", samples=len(payoffs))
     return replace(found, across="episodes", samples=payoffs.episodes or 0)
@@ -326,12 +309,12 @@ def _change(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Est
     if found.low is None or found.low <= 0.0 <= (found.high or 0.0):
         return found
     course = _courses(payoffs, window, team)[0].mean(axis=0)
-    return found if is_sustained(course) else replace(found, note=NOT_SUSTAINED)
+    return found if strength.is_sustained(course) else replace(found, note=NOT_SUSTAINED)
 
 
 def _change_of_run(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
     [course], [noise] = _courses(run, window, team)
-    return strength_change(course, noise, level=level)
+    return strength.strength_change(course, noise, level=level)
 
 
 def _one_sidedness(run: Payoffs, window: Window, level: float) -> Estimate:
@@ -359,11 +342,11 @@ def _intransitivity(
     if not run.shows_noise:
         return Estimate(math.nan, note=NO_EPISODES)
     matrix, noise = run.matrices[0][window.cells], run.noise[0][window.cells]
-    found = squared_intransitivity(matrix, noise, third=third, level=level)
+    found = cycles.squared_intransitivity(matrix, noise, third=third, level=level)
     if run.scores is not None:
         return found
     # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
-    most = squared_intransitivity(matrix, np.zeros_like(noise), third=third, level=level)
+    most = cycles.squared_intransitivity(matrix, np.zeros_like(noise), third=third, level=level)
     return replace(found, high=most.high, biased_high=most.biased_high)
 
 
@@ -378,15 +361,15 @@ def _diversity(payoffs: Payoffs, window: Window, level: float) -> Estimate:
 def _diversity_of_run(run: Payoffs, window: Window, level: float) -> Estimate:
     if run.scores is None or not run.shows_noise:
         return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
-    return effective_diversity_over_episodes(run.scores[0][window.cells], level=level)
+    return games.effective_diversity_over_episodes(run.scores[0][window.cells], level=level)
 
 
 def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
     if run.scores is None:
-        return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
+        return Estimate(math.nan, note=cycles.TOO_FEW_TO_RECUR)
     scores = run.scores[0][window.cells]
     rows = scores if team == "pursuers" else 1.0 - scores.swapaxes(0, 1)
-    return recurrence_over_episodes(rows, level=level)
+    return cycles.recurrence_over_episodes(rows, level=level)
 
 
 def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
@@ -395,7 +378,7 @@ def _forgetting(payoffs: Payoffs, window: Window, level: float, *, team: str) ->
     if payoffs.scores is not None and payoffs.shows_noise and long_enough:
         return _deciding(payoffs, window, level, of_run=_forgetting_of_run, team=team)
     span = window.cells[team == "evaders"]
-    each = (late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
+    each = (strength.late_forgetting(_from_side(m, team), span) for m in payoffs.matrices)
     found = _mean_of(each, level, UNIT)
     return found if len(payoffs) > 1 else replace(found, note=BIASED)
 
@@ -407,7 +390,7 @@ def _forgetting_of_run(run: Payoffs, window: Window, level: float, team: str) ->
     one, other = (_from_side(scores[..., k:even:2].mean(axis=2), team) for k in (0, 1))
     noise = run.noise[0] if team == "pursuers" else run.noise[0].T
     span = window.cells[team == "evaders"]
-    return late_forgetting_over_episodes((one, other), noise, span, level)
+    return strength.late_forgetting_over_episodes((one, other), noise, span, level)
 
 
 def _from_side(matrix: Rates, team: str) -> Rates:
@@ -464,7 +447,7 @@ ROWS = (
     Measure("transitive_share", "transitive share", _transitive_share, late=True),
     Measure(
         "transitive_share_logits", "transitive share on logits",
-        partial(_biased, number=partial(transitive_share, logits=True)), late=True,
+        partial(_biased, number=partial(cycles.transitive_share, logits=True)), late=True,
     ),
     # Of the whole race.
     Measure("capture_rate", "mean capture rate", partial(_linear, number=np.mean)),
@@ -496,7 +479,8 @@ ROWS = (
     *_of_teams("stripes", "CIAO, stripes of the {team}s", _biased, number=_stripes),
     *_of_teams("rungs", "dominant {team} generations", _rungs, form=".1f"),
     Measure(
-        "game_value", "capture rate in the Nash equilibrium", partial(_biased, number=game_value)
+        "game_value", "capture rate in the Nash equilibrium",
+        partial(_biased, number=games.game_value),
     ),
     Measure("effective_diversity", "effective diversity of the equilibrium", _diversity),
     *(
