@@ -17,6 +17,7 @@ from matrixworld.coevolution.learners.actor_critic import (
     advantages,
     orthogonal,
 )
+from matrixworld.coevolution.learners.learner import Task
 from matrixworld.coevolution.learners.transitions import experience
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
@@ -34,11 +35,13 @@ def rng() -> np.random.Generator:
 
 def learner(**changes: Any) -> ActorCritic:
     pytest.importorskip("torch")
-    genome = orthogonal(NETWORK.sizes, rng())
-    chosen = ActorCriticSettings(population=4, **changes)
-    made = ActorCritic(genome, NETWORK, rng(), chosen, state_size=3 * 49)
     # As it comes from another process.
-    return cast(ActorCritic, pickle.loads(pickle.dumps(made)))  # noqa: S301
+    return cast(ActorCritic, pickle.loads(pickle.dumps(new(population=4, **changes))))  # noqa: S301
+
+
+def new(network: Network = NETWORK, epochs: int = 1, **changes: Any) -> ActorCritic:
+    genomes = orthogonal(network.sizes, rng())[np.newaxis]
+    return ActorCriticSettings(**changes).new(Task(genomes, rng(), CONFIG, network, epochs))
 
 
 def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
@@ -100,9 +103,8 @@ def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.0), (0.0, 0.1), (0.2, 0.05)])
 def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy: float) -> None:
     pytest.importorskip("torch")
-    genome, draw = orthogonal(SMOOTH.sizes, rng()), rng()
-    one = ActorCritic(genome, SMOOTH, draw, ActorCriticSettings(clip=clip, entropy=entropy))
-    seen = played(one)
+    one = new(SMOOTH, clip=clip, entropy=entropy)
+    genome, draw, seen = one.genome, rng(), played(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
     given: list[np.ndarray] = []  # instead of a step of Adam, which would hide the gradient
     one._actor.ascend = lambda gradient, _: given.append(gradient)  # type: ignore[method-assign]
@@ -126,7 +128,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
 
 def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
     pytest.importorskip("torch")
-    one = ActorCritic(orthogonal(SMOOTH.sizes, rng()), SMOOTH, rng(), ActorCriticSettings())
+    one = new(SMOOTH)
     seen = played(one)
     target = rng().normal(size=len(seen)).astype(np.float32)
     critic, given = one._critics["critic"], []
@@ -275,9 +277,7 @@ def test_it_learns_where_a_caller_has_switched_gradients_off(torch, tmp_path):
 
 def test_rates_fall_to_a_tenth(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("torch")
-    genome = orthogonal(NETWORK.sizes, rng())
-    chosen = ActorCriticSettings(actor_updates=2, anneal=True)
-    one = ActorCritic(genome, NETWORK, rng(), chosen, anneal_over=4)
+    one = new(epochs=4, actor_updates=2, anneal=True)
     shares = []
     monkeypatch.setattr(one._actor, "ascend", lambda _, share: shares.append(share))
     for updates in (0, 2, 4, 8, 20):

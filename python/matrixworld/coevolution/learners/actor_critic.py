@@ -5,12 +5,9 @@ when a learner is made.
 
 References
 ----------
-Schulman, J., Moritz, P., Levine, S., Jordan, M. and Abbeel, P. (2016). High-dimensional continuous
-control using generalized advantage estimation. ICLR.
-Schulman, J., Wolski, F., Dhariwal, P., Radford, A. and Klimov, O. (2017). Proximal policy
-optimization algorithms. arXiv:1707.06347.
-Ray, A., Achiam, J. and Amodei, D. (2019). Benchmarking safe exploration in deep reinforcement
-learning. (PPO-Lagrangian.)
+Schulman et al. 2016, "High-dimensional continuous control using generalized advantage estimation",
+ICLR. Schulman et al. 2017, "Proximal policy optimization algorithms", arXiv:1707.06347. Ray et al.
+2019, "Benchmarking safe exploration in deep reinforcement learning" (PPO-Lagrangian).
 """
 
 from __future__ import annotations
@@ -26,18 +23,11 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, shown
+from matrixworld._util.checks import shown
 from matrixworld.coevolution.learners.learner import Adam, LearnerSettings, Task, annealed
 from matrixworld.coevolution.learners.transitions import Experience, Reals, Views, experience
 from matrixworld.coevolution.sections import documented, setting
-from matrixworld.coevolution.types import (
-    BoolArray,
-    Genome,
-    Genomes,
-    Indices,
-    IntArray,
-    State,
-)
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State
 from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, Network, Population
@@ -285,15 +275,7 @@ class ActorCriticSettings(LearnerSettings):
 
     def new(self, task: Task) -> ActorCritic:
         """Return a new learner of a team."""
-        return ActorCritic(
-            task.genomes[0],
-            task.network,
-            task.rng,
-            self,
-            state_size=CHANNELS * task.world.rows * task.world.cols,
-            anneal_over=task.epochs if self.anneal else None,
-            fixed=task.fixed,
-        )
+        return ActorCritic(task, self)
 
 
 class ActorCritic:
@@ -310,32 +292,21 @@ class ActorCritic:
     estimates advantages C of costs, and the actor follows (A - m C) / (1 + m), where the multiplier
     m >= 0 rises while there are more collisions than the limit.
 
-    `genome` and `network` are the actor to start from, and `rng` draws the first weights of the
-    critics. A central critic sees states of `state_size` numbers. Learning rates fall over
-    `anneal_over` epochs; by default they are constant. Weights of the actor that are `fixed`
-    (genes,), such as those of a mask, do not change.
     """
 
-    def __init__(
-        self,
-        genome: ArrayLike,
-        network: Network,
-        rng: np.random.Generator,
-        chosen: ActorCriticSettings,
-        state_size: int = 0,
-        anneal_over: int | None = None,
-        fixed: BoolArray | None = None,
-    ) -> None:
+    def __init__(self, task: Task, chosen: ActorCriticSettings) -> None:
         self.chosen = chosen
-        self.network = network
-        self.anneal_over = anneal_over
+        self.network = network = task.network
+        self.anneal_over = task.epochs if chosen.anneal else None
         self._device = _usable_device(self._torch, chosen.device)
-        weights, shape = check_floats("genome", genome, np.float32), network.sizes
-        self._actor = Perceptron(weights, shape, network.activation, chosen.actor_rate, fixed)
-        sizes = (state_size if chosen.central_critic else shape[0], *network.hidden, 1)
+        rate, activation = chosen.actor_rate, network.activation
+        actor = np.array(task.genomes[0], np.float32)
+        self._actor = Perceptron(actor, network.sizes, activation, rate, task.fixed)
+        state = CHANNELS * task.world.rows * task.world.cols
+        sizes = (state if chosen.central_critic else network.sizes[0], *network.hidden, 1)
         names = ["critic"] if chosen.cost_limit is None else ["critic", "cost_critic"]
         self._critics = {
-            name: Perceptron(orthogonal(sizes, rng), sizes, network.activation, chosen.critic_rate)
+            name: Perceptron(orthogonal(sizes, task.rng), sizes, activation, chosen.critic_rate)
             for name in names
         }
         self.multiplier = 0.0
