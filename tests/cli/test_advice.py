@@ -49,7 +49,7 @@ def test_advice_changes_settings_to_others_that_a_race_can_have(settings):
 
 def test_advice_names_options_of_evolve_and_known_conditions():
     for row in ADVICE:
-        for settings in filter(row.applies, SETTINGS[:3]):
+        for settings in (each for each in SETTINGS[:3] if row.helps(each, CONDITIONS)):
             words = shlex.split(row.line(settings).partition(": ")[0])
             with evolve_command.make_context("evolve", words) as context:
                 settings_of(given_options(context.params))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,33 +14,36 @@ from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule, 
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.types import TEAMS
 
-Value = Callable[[Mapping[str, Any]], Any]
-"""Returns the new value of a setting from the present values by path."""
+TWICE = "twice"
+"""New value of a setting: twice the present one."""
 
 
 @dataclass(frozen=True)
 class Advice:
     """A change of settings that may help if any of the conditions is present.
 
-    `conditions` are those of which any has to be present, `applies` says whether the row is for a
-    race of these settings, `changes` has the new values by path (or functions that return them),
-    and `why` says what the change does.
+    The row is for races in any of its `situations` (see `situations_of`). `changes` has the new
+    values by path, and `why` says what they do.
     """
 
     conditions: tuple[str, ...]
-    applies: Callable[[RaceSettings], bool]
+    situations: tuple[str, ...]
     changes: Mapping[str, Any]
     why: str
 
     def options(self, settings: RaceSettings) -> dict[str, Any]:
         """Return the settings that change, with their new values."""
         present = {leaf.path: leaf.value for leaf in leaves(settings)}
-        values = {n: each(present) if callable(each) else each for n, each in self.changes.items()}
+        values = {
+            name: doubled(present.get(name)) if value == TWICE else value
+            for name, value in self.changes.items()
+        }
         return {name: value for name, value in values.items() if value != present.get(name)}
 
     def helps(self, settings: RaceSettings, present: Collection[str]) -> bool:
         """Return whether the row applies, changes something, and a race can have the result."""
-        if not (self.applies(settings) and any(name in present for name in self.conditions)):
+        applies = not situations_of(settings).isdisjoint(self.situations)
+        if not (applies and any(name in present for name in self.conditions)):
             return False
         options = self.options(settings)
         try:
@@ -56,42 +59,28 @@ class Advice:
         return f"{typed}: {self.why}"
 
 
-def twice(path: str) -> Value:
-    """Return a function that doubles a setting."""
-    return lambda present: 2 * present[path]
+def doubled(value: Any) -> Any:
+    """Return twice a number, or one hidden layer of twice the largest size."""
+    return [2 * max((16, *value))] if isinstance(value, list) else 2 * max(1, value)
 
 
-def _named(*schedules: str) -> Callable[[RaceSettings], bool]:
-    return lambda settings: settings.schedule.name in schedules
+ANY, IN_TURNS, NEWEST_ONLY, PAST_ONES = "any", "in turns", "newest only", "past ones"
+ONE_GENOME, FULL_VIRULENCE = "samples around one genome in turns", "full virulence"
 
 
-def _any(settings: RaceSettings) -> bool:
-    return True
-
-
-def _takes_turns(settings: RaceSettings) -> bool:
-    return isinstance(settings.schedule, Alternating)
-
-
-def _meets_newest_only(settings: RaceSettings) -> bool:
-    schedule = settings.schedule
-    if not isinstance(schedule, RaceSchedule) or schedule.name != Alternating.kind:
-        return False
-    return any(getattr(schedule.opponents_of(team), "rule", None) == "latest" for team in TEAMS)
-
-
-def _meets_past_ones(settings: RaceSettings) -> bool:
-    return _named(Alternating.kind, PSRO)(settings) and not _meets_newest_only(settings)
-
-
-def _samples_near_one_genome(settings: RaceSettings) -> bool:
-    return _takes_turns(settings) and not settings.learner.keeps_population
-
-
-def _full_virulence(settings: RaceSettings) -> bool:
-    fitness = settings.fitness
+def situations_of(settings: RaceSettings) -> set[str]:
+    """Return what advice depends on: the name of the schedule, and what the settings have."""
+    schedule, fitness = settings.schedule, settings.fitness
+    found = {ANY, schedule.name}
+    if isinstance(schedule, Alternating):
+        found |= {IN_TURNS} if settings.learner.keeps_population else {IN_TURNS, ONE_GENOME}
+    if isinstance(schedule, RaceSchedule) and schedule.name in (Alternating.kind, PSRO):
+        rules = [getattr(schedule.opponents_of(team), "rule", None) for team in TEAMS]
+        found.add(NEWEST_ONLY if "latest" in rules else PAST_ONES)
     reduced = fitness.pursuer_virulence is not None or fitness.evader_virulence is not None
-    return not reduced and fitness.sharing == "none" and fitness.measure != "rewards"
+    if not reduced and fitness.sharing == "none" and fitness.measure != "rewards":
+        found.add(FULL_VIRULENCE)
+    return found
 
 
 NEWEST = ("specialist-specialist", "generalist-specialist")
@@ -99,43 +88,37 @@ CYCLES = ("intransitivity", "cycling", "forgetting")
 PURSUERS_MEET, EVADERS_MEET = "schedule.pursuers_meet", "schedule.evaders_meet"
 
 ADVICE = (
-    Advice(CYCLES, _named(*NEWEST), {"schedule": "generalist-generalist"},
+    Advice(CYCLES, NEWEST, {"schedule": "generalist-generalist"},
            "both teams meet opponents of all generations"),
-    Advice(CYCLES, _named(*NEWEST), {"schedule": HALL_OF_FAME},
+    Advice(CYCLES, NEWEST, {"schedule": HALL_OF_FAME},
            "both teams meet living opponents and champions of all generations"),
-    Advice(CYCLES, _named("generalist-generalist"), {"schedule.opponents": 4},
+    Advice(CYCLES, ("generalist-generalist",), {"schedule.opponents": 4},
            "candidates meet several opponents in each epoch"),
-    Advice(CYCLES, _named("generalist-generalist"),
+    Advice(CYCLES, ("generalist-generalist",),
            {PURSUERS_MEET: "maxsolve", EVADERS_MEET: "maxsolve"},
            "an archive keeps the opponents that tell candidates apart"),
-    Advice(CYCLES, _meets_newest_only, {PURSUERS_MEET: "uniform", EVADERS_MEET: "uniform"},
+    Advice(CYCLES, (NEWEST_ONLY,), {PURSUERS_MEET: "uniform", EVADERS_MEET: "uniform"},
            "both teams meet opponents of all generations"),
-    Advice(CYCLES, _meets_past_ones, {"schedule.opponents": twice("schedule.opponents")},
+    Advice(CYCLES, (PAST_ONES,), {"schedule.opponents": TWICE},
            "candidates meet more opponents in each epoch"),
-    Advice(CYCLES, _named(HALL_OF_FAME),
-           {"schedule.hall_sample": lambda present: 2 * max(1, present["schedule.hall_sample"])},
+    Advice(CYCLES, (HALL_OF_FAME,), {"schedule.hall_sample": TWICE},
            "candidates meet more members of the halls of fame"),
-    Advice(("disengagement",), _full_virulence, {"fitness.pursuer_virulence": 0.75},
+    Advice(("disengagement",), (FULL_VIRULENCE,), {"fitness.pursuer_virulence": 0.75},
            "if pursuers win everything: candidates that win everything have no advantage"),
-    Advice(("disengagement",), _full_virulence, {"fitness.evader_virulence": 0.75},
+    Advice(("disengagement",), (FULL_VIRULENCE,), {"fitness.evader_virulence": 0.75},
            "the same for evaders, if they win everything"),
-    Advice(("disengagement", "one-sided progress"), _takes_turns,
-           {"schedule.pursuer_epochs": twice("schedule.pursuer_epochs")},
+    Advice(("disengagement", "one-sided progress"), (IN_TURNS,), {"schedule.pursuer_epochs": TWICE},
            "if pursuers are the weaker team or the one that does not gain"),
-    Advice(("disengagement", "one-sided progress"), _takes_turns,
-           {"schedule.evader_epochs": twice("schedule.evader_epochs")},
+    Advice(("disengagement", "one-sided progress"), (IN_TURNS,), {"schedule.evader_epochs": TWICE},
            "if evaders are the weaker team or the one that does not gain"),
-    Advice(("one-sided progress",), _named(HALL_OF_FAME),
-           {"schedule.joint_epochs": twice("schedule.joint_epochs")},
+    Advice(("one-sided progress",), (HALL_OF_FAME,), {"schedule.joint_epochs": TWICE},
            "more time for the team that does not gain"),
-    Advice(("stagnation",), _any, {"learner.population": twice("learner.population")},
+    Advice(("stagnation",), (ANY,), {"learner.population": TWICE},
            "the fitness of more candidates is less noisy"),
-    Advice(("stagnation",), _samples_near_one_genome, {"learner": "ga"},
+    Advice(("stagnation",), (ONE_GENOME,), {"learner": "ga"},
            "a population of different genomes instead of samples around one"),
-    Advice(("stagnation",), _any,
-           {"policy.hidden": lambda present: [2 * max((16, *present["policy.hidden"]))]},
-           "a larger network"),
-    Advice(("arms race", "rise"), _any, {"schedule.generations": twice("schedule.generations")},
+    Advice(("stagnation",), (ANY,), {"policy.hidden": TWICE}, "a larger network"),
+    Advice(("arms race", "rise"), (ANY,), {"schedule.generations": TWICE},
            "the race goes on; more generations show how long"),
 )  # fmt: skip
 """What to try, in the order in which it is printed."""
