@@ -198,7 +198,7 @@ def test_limits_of_time_count_for_genomes(tmp_path: Path) -> None:
     save_genome(tmp_path / "large.npz", "pursuer", policy)
     write_genomes(tmp_path, 1)
     for limits, kind in [(Limits(in_all=0.05), "all matches"), (Limits(seconds=1), "a match")]:
-        result = play_class(tmp_path, CONFIG, episodes=3000, limits=limits, threads=1)
+        result = play_class(tmp_path, CONFIG, episodes=1000, limits=limits, threads=1)
         [refusal] = result.refusals
         assert refusal.file == "large.npz"
         text = rf"more than [\d.]+ seconds of processor time in {kind} \(while"

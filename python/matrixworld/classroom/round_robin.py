@@ -297,61 +297,54 @@ def _asking(program: PolicyProcess) -> Chooser:
 
 # ---- Who may play --------------------------------------------------------------------------------
 
-Admitted = tuple[list[Entry], list[Refusal]]
 
-
-def admit(submissions: Sequence[Submission], pool: MatchPool, report: Report) -> Admitted:
+def admit(
+    submissions: Sequence[Submission], pool: MatchPool, report: Report
+) -> tuple[list[Entry], list[Refusal]]:
     """Return the entries of submissions, at most one for each student and team, and refusals."""
-    entries: list[Entry] = []
-    refusals: list[Refusal] = []
-    tried = pool.executor.map(lambda each: _entries_of(each, pool), submissions)
-    for number, (found, refused) in enumerate(tried, 1):
-        entries += found
-        refusals += refused
+    found: list[Entry | Refusal] = []
+    tried = pool.executor.map(lambda each: _tried(each, pool), submissions)
+    for number, more in enumerate(tried, 1):
+        found += more
         report(Progress("trials", number, len(submissions)))
-    kept, rivals = without_rivals(entries)
-    return kept, refusals + rivals
+    kept, rivals = without_rivals([each for each in found if isinstance(each, Entry)])
+    return kept, [*(each for each in found if isinstance(each, Refusal)), *rivals]
 
 
-def _entries_of(submission: Submission, pool: MatchPool) -> Admitted:
+def _tried(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
+    """Return an entry for each team for which a submission can play, or why it cannot."""
+    name, file, kind, content, path = submission
     try:
-        if submission.kind == "genome":
-            return [_genome(submission, pool.config)], []
-        return _program(submission, pool)
+        if kind == "genome":
+            team, population = read_genome(path, content)
+            check_fits("genome", population.network, pool.config)
+            return [Entry(name, team, "genome", file, population)]
+        teams = _teams_of(content, pool)
     except RefusedError as error:
-        return [], [Refusal(submission.name, submission.file, str(error))]
-
-
-def _genome(submission: Submission, config: WorldConfig) -> Entry:
-    """Read a genome; RefusedError if it is damaged or does not fit the world."""
-    try:
-        team, population = read_genome(submission.path, submission.content)
-        check_fits("genome", population.network, config)
+        return [Refusal(name, file, str(error))]
     except ValueError as error:
-        raise RefusedError(told(error)) from error
-    return Entry(submission.name, team, "genome", submission.file, population)
+        return [Refusal(name, file, told(error))]
+    return [_after_trial(Entry(name, team, "program", file, content), pool) for team in teams]
 
 
-def _program(submission: Submission, pool: MatchPool) -> Admitted:
-    """Load a program, and let it play an episode for each team for which it has a function."""
+def _teams_of(code: bytes, pool: MatchPool) -> list[Team]:
+    """Return the teams for which a program has a function; RefusedError if it fails or has none."""
     if pool.problem:
         raise RefusedError(f"programs are not played here: {pool.problem}")
-    present = pool.functions(submission.content)
-    if not any(present):
+    teams = [team for team, there in zip(TEAMS, pool.functions(code), strict=True) if there]
+    if not teams:
         raise RefusedError("expected a function pursue(view, rng) or evade(view, rng), got none")
-    entries: list[Entry] = []
-    refusals: list[Refusal] = []
-    for team, is_present in zip(TEAMS, present, strict=True):
-        if not is_present:
-            continue
-        entry = Entry(submission.name, team, "program", submission.file, submission.content)
-        opponent = Entry(TRIAL_OPPONENT, other(team), "script", "", TRIAL_OPPONENT)
-        try:
-            pool.play(*((entry, opponent) if team == "pursuer" else (opponent, entry)), 1)
-            entries.append(entry)
-        except RefusedError as error:
-            refusals.append(Refusal(entry.name, entry.file, _reason(entry, error)))
-    return entries, refusals
+    return teams
+
+
+def _after_trial(entry: Entry, pool: MatchPool) -> Entry | Refusal:
+    """Let a program play an episode."""
+    opponent = Entry(TRIAL_OPPONENT, other(entry.team), "script", "", TRIAL_OPPONENT)
+    try:
+        pool.play(*((entry, opponent) if entry.team == "pursuer" else (opponent, entry)), 1)
+    except RefusedError as error:
+        return Refusal(entry.name, entry.file, _reason(entry, error))
+    return entry
 
 
 def _reason(entry: Entry, error: RefusedError) -> str:
@@ -363,7 +356,6 @@ def _reason(entry: Entry, error: RefusedError) -> str:
 
 # ---- All pairs -----------------------------------------------------------------------------------
 
-Teams = dict[Team, tuple[Entry, ...]]
 Pair = tuple[Entry, Entry]
 
 
@@ -373,7 +365,7 @@ def _with_scripts(students: Sequence[Entry], team: Team) -> tuple[Entry, ...]:
 
 
 def _round_robin(
-    teams: Teams, pool: MatchPool, episodes: int, report: Report
+    teams: dict[Team, tuple[Entry, ...]], pool: MatchPool, episodes: int, report: Report
 ) -> tuple[dict[Pair, Played], dict[Entry, str]]:
     """Play all pairs; return the results, and by entry why it broke a rule while it played.
 
