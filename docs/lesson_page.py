@@ -16,7 +16,7 @@ from matrixworld._util.files import load_toml
 from matrixworld.coevolution.storage import open_runs
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data
-from matrixworld.explorer.runs_page import archives_of, run_data
+from matrixworld.explorer.runs_page import runs_data
 from matrixworld.plots.game import CROSSINGS, may_go
 from matrixworld.version import __version__
 from matrixworld.world.arrays import MOVES
@@ -43,13 +43,9 @@ def races_of_job(job: Path) -> Races:
     found = {run.settings.schedule.name: run for run in open_runs(job)}
     if missing := set(LESSON["races"]) - set(found):
         raise ValueError(f"{job}: expected a finished race of {', '.join(sorted(missing))}")
-    runs = [found[name] for name in LESSON["races"]]
-    archives = archives_of(runs, MOST_BYTES)
-    plain = [
-        {**run_data(f"Race {letter}", run, step=archives.step), "teams": teams}
-        for letter, run, teams in zip("ABC", runs, archives.teams, strict=True)
-    ]
-    return Races(plain, archives.blobs)
+    names = zip("ABC", LESSON["races"], strict=True)
+    runs = [(f"Race {letter}", found[name]) for letter, name in names]
+    return Races(*runs_data(runs, most=MOST_BYTES))
 
 
 def races_of_page(page: str) -> Races:

@@ -23,13 +23,13 @@ from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import (
-    archives_of,
     explorer_page,
     guided_minute,
     heading,
     kept_generations,
     packed,
     run_data,
+    runs_data,
     training_curve,
 )
 from tiny_race import tiny_race, tiny_single
@@ -301,21 +301,20 @@ def test_pages_are_entitled_in_words(job: Job) -> None:
 
 
 def test_genomes_are_exact(race: SavedRun) -> None:
-    archives = archives_of([race, race])
+    runs, blobs = runs_data([("a", race), ("b", race)])
     for team in TEAMS:
-        for number, teams in enumerate(archives.teams):
-            assert teams[team]["genomes"] == f"genomes-{number}-{team}"
+        for number, run in enumerate(runs):
+            assert run["teams"][team]["kept"] == [0, 1, 2]
+            assert run["teams"][team]["genomes"] == f"genomes-{number}-{team}"
             genomes = race.teams[team].genomes
-            planes = zlib.decompress(archives.blobs[f"genomes-{number}-{team}"])
+            planes = zlib.decompress(blobs[f"genomes-{number}-{team}"])
             places = np.frombuffer(planes, np.uint8).reshape(4, -1).T
             joined = np.ascontiguousarray(places).view("<u4").reshape(genomes.shape)
             bits = np.bitwise_xor.accumulate(joined, axis=0)
             np.testing.assert_array_equal(bits, genomes.view("<u4"))
-            assert teams[team]["kept"] == [0, 1, 2]
     # With room for two of the three generations of both teams:
-    few = archives_of([race], most=4 * race.teams["pursuer"].genomes[0].nbytes)
-    assert few.step == 2
-    assert [few.teams[0][team]["kept"] for team in TEAMS] == [[0, 2], [0, 2]]
+    [few], _ = runs_data([("a", race)], most=4 * race.teams["pursuer"].genomes[0].nbytes)
+    assert [few["teams"][team]["kept"] for team in TEAMS] == [[0, 2], [0, 2]]
     assert kept_generations(6, 2) == [0, 2, 4, 5]  # the last one, too
 
 
@@ -324,8 +323,8 @@ def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     assert (data["payoff"]["shape"], data["payoff"]["first"]) == ([1, 4], [0, 3])
     assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
     assert data["findings"] is None
-    [teams] = archives_of([job["single"]]).teams
-    assert [teams[team]["script"] for team in TEAMS] == ["chaser", None]
+    [run], _ = runs_data([("alone", job["single"])])
+    assert [run["teams"][team]["script"] for team in TEAMS] == ["chaser", None]
 
 
 def test_a_long_training_curve_has_means_of_neighbouring_epochs(

@@ -15,7 +15,7 @@ from matrixworld.coevolution.evaluation.scores import held_out
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import render_page
-from matrixworld.explorer.runs_page import archives_of, kept_generations, packed, plain_network
+from matrixworld.explorer.runs_page import kept_generations, packed, plain_network, step_of
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPT_TEXTS, Population, TeamPolicy
@@ -51,7 +51,7 @@ def _by_strength(players: Mapping[str, TeamPolicy]) -> dict[str, TeamPolicy]:
 
 def of_run(run: SavedRun) -> tuple[WorldConfig, Players]:
     """Return the world of a run and its generations, as many as a page can hold."""
-    step = archives_of([run]).step
+    step = step_of([run])
     return run.settings.world, {team: _generations(run.teams[team], step) for team in TEAMS}
 
 

@@ -33,7 +33,7 @@ from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
+from matrixworld.coevolution.types import TEAMS, Genomes, Payoff
 from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import (
@@ -147,18 +147,13 @@ def explorer_page(
     says what the page does not show, such as further runs of the job. FileNotFoundError if a run is
     not finished, unless the page is `live`.
     """
-    common = _common([run.files.path for run in runs])
-    # Each by its path below the directory that holds all of them.
     paths = [run.files.path.absolute() for run in runs]
+    common = _common(paths)
+    # Each by its path below the directory that holds all of them.
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
-    archives = archives_of(runs)
-    plain = []
-    for number, (name, run, teams) in enumerate(zip(names, runs, archives.teams, strict=True)):
-        judgement = (judgements or {}).get(run.files.path)
-        payoff = live.payoffs[number] if live else None
-        shown = run_data(name, run, judgement, step=archives.step, so_far=payoff)
-        plain.append({**shown, "teams": teams})
     title = names[0] if len(names) == 1 else common.name
+    named = [*zip(names, runs, strict=True)]
+    plain, genomes = runs_data(named, judgements=judgements, live=live)
     data = {
         "version": __version__,
         "title": title,
@@ -169,7 +164,7 @@ def explorer_page(
         "runs": plain,
     }
     playground = without_engine(Playground().html()).encode()
-    blobs = {**archives.blobs, "playground": playground}
+    blobs = {**genomes, "playground": playground}
     shown_title, asks = f"{title} - matrixworld", live is not None
     return render_page("explorer", shown_title, data, blobs, opens=["playground"], asks=asks)
 
@@ -185,10 +180,38 @@ def heading(runs: Sequence[SavedRun]) -> str:
     return f"{words}: {title[0].lower()}{title[1:]}"
 
 
-# ---- A run ---------------------------------------------------------------------------------------
+# ---- Runs ----------------------------------------------------------------------------------------
 
+MOST_BYTES = 48 * 2**20
+"""Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
 MOST_POINTS = 6000
 """The most points of a training curve; a longer one has means of neighbouring epochs."""
+
+
+def runs_data(
+    runs: Sequence[tuple[str, SavedRun]],
+    *,
+    most: int = MOST_BYTES,
+    judgements: Mapping[Path, analysis.Judgement] | None = None,
+    live: Live | None = None,
+) -> tuple[list[dict[str, Any]], dict[str, bytes]]:
+    """Return what a page shows of runs, given with their names, and genomes by identifier.
+
+    There are genomes of as many generations as fit into `most` bytes. For the rest see
+    `explorer_page`.
+    """
+    step = step_of([run for _, run in runs], most)
+    plain, genomes = [], dict[str, bytes]()
+    for n, (name, run) in enumerate(runs):
+        judgement = (judgements or {}).get(run.files.path)
+        payoff = live.payoffs[n] if live else None
+        shown = run_data(name, run, judgement, step=step, so_far=payoff)
+        teams = {
+            team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, genomes)
+            for team in TEAMS
+        }
+        plain.append({**shown, "teams": teams})
+    return plain, genomes
 
 
 def run_data(
@@ -496,27 +519,11 @@ def _checkerboard(matrix: Rates, boards: Sequence[Checkerboard]) -> Stop:
 
 # ---- Teams ---------------------------------------------------------------------------------------
 
-MOST_BYTES = 48 * 2**20
-"""Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
 
+def step_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> int:
+    """Return the step between generations of which all genomes fit into so many bytes.
 
-class Archives(NamedTuple):
-    """The teams of the runs of a page, as plain values that name their genomes in the blobs.
-
-    A blob holds genomes as `packed` does, generation after generation. Every `step` generations
-    have a genome on the page.
-    """
-
-    teams: tuple[dict[Team, dict[str, Any]], ...]
-    blobs: dict[str, bytes]
-    step: int
-
-
-def archives_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> Archives:
-    """Return the teams of runs, with the genomes of as many generations as fit into so many bytes.
-
-    The first and the last generation of each team are always there. The step is the same for all
-    runs, so that linked generations exist everywhere.
+    It is the same for all runs, so that linked generations exist everywhere.
     """
     learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
     longest = max(len(team.genomes) for team in learned)
@@ -525,13 +532,7 @@ def archives_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> Archives:
         kept = (len(kept_generations(len(team.genomes), step)) for team in learned)
         return sum(n * team.genomes[0].nbytes for n, team in zip(kept, learned, strict=True))
 
-    step = next((each for each in range(1, longest) if size(each) <= most), longest)
-    blobs: dict[str, bytes] = {}
-    teams = tuple(
-        {team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, blobs) for team in TEAMS}
-        for n, run in enumerate(runs)
-    )
-    return Archives(teams, blobs, step)
+    return next((step for step in range(1, longest) if size(step) <= most), longest)
 
 
 def kept_generations(count: int, step: int) -> list[int]:
@@ -540,13 +541,13 @@ def kept_generations(count: int, step: int) -> list[int]:
 
 
 def _plain_team(
-    team: TeamPolicy, identifier: str, step: int, blobs: dict[str, bytes]
+    team: TeamPolicy, identifier: str, step: int, genomes: dict[str, bytes]
 ) -> dict[str, Any]:
-    """Return a team as plain values, and add its genomes to the blobs."""
+    """Return a team as plain values, and add its genomes to the others."""
     if isinstance(team, str):
         return {"script": team, "network": None, "kept": [0], "genomes": ""}
     kept = kept_generations(len(team.genomes), step)
-    blobs[identifier] = packed(team.genomes[kept])
+    genomes[identifier] = packed(team.genomes[kept])
     return {
         "script": None,
         "network": plain_network(team),
