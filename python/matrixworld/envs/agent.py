@@ -43,15 +43,10 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     action_space : Discrete
         5 actions, or 9 with diagonal moves; see `Action`.
 
-    Raises
-    ------
-    ValueError, TypeError
-        As `parallel_env` does, and for an unknown agent.
-
     Notes
     -----
     An episode terminates when the agent disappears or its world terminates, and is truncated with
-    its world. Rewards and infos are those of the agent. All agents choose before a round is played.
+    its world. All agents choose before a round is played.
 
     Examples
     --------

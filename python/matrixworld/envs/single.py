@@ -307,11 +307,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     agents : list of str
         Names of the agents that still play; empty before the first reset and after the end.
 
-    Raises
-    ------
-    ValueError, TypeError
-        As `WorldConfig` does, and for an unknown render mode or agent.
-
     Notes
     -----
     A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
@@ -343,10 +338,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             team also ``opponents``: what plays for it from now on. Other keys are ignored with a
             warning.
 
-        Raises
-        ------
-        ValueError, TypeError
-            As `World.reset` does. The environment then stays as it was.
+        ValueError or TypeError as `World.reset`; the environment then stays as it was.
         """
         self._reset_world(seed, options)
         views = self.world.views()

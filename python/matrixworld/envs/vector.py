@@ -125,11 +125,6 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     agents : range
         The numbers of the A agents in their worlds.
 
-    Raises
-    ------
-    ValueError, TypeError
-        As `WorldConfig` and `Batch` do, and for an unknown mode or dtype.
-
     Notes
     -----
     Rewards, terminations and truncations are ``(W, A)``, one for each agent. Gymnasium's vector

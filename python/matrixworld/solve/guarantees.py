@@ -66,11 +66,6 @@ def guarantees(
         or another champion, such as the name of a script, which is one generation.
     steps : int, optional
         As in `solve`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `best_response` does.
     """
     states = States.of(world)
     pursuers, evaders = (

@@ -53,11 +53,6 @@ def mixture_bounds(
     low, high : float
         Of pursuers the opponents minimize the capture rate, and the first one gets `low`; of
         evaders they maximize it, and the first one gets `high`. Both are equal for one champion.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `best_response` does.
     """
     states = States.of(world)
     parts = [part for part in fixed_play(states, mixture, team).parts if part[0] > 0.0]

@@ -281,11 +281,6 @@ def solve(
     payoff : {"capture-rate", "capture-time"}, optional
         What the teams play for, see `Solution`.
 
-    Raises
-    ------
-    ValueError, TypeError
-        As `States` does, and for arguments out of range.
-
     Examples
     --------
     >>> from matrixworld import WorldConfig
@@ -324,9 +319,8 @@ def best_response(
     Raises
     ------
     ValueError, TypeError
-        As `solve` does; if a network does not see the whole world from every cell; if a script does
-        not see what it looks for; if weights do not sum to 1; if a solution is of other States, or
-        of fewer rounds.
+        If a network does not see the whole world from every cell, or a script what it looks for; if
+        weights do not sum to 1; if a solution is of other States, or of fewer rounds.
 
     Examples
     --------

@@ -121,10 +121,8 @@ class WorldConfig:
 
     Raises
     ------
-    TypeError
-        If a value has a wrong type.
-    ValueError
-        If a value is out of range, for example if there are more agents than free cells.
+    ValueError, TypeError
+        If a value is out of range or has a wrong type, or there are more agents than free cells.
 
     Warns
     -----

@@ -32,13 +32,8 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
 
     Raises
     ------
-    TypeError
-        If `source` has another type.
-    ValueError
-        If the map is empty, its rows differ in length, or a character is unknown. Of a path also
-        (as DamagedFileError) if it is not a regular file.
-    FileNotFoundError
-        If the path does not exist.
+    ValueError, TypeError, FileNotFoundError
+        If the map is empty, its rows differ in length, or a character is unknown.
 
     References
     ----------

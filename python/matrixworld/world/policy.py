@@ -115,11 +115,9 @@ class Network:
 
     Raises
     ------
-    ValueError
-        If a size is below 1 or above 2**20, `fov` is even, the activation or the memory is unknown,
-        or there is memory without a hidden layer.
-    TypeError
-        If a value has a wrong type.
+    ValueError, TypeError
+        If a size is below 1 or above 2**20, `fov` is even, or there is memory without a hidden
+        layer.
 
     Notes
     -----
@@ -324,10 +322,8 @@ class Population(Readable):
 
     Raises
     ------
-    TypeError
-        If the dtype is another or `network` is not a Network.
-    ValueError
-        If the shape is another or a number is not finite.
+    ValueError, TypeError
+        If dtype or shape is another, or a number is not finite.
     """
 
     genomes: NDArray[np.float32]

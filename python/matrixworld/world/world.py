@@ -61,11 +61,6 @@ class World(WorldArrays):
     ValueError, TypeError
         As `WorldConfig` does.
 
-    See Also
-    --------
-    matrixworld.parallel_env : The same world as a PettingZoo environment.
-    matrixworld.Batch : Many worlds at once.
-
     Notes
     -----
     A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
@@ -168,10 +163,8 @@ class World(WorldArrays):
 
         Raises
         ------
-        RuntimeError
-            If the episode has ended, or a round is being played turn by turn.
-        ValueError, TypeError
-            If the shape is another, or an action of a living agent is out of range or no integer.
+        RuntimeError, ValueError, TypeError
+            If the episode has ended, or a round is being played turn by turn; for other actions.
         """
         self._require_open()
         if self.turn:
