@@ -198,7 +198,10 @@ class FailedRunsError(RuntimeError):
 
 def described(path: Path, error: BaseException) -> str:
     """Return an error of a run in words, without the path if the message begins with it."""
-    text = f"{error}" or type(error).__name__
+    kind, text = type(error), f"{error}" or type(error).__name__
+    # Such as KeyError, in the user's own code: its message alone says little.
+    if kind.__module__ == "builtins" and not isinstance(error, OSError | ValueError):
+        text = f"{kind.__name__}: {error}"
     return text.removeprefix(f"{path.absolute()}: ").removeprefix(f"{path}: ")
 
 

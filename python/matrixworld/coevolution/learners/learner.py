@@ -44,7 +44,7 @@ class Learner(Stateful, Protocol):
     Random numbers come only from the generator passed to `ask`, and `tell` is deterministic. A
     learner restored from `state` therefore continues as if it had never stopped.
 
-    A class with these methods is named in the settings as ``module:object`` (see `own_code`), and
+    Settings take a class with these methods, itself or as ``module:object`` (see `own_code`), and
     `check_learner` checks it. It is made with those of the following keyword arguments that its
     signature names; all others are settings of its own:
 
