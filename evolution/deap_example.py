@@ -36,7 +36,6 @@ import matrixworld as mw
 from common import play, script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import Team
-from matrixworld.coevolution.learners.toolbox import Candidates
 from matrixworld.coevolution.types import other
 
 OVERLAP_PENALTY = 0.2  # for evaders that share cells
@@ -211,10 +210,10 @@ def best_response(
     noise = coevolution.NoiseTable(network.genome_size, rng, sigma=SIGMA)
     learner = coevolution.EvolutionStrategy(network.initial(rng), noise, samples=budget.lambda_)
 
-    def evaluate(candidates: Candidates) -> np.ndarray:
+    def evaluate(candidates: np.ndarray) -> np.ndarray:
         # Mirrored candidates share a match seed.
         seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.seed_groups]
-        return score(team, budget.world, candidates.genomes, rival[np.newaxis], seeds[:, None])
+        return score(team, budget.world, candidates, rival[np.newaxis], seeds[:, None])
 
     toolbox = coevolution.generate_update_toolbox(learner, evaluate, itertools.repeat(rng))
     algorithms.eaGenerateUpdate(toolbox, ngen=budget.response, verbose=False)

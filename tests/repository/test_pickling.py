@@ -28,7 +28,7 @@ from matrixworld.analysis.strength import strength_gain
 from matrixworld.analysis.words import all_results
 from matrixworld.coevolution import opponents, resume, start
 from matrixworld.coevolution.jobs import job_of
-from matrixworld.coevolution.learners.toolbox import Candidates
+from matrixworld.coevolution.learners.toolbox import Individual
 from matrixworld.episodes import replay
 from matrixworld.plots.game import SITUATIONS, resolve
 from rows import random_walks
@@ -219,10 +219,9 @@ def _of_learning() -> Iterator[Any]:
         yield learner
         learner.tell(np.arange(len(asked)))
         yield learner
-    candidates = Candidates(np.zeros((2, 12), np.float32))
-    for number, individual in enumerate(candidates):
-        individual.fitness.values = (float(number),)
-    yield candidates
+    individual = Individual(start)
+    individual.fitness.values = (0.5,)
+    yield individual
     yield coevolution.SCHEDULES
     race = coevolution.RaceSettings()
     yield from (race.schedule, race.schedule.evaders_meet, coevolution.Yoked(race="other"))

@@ -259,9 +259,7 @@ def test_genetic_algorithm_improves(options):
 
 @pytest.mark.parametrize("make", LEARNERS)
 def test_learners_work_with_deap_algorithms(make):
-    toolbox = generate_update_toolbox(
-        make(), lambda candidates: closeness(candidates.genomes), map(generator, count())
-    )
+    toolbox = generate_update_toolbox(make(), closeness, map(generator, count()))
     best = tools.HallOfFame(1)
     statistics = tools.Statistics(lambda individual: individual.fitness.values[0])
     statistics.register("max", max)

@@ -34,18 +34,9 @@ class Individual:
         self.fitness: Maximize = Maximize()
 
 
-class Candidates(list[Individual]):
-    """A DEAP population; its attribute `genomes` (n, genes) is one array, to be scored in bulk."""
-
-    def __init__(self, genomes: Genomes) -> None:
-        # The genome of an individual is a view of its row, so both always agree.
-        super().__init__(Individual(genome) for genome in genomes)
-        self.genomes = genomes
-
-
 def generate_update_toolbox(
     learner: Learner,
-    evaluate: Callable[[Candidates], ArrayLike],
+    evaluate: Callable[[Genomes], ArrayLike],
     generators: Iterator[np.random.Generator],
 ) -> base.Toolbox:
     """Return a toolbox with which `deap.algorithms.eaGenerateUpdate` drives a learner.
@@ -57,18 +48,18 @@ def generate_update_toolbox(
     learner : Learner
         The learner.
     evaluate : callable
-        Scores all candidates in one call: takes a DEAP population whose attribute `genomes` is
-        an array (n, genes), and returns the fitness (n,).
+        Scores all candidates in one call: genomes (n, genes) float32 -> fitness (n,).
     generators : iterator of numpy.random.Generator
         Yields the generator of each epoch in turn.
     """
 
-    def generate() -> Candidates:
-        return Candidates(learner.ask(next(generators)))
+    def generate() -> list[Individual]:
+        return [Individual(genome) for genome in learner.ask(next(generators))]
 
-    def evaluate_all(score: Callable[..., ArrayLike], population: Candidates) -> list[Any]:
+    def evaluate_all(score: Callable[..., ArrayLike], population: list[Individual]) -> list[Any]:
         # Called as DEAP's `map`: matches are played in bulk.
-        return [(float(value),) for value in np.asarray(score(population))]
+        genomes = np.stack([individual.genome for individual in population])
+        return [(float(value),) for value in np.asarray(score(genomes))]
 
     def update(population: list[Any]) -> None:
         learner.tell([individual.fitness.values[0] for individual in population])
