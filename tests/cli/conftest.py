@@ -25,8 +25,7 @@ def quick_jobs(no_processes: None) -> None:
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no figures and write no page, in tests of something else."""
-    monkeypatch.setattr(report, "draw", lambda planned: None)
-    monkeypatch.setattr(report, "write_explorer", lambda groups, page: None)
+    monkeypatch.setattr(report, "draw", lambda groups, root: None)
 
 
 @pytest.fixture

@@ -49,7 +49,7 @@ class Learner(HillClimber):
 COMMAND = """
 from matrixworld.cli import main, report
 
-report.draw = report.write_explorer = lambda *args: None
+report.draw = lambda groups, root: None
 main()
 """
 
@@ -60,8 +60,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
     sys.modules.pop("mine", None)
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(report, "draw", lambda planned: None)
-    monkeypatch.setattr(report, "write_explorer", lambda groups, page: None)
+    monkeypatch.setattr(report, "draw", lambda groups, root: None)
     yield
     sys.modules.pop("mine", None)
 

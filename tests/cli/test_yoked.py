@@ -8,6 +8,7 @@ import pytest
 from command_line import matrixworld_command, run_together
 from matrixworld.cli import report
 from matrixworld.cli.evolve import _default_directory, _new_job
+from matrixworld.cli.pages import write_explorer
 from matrixworld.coevolution import evolve, finish, open_runs
 from tiny_race import hall_of_fame, tiny_race
 
@@ -26,7 +27,9 @@ def real(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_each_seed_replays_the_race_of_the_next_one(
     real: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(report, "draw", lambda planned: None)
+    monkeypatch.setattr(
+        report, "draw", lambda groups, root: write_explorer(groups, root / "explorer.html")
+    )
     yoked = ["evolve", "--out", "out", "--yoked", real]
     said = matrixworld_command(*yoked, "--seeds", "1,9,2").stdout
     races = {run.settings.seed: run.settings.schedule.race for run in open_runs("out")}

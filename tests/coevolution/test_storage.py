@@ -248,7 +248,7 @@ PREVIOUS = ("checkpoint-0003.npz", "checkpoint-0001.npz")
 @pytest.fixture(autouse=True)
 def no_figures(monkeypatch):
     """Leave out the figures, which are not tested here."""
-    monkeypatch.setattr(report, "draw", lambda planned: None)
+    monkeypatch.setattr(report, "draw", lambda groups, root: None)
 
 
 @pytest.fixture(scope="module")

@@ -22,11 +22,12 @@ import matrixworld as mw
 from course.questions import Exercise, exercises
 from matrixworld import analysis, plots
 from matrixworld.cli import main
-from matrixworld.cli.figures import OF_GAME, OF_RUN
+from matrixworld.cli.pages import OF_GAME
 from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
 from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.envs import INFO_KEYS
+from matrixworld.plots.saved import OF_RUN
 from slow import quickly
 from tiny_race import path_of, tiny_race
 

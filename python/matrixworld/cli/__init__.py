@@ -9,15 +9,13 @@ from __future__ import annotations
 import click
 
 from matrixworld.cli.classroom import class_command
+from matrixworld.cli.evaluate import score_command, tournament_command
 from matrixworld.cli.evolve import evolve_command
-from matrixworld.cli.exploit import exploit_command
+from matrixworld.cli.exploit import exploit_command, solve_command
 from matrixworld.cli.judge import judge_command
 from matrixworld.cli.options import Commands
 from matrixworld.cli.pages import explore_command, play_command, playground_command
 from matrixworld.cli.replay import replay_command
-from matrixworld.cli.score import score_command
-from matrixworld.cli.solve import solve_command
-from matrixworld.cli.tournament import tournament_command
 from matrixworld.version import __version__
 
 __all__ = ["main"]

@@ -16,7 +16,7 @@ import click
 import numpy as np
 
 from matrixworld._util.files import LockedError
-from matrixworld.cli.cluster import cluster_option, on_cluster
+from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
     command,
@@ -180,8 +180,7 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
     help="replay opponents from finished races in turns of this job or run, each from the next "
     "seed's race, with its settings",
 )
-@options("seed", "seeds", "threads")
-@cluster_option
+@options("seed", "seeds", "threads", "cluster")
 @click.option(
     "--live", is_flag=True, help="show the runs on a page of this machine while they go on"
 )

@@ -22,6 +22,7 @@ from matrixworld._util.files import (
     printable,
     save_json,
 )
+from matrixworld.cli.cluster import cluster_option
 from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
 from matrixworld.coevolution.jobs import FailedRunsError
 from matrixworld.coevolution.learners.learner import DivergedError
@@ -168,6 +169,7 @@ SHARED: dict[str, Option] = {
         metavar="NAME",
         help="which race of RUN, if it holds several, such as hall-of-fame or hall-of-fame/seed-3",
     ),
+    "cluster": cluster_option,
     "variant": click.option(
         "--variant",
         type=click.types.FuncParamType(str.upper),

@@ -3,38 +3,46 @@
 from __future__ import annotations
 
 import webbrowser
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from itertools import zip_longest
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from matrixworld.cli.console import note, print_wrapped, say
-from matrixworld.cli.figures import (
-    FORMATS,
-    OF_GAME,
-    OF_GROUPS,
-    OF_RUN,
-    Selection,
-    baseline_option,
-    draw,
-    game_figure,
-    open_baselines,
-    planned,
-)
 from matrixworld.cli.options import check_outputs, options, out_option
 from matrixworld.cli.replay import source_of
 from matrixworld.cli.runs import common_directory, finished_groups, run_in, runs_argument
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import open_run
+from matrixworld.coevolution import SavedRun, open_run, open_runs
+from matrixworld.coevolution.evaluation.scores import trained_team
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.explorer import play_page, playground
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
 from matrixworld.world.rules import Rules
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 Run = TypeVar("Run")
+
+FORMATS = ("png", "pdf", "svg")
+# Matplotlib takes half a second to import: the names of figures stand here, and a test compares.
+FIGURES = (
+    "training", "payoff", "generalization", "lag_profile", "collisions", "dynamics", "spinning_top",
+    "comparison", "seeds", "verdicts", "held_out",
+)  # fmt: skip
+"""Figures of runs: the functions of `matrixworld.plots.saved` that draw them."""
+OF_GAME = {
+    "rules": "rules_table",
+    "conflicts": "conflict_outcomes",
+    "interaction": "interaction_models",
+    "right_of_way": "right_of_way",
+}
+"""Figures of the game, which need no run: the functions of `matrixworld.plots` that draw them."""
 
 # \b keeps click from wrapping the lines.
 PLAY_EXAMPLES = """\b
@@ -51,6 +59,28 @@ def open_page(page: Path, opens: bool) -> None:
         note("No browser was found here; open the file in one.")
 
 
+def _baselines(
+    ctx: click.Context, param: click.Parameter, values: Sequence[str]
+) -> dict[str, list[SavedRun]]:
+    opened: dict[str, list[SavedRun]] = {}
+    for value in values:
+        name, _, path = value.partition("=")
+        if not (name and path):
+            raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
+        if name in opened:
+            raise click.BadParameter(f"expected each name once, got {name!r} twice")
+        try:
+            opened[name] = open_runs(path)
+            teams = {trained_team(run)[0] for run in opened[name]}
+        except (FileNotFoundError, ValueError) as error:
+            raise click.BadParameter(f"{name}: {error}") from error
+        if len(teams) != 1:
+            got = "runs of both" if teams else "no finished run"
+            expected = "expected finished runs of one team"
+            raise click.BadParameter(f"{name}: {expected}, got {got} in {path}")
+    return opened
+
+
 @click.command("explore", short_help="Show runs as a page or as figures.")
 @runs_argument(required=False)
 @out_option(
@@ -61,7 +91,7 @@ def open_page(page: Path, opens: bool) -> None:
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
 @click.option(
     "--figure",
-    type=click.Choice([*dict.fromkeys([*OF_RUN, *OF_GROUPS, *OF_GAME])]),
+    type=click.Choice([*FIGURES, *OF_GAME]),
     help="only this figure; the last three show the game and need no RUN",
 )
 @click.option(
@@ -71,7 +101,16 @@ def open_page(page: Path, opens: bool) -> None:
     help="format of the figures; pdf and svg are vector graphics  "
     "[default: that of --out, else png]",
 )
-@baseline_option
+@click.option(
+    "--baseline",
+    "baselines",
+    multiple=True,
+    callback=_baselines,
+    metavar="NAME=RUN",
+    help="a team that was trained in another way (evolve --schedule against): its last generation "
+    "plays against the race's opponents, and is a level line in the figure of generalization. RUN "
+    "may hold a run for each seed of the races. May be repeated",
+)
 @click.option(
     "--width",
     type=click.FloatRange(3, 12),
@@ -88,7 +127,7 @@ def explore_command(
     figures: bool,
     figure: str | None,
     suffix: str | None,
-    baselines: Mapping[str, Path],
+    baselines: dict[str, list[SavedRun]],
     width: float | None,
     each: bool,
     force: bool,
@@ -108,9 +147,9 @@ def explore_command(
     with usage_errors():
         groups = finished_groups(runs) if runs else []
     if figures or figure:
-        suffix = _format(out, suffix)
-        selection = Selection(figure, suffix, open_baselines(baselines), each, width)
-        _draw(groups, common_directory(runs) if runs else Path(), selection, out, force)
+        chosen = {"suffix": _format(out, suffix), "baselines": baselines, "each": each}
+        root = common_directory(runs) if runs else Path()
+        _draw(_files(groups, root, figure, chosen), figure, out, width, force)
         return
     given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
     for option, value in given.items():
@@ -166,19 +205,32 @@ def _format(out: Path | None, suffix: str | None) -> str:
     return found
 
 
-def _draw(
-    groups: Sequence[RunGroup], root: Path, selection: Selection, out: Path | None, force: bool
-) -> None:
-    name = selection.name
+def _files(
+    groups: Sequence[RunGroup], root: Path, name: str | None, chosen: Mapping[str, Any]
+) -> dict[Path, Callable[[], Figure]]:
+    """Return the files of figures, of runs or of the game, with what draws them."""
+    from matrixworld import plots
+    from matrixworld.plots.saved import figures_of
+
     if name in OF_GAME:
         if groups:
             raise click.UsageError(f"--figure {name}: expected no RUN, got {groups[0].name}")
-        files = {Path(f"{name}.{selection.suffix}"): lambda: game_figure(name)}
-    elif groups:
-        _check_races(groups, name)
-        files = planned([group.inside(root) for group in groups], root, selection)
-    else:
+        return {Path(f"{name}.{chosen['suffix']}"): getattr(plots, OF_GAME[name])}
+    if not groups:
         raise click.UsageError(f"expected RUN..., or --figure {' or '.join(OF_GAME)}")
+    _check_races(groups, name)
+    return figures_of([group.inside(root) for group in groups], root, name=name, **chosen)
+
+
+def _draw(
+    files: Mapping[Path, Callable[[], Figure]],
+    name: str | None,
+    out: Path | None,
+    width: float | None,
+    force: bool,
+) -> None:
+    from matrixworld import plots
+
     if out is not None:
         if name is None or len(files) != 1:
             got = f"{len(files)} figures" if name else "no --figure"
@@ -187,7 +239,8 @@ def _draw(
     # All files are checked before the first is drawn.
     check_outputs(*files, force=force)
     for file, figure in files.items():
-        draw({file: figure}, selection.width)
+        with usage_errors(), nullcontext() if width is None else plots.at_width(width):
+            plots.save_figure(figure(), file)
         say(file)
 
 

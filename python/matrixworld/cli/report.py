@@ -8,26 +8,20 @@ from __future__ import annotations
 import textwrap
 import time
 from collections.abc import Mapping, Sequence
-from functools import partial
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 from tqdm import tqdm
 
 from matrixworld._util.files import save_json
-from matrixworld._util.readable import plain_values
-from matrixworld.analysis import headline, interquartile_mean, interval_over_runs, measure_all
+from matrixworld.analysis import headline
 from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.console import WIDEST, command, print_table, print_wrapped, progress, say
-from matrixworld.cli.figures import draw, planned
 from matrixworld.cli.pages import write_explorer
 from matrixworld.cli.runs import print_missing, seeds_finished
-from matrixworld.coevolution import Against, RunDirectory
+from matrixworld.coevolution import Against, Progress, RunDirectory
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.jobs import Job
-from matrixworld.coevolution.progress import Progress
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer.runs_page import PAGE
 
@@ -52,14 +46,18 @@ def report(
     `failed` says why the other runs of the job failed, by their directories; `began` is when the
     job began, by `time.monotonic`, `again` the command that plays more seeds.
     """
-    groups = _groups(job, results, root)
+    runs = {root / name: settings for name, settings in job.items()}
+    groups = grouped(runs, finished=[run.path for run in results])
+    groups = [group.inside(root) for group in groups]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
     with progress() as bar:
-        runs = [run for group in races for run in group.runs]
-        kept_scores(runs, threads=threads, report=bar)
-    _draw(finished, root)
-    _save(groups, results, root, failed)
+        kept_scores([run for g in races for run in g.runs], threads=threads, report=bar)
+    if finished:
+        draw(finished, root)
+    # The summary of a run that was started by itself lies in the same directory.
+    if root not in [run.path for run in results]:
+        _save(groups, root, failed)
     what = "races" if len(races) == len(finished) else "runs"
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
     took = "" if began is None else f" in {tqdm.format_interval(time.monotonic() - began)}"
@@ -76,24 +74,18 @@ def report(
         _print_hints(_hints(finished, root, again))
 
 
-def _draw(finished: Sequence[RunGroup], root: Path) -> None:
+def draw(groups: Sequence[RunGroup], root: Path) -> None:
     """Draw the figures and write the page; figures of an earlier report are replaced."""
-    if not finished:
-        return
-    steps = [partial(draw, {file: figure}) for file, figure in planned(finished, root).items()]
-    steps.append(partial(write_explorer, finished, root / PAGE))
-    with progress("files") as show:
-        for number, step in enumerate(steps):
-            show(Progress("figures, page", number, len(steps)))
-            step()
-        show(Progress("figures, page", len(steps), len(steps)))
+    from matrixworld import plots
+    from matrixworld.plots.saved import figures_of
 
-
-def _groups(job: Job, results: Sequence[RunDirectory], root: Path) -> list[RunGroup]:
-    """Return the groups of all runs of a job, with names inside its directory."""
-    runs = {root / name: settings for name, settings in job.items()}
-    groups = grouped(runs, finished=[run.path for run in results])
-    return [group.inside(root) for group in groups]
+    files = figures_of(groups, root)
+    with progress("files") as bar:
+        for number, (file, figure) in enumerate(files.items()):
+            bar(Progress("figures, page", number, len(files) + 1))
+            plots.save_figure(figure(), file)
+        write_explorer(groups, root / PAGE)
+        bar(Progress("figures, page", len(files) + 1, len(files) + 1))
 
 
 # What is printed:
@@ -150,56 +142,13 @@ def _print_hints(hints: Sequence[tuple[str, str]]) -> None:
         say(f"{why:{width}}  {typed}" if short else f"{why}\n  {typed}")
 
 
-# summary.json:
-
-
-def _save(
-    groups: Sequence[RunGroup],
-    results: Sequence[RunDirectory],
-    root: Path,
-    failed: Mapping[Path, str],
-) -> None:
-    # The summary of a run that was started by itself lies in the same directory.
-    if root in [run.path for run in results]:
-        return
+def _save(groups: Sequence[RunGroup], root: Path, failed: Mapping[Path, str]) -> None:
     singles = [single for group in groups if group.runs for single in group.singles]
     values = {
-        "groups": {group.name: _plain(group) for group in groups},
-        "runs": {one.runs[0].path.relative_to(root).as_posix(): _plain_run(one) for one in singles},
+        "groups": {group.name: group.to_json() for group in groups},
+        "runs": {
+            one.runs[0].path.relative_to(root).as_posix(): one.run_to_json() for one in singles
+        },
         "failed": {path.relative_to(root).as_posix(): problem for path, problem in failed.items()},
     }
     save_json(root / SUMMARY, values)
-
-
-def _plain(group: RunGroup) -> dict[str, Any]:
-    plain: dict[str, Any] = {"finished": list(group.seeds), "missing": list(group.missing)}
-    if not group.runs:
-        return plain
-    if not group.is_race:
-        return {**plain, "measures": plain_values(group.means())}
-    scores = {team: group.held_out(team) for team in TEAMS}
-    return {
-        **plain,
-        "judgement": group.judgement.to_json(),
-        "measures": plain_values(measure_all(group.payoffs)),
-        "held_out": {
-            f"{team}s": {
-                "mean": plain_values(interval_over_runs(np.mean(each, axis=1), bounds=(0.0, 1.0))),
-                "interquartile mean": plain_values(interquartile_mean(each)),
-            }
-            for team, each in scores.items()
-        },
-    }
-
-
-def _plain_run(single: RunGroup) -> dict[str, Any]:
-    """Return the numbers of a run, and of a race what was measured and judged."""
-    [run] = single.runs
-    if not run.settings.is_race:
-        return run.summary()
-    return {
-        **run.summary(),
-        "measures": plain_values(measure_all(single.payoffs)),
-        "judgement": single.judgement.to_json(),
-        "held_out": kept_scores([run])[0],
-    }

@@ -12,7 +12,6 @@ import click
 from matrixworld.cli.console import command, note, print_wrapped
 from matrixworld.coevolution import RunDirectory
 from matrixworld.coevolution.groups import (
-    SEED,
     RunGroup,
     find_runs,
     grouped,
@@ -99,12 +98,6 @@ def run_in(
         expected = "one run"
     got = f"a directory of several: {listed}" if runs else repr(str(path))
     raise click.BadParameter(f"expected {expected}, got {got}", param_hint=setting)
-
-
-def run_name(path: Path) -> str:
-    """Return what a run is called: its directory, or in a job the folder of its seeds."""
-    path = path.absolute()
-    return path.parent.name if SEED.fullmatch(path.name) else path.name
 
 
 def can_resume(path: Path) -> bool:

@@ -9,18 +9,28 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path, PurePath
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.analysis import Estimate, Judgement, interval_over_runs, judge, read_payoffs
+from matrixworld._util.readable import plain_values
+from matrixworld.analysis import (
+    Estimate,
+    Judgement,
+    interquartile_mean,
+    interval_over_runs,
+    judge,
+    measure_all,
+    read_payoffs,
+)
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.jobs import JOB, open_job
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import RunDirectory, run_directories
-from matrixworld.coevolution.types import Team
+from matrixworld.coevolution.types import TEAMS, Team
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], PSRO, ALTERNATING]
@@ -114,6 +124,39 @@ class RunGroup:
             mean, low, high = (row[name + end] for end in ("", "_low", "_high"))
             found[name] = Estimate(mean, low, high, "episodes", row["evaluation_matches"])
         return found
+
+    def to_json(self) -> dict[str, Any]:
+        """Return what was measured and judged of all runs together, as values of JSON."""
+        plain: dict[str, Any] = {"finished": list(self.seeds), "missing": list(self.missing)}
+        if not self.runs:
+            return plain
+        if not self.is_race:
+            return {**plain, "measures": plain_values(self.means())}
+        scores = {f"{team}s": self.held_out(team) for team in TEAMS}
+        return {
+            **plain,
+            "judgement": self.judgement.to_json(),
+            "measures": plain_values(measure_all(self.payoffs)),
+            "held_out": {
+                team: {
+                    "mean": plain_values(interval_over_runs(each.mean(axis=1), bounds=(0.0, 1.0))),
+                    "interquartile mean": plain_values(interquartile_mean(each)),
+                }
+                for team, each in scores.items()
+            },
+        }
+
+    def run_to_json(self) -> dict[str, Any]:
+        """Return the summary of a single run, and of a race what was measured and judged."""
+        [run] = self.runs
+        if not self.is_race:
+            return run.summary()
+        return {
+            **run.summary(),
+            "measures": plain_values(measure_all(self.payoffs)),
+            "judgement": self.judgement.to_json(),
+            "held_out": kept_scores(self.runs)[0],
+        }
 
 
 def open_groups(*directories: str | Path) -> list[RunGroup]:

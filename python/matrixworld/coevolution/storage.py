@@ -209,6 +209,16 @@ class RunDirectory:
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
         save_arrays(self.path / name, arrays, owner=f"{self._owner}/{name}")
 
+    @property
+    def title(self) -> str:
+        """What the run is called, with its schedule and its seed."""
+        path = self.path.absolute()
+        # In a job the directory is that of the seed.
+        name = path.parent.name if path.name == f"seed-{self.settings.seed}" else path.name
+        if self.settings.is_race and self.settings.schedule.name != name:
+            name = f"{name} ({self.settings.schedule.name})"
+        return f"{name}, seed {self.settings.seed}"
+
     # Reading:
 
     def archive(self) -> Archive:

@@ -1,0 +1,246 @@
+"""The figures of saved runs: which there are, what draws each, and into which file.
+
+``figures_of(open_groups("my-races"), "my-races")`` returns those of a job.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from matrixworld import plots
+from matrixworld.analysis import headline
+from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
+from matrixworld.coevolution.groups import RunGroup
+from matrixworld.coevolution.schedules import Against, HallOfFame, curve_window
+from matrixworld.coevolution.storage import SavedRun, open_run
+from matrixworld.coevolution.types import TEAMS, Payoff, Team
+
+Baselines = Mapping[str, Sequence[SavedRun]]
+"""Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
+
+
+def figures_of(
+    groups: Sequence[RunGroup],
+    root: str | Path,
+    *,
+    name: str | None = None,
+    suffix: str = "png",
+    baselines: Baselines | None = None,
+    each: bool = False,
+) -> dict[Path, Callable[[], Figure]]:
+    """Return the files of the figures of runs, each with the function that draws it.
+
+    The figures of a run go into its directory, those of several runs into `root`. Races of several
+    seeds have figures of all seeds together in place of those of each run; several races of one
+    seed are drawn side by side, too.
+
+    Parameters
+    ----------
+    groups : sequence of RunGroup
+        The runs. The names of groups are shown as they are.
+    root : str or Path
+        The directory of what shows several runs.
+    name : str, optional
+        One of `OF_RUN` or `OF_GROUPS`, for this figure alone.
+    suffix : {"png", "pdf", "svg"}, optional
+        The format.
+    baselines : mapping of str to sequence of SavedRun, optional
+        Runs of teams that were trained in another way, for the figure of generalization: one for
+        each seed of the races, or one in all.
+    each : bool, optional
+        Whether those of each run are drawn beside those of several seeds.
+    """
+    baselines = baselines or {}
+    races = [group for group in groups if group.is_race]
+    seeds = [group for group in races if group.several]
+    if name in OF_GROUPS and name not in OF_RUN:
+        together: list[str] = [name]
+    elif seeds:
+        together = ["seeds", "verdicts", "held_out"]
+        together += ["generalization"] if name == "generalization" or baselines else []
+    else:
+        together = ["comparison"] if len(races) > 1 else []
+    alone = [group for group in groups if group not in seeds]
+    if each or (name in OF_RUN and name not in together):
+        alone = [*groups]
+    found: dict[Path, Callable[[], Figure]] = {}
+    for single in [single for group in alone for single in group.singles]:
+        # A spinning top takes the noise of the episodes: of one there is none, unless asked for.
+        few = single.is_race and name is None and (single.payoffs.episodes or 0) < 2
+        for figure in [*OF_RUN][: (len(OF_RUN) - few if single.is_race else 1)]:
+            file = single.runs[0].path / f"{figure}.{suffix}"
+            found[file] = partial(OF_RUN[figure], single, baselines)
+    drawn = {group.name: group for group in seeds or races}
+    for figure in together:
+        found[Path(root) / f"{figure}.{suffix}"] = partial(OF_GROUPS[figure], drawn, baselines)
+    return {file: draw for file, draw in found.items() if name in (None, file.stem)}
+
+
+# ---- Of a run --------------------------------------------------------------------------------
+
+
+def _title(group: RunGroup, shown: str) -> str:
+    return f"{group.runs[0].title}\n{shown}"
+
+
+def _training(group: RunGroup, baselines: Baselines) -> Figure:
+    [run] = group.runs
+    log, schedule = run.log(), run.settings.schedule
+    evaders = log["team"] == "evader"
+    shown, kept = "pursuers and evaders learn in turn", np.ones(len(evaders), bool)
+    if isinstance(schedule, Against):
+        shown = f"{schedule.team}s learn"
+    elif isinstance(schedule, HallOfFame):
+        # Both teams learn from the same matches there, and each logs a row of them: keep one.
+        shown, kept = "both teams learn", ~evaders
+    return plots.training_curve(
+        log["capture_rate"][kept],
+        None if isinstance(schedule, HallOfFame) else evaders,
+        generations=None if isinstance(schedule, Against) else log["generation"][kept],
+        window=curve_window(schedule),
+        title=_title(group, f"Capture rate while {shown}"),
+    )
+
+
+def _payoff(group: RunGroup, baselines: Baselines) -> Figure:
+    title = _title(group, headline(group.judgement))
+    return plots.payoff_heatmap(group.payoffs.matrices[0], title=title)
+
+
+def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
+    scores = baseline_scores(group, baselines)
+    return plots.generalization_curves(
+        group.runs[0].payoff().capture_rates,
+        per_episode=True,
+        pursuer_baselines={name: score for name, [score] in scores["pursuer"].items()},
+        evader_baselines={name: score for name, [score] in scores["evader"].items()},
+        title=_title(group, "Mean score against all opponents"),
+    )
+
+
+def _lag_profile(group: RunGroup, baselines: Baselines) -> Figure:
+    return plots.lag_profile_curve(group.payoffs.matrices[0], title=_title(group, "Lag profile"))
+
+
+def _collisions(group: RunGroup, baselines: Baselines) -> Figure:
+    rates = collisions_per_1000(group.runs[0].payoff())
+    return plots.collision_rates(rates, title=_title(group, "Collisions per 1000 agent-steps"))
+
+
+def _dynamics(group: RunGroup, baselines: Baselines) -> Figure:
+    title = _title(group, "Replicator dynamics of all generations")
+    return plots.replicator_trajectories(group.payoffs.matrices[0], title=title)
+
+
+def _spinning_top(group: RunGroup, baselines: Baselines) -> Figure:
+    title = _title(group, "Strength and cycles of the generations")
+    return plots.spinning_top(group.runs[0].payoff().capture_rates, title=title)
+
+
+OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
+    "training": _training,
+    "payoff": _payoff,
+    "generalization": _generalization,
+    "lag_profile": _lag_profile,
+    "collisions": _collisions,
+    "dynamics": _dynamics,
+    "spinning_top": _spinning_top,
+}
+"""Figures of a race. A run of one team has the first one only."""
+
+
+def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:
+    """Return how often agents collide in 1000 agent-steps: (G, 2, 3), by generation, team, kind."""
+    collisions, steps = payoff.collisions, payoff.agent_steps[..., np.newaxis]
+    # A pursuer generation is a row of the payoff, an evader generation a column.
+    pursuers = collisions[:, :, 0].sum(axis=1) / steps[:, :, 0].sum(axis=1)
+    evaders = collisions[:, :, 1].sum(axis=0) / steps[:, :, 1].sum(axis=0)
+    return 1000 * np.stack([pursuers, evaders], axis=1)
+
+
+# ---- Of several runs, by the names of their groups ---------------------------------------------
+
+Groups = Mapping[str, RunGroup]
+
+
+def _comparison(groups: Groups, baselines: Baselines) -> Figure:
+    singles = {
+        f"{name}, seed {single.seeds[0]}": single
+        for name, group in groups.items()
+        for single in group.singles
+    }
+    rates = {name: single.runs[0].payoff().capture_rates for name, single in singles.items()}
+    judgements = {name: single.judgement for name, single in singles.items()}
+    return plots.comparison(rates, judgements, per_episode=True)
+
+
+def _seeds(groups: Groups, baselines: Baselines) -> Figure:
+    matrices = {name: group.payoffs.matrices for name, group in groups.items()}
+    return plots.seed_bands(matrices, {name: group.judgement for name, group in groups.items()})
+
+
+def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
+    return plots.verdict_strip(
+        {name: group.judgement for name, group in groups.items()},
+        {name: group.seeds for name, group in groups.items()},
+        {name: group.missing for name, group in groups.items()},
+    )
+
+
+def _held_out(groups: Groups, baselines: Baselines) -> Figure:
+    return plots.seed_scores(
+        {name: {team: each.held_out(team) for team in TEAMS} for name, each in groups.items()}
+    )
+
+
+def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
+    scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
+    return plots.generalization_over_seeds(
+        {name: group.payoffs.matrices for name, group in groups.items()},
+        pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
+        evader_baselines={name: each["evader"] for name, each in scores.items()},
+    )
+
+
+OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
+    "comparison": _comparison,
+    "seeds": _seeds,
+    "verdicts": _verdicts,
+    "held_out": _held_out,
+    "generalization": _generalizations,
+}
+"""Figures of several runs: side by side, or over the seeds."""
+
+
+# ---- Baselines: teams that were trained in another way, against the races' opponents -----------
+
+
+def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
+    """Return the mean score of each baseline against all opponents of each race of a group."""
+    scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
+    races = [open_run(run.path) for run in group.runs] if baselines else []
+    for name, runs in baselines.items():
+        trained = [trained_team(_of_seed(name, runs, race.settings.seed)) for race in races]
+        means = [
+            float(scores_in_race(race, team, champion).mean())
+            for race, (team, champion) in zip(races, trained, strict=True)
+        ]
+        # One run for all seeds tells nothing about other runs: its mean has no interval.
+        scores[trained[0][0]][name] = means if len(runs) > 1 else [sum(means) / len(means)]
+    return scores
+
+
+def _of_seed(name: str, runs: Sequence[SavedRun], seed: int) -> SavedRun:
+    """Return the run with the seed of the race; the only one, if there is only one."""
+    found = [run for run in runs if run.settings.seed == seed or len(runs) == 1]
+    if len(found) != 1:
+        raise ValueError(
+            f"baseline {name}: expected one run of seed {seed}, or one in all, got {len(found)}"
+        )
+    return found[0]

@@ -1,0 +1,140 @@
+"""The figures of saved runs, and ``matrixworld explore --figures``."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from command_line import matrixworld_command
+from matrixworld import analysis
+from matrixworld.cli.pages import FIGURES, FORMATS, OF_GAME
+from matrixworld.coevolution import finish, open_groups, open_run, open_runs
+from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
+from matrixworld.plots.saved import OF_GROUPS, OF_RUN, collisions_per_1000, figures_of
+from tiny_race import tiny_race, tiny_single
+
+BEGINS = {"png": b"\x89PNG", "pdf": b"%PDF-", "svg": b"<?xml"}
+TOGETHER = ["seeds", "verdicts", "held_out"]
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run commands in a temporary directory."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two seeds of a race, and a baseline of each team: one for both seeds, one for each."""
+    root = tmp_path_factory.mktemp("runs")
+    for seed in (5, 6):
+        finish(tiny_race(seed=seed), root / "job" / f"seed-{seed}", threads=1)
+        evaders = tiny_single(team="evader", seed=seed)
+        finish(evaders, root / "evaders" / f"seed-{seed}", threads=1)
+    finish(tiny_race(schedule="hall-of-fame"), root / "hall", threads=1)
+    finish(tiny_single(team="pursuer"), root / "pursuers", threads=1)
+    return root
+
+
+def files_of(root: Path, *places: str, **chosen: object) -> list[str]:
+    groups = open_groups(*(root / place for place in places))
+    figures = figures_of([group.inside(root) for group in groups], root, **chosen)
+    return [file.relative_to(root).as_posix() for file in figures]
+
+
+def test_the_command_knows_the_names_of_all_figures():
+    assert [*FIGURES] == [*dict.fromkeys([*OF_RUN, *OF_GROUPS])]
+
+
+def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
+    of_run = [f"{name}.png" for name in OF_RUN]
+    assert files_of(runs, "hall") == [f"hall/{name}" for name in of_run]
+    assert files_of(runs, "pursuers", suffix="pdf") == ["pursuers/training.pdf"]
+    assert files_of(runs, "job") == [f"{name}.png" for name in TOGETHER]
+    seeds = [f"job/seed-{seed}/{name}" for seed in (5, 6) for name in of_run]
+    assert files_of(runs, "job", each=True) == [*seeds, *(f"{name}.png" for name in TOGETHER)]
+    assert files_of(runs, "job", name="payoff") == [f"job/seed-{n}/payoff.png" for n in (5, 6)]
+    baselines = {"alone": open_runs(runs / "pursuers")}
+    assert files_of(runs, "job", baselines=baselines)[-1] == "generalization.png"
+    both = [f"{place}/{name}" for place in ("hall", "job/seed-5") for name in of_run]
+    assert files_of(runs, "hall", "job/seed-5") == [*both, "comparison.png"]
+
+
+def test_titles_name_the_run_its_seed_and_what_was_judged(runs):
+    groups = open_groups(runs / "job" / "seed-5", runs / "hall")
+    figures = figures_of(groups, runs)
+    for group in groups:
+        [run] = group.runs
+        for name in OF_RUN:
+            figure = figures[run.path / f"{name}.png"]()
+            title = figure.get_suptitle() or figure.axes[0].get_title()
+            assert title.startswith(f"{run.title}\n")
+        title = figures[run.path / "payoff.png"]().axes[0].get_title()
+        assert title == f"{run.title}\n{analysis.headline(group.judgement)}"
+    assert [group.runs[0].title for group in groups] == [
+        "job (generalist-generalist), seed 5", "hall (hall-of-fame), seed 5",
+    ]  # fmt: skip
+    heads = figures[runs / "comparison.png"]().axes[:2]
+    for group, axes in zip(groups, heads, strict=True):
+        said = " ".join(" ".join(text.get_text() for text in axes.texts).split())
+        assert analysis.headline(group.judgement) in said
+
+
+def test_collisions_are_counted_per_1000_steps_of_an_agent(race):
+    payoff = open_run(race).payoff()
+    rates = collisions_per_1000(payoff)
+    assert rates.shape == (3, 2, 3)
+    row = sum(payoff.collisions[1, h, 0, 0] for h in range(3))
+    assert rates[1, 0, 0] == pytest.approx(1000 * row / payoff.agent_steps[1, :, 0].sum())
+    column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
+    assert rates[2, 1, 1] == pytest.approx(1000 * column / payoff.agent_steps[:, 2, 1].sum())
+
+
+def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], int]:
+    """Return the level lines of the figure of generalization, and the number of intervals."""
+    groups = open_groups(runs / place)
+    opened = {name: open_runs(runs / path) for name, path in baselines.items()}
+    [draw] = figures_of(groups, runs, name="generalization", baselines=opened).values()
+    (axes,) = draw().axes
+    return {line.get_label(): line.get_ydata()[0] for line in axes.lines[2:]}, len(axes.patches)
+
+
+def mean_score(race: Path, baseline: Path) -> float:
+    """Return the score of a baseline by the payoff matrix of the tournament."""
+    team, champion = trained_team(open_run(baseline))
+    return float(np.mean(scores_in_race(open_run(race), team, champion)))
+
+
+def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
+    job, alone = runs / "job", runs / "pursuers"
+    # The baseline with the seed of the race.
+    lines, intervals = levels(runs, "job/seed-6", alone="pursuers", others="evaders")
+    one = mean_score(job / "seed-6", runs / "evaders" / "seed-6")
+    assert lines == {"alone": mean_score(job / "seed-6", alone), "others": one}
+    assert intervals == 0
+    lines, intervals = levels(runs, "job", alone="pursuers", others="evaders")
+    pairs = [(job / f"seed-{n}", runs / "evaders" / f"seed-{n}") for n in (5, 6)]
+    assert lines["others"] == pytest.approx(np.mean([mean_score(*pair) for pair in pairs]))
+    assert intervals == 1  # one run for both seeds has none
+    finish(tiny_single(seed=7), "others/seed-7")
+    finish(tiny_single(seed=8), "others/seed-8")
+    with pytest.raises(ValueError, match="baseline x: expected one run of seed 5, or one in all"):
+        levels(runs, "hall", x=str(Path("others").absolute()))
+
+
+# The command
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_one_figure_in_a_format_and_a_width(runs, suffix):
+    race, file = runs / "job" / "seed-5", f"here.{suffix}"
+    words = ["explore", race, "--figure", "collisions", "--width", 3.35, "--out", file]
+    assert matrixworld_command(*words).output == f"{file}\n"
+    assert Path(file).read_bytes().startswith(BEGINS[suffix])
+
+
+@pytest.mark.parametrize("name", OF_GAME)
+def test_a_figure_of_the_game_needs_no_run(name):
+    words = ["explore", "--figure", name, "--format", "svg"]
+    assert matrixworld_command(*words).output == f"{name}.svg\n"
+    assert Path(f"{name}.svg").read_bytes().startswith(BEGINS["svg"])
