@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from command_line import RACE, matrixworld_command, run_together, words
+from command_line import RACE, evolved, matrixworld_command, run_together, words
 from matrixworld.cli import cluster
 from matrixworld.coevolution import evolve, finish, open_run
 from scripts import group_lives, kill_group, wait_until
@@ -154,7 +154,7 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
     assert process.returncode == 130, told.decode()
     assert f"matrixworld evolve --resume {out}" in told.decode()
     assert "Traceback" not in told.decode()
-    matrixworld_command("evolve", "--resume", out)
+    evolved("--resume", out)
     path = out / "generalist-generalist" / "seed-0"
     finish(open_run(path).settings, tmp_path / "straight", threads=1)
     assert results(path) == results(tmp_path / "straight")

@@ -21,15 +21,16 @@ from command_line import (
     PNG,
     RACE,
     WORLD,
+    evolved,
     matrixworld_command,
     words,
 )
 from matrixworld._util.files import locked
-from matrixworld.cli.evolve import _default_directory, _live_page, _new_job
+from matrixworld.cli.evolve import _default_directory, _live_page, _new_job, evolve_command
+from matrixworld.cli.options import given_options
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import (
     TEAMS,
-    Race,
     RaceSettings,
     finish,
     open_run,
@@ -37,8 +38,6 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution import jobs as jobs_module
-from matrixworld.coevolution.evaluation import scores as scores_module
-from matrixworld.coevolution.groups import find_runs
 from matrixworld.coevolution.sections import leaves
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
@@ -53,7 +52,7 @@ def copy(main_job: tuple[Path, Result], tmp_path: Path) -> Path:
 
 
 def test_the_help_of_all_settings_has_every_one_with_its_default():
-    shown = " ".join(matrixworld_command("evolve", "--help-all").output.split())
+    shown = " ".join(evolved("--help-all").output.split())
     # Lines may end at a hyphen.
     shown = shown.replace("- ", "-")
     for kind in ("es", "ga", "cma", "actor-critic", "own"):
@@ -75,17 +74,17 @@ def test_without_options_the_settings_are_those_of_the_package():
     ]
 
 
-def test_options_become_settings(undrawn):
+def test_options_become_settings():
     more = {"anneal": "true", "diagonal": "true", "activation": "tanh", "sigma": ".2"}
-    more |= {"hidden": "5,4", "obstacles": "0.1"}
-    matrixworld_command(
-        "evolve", "--out", "job", *words({**RACE, **more}), "--variant", "sb",
-        "--schedule", "generalist-specialist",
-    )  # fmt: skip
-    assert open_run("job/generalist-specialist/seed-5").settings == tiny_race(
-        schedule="generalist-specialist", anneal=True, diagonal=True, activation="tanh",
-        rules="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
-    )  # fmt: skip
+    more |= {"hidden": "5,4", "obstacles": "0.1", "schedule": "generalist-specialist"}
+    typed = [*words({**RACE, **more}), "--variant", "sb"]
+    with evolve_command.make_context("evolve", typed) as context:
+        assert settings_of(given_options(context.params)) == [
+            tiny_race(
+                schedule="generalist-specialist", anneal=True, diagonal=True, activation="tanh",
+                rules="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
+            )
+        ]  # fmt: skip
 
 
 def test_a_setting_of_one_schedule_of_a_job_is_left_out_of_the_others():
@@ -123,12 +122,12 @@ def test_settings_from_a_file(undrawn, tmp_path):
     assert (race.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
 
     Path("race.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
-    said = matrixworld_command("evolve", "--config", os.devnull, code=1).stderr
+    said = evolved("--config", os.devnull, code=1).stderr
     assert said == f"Error: {os.devnull}: expected a file, got a device\n"  # it may have no end
-    said = matrixworld_command("evolve", "--config", "race.toml", code=2).stderr
+    said = evolved("--config", "race.toml", code=2).stderr
     assert "--variant: expected one of" in said
     start(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run").run()
-    matrixworld_command("evolve", "--out", "again", "--config", "run/config.json", "--seed", 6)
+    evolved("--out", "again", "--config", "run/config.json", "--seed", 6)
     again = open_run("again/generalist-generalist/seed-6").settings
     assert again == tiny_race(learner="ga", mutation=1 / 3, seed=6)
 
@@ -184,7 +183,7 @@ BAD = [
 
 @pytest.mark.parametrize(("options", "message"), BAD, ids=[" ".join(bad[0]) for bad in BAD])
 def test_bad_options_are_refused_before_anything_is_written(options, message, tmp_path):
-    result = matrixworld_command("evolve", "--out", "out", *options, code=2)
+    result = evolved("--out", "out", *options, code=2)
     assert message in result.stderr
     assert list(tmp_path.iterdir()) == []
 
@@ -221,24 +220,6 @@ def test_the_main_job_has_equal_training_matches(tmp_path):
     assert max(matches.values()) <= 1.01 * min(matches.values()), matches
 
 
-def test_a_job_plays_and_scores_each_run_once(undrawn, monkeypatch):
-    counts = {"built": 0, "scored": 0}
-    jobs = len(MAIN_JOB)
-
-    def counted(what, function):
-        def count(*args, **options):
-            counts[what] += 1
-            return function(*args, **options)
-
-        return count
-
-    monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
-    monkeypatch.setattr(scores_module, "score", counted("scored", scores_module.score))
-    matrixworld_command("evolve", "--out", "out", *words(JOB))
-    # Who plays a run builds it, and afterwards only its files are read.
-    assert counts == {"built": jobs, "scored": jobs}
-
-
 def test_the_commands_that_it_suggests_work(main_job, copy):
     told = main_job[1].stdout.splitlines()
     lines = [line for line in told if line.startswith("  matrixworld ")]
@@ -254,7 +235,7 @@ def test_the_commands_that_it_suggests_work(main_job, copy):
     [("SB", "--variant SB"), ("help", "--help"), ("my races", "--out 'my races'")],
 )
 def test_a_word_that_is_no_option_is_refused_with_what_was_meant(word, meant):
-    said = matrixworld_command("evolve", word, code=2).stderr
+    said = evolved(word, code=2).stderr
     assert "expected options only" in said
     assert f"matrixworld evolve {meant}" in said
     assert not [*Path().iterdir()]
@@ -262,27 +243,24 @@ def test_a_word_that_is_no_option_is_refused_with_what_was_meant(word, meant):
 
 def test_without_output_the_directory_is_told_and_not_used_twice(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
-    first = matrixworld_command("evolve", *one).stderr
+    first = evolved(*one).stderr
     assert re.match(r"-O, 2 pursuers and \d evaders, 1 race, about .*, in runs/O-seed5\n", first)
-    second = matrixworld_command("evolve", *one, code=2).stderr
+    second = evolved(*one, code=2).stderr
     assert "--out: expected a new or empty directory, got 'runs/O-seed5'; " in second
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
 
 
-def test_all_schedules_and_the_hall_of_fame(undrawn):
-    chosen = ["--schedule", "all", "--schedule", "hall-of-fame"]
-    matrixworld_command("evolve", "--out", "out", *words(JOB), *chosen)
-    runs = find_runs(Path("out"))
+def test_the_runs_of_a_job_are_in_the_order_of_their_schedules():
+    job = _new_job({"schedule": ("hall-of-fame", "all"), "seeds": (10, 2)})
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
-    assert [path.parent.name for path in runs] == schedules
-    assert [open_run(path).settings.schedule.name for path in runs] == schedules
+    assert [*job] == [f"{name}/seed-{seed}" for name in schedules for seed in (10, 2)]
 
 
 def test_one_team_alone_against_a_script_and_then_against_the_result():
     # So small that some evaders are still captured.
     steps = {"sigma": 0.1, "learning_rate": 0.02}
     alone = {**WORLD, "schedule": "against", "epochs": 5, "archive_every": 2, **steps}
-    result = matrixworld_command("evolve", "--out", "first", *words({**alone, "team": "evader"}))
+    result = evolved("--out", "first", *words({**alone, "team": "evader"}))
     start(tiny_single(team="evader", **steps), "again").run()
     first = Path("first/evader-against-random/seed-5")
     assert results(first) == results(Path("again"))
@@ -292,7 +270,7 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     assert f"an episode takes {numbers['length']:.0f} steps\n" in result.stdout
     assert (first / "training.png").read_bytes().startswith(PNG)
     # The directory of a job of one run stands for the run.
-    matrixworld_command("evolve", "--out", "next", *words({**alone, "opponent": "first"}))
+    evolved("--out", "next", *words({**alone, "opponent": "first"}))
     archive = open_run("next/pursuer-against-evader-against-random/seed-5").files.archive()
     last = open_run(first).files.archive()["evader"][-1]
     assert np.array_equal(archive["evader"], last[None])
@@ -300,9 +278,9 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
 
 def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
     against = words({"schedule": "against", "opponent": copy / PLACES[0], "fov": 5})
-    result = matrixworld_command("evolve", "--out", "out", *against, code=2)
+    result = evolved("--out", "out", *against, code=2)
     assert "opponents: expected a network for fov 5" in result.stderr
-    result = matrixworld_command("evolve", "--out", "out", *against[:-2], "--set",
+    result = evolved("--out", "out", *against[:-2], "--set",
                                  f"schedule.start={copy}", code=2)  # fmt: skip
     assert "schedule.start: expected one run, got a directory of several" in result.stderr
     assert not Path("out").exists()
@@ -311,22 +289,21 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 # Interrupting and going on
 
 
-@pytest.mark.parametrize("calls", [0, 7])  # before the first epoch, and in the middle
-def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeypatch, calls):
-    play = StopAt(calls)
+def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(main_job, undrawn, monkeypatch):
+    play = StopAt(7)  # in the middle of an epoch
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
         patch.setattr(jobs_module, "finish", partial(finish, play=play))
-        result = matrixworld_command("evolve", "--out", "out", *one, code=130)
+        result = evolved("--out", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
-    resumed = matrixworld_command("evolve", "--resume", "out")
+    resumed = evolved("--resume", "out")
     assert "1 race done" in resumed.stdout
     assert results(Path("out") / PLACES[2]) == results(main_job[0] / PLACES[2])
 
 
 def test_a_locked_run_gives_an_error_of_one_line(copy):
     with locked(copy / ".lock"):
-        refused = matrixworld_command("evolve", "--resume", copy, code=1)
+        refused = evolved("--resume", copy, code=1)
     assert "Error: " in refused.stderr
     assert "another process is running there" in refused.stderr
 
@@ -339,5 +316,5 @@ def test_a_live_page_is_told_and_shows_the_races_of_the_finished_page(
         seeds = {name.rpartition("/")[2] for name in page._names}
     assert len(page._names) == 12
     assert seeds == {f"seed-{n}" for n in range(4)}
-    told = matrixworld_command("evolve", "--live", "--out", "race", *words(RACE), "--threads", 1)
+    told = evolved("--live", "--out", "race", *words(RACE), "--threads", 1)
     assert re.search(r"^Live: http://127\.0\.0\.1:\d+/[\w-]{22}/$", told.stderr, re.MULTILINE)

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from command_line import RACE, judged_in, matrixworld_command, run_together, words
+from command_line import RACE, evolved, judged_in, matrixworld_command, run_together, words
 from matrices import circular, logistic
 from matrixworld._util.files import load_json
 from matrixworld.analysis import CONDITIONS, MEASURES, headline, judge, read_payoffs
@@ -106,13 +106,13 @@ def test_files_of_means_need_their_number_of_episodes():
 
 @pytest.mark.usefixtures("undrawn")
 def test_all_commands_come_to_the_same_judgement():
-    evolved = matrixworld_command("evolve", "--out", "run", *words(EVOLVED), "--threads", 1).stdout
+    told_by_evolve = evolved("--out", "run", *words(EVOLVED), "--threads", 1).stdout
     path = Path("run/specialist-specialist/seed-5")
     [group] = open_groups(path)
     expected = judge(group.payoffs.scores, per_episode=True)
     assert expected.window == "last half"
-    assert run_together(headline(expected)) in run_together(evolved)
-    assert all(numbers in evolved for numbers in headline_numbers(expected))
+    assert run_together(headline(expected)) in run_together(told_by_evolve)
+    assert all(numbers in told_by_evolve for numbers in headline_numbers(expected))
     same = ["--seed", 5, "--episodes", 5, "--steps", 12]
     told = {
         "judge": judged(path)[0],

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from command_line import MAIN_JOB, RACE, matrixworld_command, run_together, words
+from command_line import MAIN_JOB, RACE, evolved, matrixworld_command, run_together, words
 from matrixworld.cli import main, report
 from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
@@ -119,7 +119,7 @@ def test_finished_runs_are_read_and_not_continued_without_the_code(straight):
     for command in (["judge", "RUN"], ["score", "RUN", "--episodes", "2"]):
         matrixworld_command(*command)
     assert "mine" not in sys.modules
-    said = matrixworld_command("evolve", "--resume", "RUN", code=2).stderr
+    said = evolved("--resume", "RUN", code=2).stderr
     assert run_together(said).endswith(
         "Error: learner: expected a module that can be imported, got 'mine:Learner' (No module "
         "named 'mine'); install the package that has it, or put its folder on PYTHONPATH"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
+from command_line import MAIN_JOB, RACE, WORLD, evolved, words
 from matrixworld.coevolution import finish
 from matrixworld.coevolution.groups import find_runs
 from matrixworld.coevolution.jobs import open_job
@@ -21,7 +21,7 @@ ALONE = {name: value for name, value in WORLD.items() if name != "seed"}
 
 def test_a_directory_for_each_schedule_and_seed(undrawn):
     chosen = ["--schedule", MAIN_JOB[0], "--schedule", MAIN_JOB[2]]
-    said = matrixworld_command("evolve", "--out", "out", "--seeds", "2,10", *chosen, *words(ONE))
+    said = evolved("--out", "out", "--seeds", "2,10", *chosen, *words(ONE))
     names = [f"{name}/seed-{n}" for name in (MAIN_JOB[0], MAIN_JOB[2]) for n in (2, 10)]
     assert find_runs(Path("out")) == [Path("out") / name for name in names]
     assert find_runs(Path("out") / MAIN_JOB[2]) == [Path("out") / name for name in names[2:]]
@@ -30,17 +30,15 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     assert results(Path("out") / names[3]) == results(Path("alone"))
     assert "(4 of 4 runs)" in said.stderr
     before = {path: path.read_bytes() for path in Path("out").rglob("*.*") if path.is_file()}
-    again = matrixworld_command("evolve", "--resume", "out")
+    again = evolved("--resume", "out")
     # The first line has the time.
     assert again.stdout.splitlines()[1:] == said.stdout.splitlines()[1:]
     assert {path: path.read_bytes() for path in before} == before
-    refused = matrixworld_command(
-        "evolve", "--out", "out", "--seeds", "2,10", *chosen, *words(ONE), code=2
-    )
+    refused = evolved("--out", "out", "--seeds", "2,10", *chosen, *words(ONE), code=2)
     assert "matrixworld evolve --resume out continues the run in it" in refused.stderr
-    part = matrixworld_command("evolve", "--resume", f"out/{MAIN_JOB[0]}", code=2)
+    part = evolved("--resume", f"out/{MAIN_JOB[0]}", code=2)
     assert "expected a whole job, got a part of it; matrixworld evolve --resume out" in part.stderr
-    added = matrixworld_command("evolve", "--resume", "out", "--seeds", "3", code=2)
+    added = evolved("--resume", "out", "--seeds", "3", code=2)
     assert (
         "expected no settings beside it, because a run keeps its own, got --seeds" in added.stderr
     )
@@ -55,10 +53,10 @@ def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
 
     monkeypatch.setattr("matrixworld.cli.evolve.report", keep)
     one = ["--schedule", MAIN_JOB[2], *words(ONE)]
-    matrixworld_command("evolve", "--out", "out", "--seeds", "0-2", *one)
+    evolved("--out", "out", "--seeds", "0-2", *one)
     runs = find_runs(Path("out"))
     (runs[1] / "payoff.npz").write_bytes(b"PK")
-    said = matrixworld_command("evolve", "--resume", "out", code=1)
+    said = evolved("--resume", "out", code=1)
     assert f"Error: 1 of 3 runs failed:\n  {runs[1]}: " in said.stderr
     assert "payoff.npz: cut or altered" in said.stderr
     assert "To try them again:\n  matrixworld evolve --resume out\n" in said.stderr
@@ -67,7 +65,7 @@ def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
     assert list(seen["failed"]) == [runs[1]]
     # Results follow from the other files: without the damaged one they are made again.
     (runs[1] / "payoff.npz").unlink()
-    matrixworld_command("evolve", "--resume", "out")
+    evolved("--resume", "out")
     assert seen["seeds"] == [0, 1, 2]
     assert not seen["failed"]
 
@@ -108,28 +106,10 @@ def test_stopped_and_killed_and_resumed_ends_the_same(monkeypatch):
     process.kill()
     process.communicate()
     wait_until(lambda: not group_lives(process.pid), "end of all processes", 10.0)
-    matrixworld_command("evolve", "--resume", "out")
+    evolved("--resume", "out")
     settings = tiny_race(**{**longer, "hidden": (4,)}, schedule=MAIN_JOB[0], seed=1)
     finish(settings, "straight")
     assert results(Path(f"out/{MAIN_JOB[0]}/seed-1")) == results(Path("straight"))
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-def test_ctrl_c_in_a_single_run_leaves_what_its_continuation_needs(undrawn):
-    # Long enough to be met in its middle: no worker process, whose start would take time, is there.
-    longer = {**RACE, "generations": 6, "pursuer_epochs": 40, "evader_epochs": 40}
-    process = process_of("--out", "out", "--schedule", MAIN_JOB[0], *words(longer))
-    run = Path("out") / MAIN_JOB[0] / f"seed-{RACE['seed']}"
-    wait_until((run / "stage-0001.npz").exists, "a stage")
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert "matrixworld evolve --resume out\n" in errors
-    assert "Traceback" not in errors
-    assert not (run / "summary.json").exists()
-    matrixworld_command("evolve", "--resume", "out")
-    finish(tiny_race(**{**longer, "hidden": (4,)}, schedule=MAIN_JOB[0]), "straight")
-    assert results(run) == results(Path("straight"))
 
 
 def test_runs_that_were_put_together_by_hand_are_continued(undrawn):
@@ -137,7 +117,7 @@ def test_runs_that_were_put_together_by_hand_are_continued(undrawn):
         finish(tiny_race(seed=seed), f"mine/{seed}")
     Path("mine/1/summary.json").unlink()
     before = Path("mine/0/summary.json").read_bytes()
-    said = matrixworld_command("evolve", "--resume", "mine").stdout
+    said = evolved("--resume", "mine").stdout
     assert Path("mine/1/summary.json").exists()
     assert Path("mine/0/summary.json").read_bytes() == before
     assert not Path("mine/job.json").exists()

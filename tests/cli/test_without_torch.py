@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from command_line import READING, matrixworld_command, words
+from command_line import READING, evolved, matrixworld_command, words
 from matrixworld.coevolution import finish, start
 from tiny_race import tiny_race, tiny_single
 
@@ -50,7 +50,7 @@ def test_learning_is_refused_with_the_command_that_installs_it(
 ) -> None:
     monkeypatch.chdir(runs)
     before = files(runs)
-    told = matrixworld_command("evolve", *arguments, code=1).output
+    told = evolved(*arguments, code=1).output
     assert told.strip() == f"Error: expected the module torch, which is not installed: {HINT}"
     assert files(runs) == before
     assert not (runs / "new").exists()

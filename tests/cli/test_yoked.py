@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from command_line import matrixworld_command, run_together
+from command_line import evolved, matrixworld_command, run_together
 from matrixworld.cli import report
 from matrixworld.cli.evolve import _default_directory, _new_job
 from matrixworld.cli.pages import write_explorer
@@ -38,7 +38,7 @@ def test_each_seed_replays_the_race_of_the_next_one(
     }  # fmt: skip
     assert f"\n{NAME} " in said
     assert "--seeds 0-9" not in said  # advice for races that need no other job
-    again = matrixworld_command("evolve", "--resume", "out").stdout
+    again = evolved("--resume", "out").stdout
     assert again.splitlines()[1:] == said.splitlines()[1:]
     # Seeds are judged together, and apart from the races that they replay.
     judged = matrixworld_command("judge", "out", real).stdout
@@ -66,6 +66,6 @@ def test_what_cannot_be_replayed_is_refused(
     real: Path, place: str, options: list[object], says: str
 ) -> None:
     where = ["--out", "out", "--yoked", real.parent / place]
-    error = matrixworld_command("evolve", *where, *options, code=2).stderr
+    error = evolved(*where, *options, code=2).stderr
     assert re.search(rf"--yoked: .*{says}", run_together(error)), error
     assert not Path("out").exists()

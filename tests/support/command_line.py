@@ -62,6 +62,11 @@ def matrixworld_command(*args: object, code: int = 0) -> Result:
     return result
 
 
+def evolved(*args: object, code: int = 0) -> Result:
+    """Run ``matrixworld evolve``."""
+    return matrixworld_command("evolve", *args, code=code)
+
+
 def run_together(output: str) -> str:
     """Return an output without line breaks and indentation."""
     return " ".join(output.split())

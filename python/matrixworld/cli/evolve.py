@@ -47,7 +47,7 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import TEAMS, HallOfFame, RaceSettings, RunDirectory
+from matrixworld.coevolution import HallOfFame, RaceSettings, RunDirectory
 from matrixworld.coevolution.groups import find_runs, place_in_job
 from matrixworld.coevolution.jobs import (
     BAD_FILES,
@@ -71,6 +71,9 @@ RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
 SHOWN_SECONDS = 4.0
 """About what scores and figures of the runs of a schedule take, beside their matches."""
+SAMPLED, LEARNED = 0.2, 1.25
+"""Seconds of matches from which the time of a job is estimated, and how much longer its matches
+take, on average, because teams learn to move."""
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -323,18 +326,16 @@ def _live_page(job: Job, root: Path) -> LivePage:
 
 
 def _check_new(root: Path) -> None:
-    if root.exists():
-        try:
-            RunDirectory(root).check_empty()
-        except FileExistsError as error:
-            hint = (
-                f"; {resume_command(root)} continues the run in it, or prints its result again"
-                if can_resume(root)
-                else ""
-            )
-            raise click.UsageError(
-                f"--out: expected a new or empty directory, got {str(root)!r}{hint}"
-            ) from error
+    if not root.exists():
+        return
+    try:
+        RunDirectory(root).check_empty()
+    except FileExistsError as error:
+        told = f"--out: expected a new or empty directory, got {str(root)!r}"
+        if can_resume(root):
+            again = "continues the run in it, or prints its result again"
+            told = f"{told}; {resume_command(root)} {again}"
+        raise click.UsageError(told) from error
 
 
 # What is announced:
@@ -356,11 +357,6 @@ def _plan(job: Job, root: Path, threads: int | None, *, timed: bool) -> str:
     return f"{', '.join(parts)}, in {root}"
 
 
-SAMPLED, LEARNED = 0.2, 1.25
-"""Seconds of matches from which the time of a job is estimated, and how much longer its matches
-take, on average, because teams learn to move."""
-
-
 def _seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | None:
     """Estimate how long the matches of races take, from those of one epoch of untrained teams.
 
@@ -371,37 +367,34 @@ def _seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | N
     if first.learner.rounds_by_processor:
         return None
     size, network = first.learner.population, first.network
-    pursuers = Population(np.stack([network.initial(np.random.default_rng(0))] * size), network)
-    evaders = Population(network.initial(np.random.default_rng(1))[np.newaxis], network)
+    genomes = np.stack([network.initial(np.random.default_rng(n)) for n in range(size)])
+    teams = Population(genomes, network), Population(genomes[:1], network)
     matches = Matches.of(np.arange(size), 0, np.arange(size))
     calls, passed, began = 0, 0.0, time.perf_counter()
     while passed < SAMPLED:
-        rollout(first.training_world, pursuers, evaders, matches, threads=threads)
+        rollout(first.training_world, *teams, matches, threads=threads)
         calls, passed = calls + 1, time.perf_counter() - began
-    return LEARNED * matches_of(races) * passed / (calls * size)
+    return LEARNED * sum(map(_matches_of, races)) * passed / (calls * size)
 
 
-def matches_of(races: Sequence[RaceSettings]) -> float:
-    """Return how many matches races play, those of the evaluation in units of training matches."""
-    trained = 0
-    for race in races:
-        schedule = race.schedule
-        # A match of two living individuals is one match, here of the pursuers.
-        living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
-        met = {"pursuer": schedule.opponents_met, "evader": schedule.opponents_met - living}
-        epochs = sum(schedule.total_epochs(team) * met[team] for team in TEAMS)
-        trained += epochs * race.learner.population * race.match_episodes
-    # Generation 0 is evaluated, too; the matches of the evaluation are longer.
-    evaluated = sum(race.schedule.entries**2 * race.evaluation_episodes for race in races)
-    return trained + evaluated * races[0].world.max_steps / races[0].train_steps
+def _matches_of(race: RaceSettings) -> float:
+    """Return how many matches a race plays; those of the evaluation are longer."""
+    schedule = race.schedule
+    # A match of two living individuals is one match, here of the pursuers.
+    living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
+    epochs = schedule.total_epochs("pursuer") * schedule.opponents_met
+    epochs += schedule.total_epochs("evader") * (schedule.opponents_met - living)
+    evaluated = schedule.entries**2 * race.evaluation_episodes
+    trained = epochs * race.learner.population * race.match_episodes
+    return trained + evaluated * race.world.max_steps / race.train_steps
 
 
 def _in_words(seconds: float) -> str:
     # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
-    for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
-        if seconds >= 1.5 * length:
-            return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
-    return f"{seconds:.{0 if seconds >= 10 else 1}f} seconds"
+    for unit, length in (("hours", 3600), ("minutes", 60), ("seconds", 1)):
+        if seconds >= 1.5 * length or unit == "seconds":
+            break
+    return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
 
 
 def _more_seeds() -> str:

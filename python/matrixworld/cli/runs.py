@@ -74,30 +74,28 @@ def run_in(
     runs = find_runs(Path(path))
     if race is not None and runs == [Path(path)]:
         raise click.UsageError(f"--race: expected a directory of several races, got the run {path}")
-    below = [run.relative_to(path) for run in runs]
-    wanted = () if race is None else PurePath(race).parts
+    wanted = PurePath(race or "").parts
+    below = {run: run.relative_to(path) for run in runs}
     chosen = [
         run
-        for run, name in zip(runs, below, strict=True)
+        for run, name in below.items()
         if wanted in (name.parts[: len(wanted)], name.parts[-len(wanted) :])
     ]
     if len(chosen) == 1:
         return chosen[0]
-    names = list(map(str, runs if setting else below))
-    if runs and setting is None:
-        # The seed is left out where there is one only.
-        short = list(dict.fromkeys(name.parts[0] for name in below))
-        names = short if len(short) == len(below) else names
+    if not runs:
+        raise click.BadParameter(f"expected {expected}, got {str(path)!r}", param_hint=setting)
+    # The seed is left out where there is one only.
+    short = list(dict.fromkeys(name.parts[0] for name in below.values()))
+    names = short if len(short) == len(runs) else [*map(str, below.values())]
     listed = ", ".join([*names[:MOST_NAMES], *["..."] * (len(names) > MOST_NAMES)])
-    if runs and setting is None:
-        raise click.UsageError(
-            f"{path}: expected one of its {len(runs)} races, got {race or 'none'}; --race NAME "
-            f"with {listed}"
-        )
-    if runs:
-        expected = "one run"
-    got = f"a directory of several: {listed}" if runs else repr(str(path))
-    raise click.BadParameter(f"expected {expected}, got {got}", param_hint=setting)
+    if setting is not None:
+        got = f"a directory of several: {listed}"
+        raise click.BadParameter(f"expected one run, got {got}", param_hint=setting)
+    raise click.UsageError(
+        f"{path}: expected one of its {len(runs)} races, got {race or 'none'}; --race NAME with "
+        f"{listed}"
+    )
 
 
 def can_resume(path: Path) -> bool:
