@@ -18,7 +18,13 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, DrawnOpponents, MetaOpponents
-from matrixworld.coevolution.sections import different_settings, hints_of, leaves, sections_in
+from matrixworld.coevolution.sections import (
+    different_settings,
+    hints_of,
+    leaves,
+    sections_in,
+    values_of,
+)
 from matrixworld.coevolution.settings import MOST_SEED
 from tiny_race import settings_of, tiny_race, tiny_single
 
@@ -63,7 +69,7 @@ ALONE = {"schedule": "against", "learner.population": 128, "learner.relative_sig
     ],
 )  # fmt: skip
 def test_defaults_are_those_that_were_seen_to_work(kinds, expected):
-    found = {leaf.path: leaf.value for leaf in leaves(RaceSettings(**kinds))}
+    found = values_of(RaceSettings(**kinds))
     assert {path: found[path] for path in expected} == expected
 
 

@@ -11,7 +11,7 @@ from matrixworld.analysis.judge import RULES
 from matrixworld.cli.setting_options import option_of
 from matrixworld.coevolution import Alternating, RaceSettings
 from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule, Yoked
-from matrixworld.coevolution.sections import leaves
+from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.types import TEAMS
 
 TWICE = "twice"
@@ -33,7 +33,7 @@ class Advice:
 
     def options(self, settings: RaceSettings) -> dict[str, Any]:
         """Return the settings that change, with their new values."""
-        present = {leaf.path: leaf.value for leaf in leaves(settings)}
+        present = values_of(settings)
         values = {
             name: doubled(present.get(name)) if value == TWICE else value
             for name, value in self.changes.items()

@@ -109,7 +109,7 @@ class Section:
 
     def to_json(self) -> dict[str, Any]:
         """Return the settings as values that JSON can hold."""
-        return by_path({leaf.path: leaf.value for leaf in leaves(self)})
+        return by_path(values_of(self))
 
 
 @dataclass(frozen=True)
@@ -363,7 +363,12 @@ def leaves(section: Section, path: str = "") -> Iterator[Leaf]:
             yield Leaf(here, list(value) if isinstance(value, tuple) else value, text)
 
 
+def values_of(section: Section) -> dict[str, Any]:
+    """Return every single setting of a section by its path."""
+    return {leaf.path: leaf.value for leaf in leaves(section)}
+
+
 def different_settings(one: Section, other: Section) -> list[str]:
     """Return the paths of the settings in which two sections differ."""
-    first, second = ({leaf.path: leaf.value for leaf in leaves(each)} for each in (one, other))
+    first, second = values_of(one), values_of(other)
     return [path for path in first | second if first.get(path) != second.get(path)]

@@ -29,7 +29,7 @@ from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.analysis.words import headline_numbers
 from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked, curve_window
-from matrixworld.coevolution.sections import leaves
+from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
@@ -299,7 +299,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
 
 def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from the default."""
-    usual = {leaf.path: leaf.value for leaf in leaves(_usual(settings))}
+    usual = values_of(_usual(settings))
     return [
         {"name": leaf.path, "value": _shown(plain_values(leaf.value)), "help": leaf.help}
         for leaf in leaves(settings)

@@ -32,7 +32,7 @@ from matrixworld.coevolution.schedules import (
     Yoked,
     available,
 )
-from matrixworld.coevolution.sections import different_settings, leaves
+from matrixworld.coevolution.sections import different_settings, values_of
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEVERAL, Archive, RunDirectory
@@ -298,9 +298,7 @@ def race_to_replay(settings: RaceSettings) -> RunDirectory:
         )
     fitting = replace(settings, seed=found.seed, schedule=schedule.replayed)
     for path in different_settings(fitting, found):
-        mine, its = (
-            {leaf.path: leaf.value for leaf in leaves(each)}.get(path) for each in (fitting, found)
-        )
+        mine, its = (values_of(each).get(path) for each in (fitting, found))
         raise ValueError(
             f"schedule.race: expected a race with {path} {mine}, as the yoked one, got {its} in "
             f"{schedule.race}"
