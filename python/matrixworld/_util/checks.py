@@ -9,7 +9,6 @@ from __future__ import annotations
 import inspect
 import operator
 import os
-import platform
 import re
 from collections.abc import Callable, Iterable
 from difflib import get_close_matches
@@ -131,16 +130,14 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
     `of` is what was called; messages name its own parameters, too.
     """
     legal = set(known)
-    for name in given:
-        if name in legal:
-            continue
+    unknown = [name for name in given if name not in legal]
+    if unknown:
         parameters = inspect.signature(of).parameters.values()
-        names = sorted(
-            legal | {each.name for each in parameters if each.kind is not each.VAR_KEYWORD}
-        )
-        nearest = get_close_matches(name, names, 1)
+        legal |= {each.name for each in parameters if each.kind is not each.VAR_KEYWORD}
+        nearest = get_close_matches(unknown[0], sorted(legal), 1)
         meant = f"; did you mean {nearest[0]}?" if nearest else ""
-        raise TypeError(f"keywords: expected some of {', '.join(names)}, got {name}{meant}")
+        names = ", ".join(sorted(legal))
+        raise TypeError(f"keywords: expected some of {names}, got {unknown[0]}{meant}")
 
 
 def check_threads(threads: int | None) -> int:
@@ -188,12 +185,6 @@ def control_group_cores() -> float:
     )
     cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
     return min(cores, default=float(MOST_THREADS))
-
-
-def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
-    """Return the processor's name, or "unknown"."""
-    named = re.search(r"^model name\s*: *(.+)$", _text(cpuinfo), re.MULTILINE)
-    return (named and named[1]) or platform.processor() or platform.machine() or "unknown"
 
 
 def check_memory(what: str, **parts: int) -> None:

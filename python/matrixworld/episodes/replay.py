@@ -9,7 +9,7 @@ import os
 import shutil
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO, TextIO, TypedDict
@@ -294,13 +294,13 @@ def draw(frame: str, stream: TextIO) -> None:
     stream.flush()
 
 
-def color_mode(stream: TextIO, environ: Mapping[str, str] = os.environ) -> str:
+def color_mode(stream: TextIO) -> str:
     """Return the colors that `ansi` may use on a stream, by NO_COLOR, TERM and COLORTERM."""
     encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
-    plain = not stream.isatty() or environ.get("NO_COLOR") or environ.get("TERM") == "dumb"
-    if plain or not encoding.startswith("utf"):
+    plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
+    if plain or not stream.isatty() or not encoding.startswith("utf"):
         return "none"
-    return "true" if environ.get("COLORTERM") in ("truecolor", "24bit") else "256"
+    return "true" if os.environ.get("COLORTERM") in ("truecolor", "24bit") else "256"
 
 
 def terminal_size(stream: TextIO) -> os.terminal_size:
