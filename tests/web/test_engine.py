@@ -15,7 +15,7 @@ import pytest
 import matrixworld as mw
 from matrixworld._util.readable import plain_values
 from matrixworld.solve import solve
-from matrixworld.solve.solution import PAYOFFS, Payoff
+from matrixworld.solve.solution import PAYOFFS, PayoffName
 from matrixworld.world.arrays import WORLD_FIELDS
 from matrixworld.world.conflicts import conflict_of
 from node import Commands, policy_json, run_node
@@ -423,7 +423,7 @@ SOLVED = {
 
 @pytest.mark.parametrize("name", SOLVED)
 @pytest.mark.parametrize("payoff", PAYOFFS)
-def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: Payoff) -> None:
+def test_pages_know_perfect_play(run_command: Commands, name: str, payoff: PayoffName) -> None:
     """What pages compute is what Python does: of the capture rate bit for bit."""
     config = SOLVED[name]
     solution = solve(config, payoff=payoff)
