@@ -68,16 +68,14 @@ class Archive(Saved):
         Members of both kinds, oldest first; read-only copies.
     payoffs : ndarray of float64, shape (n, m)
         Payoffs of the candidates on the tests; read-only.
-    graded : bool
-        Whether the archive should get graded payoffs, instead of win, draw or loss (1, 1/2, 0).
-        With noisy graded payoffs hardly any candidate dominates another one.
-    needs_all_tests : bool
-        Whether each submission must contain all tests, not only the new ones.
     """
 
     saved: ClassVar[tuple[str, ...]] = ("candidates", "tests", "payoffs")
     graded = False
+    """Whether the archive should get graded payoffs, instead of win, draw or loss (1, 1/2, 0). By
+    noisy graded payoffs hardly any candidate dominates another one."""
     needs_all_tests = False
+    """Whether each submission must contain all tests, not only the new ones."""
 
     def __init__(self) -> None:
         self.candidates: Members = read_only([])
@@ -356,12 +354,11 @@ class ArchiveSampler(Stateless):
         one opponent an epoch:  the newest and a test of the archive in turns
         several:                the newest, and tests of the archive, drawn evenly
 
-    Archives keep tests that tell candidates apart. An opponent that no candidate beats yet tells
-    none apart, so MaxSolve and the Pareto archives drop it. A team that played against the archive
-    alone would never meet it and could never learn to beat it. In the schemes of de Jong (2007, "A
-    monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1)), individuals are
-    evaluated against both the living opponents and the archive; here the newest generation stands
-    for the living ones. While the archive holds no other test, it alone is the sample.
+    An opponent that no candidate beats yet tells none apart, so MaxSolve and the Pareto archives
+    drop it: a team that played against the archive alone could never learn to beat it. In the
+    schemes of de Jong (2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation
+    15(1)) individuals meet both the living opponents and the archive; here the newest generation
+    stands for the living ones. While the archive holds no other test, it alone is the sample.
 
     The archive holds numbers, shape (m,); the genomes of all generations stay with the caller, who
     updates the archive before the next sample::
