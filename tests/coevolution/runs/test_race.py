@@ -214,13 +214,11 @@ def test_sharing_by_hand():
     nan = np.nan
     payoff = np.array([[1.0, 0.0, nan], [1.0, nan, 0.5], [0.0, 0.0, nan]])
     # Opponent 0 is shared by two, opponent 2 belongs to individual 1; n / m = 3 / 3.
-    shared = shared_fitness(payoff - 0.2, payoff, sharing="competitive", virulence=None)
+    shared = shared_fitness(payoff - 0.2, payoff, None)
     assert shared == pytest.approx([0.5 - 0.2, 1.5 - 0.2, 0.0 - 0.2])
     # Wins 1, 1.5 and 0: shares 2/3, 1 and 0 of the best; v = 3/4.
-    eased = shared_fitness(payoff, payoff, sharing="none", virulence=0.75)
+    eased = shared_fitness(payoff, payoff, 0.75)
     assert eased == pytest.approx([1 - (1 / 9) ** 2, 1 - (1 / 3) ** 2, 0.0])
-    plain = shared_fitness(payoff - 0.2, payoff, sharing="none", virulence=None)
-    assert plain == pytest.approx([0.3, 0.55, -0.2])
     assert mean_over_opponents(payoff).tolist() == [0.5, 0.75, 0.0]
     assert mean_over_opponents(np.array([[1.0, 3.0]])).tolist() == [2.0]
 
