@@ -113,7 +113,7 @@ CASES = [(path, command, param) for path, command in commands() for param in com
 
 
 def some(path: tuple[str, ...], param: click.Parameter) -> list[list[str]]:
-    """Return a border of a parameter, another one for each of them; ``--slow`` tries all."""
+    """Return a border of a parameter, another one for each of them; ``--nightly`` tries all."""
     all_of_them = borders(path, param)
     return [all_of_them[zlib.crc32(f"{path}{param.name}".encode()) % len(all_of_them)]]
 
@@ -212,7 +212,7 @@ def test_the_usual_words_of_all_commands_are_valid():
         assert done.exit_code == 0, f"{words}: {done.output}"
 
 
-@pytest.mark.parametrize("tried", [some, pytest.param(borders, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("tried", [some, pytest.param(borders, marks=pytest.mark.nightly)])
 @pytest.mark.parametrize(
     ("path", "command", "param"), CASES, ids=[f"{' '.join(c[0])} {c[2].opts[0]}" for c in CASES]
 )

@@ -61,7 +61,6 @@ EXPLORE = [
     (["--figure", "rules", "-o", "x.svg", "--format", "png"], 2, "--format png: expected the form"),
     (["--figure", "rules", "--width", "5"], 2, "--width: expected at least 6.9 inches for this"),
     (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
-    (["race", "--figure", "comparison"], 2, "expected at least two races, got 1"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
     (["race", "--baseline", "x=alone", "--baseline", "x=alone"], 2, "each name once, got 'x'"),
     (["race", "--figures", "--baseline", "x=race"], 2, "expected a run of one team, got a race"),

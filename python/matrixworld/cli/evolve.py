@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 import time
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
@@ -130,6 +130,13 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
     )
 
 
+def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[Any], Any]:
+    """Return an option that prints something, and the command does nothing else."""
+    return click.option(
+        name, is_flag=True, is_eager=True, expose_value=False, callback=callback, help=text
+    )
+
+
 def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]) -> None:
     """Refuse words that are no options, with the command that was meant."""
     if not words:
@@ -196,22 +203,8 @@ def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]
 )
 @set_option
 @config_option
-@click.option(
-    "--variants",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_print_variants,
-    help="print the nine variants of the game as a table of rules",
-)
-@click.option(
-    "--help-all",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=help_all,
-    help="print this page and all settings",
-)
+@_prints("--variants", _print_variants, "print the nine variants of the game as a table of rules")
+@_prints("--help-all", help_all, "print this page and all settings")
 def evolve_command(
     output: Path | None,
     resumed: Path | None,

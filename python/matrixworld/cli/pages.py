@@ -218,7 +218,10 @@ def _files(
         return {Path(f"{name}.{chosen['suffix']}"): getattr(plots, OF_GAME[name])}
     if not groups:
         raise click.UsageError(f"expected RUN..., or --figure {' or '.join(OF_GAME)}")
-    _check_races(groups, name)
+    for group in groups:
+        if name not in (None, "training") and not group.is_race:
+            expected = "expected a race, got a run of one team"
+            raise click.UsageError(f"--figure {name}: {expected}: {group.name}")
     return figures_of([group.inside(root) for group in groups], root, name=name, **chosen)
 
 
@@ -242,23 +245,6 @@ def _draw(
         with usage_errors(), nullcontext() if width is None else plots.at_width(width):
             plots.save_figure(figure(), file)
         say(file)
-
-
-def _check_races(groups: Sequence[RunGroup], name: str | None) -> None:
-    if name in (None, "training"):
-        return
-    for run in [run for group in groups for run in group.runs]:
-        if not run.settings.is_race:
-            raise click.UsageError(
-                f"--figure {name}: expected a race, got a run of one team: {run.path}"
-            )
-        if name == "spinning_top" and run.settings.evaluation_episodes < 2:
-            raise click.UsageError(
-                f"--figure spinning_top: expected at least 2 episodes of a pair, got 1: {run.path}"
-            )
-    races = sum(len(group.runs) for group in groups)
-    if name == "comparison" and races < 2:
-        raise click.UsageError(f"--figure comparison: expected at least two races, got {races}")
 
 
 # Pages of the game:
