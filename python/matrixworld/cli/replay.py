@@ -162,7 +162,8 @@ def replay_command(
         played = _episode(source, given_options(game))
         step = None if step is None else step_number(step, played.length)
         lines = _explanation(played, step) if explained else []
-    _write(played, out, every=every, fps=fps, step=step, numbers=numbers, viewers=view)
+    look = {"fps": fps, "step": -1 if step is None else step, "numbers": numbers, "viewers": view}
+    _write(played, out, every, look)
     if not out and step is not None:
         replay.print_moment(played, step=step)
     elif not (out or explained):
@@ -193,21 +194,17 @@ def _explanation(played: Episode, step: int | None) -> list[str]:
     return lines or ["no conflicts" if step is None else f"step {step}  no conflicts"]
 
 
-def _write(
-    played: Episode, out: tuple[Path, ...], *, every: int | None, fps: float, step: int | None,
-    **look: Any,
-) -> None:  # fmt: skip
+def _write(played: Episode, out: tuple[Path, ...], every: int | None, look: dict[str, Any]) -> None:
     if every is None:
-        every = max(1, round(played.length / (SHOWN_SECONDS * fps)))
+        every = max(1, round(played.length / (SHOWN_SECONDS * look["fps"])))
         if every > 1 and {path.suffix.lower() for path in out} & {".gif", ".mp4"}:
             say(f"Every {every} steps are a frame, so that it takes about {SHOWN_SECONDS} seconds.")
-    look |= {"every": every, "fps": fps, "step": -1 if step is None else step}
     for path in out:
         if path.suffix.lower() == ".npz":
             played.save(path)
             continue
         try:
-            replay.save(played, path, **look)
+            replay.save(played, path, every=every, **look)
         except ValueError as error:
             raise click.ClickException(str(error)) from error
 
