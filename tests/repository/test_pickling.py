@@ -249,6 +249,8 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield saved
     yield saved.policy("pursuer", -1, seed=0)
     yield from (saved.payoff(), saved, saved.files, coevolution.score(saved, episodes=2))
+    [group] = coevolution.open_groups(directory / "race")
+    yield from (group, group.judgement, group)
     yield coevolution.best_responses(
         {"a": saved}, "pursuer", 100, directory / "response", evaluation_episodes=5
     )

@@ -100,11 +100,13 @@ class Payoffs(Readable):
         _, pursuers, evaders = self.matrices.shape
         return pursuers, evaders
 
-    @cached_property
+    @property
     def runs(self) -> list[Payoffs]:
         """The payoffs of each run alone."""
-        if len(self) == 1:
-            return [self]
+        return [self] if len(self) == 1 else self._runs
+
+    @cached_property
+    def _runs(self) -> list[Payoffs]:
         each = [slice(run, run + 1) for run in range(len(self))]
         scores = [None if self.scores is None else self.scores[run] for run in each]
         return [
@@ -117,7 +119,7 @@ class Payoffs(Readable):
         scores = None if self.scores is None else self.scores[runs]
         chosen = Payoffs(self.matrices[runs], scores, self.episodes)
         # What is known of single runs stays known.
-        vars(chosen)["runs"] = [self.runs[run] for run in runs]
+        vars(chosen)["_runs"] = [self.runs[run] for run in runs]
         return chosen
 
     @cached_property
