@@ -57,8 +57,10 @@ def finished_groups(directories: Sequence[Path], *, unfinished: bool = False) ->
 
 def common_directory(directories: Sequence[Path]) -> Path:
     """Return where files about runs go: the directory that holds all of them."""
-    [first, *more] = directories
-    return Path(os.path.commonpath([path.absolute() for path in directories])) if more else first
+    if len(directories) == 1:
+        return directories[0]
+    common = Path(os.path.commonpath([path.absolute() for path in directories]))
+    return common if directories[0].is_absolute() else Path(os.path.relpath(common))
 
 
 def run_in(
