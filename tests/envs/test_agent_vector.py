@@ -65,30 +65,6 @@ def test_the_other_team_plays_the_worlds_actions() -> None:
 # ---- Ends of episodes --------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("mode", MODES)
-def test_every_agent_ends_once_with_its_world(mode: AutoresetMode) -> None:
-    env = mw.AgentVectorEnv(worlds_of(autoreset_mode=mode))
-    env.reset(seed=2)
-    ends, episodes, gone_before = 0, 0, 0
-    for actions in actions_of(env, 30):
-        dead = ~env.worlds.infos["alive"]
-        _, rewards, terminations, truncations, infos = env.step(actions)
-        assert not (terminations & truncations).any()
-        ended = (terminations | truncations).reshape(3, -1)
-        assert (ended == ended[:, :1]).all()  # wrappers count an episode for each agent of a world
-        np.testing.assert_array_equal(ended[:, 0], infos["_final_obs"].reshape(3, -1)[:, 0])
-        assert not rewards[~infos["acted"]].any()
-        waiting = dead & ended
-        assert terminations.reshape(3, -1)[waiting].all()
-        ends, episodes = ends + ended.sum(), episodes + ended[:, 0].sum()
-        gone_before += waiting.sum()
-        if mode is AutoresetMode.DISABLED and ended.any():
-            env.reset(options={"reset_mask": ended.ravel()})
-    assert ends == episodes * 7
-    assert episodes > 3
-    assert gone_before > 3  # it happened, so the test saw it
-
-
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
 def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
     """Of the steps of an episode in which an agent acted, the last one is its end, and no other."""

@@ -106,20 +106,20 @@ def test_a_function_gets_the_observations_of_living_agents() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "error", "says"),
+    ("given", "error", "field"),
     [
-        ({"evaders": "flier"}, ValueError, "evaders: expected one of random, .*, or a run"),
-        ({"pursuers": 3}, TypeError, "pursuers: expected the name of a script .* got 3"),
-        ({"evaders": []}, ValueError, "evaders: expected at least one opponent, got none"),
-        ({"evaders": "fleer", "pursuers": "chaser"}, ValueError, "pursuers, evaders: expected one"),
-        ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders: .* fov 5 .* got fov 11"),
-        ({"evaders": "evolved-1", "diagonal": True}, ValueError, "evaders: .* 9 actions, got"),
+        ({"evaders": "flier"}, ValueError, "evaders"),
+        ({"pursuers": 3}, TypeError, "pursuers"),
+        ({"evaders": []}, ValueError, "evaders"),
+        ({"evaders": "fleer", "pursuers": "chaser"}, ValueError, "pursuers, evaders"),
+        ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders"),
+        ({"evaders": "evolved-1", "diagonal": True}, ValueError, "evaders"),
     ],
 )
 def test_what_cannot_play_is_refused(
-    given: dict[str, Any], error: type[Exception], says: str
+    given: dict[str, Any], error: type[Exception], field: str
 ) -> None:
-    with pytest.raises(error, match=f"^{says}"):
+    with pytest.raises(error, match=f"^{field}: .*expected"):
         mw.parallel_env("O", **given)
 
 

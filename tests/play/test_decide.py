@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.play.matches import checked_actions
 from rows import config_of, random_team
 
 
@@ -62,21 +61,6 @@ def test_networks_act_as_in_rollouts(
     for seed in range(2):
         pursuers, evaders = (random_team(config, 2 * seed + team, **fields) for team in range(2))
         same_as_recorded(config, pursuers, evaders, seed)
-
-
-@pytest.mark.parametrize(
-    ("answer", "error", "message"),
-    [
-        ([0.5] * 3, TypeError, "actions of the policy: expected integers"),
-        ([0, 1], ValueError, r"actions of the policy: expected shape \(3,\), got \(2,\)"),
-        ([0, 5, 0], ValueError, "actions of the policy: expected 0 to 4, got 5"),
-        ([0, 0, -1], ValueError, "actions of the policy: expected 0 to 4, got -1"),
-    ],
-)
-def test_wrong_answers_of_a_callable_are_refused(answer: Any, error: Any, message: str) -> None:
-    views = mw.World(config_of("O")).views()[:3]
-    with pytest.raises(error, match=message):
-        checked_actions(lambda seen: answer, views, 5)
 
 
 # ---- Batches -----------------------------------------------------------------------------------

@@ -42,17 +42,10 @@ def test_actions_are_drawn_from_the_probabilities_with_a_seed() -> None:
     assert np.allclose(shares, policy.probabilities(VIEWS[0]), atol=0.015)
 
 
-def test_a_policy_that_does_not_sample_takes_the_most_probable_action() -> None:
-    drawn = policy_of()
-    policy = mw.NetworkPolicy(drawn.network, drawn.genome, sampled=False)
-    assert np.array_equal(policy(VIEWS), policy.probabilities(VIEWS).argmax(axis=1))
-    assert not policy.network.sampled
-    assert drawn.network.sampled
-
-
 def test_observations_come_single_or_in_batches_flat_or_not_in_any_dtype() -> None:
     policy = policy_of(sampled=False)
     actions = policy(VIEWS)
+    assert np.array_equal(actions, policy.probabilities(VIEWS).argmax(axis=1))
     one = policy(VIEWS[0])
     assert type(one) is int
     assert one == actions[0]
@@ -66,20 +59,6 @@ def test_observations_come_single_or_in_batches_flat_or_not_in_any_dtype() -> No
     assert np.array_equal(policy(VIEWS.reshape(10, 20, 3, 5, 5)), actions.reshape(10, 20))
     assert policy.logits(VIEWS.reshape(10, 20, 75)).shape == (10, 20, 5)
     assert policy(VIEWS[:0]).shape == (0,)
-
-
-@pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
-@pytest.mark.parametrize("activation", ["relu", "tanh"])
-def test_pytorch_has_the_same_probabilities(hidden: tuple[int, ...], activation: str) -> None:
-    torch = pytest.importorskip("torch", reason="PyTorch is not installed")
-    policy = policy_of(hidden=hidden, activation=activation)
-    module = policy.to_torch()
-    assert isinstance(module, torch.nn.Sequential)
-    with torch.no_grad():
-        logits = module(torch.from_numpy(VIEWS).float())
-    probabilities = torch.softmax(logits, dim=1).numpy()
-    assert np.abs(probabilities - policy.probabilities(VIEWS)).max() < 1e-6
-    assert all(parameter.requires_grad for parameter in module.parameters())
 
 
 # What agents remember when they see these.
@@ -108,42 +87,47 @@ def test_a_policy_with_memory_takes_states_and_returns_the_next(memory: str) -> 
         policy_of()(VIEWS, STATES)
 
 
-@pytest.mark.parametrize("hidden", [(16,), (16, 8)])
-@pytest.mark.parametrize("memory", ["elman", "gru"])
-def test_libraries_have_the_same_memory(hidden: tuple[int, ...], memory: str) -> None:
-    """Their own recurrent layers, step after step."""
-    policy = policy_of(hidden=hidden, memory=memory)
-    expected = policy.network.advance(policy.genome, VIEWS, STATES)
-    views = VIEWS.astype(np.float32)
-    answers = []
-    try:
-        import torch
-    except ImportError:
-        pass
+@pytest.mark.parametrize(
+    ("hidden", "activation", "memory"),
+    [
+        ((), "relu", "none"),
+        ((16, 8), "tanh", "none"),
+        ((16,), "relu", "elman"),
+        ((16, 8), "tanh", "gru"),
+    ],
+)
+@pytest.mark.parametrize("library", ["torch", "onnx"])
+def test_an_exported_network_computes_the_same(
+    hidden: tuple[int, ...], activation: str, memory: str, library: str, tmp_path: Path
+) -> None:
+    """In PyTorch, and in a saved file of ONNX: their own layers, recurrent ones among them."""
+    policy = policy_of(hidden=hidden, activation=activation, memory=memory)
+    given = {"observations": VIEWS.astype(np.float32)}
+    if memory == "none":
+        expected = [policy.logits(VIEWS), policy.probabilities(VIEWS)]
     else:
-        with torch.no_grad():
-            given = torch.from_numpy(views), torch.from_numpy(STATES)
-            answers.append([each.numpy() for each in policy.to_torch()(*given)])
-    try:
+        given["states"] = STATES
+        expected = list(policy.network.advance(policy.genome, VIEWS, STATES))
+    package = pytest.importorskip(library, reason=f"{library} is not installed")
+    if library == "torch":
+        module = policy.to_torch()
+        with package.no_grad():
+            found = module(*map(package.from_numpy, given.values()))
+        found = [each.numpy() for each in found] if memory != "none" else [found.numpy()]
+        assert all(parameter.requires_grad for parameter in module.parameters())
+    else:
         from onnx.reference import ReferenceEvaluator
-    except ImportError:
-        pass
-    else:
-        run = ReferenceEvaluator(policy.to_onnx()).run
-        given = {"observations": views, "states": STATES}
-        answers.append(run(["logits", "next_states"], given))
-    if not answers:
-        pytest.skip("needs PyTorch or the package onnx")
-    for logits, following in answers:
-        assert np.abs(logits - expected[0]).max() < 1e-5
-        assert np.abs(following - expected[1]).max() < 1e-6
+
+        package.save(policy.to_onnx(), tmp_path / "policy.onnx")
+        found = ReferenceEvaluator(str(tmp_path / "policy.onnx")).run(None, given)
+    for one, other in zip(found, expected, strict=False):
+        assert np.abs(one - other).max() < 1e-5
 
 
-@pytest.mark.parametrize("hidden", [(), (8,), (8, 6)])
-def test_an_exported_network_keeps_the_right_of_way(hidden: tuple[int, ...]) -> None:
+def test_an_exported_network_keeps_the_right_of_way() -> None:
     torch = pytest.importorskip("torch", reason="PyTorch is not installed")
     config = mw.WorldConfig("S", rows=8, cols=8, n_pursuers=9, n_evaders=9, fov=5)
-    pursuers, _ = random_teams(config, np.random.default_rng(0), 1, hidden=hidden)
+    pursuers, _ = random_teams(config, np.random.default_rng(0), 1, hidden=(8, 6))
     world = mw.World(config)
     views = np.concatenate([(world.reset(seed=seed), world.views()[:9])[1] for seed in range(9)])
     module = mw.NetworkPolicy(pursuers.network, pursuers.genomes[0]).to_torch()
@@ -152,23 +136,3 @@ def test_an_exported_network_keeps_the_right_of_way(hidden: tuple[int, ...]) -> 
     assert refused.any(axis=0)[1:].all()
     assert (chances[refused] == 0).all()
     assert (chances[~refused] > 0).all()
-
-
-@pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
-@pytest.mark.parametrize("activation", ["relu", "tanh"])
-def test_onnx_has_the_same_probabilities(
-    hidden: tuple[int, ...], activation: str, tmp_path: Path
-) -> None:
-    onnx = pytest.importorskip("onnx", reason="the package onnx is not installed")
-    from onnx.reference import ReferenceEvaluator
-
-    policy = policy_of(hidden=hidden, activation=activation)
-    path = tmp_path / "policy.onnx"
-    onnx.save(policy.to_onnx(), path)
-    inputs = {"observations": VIEWS.astype(np.float32)}
-    logits, probabilities = ReferenceEvaluator(str(path)).run(None, inputs)
-    assert np.abs(logits - policy.logits(VIEWS)).max() < 1e-5
-    assert np.abs(probabilities - policy.probabilities(VIEWS)).max() < 1e-6
-
-
-# ---- Policies of saved runs --------------------------------------------------------------------

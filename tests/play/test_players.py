@@ -150,9 +150,8 @@ def test_ties_are_broken_evenly() -> None:
     assert stats.chisquare(counts).pvalue > 1e-3
 
 
-@pytest.mark.parametrize("diagonal", [False, True])
-def test_random_players_take_every_action_equally_often(diagonal: bool) -> None:
-    config = arena("S", diagonal=diagonal, max_steps=400)
+def test_random_players_take_every_action_equally_often() -> None:
+    config = arena("S", diagonal=True, max_steps=400)
     actions = mw.record(config, "random", "random", seed=1).actions
     assert len(actions) == 400
     for agent in range(config.n_agents):
@@ -190,14 +189,14 @@ def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> 
     team = "pursuer" if sober == "chaser" else "evader"
     config = arena("R", rows=9, cols=9, n_pursuers=4, n_evaders=4, fov=17, max_steps=60)
     expected = variance = hits = 0.0
-    for seed in range(30):
+    for seed in range(15):
         episode = mw.record(config, *sides(team, script, "still"), seed=seed)
         for action, good in choices_in(episode, config, sober, team):
             chance = 0.5 + 0.5 * len(good) / config.n_actions
             expected += chance
             variance += chance * (1 - chance)
             hits += action in good
-    assert variance > 500  # many slips: 4 deviations are then a few percent
+    assert variance > 250  # many slips: 4 deviations are then a few percent
     assert abs(hits - expected) < 4 * math.sqrt(variance)
 
 

@@ -81,37 +81,30 @@ def test_a_refused_call_changes_nothing() -> None:
     assert batch.world(3).steps == sum(played)
 
 
-HAMMER = """
-def hammer(*calls, seconds=1.5):
-    refused, end = [], time.monotonic() + seconds
-
-    def call_on(call):
-        while time.monotonic() < end:
-            try:
-                call()
-            except RuntimeError as error:
-                refused.append(str(error))
-
-    threads = [threading.Thread(target=call_on, args=(call,)) for call in calls for _ in range(2)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    return refused
-"""
-
-
 def test_many_threads_use_one_environment() -> None:
     output = run(f"""
-{HAMMER}
 env = mw.VectorEnv("TO", 300, threads=2, max_steps=20, render_mode="rgb_array")
 env.reset(seed=0)
-refused = hammer(
+refused, end = [], time.monotonic() + 1
+
+def call_on(call):
+    while time.monotonic() < end:
+        try:
+            call()
+        except RuntimeError as error:
+            refused.append(str(error))
+
+calls = [
     lambda: env.step(),
     lambda: env.reset(seed=1),
     lambda: env.reset(options={{"reset_mask": np.arange(300) % 2 == 0}}),
     lambda: env.world(7),
-)
+]
+threads = [threading.Thread(target=call_on, args=(call,)) for call in 2 * calls]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
 assert all("{ONE_CALL}" in error for error in refused), set(refused)
 print(len(refused))
 env.reset(seed=5)
@@ -122,28 +115,6 @@ for _ in range(3):
     np.testing.assert_array_equal(env.step(actions)[0], other.step(actions)[0])
 """)
     assert int(output) > 0  # the threads did meet each other
-
-
-def test_rollouts_in_many_threads_are_the_same() -> None:
-    run("""
-matches = mw.Matches.of(0, 0, np.arange(30))
-network = mw.Network()
-team = mw.Population(network.initial(np.random.default_rng(0)), network)
-expected = mw.rollout("SB", team, "dodger", matches, threads=1)
-results = []
-
-def play():
-    results.append(mw.rollout("SB", team, "dodger", matches, threads=2))
-
-threads = [threading.Thread(target=play) for _ in range(6)]
-for thread in threads:
-    thread.start()
-for thread in threads:
-    thread.join()
-assert len(results) == 6
-for result in results:
-    np.testing.assert_array_equal(result.evader_return, expected.evader_return)
-""")
 
 
 @pytest.mark.skipif(getattr(sys, "_is_gil_enabled", lambda: True)(), reason="this Python has a GIL")

@@ -1,4 +1,4 @@
-"""The script team-surrounder: an independent slow reading, small scenes, and no faults."""
+"""The script team-surrounder: an independent slow reading, and no faults."""
 
 import itertools
 
@@ -317,11 +317,9 @@ def world_of(rules: object = "SB", **changes: object) -> mw.WorldConfig:
 @pytest.mark.parametrize(
     "changes",
     [
-        {},
-        {"n_pursuers": 30, "n_evaders": 12},  # a crowd
-        {"n_pursuers": 16, "obstacles": 0.1},
-        {"diagonal": True, "n_pursuers": 24, "n_evaders": 3},
-        {"fov": 7},
+        {"n_pursuers": 30, "n_evaders": 12, "max_steps": 30},  # a crowd
+        {"n_pursuers": 16, "obstacles": 0.1, "fov": 7},
+        {"diagonal": True, "n_pursuers": 24, "n_evaders": 3, "max_steps": 30},
         {"rows": 30, "cols": 30, "n_pursuers": 4, "n_evaders": 1, "max_steps": 150},  # one line
         {"rows": 50, "cols": 40, "n_pursuers": 11, "n_evaders": 3, "max_steps": 250, "fov": 9},
         {"rows": 40, "cols": 40, "n_pursuers": 40, "n_evaders": 2, "max_steps": 100},  # swaths
@@ -340,63 +338,19 @@ def test_every_choice_is_that_of_a_slow_reading(changes: dict[str, object]) -> N
             assert episode.actions[step, : config.n_pursuers].tolist() == expected, step
 
 
-def decide(pursuers: list[Cell], evaders: list[Cell], **changes: object) -> list[int]:
-    """Return what the pursuers choose in a scene."""
-    sizes = {"n_pursuers": len(pursuers), "n_evaders": len(evaders)}
-    world = mw.World(world_of(**sizes, **changes))
-    world.reset(0, pursuers=pursuers, evaders=evaders)
-    actions = np.zeros(world.config.n_agents, np.int64)
-    world.decide("team-surrounder", range(len(pursuers)), actions)
-    return actions[: len(pursuers)].tolist()
-
-
-NORTH, EAST, SOUTHWARD, WEST = mw.Action.NORTH, mw.Action.EAST, mw.Action.SOUTH, mw.Action.WEST
-AROUND = [(4, 6), (6, 6), (5, 5)]
-"""Three sides of (5, 6); the eastern one is open."""
-
-
-def test_holders_stay_and_the_fourth_takes_the_open_side() -> None:
-    assert decide([*AROUND, (5, 9)], [(5, 6)]) == [0, 0, 0, WEST]
-    # From the west the way leads around the adversary and those that hold it.
-    [*still, move] = decide([*AROUND, (5, 4)], [(5, 6)])
-    assert still == [0, 0, 0]
-    assert move in (NORTH, SOUTHWARD)
-
-
-def test_two_pursuers_share_two_sides() -> None:
-    held = [(4, 6), (6, 6)]
-    assert decide([*held, (5, 3), (5, 9)], [(5, 6)]) == [0, 0, EAST, WEST]
-    # Both come from the east: the one that is ahead makes room for the one behind it.
-    choices = decide([*held, (4, 8), (5, 8)], [(5, 6)])
-    assert choices[3] == WEST
-    assert choices[2] in (NORTH, WEST)  # on its way around to the western side
-
-
-def test_an_adversary_is_driven_to_the_border() -> None:
-    # Both are as near to the western side as to the southern one, towards which it shall flee.
-    assert decide([(9, 5)], [(8, 6)]) == [NORTH]
-    assert decide([(9, 7)], [(8, 6)]) == [NORTH]
-
-
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("rules", ["D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO"])
 def test_nobody_is_at_fault_in_any_variant(rules: str, diagonal: bool) -> None:
-    for fov in (5, 7, 11, 15):
-        config = world_of(rules, diagonal=diagonal, fov=fov, obstacles=0.05, n_pursuers=24)
+    for fov, rows in ((5, 12), (11, 12), (15, 3)):
+        config = world_of(
+            rules, diagonal=diagonal, fov=fov, rows=rows, obstacles=0.05, n_pursuers=9 + rows
+        )
         played = mw.rollout(config, NAME, NAME, mw.Matches.of(0, 0, range(5)))
         assert not played.faults.any()
 
 
-@pytest.mark.parametrize("fov", [1, 3, 21])
-def test_views_of_all_sizes(fov: int) -> None:
-    for sizes in ({}, {"rows": 1, "cols": 40}, {"rows": 40, "cols": 3}):
-        config = world_of(fov=fov, n_pursuers=9, **sizes)
-        played = mw.rollout(config, "team-surrounder", "team-surrounder", mw.Matches.of(0, 0, 0))
-        assert not played.faults[..., 0].any()  # no obstacle
-
-
 def test_it_captures_everybody_and_is_never_at_fault() -> None:
-    for pursuers, evaders in ((4, 1), (64, 16), (256, 64)):
+    for pursuers, evaders in ((4, 1), (64, 16)):
         config = mw.WorldConfig("SB", rows=40, cols=40, n_pursuers=pursuers, n_evaders=evaders)
         played = mw.rollout(config, NAME, "random", mw.Matches.of(0, 0, range(10)))
         assert played.capture_rate.min() == 1

@@ -51,12 +51,8 @@ print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_
     ("own", "limits", "cores"),
     [
         (None, {}, 1024),
-        ("0::/\n", {}, 1024),
-        ("0::/\n", {".": "max 100000\n"}, 1024),
         ("0::/\n", {".": "150000 100000\n"}, 1.5),
         ("1:cpu:/x\n0::/a/b\n", {"a": "400000 100000\n", "a/b": "max 100000\n"}, 4),
-        ("0::/a/b\n", {"a": "400000 100000\n", "a/b": "50000 100000\n"}, 0.5),
-        ("4:cpu,cpuacct:/old\n", {"old": "100000 100000\n"}, 1024),
     ],
 )
 def test_control_groups_limit_cores(
