@@ -28,11 +28,11 @@ from matrixworld.coevolution import (
     GeneticAlgorithm,
     Race,
     RaceSettings,
-    RunDirectory,
 )
 from matrixworld.coevolution.jobs import job_of
 from matrixworld.coevolution.runs import run
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
+from matrixworld.coevolution.storage import RunWriter
 from parts import Functions, Parts
 from timing import bind, print_table
 
@@ -55,8 +55,7 @@ PARTS: dict[str, Functions] = {
     "checkpoints and disk": [
         (Race, "_save"),
         (Race, "_restore"),
-        (RunDirectory, "write_config"),
-        (RunDirectory, "save_results"),
+        (RunWriter, "save_results"),
     ],
     "payoff matrix": [(Race, "evaluate"), (Race, "summary")],
 }

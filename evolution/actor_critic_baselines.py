@@ -269,7 +269,7 @@ def measured(plan: Plan, root: Path) -> dict[str, np.ndarray]:
         run = open_run(path)
         payoff = run.payoff()
         captures[at], lengths[at] = payoff.capture_rates[-1, -1], payoff.lengths[-1, -1]
-        agent_steps[at] = run.files.summary()["training_agent_steps"]
+        agent_steps[at] = run.summary()["training_agent_steps"]
         seconds[at] = float(path.with_suffix(".seconds").read_text(encoding="ascii"))
     return {
         "captures": captures.astype(np.float32),

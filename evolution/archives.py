@@ -120,7 +120,7 @@ def main() -> None:
     runs = play(base, args.samplers, range(args.seeds or few), args.runs, args.cluster)
     every = [run for of_name in runs.values() for run in of_name]
     # The smallest total is a number of matches that every race has played.
-    budget = min(int(run.files.log()["matches"][-1]) for run in every)
+    budget = min(int(run.log()["matches"][-1]) for run in every)
     capture, escape = scores(cross_play(base, runs, budget, episodes))
     print(f"Champions after {budget:,} matches, against those of the other samplers:\n")
     print("| sampler | generations | capture rate of pursuers | escape rate of evaders |")

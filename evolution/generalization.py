@@ -130,7 +130,7 @@ def played(settings: RaceSettings, place: Path) -> SavedRun:
 
 def matches(team: Team, runs: list[SavedRun]) -> int:
     """Return the number of matches in which a team has learned in these runs."""
-    epochs = (int(np.sum(run.files.log()["team"] == team)) for run in runs)
+    epochs = (int(np.sum(run.log()["team"] == team)) for run in runs)
     return sum(
         count * run.settings.learner.population for count, run in zip(epochs, runs, strict=True)
     )

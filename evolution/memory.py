@@ -134,7 +134,7 @@ def trained(
 
 def captured(run: SavedRun) -> float:
     """Return the capture rate of the last pursuers, in episodes that no training has played."""
-    return float(run.files.summary()["capture_rate"])
+    return float(run.summary()["capture_rate"])
 
 
 def corridor(root: Path, *, quick: bool) -> list[str]:

@@ -367,7 +367,7 @@ def _safety(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
     for name in SURROUNDING.values():
         rewards, colliding, faults = [], [], []
         for of_seed in runs:
-            log, teams = of_seed[name].files.log(), of_seed[name].teams["pursuer"]
+            log, teams = of_seed[name].log(), of_seed[name].teams["pursuer"]
             ends = mw.Matches.of([0, len(teams.genomes) - 1], 0, FIRST_TEST_SEED)
             tested = mw.rollout(world, teams, "random", ends, episodes=100, threads=threads)
             rewards.append(tested.pursuer_return.mean(axis=1))

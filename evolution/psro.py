@@ -148,7 +148,7 @@ def mixtures(matrix: NDArray[np.float64], k: int) -> list[NDArray[np.float64]]:
 
 def numbers_of(run: SavedRun, states: States) -> Row:
     """Return the numbers of one finished race."""
-    matrix, log = run.payoff().capture_rate, run.files.log()
+    matrix, log = run.payoff().capture_rate, run.log()
     short = guarantees(states, run.teams).exploitability
     generations = range(1, len(matrix))
     weights = [mixtures(matrix, k) for k in generations]
@@ -160,14 +160,14 @@ def numbers_of(run: SavedRun, states: States) -> Row:
         ],
         "population": [analysis.exploitability(matrix, *of_k).total for of_k in weights],
     }
-    steps = run.files.summary()["training_agent_steps"] / int(curves["matches"][-1])
+    steps = run.summary()["training_agent_steps"] / int(curves["matches"][-1])
     rounded = {name: np.round(values, 6).tolist() for name, values in curves.items()}
     return {"seed": run.settings.seed, "agent_steps": round(steps, 3), **rounded}
 
 
 def kept_numbers(run: SavedRun, states: States) -> Row:
     """Return the numbers of a race, which a file beside it keeps for the next call."""
-    return kept(run.files.path.with_suffix(".json"), lambda: numbers_of(run, states))
+    return kept(run.path.with_suffix(".json"), lambda: numbers_of(run, states))
 
 
 def enclosure(run: SavedRun, states: States, k: int) -> float:

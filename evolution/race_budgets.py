@@ -95,7 +95,7 @@ def measured(runs: Mapping[int, SavedRun], threads: int | None) -> dict[str, Any
     every = [run.payoff().capture_rates for run in runs.values()]
     return {
         "seeds": [*runs],
-        "matches": next(iter(runs.values())).files.log()["matches"][-1].item() + every[0].size,
+        "matches": next(iter(runs.values())).log()["matches"][-1].item() + every[0].size,
         **{team: [round(float(each[team].means[-1]), 4) for each in scores] for team in TEAMS},
         "found": found_in(np.stack(every)),
     }

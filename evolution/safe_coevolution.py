@@ -258,7 +258,7 @@ def mask_table(races: Mapping[str, list[SavedRun]]) -> str:
 
 def of_race(run: SavedRun) -> list[float]:
     """Return scores of both teams and collisions: late ones of both teams, and all of training."""
-    scores, log = coevolution.score(run), run.files.log()
+    scores, log = coevolution.score(run), run.log()
     late = log["generation"] == log["generation"].max()
     episodes = np.diff(log["matches"], prepend=0)
     collisions = [log[f"{team}_faults"] for team in coevolution.TEAMS]

@@ -220,7 +220,7 @@ def measured(runs: Mapping[str, list[SavedRun]], episodes: int) -> dict[str, NDA
 
 def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
     """Return the numbers of one run; see `measured`."""
-    settings, log = run.settings, run.files.log()
+    settings, log = run.settings, run.log()
     schedule = settings.schedule
     assert isinstance(schedule, Against)
     # Here no agent disappears: each world step is one step of all pursuers.

@@ -125,7 +125,7 @@ def test_a_killed_worker_loses_no_run(dask: Any, tmp_path: Path) -> None:
     assert killed
     for run, each in zip(runs, settings, strict=True):
         finish(each, tmp_path / f"{each.seed}", threads=1)
-        assert results(run.files.path) == results(tmp_path / f"{each.seed}")
+        assert results(run.path) == results(tmp_path / f"{each.seed}")
 
 
 @pytest.mark.slow

@@ -205,7 +205,7 @@ def test_the_main_job_writes_figures_and_numbers(main_job):
     for place, numbers in runs.items():
         run = open_run(output / place)
         held_out = numbers.pop("held_out")
-        assert {*numbers} - {*run.files.summary()} == {"measures", "judgement"}
+        assert {*numbers} - {*run.summary()} == {"measures", "judgement"}
         scores = score(run)
         for team in TEAMS:
             assert held_out[f"{team}s"] == scores[team].to_json()
@@ -264,15 +264,15 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     start(tiny_single(team="evader", **steps), "again").run()
     first = Path("first/evader-against-random/seed-5")
     assert results(first) == results(Path("again"))
-    numbers = open_run(first).files.summary()
+    numbers = open_run(first).summary()
     rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
     assert f"  capture rate {rate:.3f} ({low:.3f} to {high:.3f})\n" in result.stdout
     assert f"an episode takes {numbers['length']:.0f} steps\n" in result.stdout
     assert (first / "training.png").read_bytes().startswith(PNG)
     # The directory of a job of one run stands for the run.
     evolved("--out", "next", *words({**alone, "opponent": "first"}))
-    archive = open_run("next/pursuer-against-evader-against-random/seed-5").files.archive()
-    last = open_run(first).files.archive()["evader"][-1]
+    archive = open_run("next/pursuer-against-evader-against-random/seed-5").archive()
+    last = open_run(first).archive()["evader"][-1]
     assert np.array_equal(archive["evader"], last[None])
 
 

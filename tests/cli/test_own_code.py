@@ -15,7 +15,7 @@ from command_line import MAIN_JOB, RACE, evolved, matrixworld_command, run_toget
 from matrixworld.cli import main, report
 from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.runs.start import check_own_code
+from matrixworld.coevolution.runs import check_own_code
 from tiny_race import results
 
 RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}

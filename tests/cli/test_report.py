@@ -13,7 +13,7 @@ from matrixworld import analysis
 from matrixworld._util.files import load_json
 from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.report import report
-from matrixworld.coevolution import RunDirectory, finish, open_run, score
+from matrixworld.coevolution import SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import job_of, save_job
 from matrixworld.coevolution.types import TEAMS
@@ -44,7 +44,7 @@ def job(made: Path) -> Path:
     return Path(shutil.copytree(made, "job"))
 
 
-def results(root: Path) -> list[RunDirectory]:
+def results(root: Path) -> list[SavedRun]:
     return [run for group in open_groups(root) for run in group.runs]
 
 
@@ -73,7 +73,7 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
     assert said.count("Not finished: seeds 3.") == 2
     assert [*summary["runs"]] == [f"{name}/seed-{seed}" for name in SCHEDULES for seed in SEEDS]
     one, run = summary["runs"][f"{FIRST}/seed-1"], open_run(job / FIRST / "seed-1")
-    assert one.items() >= run.files.summary().items()
+    assert one.items() >= run.summary().items()
     assert one["held_out"]["pursuers"] == score(run, threads=1)["pursuer"].to_json()
 
 

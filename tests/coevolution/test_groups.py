@@ -8,7 +8,7 @@ import pytest
 
 from matrixworld._util.files import json_digest, load_json, save_json
 from matrixworld.analysis import judge
-from matrixworld.coevolution import RaceSettings, RunDirectory, finish, open_runs, score, start
+from matrixworld.coevolution import RaceSettings, SavedRun, finish, open_runs, score, start
 from matrixworld.coevolution.evaluation.scores import estimates_of, kept_scores
 from matrixworld.coevolution.groups import find_runs, job_directory, open_groups
 from matrixworld.coevolution.jobs import job_of, save_job
@@ -77,7 +77,7 @@ def test_a_group_is_judged_and_scored_as_its_runs_together(made):
 
 
 def test_scores_are_kept_and_played_again_if_they_are_of_something_else(job):
-    runs = [RunDirectory(path) for path in find_runs(job / SECOND)]
+    runs = [SavedRun(path) for path in find_runs(job / SECOND)]
     told = []
     kept = kept_scores(runs, threads=1, report=told.append)
     assert told[-1].what.startswith("[3/3] evaders")

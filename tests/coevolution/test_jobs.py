@@ -36,6 +36,7 @@ from matrixworld.coevolution.jobs import (
     shares,
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES
+from matrixworld.coevolution.storage import RunWriter
 from tiny_race import directory_in_memory, results, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -155,8 +156,8 @@ def test_ctrl_c_ends_all_runs_and_the_same_call_continues(tmp_path):
             evolve(settings, tmp_path, report=stop_at(share, seen), **chosen)
         assert not list(tmp_path.glob(f"{RUNNING}*"))
         for path in filter(Path.exists, paths):
-            with open_run(path).files.lock():  # nobody plays it
-                assert len(open_run(path).files.archive()["pursuer"]) < 11
+            with RunWriter(path).lock():  # nobody plays it
+                assert len(open_run(path).archive()["pursuer"]) < 11
     # What the first call played does not count for the rate of the second.
     assert seen[-1].before > 0.05 * seen[-1].total
     assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].runs.values())).total)
@@ -176,7 +177,7 @@ def failures_of(settings, directory, **options):
     names = {path.relative_to(directory).as_posix(): each for path, each in error.failures.items()}
     for path in error.failures:
         assert f"\n{path}: " in str(error)
-    return names, [run.files.path.relative_to(directory).as_posix() for run in error.finished]
+    return names, [run.path.relative_to(directory).as_posix() for run in error.finished]
 
 
 def test_bad_runs_are_named_and_the_others_finish(straight, tmp_path):

@@ -22,7 +22,7 @@ SETTINGS = {
 
 def logged(directory: Path, run: str, seed: int) -> list[Row]:
     """Return the rows that a callback should have got."""
-    columns = open_run(directory).files.log()
+    columns = open_run(directory).log()
     values = zip(*(column.tolist() for column in columns.values()), strict=True)
     return [{"run": run, "seed": seed, **dict(zip(columns, row, strict=True))} for row in values]
 
@@ -45,7 +45,7 @@ def test_finish_tells_each_epoch_and_can_be_stopped(name: str, tmp_path: Path) -
     with pytest.raises(StopRun):
         finish(settings, tmp_path / "with", threads=1, on_epoch=stop_after(rows, 3))
     assert len(rows) == 3 < len(expected)
-    assert not open_run(tmp_path / "with").files.finished
+    assert not open_run(tmp_path / "with").finished
     finish(settings, tmp_path / "with", threads=1, on_epoch=stop_after(rows, -1))
     by_epoch = {(row["stage"], row["team"], row["epoch"]): row for row in rows}
     # Selection among elites plays matches that the log counts later.
@@ -78,10 +78,8 @@ def test_a_job_is_stopped_and_goes_on(tmp_path: Path) -> None:
     job = {f"seed-{seed}": tiny_race(seed=seed, **long) for seed in (1, 2)}
     with pytest.raises(StopRun):
         evolve(job, tmp_path, threads=2, on_epoch=stop_after(before, 2))
-    assert not all(open_run(tmp_path / name).files.finished for name in job)
-    assert [run.files.finished for run in evolve(job, tmp_path, on_epoch=after.append)] == [
-        True
-    ] * 2
+    assert not all(open_run(tmp_path / name).finished for name in job)
+    assert [run.finished for run in evolve(job, tmp_path, on_epoch=after.append)] == [True] * 2
     places = [(row["run"], row["team"], row["generation"], row["epoch"]) for row in before + after]
     assert len(set(places)) == len(places) > 100  # no row comes twice
 
@@ -137,7 +135,7 @@ def test_writers_get_a_curve_of_each_measure_and_team(made: list[Kept], tmp_path
             for row in logged(tmp_path / name, name, settings.seed):
                 log(row)
         assert not any(each.ended for each in made)
-    columns = run.files.log()
+    columns = run.log()
     own = columns["team"] == "evader"
     for kept in made:
         curve = [call[1:] for call in kept.calls if call[0] == "evader/capture_rate"]

@@ -19,7 +19,7 @@ from matrixworld.coevolution import (
     check_sampler,
     opponents,
 )
-from matrixworld.coevolution.runs.start import check_own_code
+from matrixworld.coevolution.runs import check_own_code
 from own_code import Crash, Fails, Fixed, Hardest, HillClimber, ReturnsViews
 from tiny_race import tiny_race
 

@@ -58,8 +58,8 @@ def test_what_is_played(race, tmp_path, champion):
     response = open_run(tmp_path / "x")
     assert response.settings.schedule.team == learner
     assert np.array_equal(response.teams[champion].genomes, last(run, champion).genomes)
-    assert result.gain.budget == 9 * 48 == response.files.summary()["training_matches"]
-    assert set(response.files.log()["team"]) == {learner}
+    assert result.gain.budget == 9 * 48 == response.summary()["training_matches"]
+    assert set(response.log()["team"]) == {learner}
 
     def rates(pursuers: Population, evaders: Population, seed: int) -> np.ndarray:
         config, match = run.settings.world, Matches.of(0, 0, np.uint64(seed))

@@ -21,12 +21,12 @@ from matrixworld.coevolution import (
     DamagedFileError,
     OtherVersionError,
     Race,
-    RunDirectory,
     open_run,
     resume,
     start,
+    storage,
 )
-from matrixworld.coevolution.storage import COLUMNS
+from matrixworld.coevolution.storage import COLUMNS, RunWriter
 from slow import quickly
 from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
@@ -55,9 +55,9 @@ def save(files_of_run, stage):
 
 
 def new_run(path):
-    made = RunDirectory.create(path, {"seed": 1})
-    save(made, 0)
-    made.write_config()
+    made = RunWriter(path)
+    with made.creating({"seed": 1}):
+        save(made, 0)
     return made
 
 
@@ -81,7 +81,7 @@ def alter(path):
 
 
 def test_stages_come_back(run):
-    restored = RunDirectory.open(run.path).restore()
+    restored = RunWriter(run.path).restore()
     assert [int(stage["matches"]) for stage in restored.stages] == [0, 1, 2]
     assert restored.state["state"].tolist() == [2]
     assert np.array_equal(restored.archive["pursuer"], archive(3)["pursuer"])
@@ -95,7 +95,7 @@ def test_stages_come_back(run):
 @pytest.mark.parametrize("name", ["stage-0002.npz", "checkpoint-0002.npz"])
 def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage):
     damage(run.path / name)
-    reopened = RunDirectory.open(run.path)
+    reopened = RunWriter(run.path)
     with pytest.warns(UserWarning, match=f"{name}: (cut|altered).*; continuing from the stage"):
         restored = reopened.restore()
     assert restored.state["state"].tolist() == [1]
@@ -103,13 +103,13 @@ def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage
     save(reopened, 2)  # played again
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert len(RunDirectory.open(run.path).restore().stages) == 3
+        assert len(RunWriter(run.path).restore().stages) == 3
     assert len(run.archive()["evader"]) == 3
     assert (run.path / f"{name}.damaged").exists()
     damage(run.path / "checkpoint-0002.npz")
     cut(run.path / "checkpoint-0001.npz")  # now neither of the two states can be read
     with pytest.raises(DamagedFileError, match=r"checkpoint-0002.npz: .*checkpoint-0001.npz: cut"):
-        RunDirectory.open(run.path).restore()
+        RunWriter(run.path).restore()
 
 
 def test_a_stage_costs_the_same_in_every_generation(tmp_path):
@@ -160,14 +160,14 @@ def life(request, tmp_path_factory):
 def seen(directory):
     """Return what readers see of a run: its genomes and its log."""
     run = open_run(directory)
-    log = {name: column.tolist() for name, column in run.files.log().items()}
-    return {team: each.tolist() for team, each in run.files.archive().items()}, log
+    log = {name: column.tolist() for name, column in run.log().items()}
+    return {team: each.tolist() for team, each in run.archive().items()}, log
 
 
 def test_the_copies_at_the_end_hold_what_the_stages_hold(life):
     *_, before, finished = life
     assert seen(before) == seen(finished)
-    for team, genomes in open_run(finished).files.archive().items():
+    for team, genomes in open_run(finished).archive().items():
         if len(genomes):
             assert np.array_equal(np.load(finished / f"{team}s.npy"), genomes)
         else:
@@ -213,7 +213,7 @@ def test_a_reader_beside_a_writer_never_fails(tmp_path):
         until = time.monotonic() + 60
         # From the first stage to the twentieth.
         while generations < 20 and time.monotonic() < until:
-            run = RunDirectory.open(tmp_path / "run")
+            run = RunWriter(tmp_path / "run")
             found, log = run.archive(), run.log()
             assert np.array_equal(found["pursuer"], archive(len(found["pursuer"]))["pursuer"])
             assert len(found["pursuer"]) == len(found["evader"]) >= generations
@@ -396,7 +396,7 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_pa
     directory = tmp_path / "run"
     command = ["evolve", "--out", directory, *words(RACE), "--schedule", MAIN_JOB[-1]]
     with monkeypatch.context() as patch:
-        patch.setattr(RunDirectory, "write_config", interrupted)
+        patch.setattr(storage, "save_json", interrupted)
         matrixworld_command(*command, code=INTERRUPTED)
     run = directory / PLACES[-1]
     assert not (run / "config.json").exists()

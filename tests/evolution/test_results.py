@@ -142,7 +142,7 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     assert {path.name for path in results.iterdir()} == {"races.csv", "comparison.md", "seed_0.png"}
     assert printed.startswith(read(results / "comparison.md"))
     matches = [
-        open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
+        open_run(tmp_path / "runs/hall_of_fame" / kind / "0").log()["matches"][-1]
         for kind in ("living-opponents-only", "halls-of-fame")
     ]
     assert matches[0] == matches[1] == 8 * 3 * 8 * 4
@@ -180,7 +180,7 @@ def test_yoked_races_are_compared_with_races_of_the_same_seeds(tmp_path: Path) -
     for seed in range(2):
         yoked = open_run(runs / f"tiny-yoked-generalist-generalist/seed-{seed}")
         race = open_run(runs / f"tiny-generalist-generalist/seed-{seed}")
-        assert Path(yoked.settings.schedule.race) == race.files.path.with_name(f"seed-{1 - seed}")
+        assert Path(yoked.settings.schedule.race) == race.path.with_name(f"seed-{1 - seed}")
         assert (yoked.teams["pursuer"].genomes[0] == race.teams["pursuer"].genomes[0]).all()
     # Read from the files: nothing is played again.
     assert run_quickly("yoked_races", tmp_path) == printed
@@ -225,7 +225,7 @@ def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
     printed = run_quickly("archives", tmp_path, "--samplers", "latest", "maxsolve")
     budget = int(printed.split(" matches")[0].rsplit(" ", 1)[-1].replace(",", ""))
     ends = [
-        open_run(tmp_path / "runs/archives" / name / "0").files.log()["matches"][-1]
+        open_run(tmp_path / "runs/archives" / name / "0").log()["matches"][-1]
         for name in ("latest", "maxsolve")
     ]
     assert budget == min(ends) < max(ends)
@@ -323,7 +323,7 @@ def test_paper_claims_are_measured_in_parts_and_put_together(tmp_path: Path) -> 
     assert first["surrounding for rewards: faults"].shape == (1, 2)
     # The last team and its training are those of the run.
     run = open_run(tmp_path / "runs/paper_claims/surrounding-for-captures/0")
-    log, world = run.files.log(), run.settings.world
+    log, world = run.log(), run.settings.world
     in_training = 1000 * log["pursuer_faults"][-2:].sum() / log["length"][-2:].sum()
     told = first["surrounding for captures: faults"][0, 0]
     assert told == pytest.approx(in_training / world.n_pursuers)
@@ -573,7 +573,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
         captures = numbers[f"{name} / capture rate"]
     # The numbers are those of the runs.
     run = open_run(tmp_path / "runs/safe_learning/SB-gradients-right-of-way/1")
-    assert steps[1, -1] == 3 * run.files.log()["steps"][-1]
+    assert steps[1, -1] == 3 * run.log()["steps"][-1]
     settings, own = run.settings, run.teams["pursuer"]
     last = mw.Population(own.genomes[-1:], own.network)
     world = settings.world

@@ -62,12 +62,12 @@ def test_generalization_compares_at_equal_matches_and_reuses_its_runs(tmp_path: 
     assert float(table[2][3]) == pytest.approx(1 - payoff[:, -1].mean(), abs=0.005)
     for k in (0, 2):  # the same pairs in other episodes
         assert float(table[k][4]) == pytest.approx(float(table[k][3]), abs=0.12)
-    played = race.files.summary()["training_matches"]
+    played = race.summary()["training_matches"]
     assert played == sum(int(table[k][2].replace(",", "")) for k in (0, 2))
     taught = coevolution.open_run(runs / "evaders-against-trained")
     halfway = coevolution.open_run(runs / "evaders-against-random-half").teams["evader"]
     teachers = coevolution.open_run(runs / "pursuers-against-random").teams["pursuer"]
-    escaped = 1 - taught.files.summary()["capture_rate"]
+    escaped = 1 - taught.summary()["capture_rate"]
     assert float(table[4][3]) == pytest.approx(escaped, abs=0.005)
     assert (taught.teams["evader"].genomes[0] == halfway.genomes[-1]).all()
     assert (taught.teams["pursuer"].genomes == teachers.genomes[-1:]).all()

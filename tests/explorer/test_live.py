@@ -98,7 +98,9 @@ def test_cells_are_the_first_episodes_of_the_evaluation_however_they_grew(
     for pursuers, evaders in ((1, 1), (2, 1), (2, 3), (3, 3), (9, 9)):
         parts = zip(TEAMS, (pursuers, evaders), strict=True)
         teams = {team: first_of(run.teams[team], most) for team, most in parts}
-        known = extended(SavedRun(run.files, run.settings, teams), known, lambda played: None)
+        grown = SavedRun(run.path)
+        grown.teams = teams
+        known = extended(grown, known, lambda played: None)
     final = run.payoff()
     shape = final.capture_rate.shape  # of one team alone, the last generation only
     for field in ("capture_rates", "lengths"):

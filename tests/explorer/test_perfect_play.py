@@ -39,7 +39,7 @@ def test_the_explorer_shows_perfect_play_and_what_was_lost(browser: Browser, run
     g, h, episode = max(
         ((g, h, run.record(g, h)) for g in range(3) for h in range(3)), key=lambda m: m[2].length
     )
-    browser.open(explore(run.files.path, force=True).path)
+    browser.open(explore(run.path, force=True).path)
     browser.wait("document.querySelector('#match').dataset.played")
     browser.driver.execute_script(f"location.hash = 'run=0&pursuers={g}&evaders={h}'")
     browser.wait(f"document.querySelector('#match').dataset.played === '0 {g} {h} 0 '")

@@ -46,7 +46,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> list[SavedRun]:
 
 @pytest.fixture(scope="module")
 def page(job: list[SavedRun]) -> Path:
-    return explore(*(run.files.path for run in job)).path
+    return explore(*(run.path for run in job)).path
 
 
 @pytest.fixture(scope="module")
@@ -297,6 +297,6 @@ def test_the_command_writes_the_page(
     assert matrixworld_command("play", "sb", "--no-open").output == "play.html\n"
     page = (tmp_path / "play.html").read_text(encoding="utf-8")
     assert page == play_page("matrixworld play", *shipped("SB"))
-    run = job[0].files.path
+    run = job[0].path
     matrixworld_command("play", run, "--no-open")
     assert "generation 2" in (run / "play.html").read_text(encoding="utf-8")

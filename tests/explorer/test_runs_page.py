@@ -78,7 +78,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
 @pytest.fixture
 def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
     """The page of the runs, with its first match."""
-    shown = explore(*(run.files.path for run in job.values()), file=tmp_path / "page.html")
+    shown = explore(*(run.path for run in job.values()), file=tmp_path / "page.html")
     browser.open(shown.path)
     browser.wait(PLAYED)
     return browser
@@ -331,7 +331,7 @@ def test_a_long_training_curve_has_means_of_neighbouring_epochs(
     monkeypatch: pytest.MonkeyPatch, job: Job
 ) -> None:
     single = job["single"]
-    log = single.files.log()
+    log = single.log()
     whole = training_curve(log, single.settings)
     assert whole["epochs"] == 1
     np.testing.assert_allclose(whole["capture_rate"], log["capture_rate"], atol=1e-4)
@@ -346,7 +346,7 @@ def test_a_long_training_curve_has_means_of_neighbouring_epochs(
 
 
 def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
-    run = job["race"].files.path
+    run = job["race"].path
     page = explore(run)
     assert page.path == run.absolute() / "explorer.html"
     bundle = page._repr_mimebundle_()
@@ -365,7 +365,7 @@ def test_a_notebook_writes_and_shows_the_page(job: Job) -> None:
 
 def test_an_unfinished_or_damaged_run_leaves_no_page(job: Job, tmp_path: Path) -> None:
     start(tiny_race(), tmp_path / "unfinished")
-    shutil.copytree(job["turns"].files.path, tmp_path / "damaged")
+    shutil.copytree(job["turns"].path, tmp_path / "damaged")
     genomes = tmp_path / "damaged" / "stage-0001.npz"
     genomes.write_bytes(genomes.read_bytes()[:-80])
     for name, error in (("unfinished", FileNotFoundError), ("damaged", DamagedFileError)):

@@ -31,5 +31,5 @@ def test_races_run_as_elsewhere(tmp_path: Path) -> None:
     paths = os.pathsep.join([str(SUPPORT), *sys.path])
     subprocess.run(python, env=os.environ | {"PYTHONPATH": paths}, check=True)
     for run in evolve([tiny_race(seed=1)], tmp_path / "here", threads=1):
-        name = run.files.path.relative_to(tmp_path / "here")
-        assert results(tmp_path / "browser" / name) == results(run.files.path)
+        name = run.path.relative_to(tmp_path / "here")
+        assert results(tmp_path / "browser" / name) == results(run.path)

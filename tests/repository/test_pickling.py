@@ -248,7 +248,7 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     saved = coevolution.open_run(directory / "race")
     yield saved
     yield saved.policy("pursuer", -1, seed=0)
-    yield from (saved.payoff(), saved, saved.files, coevolution.score(saved, episodes=2))
+    yield from (saved.payoff(), saved, coevolution.score(saved, episodes=2))
     [group] = coevolution.open_groups(directory / "race")
     yield from (group, group.judgement, group)
     yield coevolution.best_responses(

@@ -19,6 +19,7 @@ from unittest import mock
 
 from matrixworld import coevolution
 from matrixworld._util import files
+from matrixworld.coevolution.storage import RunWriter
 from matrixworld.play.rollout import rollout
 from tiny_race import tiny_race, tiny_single
 
@@ -138,6 +139,6 @@ def run_until_killed(kind: str, directory: Path, at: int) -> None:
 
 def hold(directory: Path, held: Path) -> None:
     """Hold the lock of a run until killed; make the file `held` when the lock is held."""
-    with coevolution.RunDirectory.open(directory).lock():
+    with RunWriter(directory).lock():
         held.touch()
         signal.pause()

@@ -90,7 +90,7 @@ def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:
     """Return the arrays of ``cures.npz``."""
     shape = (len(SAMPLERS), len(SEEDS))
     rates = np.stack([run.payoff().capture_rates for run in runs])
-    matches = np.array([run.files.log()["matches"][-1] for run in runs])
+    matches = np.array([run.log()["matches"][-1] for run in runs])
     return {
         "samplers": np.array(SAMPLERS),
         "evaders": np.array(SMALL.world.n_evaders),

@@ -66,7 +66,7 @@ def race(name: str, seed: int, runs: Path) -> SavedRun:
 
 def spread(run: SavedRun) -> np.ndarray:
     """Return the standard deviation of the candidates' fitness, float32 (generations, 2 teams)."""
-    log = run.files.log()
+    log = run.log()
     found = [
         log["fitness_std"][(log["generation"] == generation) & (log["team"] == team)].mean()
         for generation in range(1, EVEN.schedule.entries)

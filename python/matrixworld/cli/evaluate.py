@@ -187,9 +187,9 @@ def _play_one(
     theirs = rival or ours
     _check_worlds(ours, theirs)
     steps = steps or ours.settings.world.max_steps
-    against = f"-against-{rival.files.path.name}" if rival else ""
+    against = f"-against-{rival.path.name}" if rival else ""
     name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
-    target = out or ours.files.path / name
+    target = out or ours.path / name
     # With another suffix the figure could have the payoff's own name.
     if target.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
@@ -212,11 +212,11 @@ def _play_one(
         )
     # Generations of two runs have no common order in time, and are not judged.
     judgement = None if rival else judge(payoff.capture_rates, per_episode=True)
-    shown = f"against evaders of {theirs.files.title}" if judgement is None else headline(judgement)
-    title = f"{'pursuers of ' if rival else ''}{ours.files.title}\n{shown}"
+    shown = f"against evaders of {theirs.title}" if judgement is None else headline(judgement)
+    title = f"{'pursuers of ' if rival else ''}{ours.title}\n{shown}"
     save_arrays(target, payoff.arrays())
     plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
-    print_head(str(ours.files.path))
+    print_head(str(ours.path))
     _print_payoff(payoff)
     if judgement is not None:
         print_head(counts(judgement))

@@ -47,7 +47,7 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import HallOfFame, RaceSettings, RunDirectory
+from matrixworld.coevolution import HallOfFame, RaceSettings, SavedRun
 from matrixworld.coevolution.groups import find_runs, place_in_job
 from matrixworld.coevolution.jobs import (
     BAD_FILES,
@@ -61,6 +61,7 @@ from matrixworld.coevolution.jobs import (
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
 from matrixworld.coevolution.sections import kinds_in
+from matrixworld.coevolution.storage import check_empty
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
 from matrixworld.play.rollout import Matches, rollout
@@ -322,7 +323,7 @@ def _check_new(root: Path) -> None:
     if not root.exists():
         return
     try:
-        RunDirectory(root).check_empty()
+        check_empty(root)
     except FileExistsError as error:
         told = f"--out: expected a new or empty directory, got {str(root)!r}"
         if can_resume(root):
@@ -442,7 +443,7 @@ def _yoked(
         )
     races: dict[RaceSettings, dict[int, Path]] = {}
     for path in find_runs(yoked):
-        found = RunDirectory(path).settings
+        found = SavedRun(path).settings
         if found.schedule.kind != Alternating.kind:
             raise ValueError(f"schedule.race: expected races in turns, got {path}")
         races.setdefault(found.method, {})[found.seed] = path
@@ -468,12 +469,12 @@ def _found_job(root: Path) -> Job:
         hint = resume_command(root.parent)
         raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
     # Runs that were put together by hand.
-    return {run.relative_to(root).as_posix(): RunDirectory(run).settings for run in runs}
+    return {run.relative_to(root).as_posix(): SavedRun(run).settings for run in runs}
 
 
 def play_runs(
     job: Job, root: Path, threads: int | None, executor: Executor | None = None, *, new: bool
-) -> tuple[list[RunDirectory], dict[Path, str]]:
+) -> tuple[list[SavedRun], dict[Path, str]]:
     """Play the runs of a job; return the finished ones, and why the others failed.
 
     The error of a single run is raised.
@@ -489,7 +490,7 @@ def play_runs(
     results = []
     for path in (root / name for name in job if name not in errors):
         try:
-            result = RunDirectory.open(path)
+            result = SavedRun(path)
             _ = result.payoff(), result.summary()  # read now: damaged ones are named below
             results.append(result)
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown

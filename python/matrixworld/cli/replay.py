@@ -221,7 +221,7 @@ def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
     if isinstance(source, Rules):
         return _scripted(source, **given)
     run = open_run(run_in(source, race=race))
-    _refuse(given.keys() - MATCH, f"{run.files.path} is a run")
+    _refuse(given.keys() - MATCH, f"{run.path} is a run")
     pursuers, g = _player(run, "pursuer", given.get("pursuer", "-1"))
     evaders, h = _player(run, "evader", given.get("evader", "-1"))
     return record(

@@ -18,7 +18,7 @@ from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.console import WIDEST, command, print_table, print_wrapped, progress, say
 from matrixworld.cli.pages import write_explorer
 from matrixworld.cli.runs import print_missing, seeds_finished
-from matrixworld.coevolution import Against, Progress, RunDirectory
+from matrixworld.coevolution import Against, Progress, SavedRun
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.jobs import Job
@@ -33,7 +33,7 @@ HELD_OUT = "\nAgainst opponents nobody trained on (1 = best)"
 
 def report(
     job: Job,
-    results: Sequence[RunDirectory],
+    results: Sequence[SavedRun],
     root: Path,
     failed: Mapping[Path, str],
     threads: int | None = None,

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from matrixworld.cli.console import command, note, print_wrapped
-from matrixworld.coevolution import RunDirectory
+from matrixworld.coevolution import SavedRun
 from matrixworld.coevolution.groups import (
     RunGroup,
     find_runs,
@@ -45,7 +45,7 @@ def finished_groups(directories: Sequence[Path], *, unfinished: bool = False) ->
     groups = open_groups(*directories)
     runs = [run for directory in directories for run in find_runs(directory)]
     if unfinished and len(runs) == 1:
-        return grouped({runs[0]: RunDirectory(runs[0]).settings}, finished=runs)
+        return grouped({runs[0]: SavedRun(runs[0]).settings}, finished=runs)
     if not any(group.runs for group in groups):
         again = resume_command(job_directory(runs[0]) or runs[0])
         raise click.UsageError(f"{runs[0]}: expected a finished run; {again} continues it")

@@ -34,10 +34,10 @@ from matrixworld.coevolution.learners.toolbox import generate_update_toolbox
 from matrixworld.coevolution.own_code import PluginError, check_learner, check_sampler
 from matrixworld.coevolution.progress import OnEpoch, Progress, ProgressBar, StopRun
 from matrixworld.coevolution.responses import best_responses
+from matrixworld.coevolution.runs import finish, resume, start
 from matrixworld.coevolution.runs.race import DisengagementWarning, Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
-from matrixworld.coevolution.runs.start import finish, resume, start
 from matrixworld.coevolution.schedules import (
     SCHEDULES,
     Against,
@@ -55,7 +55,6 @@ from matrixworld.coevolution.settings import (
 )
 from matrixworld.coevolution.storage import (
     OtherVersionError,
-    RunDirectory,
     SavedRun,
     open_run,
     open_runs,
@@ -90,7 +89,6 @@ __all__ = [
     "Race",
     "RaceSettings",
     "Run",
-    "RunDirectory",
     "RunGroup",
     "SavedRun",
     "SingleTeam",

@@ -29,7 +29,7 @@ from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.jobs import JOB, open_job
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import RunDirectory, run_directories
+from matrixworld.coevolution.storage import SavedRun, run_directories
 from matrixworld.coevolution.types import TEAMS, Team
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
@@ -48,14 +48,14 @@ class RunGroup:
     ----------
     paths : tuple of Path
         What names it: the directory of all seeds, or those of the runs.
-    runs : tuple of RunDirectory
+    runs : tuple of SavedRun
         The runs, in the order of their seeds.
     missing : tuple of int, optional
         Seeds of the same job that are not finished.
     """
 
     paths: tuple[Path, ...]
-    runs: tuple[RunDirectory, ...]
+    runs: tuple[SavedRun, ...]
     missing: tuple[int, ...] = ()
 
     @property
@@ -182,7 +182,7 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
         paths = find_runs(directory)
         if not paths:
             raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-        runs |= {path: RunDirectory(path).settings for path in paths}
+        runs |= {path: SavedRun(path).settings for path in paths}
         runs |= _not_begun(directory, paths)
     return grouped(runs)
 
@@ -201,13 +201,13 @@ def grouped(
     for paths in found.values():
         seeds: dict[int, Path] = {}
         for path in paths:
-            if RunDirectory(path).finished if finished is None else path in finished:
+            if SavedRun(path).finished if finished is None else path in finished:
                 first = seeds.setdefault(runs[path].seed, path)
                 if first != path:
                     expected = "expected runs with different seeds"
                     raise ValueError(f"{expected}, got the same run twice: {first}, {path}")
         missing = sorted({runs[path].seed for path in paths} - seeds.keys())
-        files = tuple(map(RunDirectory, seeds.values()))
+        files = tuple(map(SavedRun, seeds.values()))
         groups.append(RunGroup(_named(paths), files, tuple(missing)))
     return groups
 

@@ -44,17 +44,17 @@ from matrixworld._util import HAS_PROCESSES
 from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
 from matrixworld._util.files import DamagedFileError, locked, save_json
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
+from matrixworld.coevolution.runs import check_own_code, finish
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
+from matrixworld.coevolution.runs.run import check_same
 from matrixworld.coevolution.runs.single import check_sources
-from matrixworld.coevolution.runs.start import check_own_code, check_same, finish
 from matrixworld.coevolution.schedules import Yoked
 from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage import (
-    CONFIG,
     LOCK,
     OtherVersionError,
-    RunDirectory,
     SavedRun,
+    check_empty,
     load_format,
     open_run,
     settings_of_this_version,
@@ -289,7 +289,7 @@ def check_directory(root: Path, job: Job) -> None:
     """Raise an error unless a directory is new, empty, or that of the same job."""
     found = open_job(root)
     if found is None and root.exists():
-        RunDirectory(root).check_empty()
+        check_empty(root)
     if found is not None and found != job:
         different = found.items() ^ job.items()
         names = sorted({name for name, _ in different})
@@ -317,7 +317,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
         if isinstance(each.schedule, Yoked):
             race_to_replay(each)
     # A run that has begun has its opponents in its own archive.
-    new = [each for name, each in left.items() if not (root / name / CONFIG).exists()]
+    new = [each for name, each in left.items() if not SavedRun(root / name).exists]
     for each in dict.fromkeys(each.method for each in new):
         if not each.is_race:
             check_sources(each)
@@ -334,7 +334,7 @@ def shares(runs: int, threads: int | None) -> tuple[int, int]:
 def _finished(root: Path, name: str) -> bool:
     """Return whether nothing has to be done for a run."""
     # A run that is a job of its own is restored in any case, to tell of any damage.
-    return name != ITSELF and RunDirectory(root / name).finished
+    return name != ITSELF and SavedRun(root / name).finished
 
 
 def play_job(
@@ -376,14 +376,14 @@ class _Play:
         self._job, self._root, self._report, self._on_epoch = job, root, report, on_epoch
         # The newest stage of each run that is told, matches of finished runs, progress of those in
         # work, and matches that were played before this start.
-        self._stages = {name: RunDirectory(root / name).newest() for name in job if on_epoch}
+        self._stages = {name: SavedRun(root / name).newest() for name in job if on_epoch}
         self._done: dict[str, int] = {}
         self._work: dict[str, Progress] = {}
         self.failures: dict[str, BaseException] = {}
         for name, settings in job.items():
             if _finished(root, name):
                 try:
-                    check_same(root / name, RunDirectory(root / name).settings, settings)
+                    check_same(SavedRun(root / name), settings)
                     self._end(name)
                 except BAD_FILES as error:
                     self.failures[name] = error
@@ -478,7 +478,7 @@ class _Play:
 
     def _end(self, name: str) -> dict[str, Any]:
         """Count the matches of a finished run; return its summary."""
-        numbers = RunDirectory(self._root / name).summary()
+        numbers = SavedRun(self._root / name).summary()
         self._done[name] = int(numbers["training_matches"]) + int(numbers["evaluation_matches"])
         return numbers
 
@@ -486,7 +486,7 @@ class _Play:
         """Tell the rows of the stages that a run has saved since the last call."""
         if self._on_epoch is None or name in self.failures:
             return
-        for row in RunDirectory(self._root / name).rows(self._stages[name]):
+        for row in SavedRun(self._root / name).rows(self._stages[name]):
             self._on_epoch({"run": name, "seed": self._job[name].seed, **row})
             self._stages[name] = row["stage"]
 

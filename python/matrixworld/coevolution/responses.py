@@ -114,7 +114,7 @@ def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None
     # The run may have gone on, or been made anew in the same place.
     champion, met = (cast(Population, each.last(team)) for each in (run, response))
     if not np.array_equal(champion.genomes, met.genomes):
-        raise ValueError(f"{response.files.path}: holds a run against another champion")
+        raise ValueError(f"{response.path}: holds a run against another champion")
     before = tournament(
         settings.world,
         run.last("pursuer"),
@@ -124,8 +124,8 @@ def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None
         threads=threads,
     )
     scores = _scores(before.capture_rates, team), _scores(response.payoff().capture_rates, team)
-    gain = response_gain(*scores, budget=response.files.summary()["training_matches"])
-    result = BestResponse(team, *scores, gain, response.files.path)
+    gain = response_gain(*scores, budget=response.summary()["training_matches"])
+    result = BestResponse(team, *scores, gain, response.path)
     result.save()
     return result
 
@@ -137,7 +137,7 @@ def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -
     in matches allows. Training episodes are not longer than evaluation episodes. All other settings
     have their defaults, or the values in `changes`. Of a schedule only `archive_every` counts.
     """
-    path, policy = run.files.path, run.settings.policy
+    path, policy = run.path, run.settings.policy
     if isinstance(run.teams[team], str):
         raise ValueError(f"team: expected one that learned in {path}, got {team!r}")
     # Rewards and mask of the champion's run are not taken over.

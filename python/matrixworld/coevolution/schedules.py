@@ -183,6 +183,10 @@ class Schedule(Section):
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the whole run in which `team` learns."""
 
+    @abstractmethod
+    def new_sampler(self, team: Team) -> OpponentSampler:
+        """Return a new opponent sampler of a team that learns."""
+
 
 @dataclass(frozen=True)
 class RaceSchedule(Schedule):
@@ -404,6 +408,10 @@ class Against(Schedule):
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the run."""
         return self.epochs
+
+    def new_sampler(self, team: Team) -> OpponentSampler:
+        """Return a new opponent sampler of the team that learns: each opponent in turn."""
+        return opponents.RoundRobin()
 
 
 SCHEDULES: dict[str, Alternating] = {

@@ -20,8 +20,8 @@ run is refused. log.csv, pursuers.npy and evaders.npy are copies that nothing he
 payoff.npz and summary.json are written when the training has ended; if one of the last two is
 deleted, resuming the run makes all again.
 
-`RunDirectory` reads and writes these files. `SavedRun` is what a reader sees: populations that can
-play. Atomic writes, checksums and locks of single files are in `matrixworld._util.files`.
+`SavedRun` reads these files, and `RunWriter` writes them. Atomic writes, checksums and locks of
+single files are in `matrixworld._util.files`.
 """
 
 from __future__ import annotations
@@ -32,7 +32,6 @@ import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple, cast
@@ -63,7 +62,7 @@ from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import record
 from matrixworld.play import NetworkPolicy
 from matrixworld.version import __version__
-from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TeamPolicy
+from matrixworld.world.policy import Network, Population, Script, TeamPolicy
 
 FORMAT = 9
 """Version of the directory's layout; another one is refused."""
@@ -137,59 +136,47 @@ def settings_of_this_version(path: Path, values: Mapping[str, Any]) -> Iterator[
         ) from error
 
 
-class Restored(NamedTuple):
-    """What all stages have added, the genomes in them, and the state from which to go on."""
+class SavedRun:
+    """A run in a directory, finished or still training.
 
-    stages: list[Arrays]
-    archive: Archive
-    state: Arrays
-
-
-class RunDirectory:
-    """The files of one run; made by `create` for a new run and by `open` for an existing one.
-
-    One process writes to a directory, under its lock; any number may read it meanwhile.
+    `open_run` returns one whose files are checked. Methods read what the files hold at that moment;
+    `teams` stay as they were when they were first read.
 
     Parameters
     ----------
-    path : Path
-        The directory.
+    path : str or Path
+        The run directory.
+
+    Attributes
+    ----------
+    config : dict
+        The content of config.json.
+    settings : RaceSettings
+        Settings of the run.
+    teams : mapping of str to Population or str
+        For each team its archive as a population, one genome per generation, or the name of a
+        script.
     """
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self._saved: dict[Team, int] = dict.fromkeys(TEAMS, 0)  # genomes in the stages so far
+    def __init__(self, path: str | Path) -> None:
+        self.path: Path = Path(path)
 
-    @classmethod
-    def create(cls, path: str | Path, settings: Mapping[str, Any], **more: Any) -> RunDirectory:
-        """Return the directory of a new run, and make it; FileExistsError if it is not empty.
-
-        Settings and `more` are what `write_config` will write.
-        """
-        files = cls(Path(path))
-        head = {"format": FORMAT, "matrixworld": __version__}
-        files.config = {**head, "settings": dict(settings), **more}
-        files.path.mkdir(parents=True, exist_ok=True)
-        files.check_empty()
-        return files
-
-    @classmethod
-    def open(cls, path: str | Path) -> RunDirectory:
-        """Return the directory of an existing run; FileNotFoundError if it holds no run."""
-        path = Path(path)
-        if not (path / CONFIG).is_file():
-            raise FileNotFoundError(f"{path}: holds no run, expected a file {CONFIG}")
-        return cls(path)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the path alone: a copy reads from the directory what it needs."""
-        return type(self), (self.path,)
-
-    # Configuration:
+    def __repr__(self) -> str:
+        """Return directory, kind and seed of the run, and the size of each team's archive."""
+        sizes = ", ".join(
+            f"{team}s: {each if isinstance(each, str) else len(each.genomes)}"
+            for team, each in self.teams.items()
+        )
+        kind = self.settings.schedule.name
+        return (
+            f"{type(self).__name__}({str(self.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
+        )
 
     @cached_property
     def config(self) -> dict[str, Any]:
         """The content of config.json; OtherVersionError if it has another format."""
+        if not self.exists:
+            raise FileNotFoundError(f"{self.path}: holds no run, expected a file {CONFIG}")
         return load_format(self.path / CONFIG, FORMAT)
 
     @cached_property
@@ -197,17 +184,6 @@ class RunDirectory:
         """Settings of the run; OtherVersionError if this version cannot read them."""
         with settings_of_this_version(self.path / CONFIG, self.config):
             return RaceSettings.from_json(self.config["settings"])
-
-    @cached_property
-    def _owner(self) -> str:
-        """Owner of the files in their checksums: runs of other settings have another one."""
-        return json_digest(self.config)
-
-    def _load(self, name: str) -> Arrays:
-        return load_arrays(self.path / name, owner=f"{self._owner}/{name}")
-
-    def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        save_arrays(self.path / name, arrays, owner=f"{self._owner}/{name}")
 
     @property
     def title(self) -> str:
@@ -219,7 +195,17 @@ class RunDirectory:
             name = f"{name} ({self.settings.schedule.name})"
         return f"{name}, seed {self.settings.seed}"
 
-    # Reading:
+    @property
+    def exists(self) -> bool:
+        """Whether the directory holds a run."""
+        return (self.path / CONFIG).is_file()
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run has its results."""
+        return (self.path / SUMMARY).exists() and (self.path / PAYOFF).exists()
+
+    # What the files hold:
 
     def archive(self) -> Archive:
         """Return the genomes (generations, genes) float32 of each team in all finished stages.
@@ -241,17 +227,27 @@ class RunDirectory:
         return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
 
     def payoff(self) -> Payoff:
-        """Return payoff.npz; FileNotFoundError while the run is not finished."""
+        """Return the payoff; FileNotFoundError while the run is not finished."""
         return Payoff.from_arrays(self._load(PAYOFF))
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
-        return load_json(self.path / SUMMARY, owner=f"{self._owner}/{SUMMARY}")
+        return load_json(self.path / SUMMARY, owner=self.owner(SUMMARY))
 
-    @property
-    def finished(self) -> bool:
-        """Whether the run has its results."""
-        return (self.path / SUMMARY).exists() and (self.path / PAYOFF).exists()
+    def owner(self, name: str) -> str:
+        """Return the owner of a file in its checksum: runs of other settings have another one."""
+        return f"{json_digest(self.config)}/{name}"
+
+    def newest(self) -> int:
+        """Return the number of the newest stage, 0 before the first."""
+        return max(self._numbers("stage"), default=0)
+
+    def _numbers(self, kind: str) -> list[int]:
+        names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
+        return [int(name) for name in names if name.isdigit()]
+
+    def _load(self, name: str) -> Arrays:
+        return load_arrays(self.path / name, owner=self.owner(name))
 
     def _stages(self) -> list[Arrays]:
         """Return what all finished stages have added; DamagedFileError if one is missing."""
@@ -266,232 +262,24 @@ class RunDirectory:
             problem = "missing, expected the files of all stages"
             raise DamagedFileError(self.path / _name("stage", number), problem) from error
 
-    def newest(self) -> int:
-        """Return the number of the newest stage, 0 before the first."""
-        return max(self._numbers("stage"), default=0)
+    # Teams that can play:
 
-    def _numbers(self, kind: str) -> list[int]:
-        names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
-        return [int(name) for name in names if name.isdigit()]
+    @cached_property
+    def teams(self) -> Mapping[Team, TeamPolicy]:
+        """For each team its archive as a population, or the name of a script."""
+        return {team: self.as_policy(team, each) for team, each in self.archive().items()}
 
-    # Making a new run:
-
-    def check_empty(self) -> None:
-        """Raise FileExistsError if the directory is not empty.
-
-        Files of a run that was never completely made do not count. Its lock file shows that they
-        are from such a run, and they hold no training yet.
-        """
-        found = sorted(item.name for item in self.path.iterdir())
-        if LOCK in found:
-            found = [name for name in found if name not in _INCOMPLETE and not is_temporary(name)]
-        if found:
-            raise FileExistsError(
-                f"{self.path}: expected a new or empty directory for a new run, found "
-                f"{', '.join(found[:3])}{' ...' if len(found) > 3 else ''}"
-            )
-
-    def clear(self) -> None:
-        """Remove the files that `check_empty` ignores. To be called under the lock."""
-        # Again, because another process may have made a run before this one got the lock.
-        self.check_empty()
-        remove_temporary_files(self.path)
-        for name in _INCOMPLETE - {LOCK}:
-            (self.path / name).unlink(missing_ok=True)
-
-    def lock(self) -> AbstractContextManager[None]:
-        """Hold the directory for writing; LockedError if another process does."""
-        return locked(self.path / LOCK)
-
-    def write_config(self) -> None:
-        """Write config.json: the last file of a new run, with which the directory holds a run."""
-        save_json(self.path / CONFIG, self.config)
-
-    # Training:
-
-    def save(
-        self,
-        stage: int,
-        archive: Mapping[Team, Genomes | Sequence[Genome]],
-        rows: Sequence[Row],
-        counters: Counters,
-        state: Mapping[str, Any],
-    ) -> None:
-        """Save a stage and its checkpoint.
-
-        `archive` holds all genomes of each team, of which those of earlier stages are not written
-        again; `rows` are the rows of the log of this stage; `counters` is what the run has counted
-        until now; `state` is that of learners and samplers, from which the next stage goes on.
-        """
-        new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
-        genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
-        log = _as_csv([{**row, "stage": stage} for row in rows]).encode()
-        self._save(_name("checkpoint", stage), state)
-        self._save(_name("stage", stage), {**genomes, "log": log, **counters})
-        self._saved = {team: len(archive[team]) for team in TEAMS}
-        (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
-
-    def restore(self) -> Restored:
-        """Return the newest stage that is intact, with all stages before it.
-
-        To be called under the lock. A damaged file is reported by a warning and renamed to
-        ``*.damaged``; the stage before it is used instead. DamagedFileError if no stage is intact
-        that has a checkpoint.
-        """
-        remove_temporary_files(self.path)
-        problems: list[DamagedFileError] = []
-        stages = self._intact_stages(problems)
-        while stages:
-            try:
-                state = self._load(_name("checkpoint", len(stages) - 1))
-                break
-            except FileNotFoundError:
-                stages.pop()
-            except DamagedFileError as error:
-                problems.append(error)
-                stages.pop()
-        if not stages:
-            reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
-            raise DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
-        self._set_aside(problems)
-        for number in self._numbers("checkpoint"):
-            if number < len(stages) - 2:
-                (self.path / _name("checkpoint", number)).unlink()
-        archive = _archive_of(stages)
-        self._saved = {team: len(archive[team]) for team in TEAMS}
-        return Restored(stages, archive, state)
-
-    def _intact_stages(self, problems: list[DamagedFileError]) -> list[Arrays]:
-        """Return the stages before the first that is damaged; add what is wrong to `problems`."""
-        stages: list[Arrays] = []
-        try:
-            for number in range(self.newest() + 1):
-                stages.append(self._stage(number))  # noqa: PERF401, those before an error are kept
-        except DamagedFileError as error:
-            problems.append(error)
-        return stages
-
-    def _set_aside(self, problems: Sequence[DamagedFileError]) -> None:
-        for problem in problems:
-            warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=4)
-            if problem.path.exists():
-                os.replace(problem.path, f"{problem.path}.damaged")
-
-    def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
-        """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
-        stages = self._stages()
-        with replacing(self.path / LOG) as file:
-            file.write(_log_of(stages).encode())
-        for team, genomes in _archive_of(stages).items():
-            if len(genomes):  # those of a team that a script plays are none
-                with replacing(self.path / f"{team}s.npy") as file:
-                    np.save(file, genomes)
-        self._save(PAYOFF, payoff)
-        save_json(self.path / SUMMARY, summary, owner=f"{self._owner}/{SUMMARY}")
-
-
-def _name(kind: str, stage: int) -> str:
-    return f"{kind}-{stage:04}.npz"
-
-
-_INCOMPLETE = {LOCK, _name("stage", 0), _name("checkpoint", 0)}
-"""Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
-
-
-def _archive_of(stages: Sequence[Arrays]) -> Archive:
-    """Return the genomes that stages have added; (0, 0) for a team that a script plays."""
-
-    def genomes(name: str) -> Genomes:
-        added = [stage[name] for stage in stages if name in stage]
-        return np.concatenate(added) if added else np.empty((0, 0), np.float32)
-
-    return {team: genomes(f"{team}s") for team in TEAMS}
-
-
-def _log_of(stages: Sequence[Arrays]) -> str:
-    return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
-
-
-def _rows_of(stages: Sequence[Arrays]) -> list[Row]:
-    rows = csv.DictReader(io.StringIO(_log_of(stages), newline=""))
-    return [{name: kind(row[name]) for name, kind in COLUMNS.items()} for row in rows]
-
-
-def _as_csv(rows: Sequence[Row]) -> str:
-    text = io.StringIO()
-    # The same line ends on all systems, so that checksums are the same, too.
-    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
-    for row in rows:
-        # Nine digits identify every float32.
-        writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
-    return text.getvalue()
-
-
-# Runs to read, whether they are still training or not:
-
-
-def script_of(name: str) -> Script:
-    """Return `name` as the name of a script; ValueError if there is no such script."""
-    check_choice("script", name, SCRIPTS)
-    return cast(Script, name)
-
-
-def last_generation(directory: str | Path, team: Team) -> Population:
-    """Return the last genome of a team in a run directory; ValueError if there is none."""
-    files = RunDirectory.open(directory)
-    genomes = files.archive()[team]
-    if not len(genomes):
-        raise ValueError(f"{directory}: expected a run with genomes of {team}s, got none")
-    return _population(files, team, genomes[-1:])
-
-
-def archive_network(files: RunDirectory, team: Team) -> Network:
-    """Return the network of a team's genomes in a run directory."""
-    settings = files.settings
-    if team in settings.learning_teams:
-        return settings.network
-    # Opponents of a single team may come from a run with other hidden layers.
-    guest: Any = files.config.get("opponent_network")
-    try:
-        hidden, activation = tuple(guest["hidden"]), guest["activation"]
-        shape = {"activation": activation, "memory": guest["memory"]}
-        return Network.for_config(settings.world, hidden, **shape)
-    except (KeyError, OverflowError, TypeError, ValueError) as error:
-        problem = f"opponent_network: expected hidden, activation and memory ({error})"
-        raise DamagedFileError(files.path / CONFIG, problem) from error
-
-
-@dataclass(frozen=True)
-class SavedRun:
-    """The contents of a run directory.
-
-    Parameters
-    ----------
-    files : RunDirectory
-        The directory; its methods `log` and `summary` read further files.
-    settings : RaceSettings
-        Settings of the run.
-    teams : mapping of str to Population or str
-        For each team its archive as a population, one genome per generation, or the name of a
-        script.
-    """
-
-    files: RunDirectory
-    settings: RaceSettings
-    teams: Mapping[Team, TeamPolicy]
-
-    def __repr__(self) -> str:
-        """Return directory, kind and seed of the run, and the size of each team's archive."""
-        sizes = ", ".join(
-            f"{team}s: {each if isinstance(each, str) else len(each.genomes)}"
-            for team, each in self.teams.items()
+    def as_policy(self, team: Team, genomes: Genomes) -> TeamPolicy:
+        """Return genomes of a team as a population; without any, the script that plays for it."""
+        settings = self.settings
+        if not len(genomes):
+            return cast(Script, cast(Against, settings.schedule).opponent)
+        if team in settings.learning_teams:
+            return Population(genomes, settings.network)
+        # Opponents of a single team may come from a run with other hidden layers.
+        return Population(
+            genomes, Network.for_config(settings.world, **self.config["opponent_network"])
         )
-        kind = self.settings.schedule.name
-        return f"SavedRun({str(self.files.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
-
-    def payoff(self) -> Payoff:
-        """Return the payoff; FileNotFoundError while the run is not finished."""
-        return self.files.payoff()
 
     def last(self, team: Team) -> TeamPolicy:
         """Return the last generation of a team, as a population of one genome, or its script."""
@@ -505,7 +293,7 @@ class SavedRun:
         Generation 0, the untrained one, is returned if no other was finished. To compare runs at
         equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
-        log = self.files.log()
+        log = self.log()
         own = log["team"] == team
         generations, played = log["generation"][own], log["matches"][own]
         newest = int(generations.max(initial=0))
@@ -584,7 +372,7 @@ class SavedRun:
 
 
 def open_run(directory: str | Path) -> SavedRun:
-    """Return the contents of a run directory, whether the run is finished or not.
+    """Return the run in a directory, whether it is finished or not.
 
     Parameters
     ----------
@@ -600,18 +388,17 @@ def open_run(directory: str | Path) -> SavedRun:
     OtherVersionError
         If the run is of another version of the package.
     """
-    files = RunDirectory.open(directory)
-    settings, archive = files.settings, files.archive()
+    run = SavedRun(directory)
+    _ = run.settings, run.teams  # read now: damage and other versions are told here
+    return run
 
-    def policy(team: Team) -> TeamPolicy:
-        if len(archive[team]):
-            return _population(files, team, archive[team])
-        schedule = settings.schedule
-        if isinstance(schedule, Against) and schedule.team != team:
-            return script_of(schedule.opponent)
-        raise DamagedFileError(files.path, f"expected genomes of {team}s, got none")
 
-    return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
+def last_generation(directory: str | Path, team: Team) -> Population:
+    """Return the last genome of a team in a run directory; ValueError if there is none."""
+    last = open_run(directory).last(team)
+    if isinstance(last, str):
+        raise ValueError(f"{directory}: expected a run with genomes of {team}s, got none")
+    return last
 
 
 def run_directories(path: Path) -> list[Path]:
@@ -642,14 +429,178 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
     paths = run_directories(Path(directory))
     if not paths:
         raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-    runs = [open_run(path) for path in paths if RunDirectory(path).finished]
-    return sorted(runs, key=lambda run: (run.files.path.parent, run.settings.seed, run.files.path))
+    runs = [open_run(path) for path in paths if SavedRun(path).finished]
+    return sorted(runs, key=lambda run: (run.path.parent, run.settings.seed, run.path))
 
 
-def _population(files: RunDirectory, team: Team, genomes: Genomes) -> Population:
-    """Return genomes of an archive as a population; DamagedFileError if they do not fit."""
-    network = archive_network(files, team)
-    try:
-        return Population(genomes, network)
-    except (TypeError, ValueError) as error:
-        raise DamagedFileError(files.path, f"{team}s: {error}") from error
+# Writing:
+
+
+class Restored(NamedTuple):
+    """What all stages have added, the genomes in them, and the state from which to go on."""
+
+    stages: list[Arrays]
+    archive: Archive
+    state: Arrays
+
+
+class RunWriter(SavedRun):
+    """A run that one process writes, under its lock; any number may read it meanwhile."""
+
+    def __init__(self, path: str | Path) -> None:
+        super().__init__(path)
+        self._saved: dict[Team, int] = dict.fromkeys(TEAMS, 0)  # genomes in the stages so far
+
+    def lock(self) -> AbstractContextManager[None]:
+        """Hold the directory for writing; LockedError if another process does."""
+        return locked(self.path / LOCK)
+
+    @contextmanager
+    def creating(self, settings: Mapping[str, Any], **more: Any) -> Iterator[None]:
+        """Make the directory of a new run, in which the block saves stage 0.
+
+        Settings and `more` are the content of config.json. FileExistsError if the directory is not
+        empty.
+        """
+        head = {"format": FORMAT, "matrixworld": __version__}
+        self.config = {**head, "settings": dict(settings), **more}
+        self.path.mkdir(parents=True, exist_ok=True)
+        check_empty(self.path)
+        with self.lock():
+            # Again, because another process may have made a run before this one got the lock.
+            check_empty(self.path)
+            remove_temporary_files(self.path)
+            for name in _INCOMPLETE - {LOCK}:
+                (self.path / name).unlink(missing_ok=True)
+            yield
+            # Last: a directory without config.json holds no run, and may be used again.
+            save_json(self.path / CONFIG, self.config)
+
+    def save(
+        self,
+        stage: int,
+        archive: Mapping[Team, Genomes | Sequence[Genome]],
+        rows: Sequence[Row],
+        counters: Counters,
+        state: Mapping[str, Any],
+    ) -> None:
+        """Save a stage and its checkpoint.
+
+        `archive` holds all genomes of each team, of which those of earlier stages are not written
+        again; `rows` are the rows of the log of this stage; `counters` is what the run has counted
+        until now; `state` is that of learners and samplers, from which the next stage goes on.
+        """
+        new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
+        genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
+        log = _as_csv([{**row, "stage": stage} for row in rows]).encode()
+        self._save(_name("checkpoint", stage), state)
+        self._save(_name("stage", stage), {**genomes, "log": log, **counters})
+        self._saved = {team: len(archive[team]) for team in TEAMS}
+        (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
+
+    def restore(self) -> Restored:
+        """Return the newest stage that is intact, with all stages before it.
+
+        To be called under the lock. A damaged file is reported by a warning and renamed to
+        ``*.damaged``; the stage before it is used instead. DamagedFileError if no stage is intact
+        that has a checkpoint.
+        """
+        remove_temporary_files(self.path)
+        problems: list[DamagedFileError] = []
+        stages: list[Arrays] = []
+        newest = self.newest()
+        try:
+            while len(stages) <= newest:
+                stages.append(self._stage(len(stages)))
+        except DamagedFileError as error:
+            problems.append(error)
+        state: Arrays | None = None
+        numbers = sorted(n for n in self._numbers("checkpoint") if n < len(stages))
+        while numbers and state is None:
+            number = numbers.pop()
+            try:
+                state = self._load(_name("checkpoint", number))
+                del stages[number + 1 :]
+            except DamagedFileError as error:
+                problems.append(error)
+        if state is None:
+            reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
+            raise DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
+        for problem in problems:
+            warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=3)
+            if problem.path.exists():
+                os.replace(problem.path, f"{problem.path}.damaged")
+        for number in self._numbers("checkpoint"):
+            if number < len(stages) - 2:
+                (self.path / _name("checkpoint", number)).unlink()
+        archive = _archive_of(stages)
+        self._saved = {team: len(archive[team]) for team in TEAMS}
+        return Restored(stages, archive, state)
+
+    def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
+        """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
+        stages = self._stages()
+        with replacing(self.path / LOG) as file:
+            file.write(_log_of(stages).encode())
+        for team, genomes in _archive_of(stages).items():
+            if len(genomes):  # those of a team that a script plays are none
+                with replacing(self.path / f"{team}s.npy") as file:
+                    np.save(file, genomes)
+        self._save(PAYOFF, payoff)
+        save_json(self.path / SUMMARY, summary, owner=self.owner(SUMMARY))
+
+    def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
+        save_arrays(self.path / name, arrays, owner=self.owner(name))
+
+
+def _name(kind: str, stage: int) -> str:
+    return f"{kind}-{stage:04}.npz"
+
+
+_INCOMPLETE = {LOCK, _name("stage", 0), _name("checkpoint", 0)}
+"""Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
+
+
+def check_empty(path: Path) -> None:
+    """Raise FileExistsError if a directory is not empty.
+
+    Files of a run that was never completely made do not count. Its lock file shows that they are
+    from such a run, and they hold no training yet.
+    """
+    found = sorted(item.name for item in path.iterdir())
+    if LOCK in found:
+        found = [name for name in found if name not in _INCOMPLETE and not is_temporary(name)]
+    if found:
+        raise FileExistsError(
+            f"{path}: expected a new or empty directory for a new run, found "
+            f"{', '.join(found[:3])}{' ...' if len(found) > 3 else ''}"
+        )
+
+
+def _archive_of(stages: Sequence[Arrays]) -> Archive:
+    """Return the genomes that stages have added; (0, 0) for a team that a script plays."""
+
+    def genomes(name: str) -> Genomes:
+        added = [stage[name] for stage in stages if name in stage]
+        return np.concatenate(added) if added else np.empty((0, 0), np.float32)
+
+    return {team: genomes(f"{team}s") for team in TEAMS}
+
+
+def _log_of(stages: Sequence[Arrays]) -> str:
+    return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
+
+
+def _rows_of(stages: Sequence[Arrays]) -> list[Row]:
+    rows = csv.DictReader(io.StringIO(_log_of(stages), newline=""))
+    return [{name: kind(row[name]) for name, kind in COLUMNS.items()} for row in rows]
+
+
+def _as_csv(rows: Sequence[Row]) -> str:
+    text = io.StringIO()
+    # The same line ends on all systems, so that checksums are the same, too.
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    for row in rows:
+        # Nine digits identify every float32.
+        writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
+    return text.getvalue()

@@ -147,7 +147,7 @@ def explorer_page(
     says what the page does not show, such as further runs of the job. FileNotFoundError if a run is
     not finished, unless the page is `live`.
     """
-    paths = [run.files.path.absolute() for run in runs]
+    paths = [run.path.absolute() for run in runs]
     common = _common(paths)
     # Each by its path below the directory that holds all of them.
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
@@ -203,7 +203,7 @@ def runs_data(
     step = step_of([run for _, run in runs], most)
     plain, genomes = [], dict[str, bytes]()
     for n, (name, run) in enumerate(runs):
-        judgement = (judgements or {}).get(run.files.path)
+        judgement = (judgements or {}).get(run.path)
         payoff = live.payoffs[n] if live else None
         shown = run_data(name, run, judgement, step=step, so_far=payoff)
         teams = {
@@ -240,7 +240,7 @@ def run_data(
         "seed": str(settings.seed),
         "world": settings.world.to_json(),
         "settings": plain_settings(settings),
-        "training": training_curve(run.files.log(), settings),
+        "training": training_curve(run.log(), settings),
         "payoff": plain_payoff(payoff, shape),
         # As text: a number of JavaScript holds 53 of the 64 bits.
         "seeds": [

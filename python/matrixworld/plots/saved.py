@@ -18,7 +18,7 @@ from matrixworld.analysis import headline
 from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import Against, HallOfFame, curve_window
-from matrixworld.coevolution.storage import SavedRun, open_run
+from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Payoff, Team
 
 Baselines = Mapping[str, Sequence[SavedRun]]
@@ -224,7 +224,7 @@ OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
 def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[str, list[float]]]:
     """Return the mean score of each baseline against all opponents of each race of a group."""
     scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
-    races = [open_run(run.path) for run in group.runs] if baselines else []
+    races = group.runs if baselines else ()
     for name, runs in baselines.items():
         trained = [trained_team(_of_seed(name, runs, race.settings.seed)) for race in races]
         means = [

@@ -114,7 +114,7 @@ def test_nobody_is_at_fault_in_training_however_large_the_weights(
         large |= {"learner.relative_sigma": 0.4, "learner.sigma": 1000.0}
     for number, changes in enumerate(({}, large, {**large, "policy.hidden": ()})):
         run = coevolution.finish(settings.changed(changes), tmp_path / str(number), threads=1)
-        log = run.files.log()
+        log = run.log()
         assert log["matches"][-1] > 0
         assert not log["pursuer_faults"].any()
         assert not log["evader_faults"].any()

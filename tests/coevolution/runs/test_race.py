@@ -45,7 +45,7 @@ def test_log_has_a_row_per_epoch_and_counts_matches(straight):
     assert log["matches"].tolist() == [4 * row for row in range(1, EPOCHS + 1)]
     steps = np.diff(log["steps"], prepend=0)  # the log has sums since the beginning
     assert np.allclose(steps, 4 * log["length"])
-    assert straight.training.matches == straight.training_matches() == 4 * EPOCHS
+    assert straight.training.matches == 4 * EPOCHS
 
 
 def test_training_matches_are_those_of_the_log(tmp_path):
@@ -126,7 +126,7 @@ def test_bad_settings_leave_no_trace(tmp_path):
     with pytest.raises(ValueError, match="schedule: expected hall-of-fame, got alternating"):
         HallOfFameRace(tiny_race(), tmp_path / "run")
     with pytest.raises(TypeError, match="settings: expected RaceSettings, got {}"):
-        Race({}, tmp_path / "run")
+        start({}, tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 

@@ -28,18 +28,18 @@ def real():
 
 def yoked_to(run: Any, **changes: Any) -> RaceSettings:
     """Return the settings of a race with another seed that is yoked to a run."""
-    schedule = Yoked(**vars(run.settings.schedule), race=str(run.files.path))
+    schedule = Yoked(**vars(run.settings.schedule), race=str(run.path))
     return replace(run.settings, **{"seed": SEED + 1, "schedule": schedule, **changes})
 
 
 def test_a_race_yoked_to_itself_is_the_race(real, tmp_path, monkeypatch):
     """The opponents of each epoch, their order and all random numbers are those of a race."""
-    monkeypatch.setattr(races, "race_to_replay", lambda settings: real.files)
+    monkeypatch.setattr(races, "race_to_replay", lambda settings: real)
     same = finish(yoked_to(real, seed=SEED), tmp_path / "same")
     for team in TEAMS:
         assert np.array_equal(same.teams[team].genomes, real.teams[team].genomes)
     assert np.array_equal(same.payoff().capture_rates, real.payoff().capture_rates)
-    log, expected = same.files.log(), real.files.log()
+    log, expected = same.log(), real.log()
     assert all(np.array_equal(log[name], expected[name]) for name in expected)
 
 
@@ -67,7 +67,7 @@ def test_a_stopped_race_ends_as_if_never_stopped(real, tmp_path, call):
 
 
 def test_what_is_replayed_must_not_change_on_the_way(real, tmp_path):
-    source = Path(shutil.copytree(real.files.path, tmp_path / "source"))
+    source = Path(shutil.copytree(real.path, tmp_path / "source"))
     settings = yoked_to(real, schedule=replace(yoked_to(real).schedule, race=str(source)))
     with pytest.raises(KeyboardInterrupt):
         start(settings, tmp_path / "run", play=StopAt(9)).run()

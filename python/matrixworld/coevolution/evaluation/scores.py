@@ -27,7 +27,6 @@ from matrixworld._util.checks import (
 )
 from matrixworld._util.files import (
     DamagedFileError,
-    json_digest,
     load_arrays,
     load_json,
     save_json,
@@ -47,7 +46,7 @@ from matrixworld.coevolution.evaluation.tournament import (
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
-from matrixworld.coevolution.storage import RunDirectory, SavedRun, open_run
+from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.matches import Callback, Plays, capture_rates
@@ -368,7 +367,7 @@ def score(
 
 
 def score_runs(
-    runs: Sequence[RunDirectory], *, report: Report = silent, **options: Any
+    runs: Sequence[SavedRun], *, report: Report = silent, **options: Any
 ) -> list[dict[Team, HeldOutScores]]:
     """Return the scores of several runs, with one progress for all; options as those of `score`."""
     found = []
@@ -379,12 +378,13 @@ def score_runs(
             done = number * one.total + one.done
             report(Progress(place + one.what, done, len(runs) * one.total))
 
-        found.append(score(open_run(run.path), report=part, **options))
+        # A reader of its own: the archives of all runs together may be large.
+        found.append(score(SavedRun(run.path), report=part, **options))
     return found
 
 
 def kept_scores(
-    runs: Sequence[RunDirectory], *, threads: int | None = None, report: Report = silent
+    runs: Sequence[SavedRun], *, threads: int | None = None, report: Report = silent
 ) -> list[dict[str, Any]]:
     """Return the scores of the last generations as values of JSON, by "pursuers" and "evaders".
 
@@ -395,22 +395,17 @@ def kept_scores(
         played = score_runs(missing, report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
             plain = {f"{team}s": each.to_json() for team, each in teams.items()}
-            save_json(run.path / SCORES, {**SCORED_BY, **plain}, owner=_owner(run))
+            save_json(run.path / SCORES, {**SCORED_BY, **plain}, owner=run.owner(SCORES))
     return [_kept(run) or {} for run in runs]
 
 
-def _kept(run: RunDirectory) -> dict[str, Any] | None:
+def _kept(run: SavedRun) -> dict[str, Any] | None:
     """Return the scores in a run directory; None if none are kept there, or other ones."""
     try:
-        kept = load_json(run.path / SCORES, owner=_owner(run))
+        kept = load_json(run.path / SCORES, owner=run.owner(SCORES))
     except (FileNotFoundError, DamagedFileError):
         return None
     return kept if kept.items() >= SCORED_BY.items() else None
-
-
-def _owner(run: RunDirectory) -> str:
-    # Scores of another run are not taken for those of this one.
-    return f"{json_digest(run.config)}/{SCORES}"
 
 
 def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
@@ -564,7 +559,7 @@ def scores_in_race(race: SavedRun, team: Team, policy: TeamPolicy) -> NDArray[np
     check_choice("team", team, TEAMS)
     settings = race.settings
     if not settings.is_race:
-        raise ValueError(f"race: expected a race, got a run of one team: {race.files.path}")
+        raise ValueError(f"race: expected a race, got a run of one team: {race.path}")
     sides = {**race.teams, team: policy}
     payoff = tournament(
         settings.world,
@@ -582,7 +577,7 @@ def trained_team(run: SavedRun) -> tuple[Team, Population]:
     """Return the team that learned in a run of one team, and its last genome."""
     schedule = run.settings.schedule
     if not isinstance(schedule, Against):
-        raise ValueError(f"{run.files.path}: expected a run of one team, got a race")
+        raise ValueError(f"{run.path}: expected a run of one team, got a race")
     last = run.last(schedule.team)
     assert isinstance(last, Population)  # the team that learned has genomes
     return schedule.team, last

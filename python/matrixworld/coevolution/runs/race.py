@@ -21,9 +21,9 @@ from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import disengagements
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.opponents import ArchiveSampler, OpponentSampler
+from matrixworld.coevolution.opponents import ArchiveSampler
 from matrixworld.coevolution.opponents.archives import PayoffFunction
-from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import (
     Alternating,
     HallOfFame,
@@ -33,9 +33,9 @@ from matrixworld.coevolution.schedules import (
     available,
 )
 from matrixworld.coevolution.sections import different_settings, values_of
-from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
+from matrixworld.coevolution.seeding import Phase, Purpose, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import SEVERAL, Archive, RunDirectory
+from matrixworld.coevolution.storage import SEVERAL, Archive, SavedRun
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -44,7 +44,6 @@ from matrixworld.coevolution.types import (
     Members,
     Payoff,
     State,
-    Stateful,
     Team,
     other,
 )
@@ -79,27 +78,11 @@ class Race(Run):
     generation to generation.
 
     For parameters and other attributes see `Run`.
-
-    Attributes
-    ----------
-    samplers : dict of str to OpponentSampler
-        Opponent sampler of each team, which chooses among the archived generations of the other.
     """
 
     schedule: RaceSchedule
     schedule_class: ClassVar[type[Schedule]] = Alternating
     stages_per_generation: ClassVar[int] = 2
-
-    def set_up(self) -> None:
-        """Make the opponent samplers of both teams."""
-        self.samplers: dict[Team, OpponentSampler] = {
-            team: self.schedule.new_sampler(team) for team in TEAMS
-        }
-
-    def stateful_parts(self) -> dict[str, Stateful]:
-        """Return learners and opponent samplers."""
-        samplers = {f"{team}.sampler": sampler for team, sampler in self.samplers.items()}
-        return {**super().stateful_parts(), **samplers}
 
     def learn(self, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive its genome."""
@@ -108,10 +91,8 @@ class Race(Run):
         n_before = available(team, generation - 1) if generation > 1 else 0
         self.admit(team, generation, range(n_before, available(team, generation)))
         before = self.learners[team].state()
-        opponents = self.opponents(team)
-        sampler, activity = self.samplers[team], f"generation {generation}: {team}s"
-        phase = TeamPhase(self, team, generation, opponents, sampler, activity)
-        phase.learn(range(self.schedule.epochs(team)))
+        epochs, activity = range(self.schedule.epochs(team)), f"generation {generation}: {team}s"
+        self.improve(team, generation, self.opponents(team), epochs, activity)
         self.retain(team, generation, before)
         self.archive_genome(team)
 
@@ -141,34 +122,28 @@ class Race(Run):
     # How many episodes a race plays:
 
     def total_matches(self) -> int:
-        """Return the episodes of the training and of the payoff matrix."""
-        cells = (self.schedule.generations + 1) ** 2
-        return self.training_matches() + cells * self.settings.evaluation_episodes
-
-    def training_matches(self) -> int:
-        """Return the number of training episodes; with archives, an upper bound of it."""
+        """Return the episodes of training and payoff matrix; with archives, an upper bound."""
         generations = range(1, self.schedule.generations + 1)
         matches = sum(self.generation_matches(team, k) for k in generations for team in TEAMS)
-        return matches * self.settings.match_episodes
+        cells = self.schedule.entries**2
+        settings = self.settings
+        return matches * settings.match_episodes + cells * settings.evaluation_episodes
 
     def generation_matches(self, team: Team, k: int) -> int:
         """Return the training matches by which `team` learns its generation `k`."""
-        archived = available(team, k)
-        met = min(self.schedule.sampled_opponents, archived)
-        epochs = self.schedule.epochs(team) * met * self.settings.learner.population
-        return epochs + self.selection_matches(team, k, met, archived)
-
-    def selection_matches(self, team: Team, k: int, met: int, archived: int) -> int:
-        """Return the matches around a generation that choose its opponents and its genome.
-
-        In an epoch an individual meets `met` opponents; `archived` ones are there.
-        """
-        champion = self.settings.learner.elite_matches * met
+        schedule, learner, sampler = self.schedule, self.settings.learner, self.samplers[team]
+        # At the same time, a team meets the generations before this one, and living opponents.
+        archived = available(team, k) if self.stages_per_generation == len(TEAMS) else k
+        living = schedule.opponents_met - schedule.sampled_opponents
+        sampled = min(schedule.sampled_opponents, archived)
+        # A match of two living individuals counts for both teams, and here for the pursuers.
+        met = sampled + (living if team == "pursuer" else 0)
+        epochs = schedule.epochs(team) * met * learner.population
+        champion = learner.elite_matches * (sampled + living)
         # Retention compares two genomes.
-        retention = 2 * archived * self.schedule.retention_episodes
-        sampler = self.samplers[team]
+        retention = 2 * archived * schedule.retention_episodes
         pairs = sampler.max_pairs(k, archived) if isinstance(sampler, ArchiveSampler) else 0
-        return champion + retention + pairs * self.schedule.archive_episodes(team)
+        return epochs + champion + retention + pairs * schedule.archive_episodes(team)
 
     # Disengagement:
 
@@ -285,13 +260,13 @@ class YokedRace(Race):
         return self.training.population(replayed[: len(own)])
 
 
-def race_to_replay(settings: RaceSettings) -> RunDirectory:
+def race_to_replay(settings: RaceSettings) -> SavedRun:
     """Return the race to which a race is yoked; ValueError unless it is finished and fits."""
     schedule = cast(Yoked, settings.schedule)
-    files = RunDirectory(Path(schedule.race))
-    if not files.finished:
+    race = SavedRun(schedule.race)
+    if not race.finished:
         raise ValueError(f"schedule.race: expected a finished race to replay, got {schedule.race}")
-    found = files.settings
+    found = race.settings
     if found.seed == settings.seed:
         raise ValueError(
             f"schedule.race: expected a race of another seed than {found.seed}, got {schedule.race}"
@@ -303,7 +278,7 @@ def race_to_replay(settings: RaceSettings) -> RunDirectory:
             f"schedule.race: expected a race with {path} {mine}, as the yoked one, got {its} in "
             f"{schedule.race}"
         )
-    return files
+    return race
 
 
 class HallOfFameRace(Race):
@@ -337,7 +312,7 @@ class HallOfFameRace(Race):
         for epoch in range(self.schedule.joint_epochs):
             populations = {
                 team: self.learners[team].ask(
-                    self._generator(Purpose.LEARN, generation, epoch, team)
+                    self.generator(Purpose.LEARN, team, generation, epoch)
                 )
                 for team in TEAMS
             }
@@ -359,7 +334,8 @@ class HallOfFameRace(Race):
 
         Returns the fitness (n,) of each team, and whom its fittest individual has met.
         """
-        rng = self._generator(Purpose.OPPONENTS, generation, epoch)
+        # One for both teams: their matches are drawn together.
+        rng = self.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
         sampled = self._sample_halls(epoch, rng)
         halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
         n = self.settings.learner.population
@@ -402,20 +378,6 @@ class HallOfFameRace(Race):
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
         samplers, size = self.samplers, len(self.archive["pursuer"])
         return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
-
-    def _generator(
-        self, purpose: Purpose, generation: int, epoch: int, team: Team = "pursuer"
-    ) -> np.random.Generator:
-        return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
-
-    def generation_matches(self, team: Team, k: int) -> int:
-        """Return the training matches by which `team` learns its generation `k`."""
-        schedule, population = self.schedule, self.settings.learner.population
-        sampled = min(schedule.hall_sample, k)
-        # A match of two living individuals counts for both teams, and here for the pursuers.
-        living = schedule.contemporaries if team == "pursuer" else 0
-        epochs = schedule.joint_epochs * (sampled + living) * population
-        return epochs + self.selection_matches(team, k, schedule.contemporaries + sampled, k)
 
 
 class Pairings(NamedTuple):

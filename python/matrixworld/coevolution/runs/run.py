@@ -1,9 +1,9 @@
 """A run: stages of learning, each saved at its end, and then an evaluation.
 
-This module tells what all kinds of runs share: how a run is made, continued and saved (`Run`), and
-how one team learns for some epochs (`TeamPhase`). What a stage is, each kind of run says itself:
-a phase of one team or a generation of both teams (`race`), or some epochs of a team that learns
-alone (`single`).
+This module tells what all kinds of runs share: how a run is made, continued and saved, and how one
+team learns for some epochs (`Run.improve`). What a stage is, each kind of run says itself: a phase
+of one team or a generation of both teams (`race`), or some epochs of a team that learns alone
+(`single`).
 
 Everything that a stage changes (learners, samplers, archive, counters, log) is saved at its end. A
 run that is stopped within a stage, even by a power cut, repeats that stage when it is resumed, and
@@ -15,14 +15,13 @@ from __future__ import annotations
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
-from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 
-from matrixworld._util.checks import check_memory, check_threads, shown
-from matrixworld._util.files import DamagedFileError
+from matrixworld._util.checks import check_memory, check_threads
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
@@ -30,9 +29,10 @@ from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateles
 from matrixworld.coevolution.progress import OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.schedules import Schedule
+from matrixworld.coevolution.sections import different_settings
 from matrixworld.coevolution.seeding import Purpose, keyed_generator, learning_phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings, run_memory
-from matrixworld.coevolution.storage import SEVERAL, Restored, RunDirectory
+from matrixworld.coevolution.storage import SEVERAL, RunWriter, SavedRun
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -62,8 +62,9 @@ class Run(ABC):
     ----------
     settings : RaceSettings
         Settings of the run.
-    directory : str, Path or RunDirectory
-        A new or empty directory for a new run; a `RunDirectory` to continue the run in it.
+    directory : str or Path
+        A new or empty directory for a new run, or that of the same run, which is continued from its
+        last finished stage.
     threads : int, optional
         Threads that `play` may use. By default all cores. Results do not depend on it.
     play : callable, optional
@@ -77,16 +78,19 @@ class Run(ABC):
         Number of finished stages.
     stage_capture_rates : list of float
         Mean capture rate in the second half of each finished stage.
+    samplers : dict of str to OpponentSampler
+        Opponent sampler of each learning team, which chooses among the genomes of the other one.
     training : TrainingMatches
         Plays the training matches, and counts matches and steps.
 
     Raises
     ------
     FileExistsError
-        If a directory for a new run is not empty.
-    TypeError, ValueError
-        If this kind of run cannot have these settings, or if the run needs more memory than the
-        machine has available (`matrixworld.coevolution.settings.run_memory`).
+        If the directory holds no run, and is not empty.
+    ValueError
+        If this kind of run cannot have these settings, the directory holds a run of other settings,
+        or the run needs more memory than the machine has available
+        (`matrixworld.coevolution.settings.run_memory`).
     """
 
     schedule_class: ClassVar[type[Schedule]]
@@ -95,17 +99,18 @@ class Run(ABC):
     def __init__(
         self,
         settings: RaceSettings,
-        directory: str | Path | RunDirectory,
+        directory: str | Path,
         *,
         threads: int | None = None,
         play: Rollout = rollout,
     ) -> None:
         # Everything that can be wrong is checked before the directory is made.
-        self.settings: RaceSettings = settings
-        self.check_settings()
-        self.schedule: Schedule = settings.schedule
+        self.check_settings(settings)
         check_threads(threads)
         check_memory("run", **run_memory(settings))
+        self.settings: RaceSettings = settings
+        self.schedule: Schedule = settings.schedule
+        self.files: RunWriter = RunWriter(directory)
         self.training: TrainingMatches = TrainingMatches(settings, play, threads)
         self.network: Network = self.training.network
         self.stage: int = 0
@@ -114,20 +119,20 @@ class Run(ABC):
             team: settings.new_learner(team, self.first_population(team))
             for team in settings.learning_teams
         }
+        self.samplers: dict[Team, OpponentSampler] = {
+            team: self.schedule.new_sampler(team) for team in settings.learning_teams
+        }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
-        self.set_up()
         self._report: Report = silent
         self._before: int = 0
         self._total_matches: int = 0
-        self.files: RunDirectory
-        if isinstance(directory, RunDirectory):
-            self.files = directory
+        if self.files.exists:
+            check_same(self.files, settings)
             with self.files.lock():
                 self._restore()
         else:
-            config = self.settings.to_json()
-            self.files = RunDirectory.create(directory, config, **self.extra_config())
-            self._write_new()
+            with self.files.creating(settings.to_json(), **self.extra_config()):
+                self._save()
 
     @property
     def n_stages(self) -> int:
@@ -159,13 +164,6 @@ class Run(ABC):
         # Copies here and below: a learner of the user's own may change its genome in place.
         return {team: [self.learners[team].genome.copy()] for team in TEAMS}
 
-    def set_up(self) -> None:  # noqa: B027, optional
-        """Make what else the run needs; called when learners and archive exist."""
-
-    def stateful_parts(self) -> dict[str, Stateful]:
-        """Return the parts of the run that a checkpoint saves and restores, by name."""
-        return dict(self.learners.items())
-
     def extra_config(self) -> dict[str, Any]:
         """Return the entries of config.json besides the settings."""
         return {}
@@ -177,12 +175,11 @@ class Run(ABC):
         genome = self.learners[team].genome.copy()
         self.archive[team].extend(self.training.population(genome).genomes)
 
-    def check_settings(self) -> None:
-        """Raise TypeError or ValueError if this kind of run cannot have these settings."""
-        if not isinstance(self.settings, RaceSettings):
-            raise TypeError(f"settings: expected RaceSettings, got {shown(self.settings)}")
-        if not isinstance(self.settings.schedule, self.schedule_class):
-            expected, got = self.schedule_class.kind, self.settings.schedule.kind
+    @classmethod
+    def check_settings(cls, settings: RaceSettings) -> None:
+        """Raise ValueError if this kind of run cannot have these settings."""
+        if not isinstance(settings.schedule, cls.schedule_class):
+            expected, got = cls.schedule_class.kind, settings.schedule.kind
             raise ValueError(f"schedule: expected {expected}, got {got}")
 
     def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> Payoff:
@@ -258,12 +255,10 @@ class Run(ABC):
         self.stage += 1
         self._save()
 
-    def _write_new(self) -> None:
-        with self.files.lock():
-            self.files.clear()
-            self._save()
-            # Last: a directory without config.json holds no run, and may be used again.
-            self.files.write_config()
+    def _parts(self) -> dict[str, Stateful]:
+        """Return the parts of the run that a checkpoint saves and restores, by name."""
+        samplers = {f"{team}.sampler": sampler for team, sampler in self.samplers.items()}
+        return {**dict(self.learners.items()), **samplers}
 
     def _save(self) -> None:
         counters = self.training.counters()
@@ -271,7 +266,7 @@ class Run(ABC):
             counters["capture_rate"] = self.stage_capture_rates[-1]
         state = {
             f"{part}.{name}": value
-            for part, stateful in self.stateful_parts().items()
+            for part, stateful in self._parts().items()
             for name, value in stateful.state().items()
         }
         self.files.save(self.stage, self.archive, self.training.rows, counters, state)
@@ -279,115 +274,83 @@ class Run(ABC):
 
     def _restore(self) -> None:
         restored = self.files.restore()
-        try:
-            self._take(restored)
-        except DamagedFileError:
-            raise
-        except (IndexError, KeyError, OverflowError, TypeError, ValueError) as error:
-            # Its checksum was correct: it is from other learners, or forged.
-            problem = f"expected the state of a run of these settings ({error!r})"
-            raise DamagedFileError(self.files.path, problem) from error
-
-    def _take(self, restored: Restored) -> None:
         _, *stages = restored.stages  # stage 0 is before training
         self.stage = len(stages)
         self.stage_capture_rates = [float(each["capture_rate"]) for each in stages]
         self.training.restore(restored.stages[-1])
-        for team in TEAMS:
-            # In place, because other objects hold these lists.
-            self.archive[team][:] = restored.archive[team]
-        for part, stateful in self.stateful_parts().items():
+        self.archive = {team: [*genomes] for team, genomes in restored.archive.items()}
+        for part, stateful in self._parts().items():
             # "pursuer.sampler.x" belongs to the part "pursuer.sampler", not to "pursuer".
             keys = (key.rpartition(".") for key in restored.state)
             names = [name for prefix, _, name in keys if prefix == part]
             stateful.restore({name: restored.state[f"{part}.{name}"] for name in names})
 
+    # How a team learns while the other one stays as it is:
 
-# One team learns:
+    def improve(
+        self, team: Team, generation: int, opponents: TeamPolicy, epochs: range, activity: str
+    ) -> None:
+        """Let a team learn for some epochs against `opponents`, among which its sampler chooses.
 
-
-class Matchup(NamedTuple):
-    """An epoch, its opponents (c,), and the match seed (n, c) of each candidate against each."""
-
-    epoch: int
-    opponents: Indices
-    seeds: Seeds
-
-
-@dataclass(frozen=True)
-class TeamPhase:
-    """Epochs in which one team learns a generation, against all available `opponents`.
-
-    The learner is improved in place; the sampler chooses the opponents of each epoch, after which
-    the run reports the `activity`.
-    """
-
-    run: Run
-    team: Team
-    generation: int
-    opponents: TeamPolicy
-    sampler: OpponentSampler
-    activity: str
-
-    def learn(self, epochs: range) -> None:
-        """Let the team learn for `epochs`; each has its own random numbers."""
-        learner = self.run.learners[self.team]
-        for matchup in self._matchups(epochs):
-            candidates = learner.ask(self._generator(Purpose.LEARN, matchup.epoch))
-            learner.tell(self.evaluate(candidates, matchup))
-            met = matchup.opponents
-        training, opponents = self.run.training, self.opponents
-        training.choose_champion(learner, self.team, self.generation, opponents, met)
-
-    def evaluate(self, candidates: Genomes, matchup: Matchup) -> FloatArray:
-        """Play and log the matches of an epoch; return the fitness (n,) of the candidates."""
-        team, opponents, training = self.team, matchup.opponents, self.run.training
-        scores = training.play_candidates(
-            team, candidates, self.opponents, opponents, matchup.seeds
-        )
+        The learner is improved in place. After each epoch the `activity` is reported.
+        """
+        learner, sampler, training = self.learners[team], self.samplers[team], self.training
+        choose = partial(self._choose, team, generation, opponents)
 
         def table(values: FloatArray) -> FloatArray:
-            return values.reshape(matchup.seeds.shape)
+            return values.reshape(len(learner.seed_groups), -1)
 
-        # Win rates, not fitness: samplers expect numbers in [0, 1].
-        if not isinstance(self.sampler, Stateless):
-            self.sampler.tell(opponents, table(win_rates(scores, team)))
-        fitness = training.fitness_of_epoch(
-            scores,
-            table,
-            team=team,
-            generation=self.generation,
-            epoch=matchup.epoch,
-            opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
-        )
-        learner, chosen = self.run.learners[team], np.tile(opponents, len(candidates))
-        training.teach(learner, team, self.opponents, chosen, matchup.seeds.ravel())
-        self.run.report(self.activity)
-        return fitness
-
-    def _matchups(self, epochs: range) -> Iterable[Matchup]:
-        matchups = map(self._matchup, epochs)
+        choices: Iterable[tuple[Indices, Seeds]] = map(choose, epochs)
         # A sampler without state can choose for all epochs ahead. Between matches, which fill the
         # caches with other data, the same work takes several times as long.
-        return list(matchups) if isinstance(self.sampler, Stateless) else matchups
+        if isinstance(sampler, Stateless):
+            choices = list(choices)
+        for epoch, (met, seeds) in zip(epochs, choices, strict=True):
+            candidates = learner.ask(self.generator(Purpose.LEARN, team, generation, epoch))
+            scores = training.play_candidates(team, candidates, opponents, met, seeds)
+            # Win rates, not fitness: samplers expect numbers in [0, 1].
+            if not isinstance(sampler, Stateless):
+                sampler.tell(met, table(win_rates(scores, team)))
+            fitness = training.fitness_of_epoch(
+                scores,
+                table,
+                team=team,
+                generation=generation,
+                epoch=epoch,
+                opponent=int(met[0]) if len(met) == 1 else SEVERAL,
+            )
+            chosen = np.tile(met, len(candidates))
+            training.teach(learner, team, opponents, chosen, seeds.ravel())
+            self.report(activity)
+            learner.tell(fitness)
+        training.choose_champion(learner, team, generation, opponents, met)
 
-    def _matchup(self, epoch: int) -> Matchup:
-        available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
-        rng = self._generator(Purpose.OPPONENTS, epoch)
-        opponents = self.sampler.sample(available, epoch, rng)
+    def _choose(
+        self, team: Team, generation: int, opponents: TeamPolicy, epoch: int
+    ) -> tuple[Indices, Seeds]:
+        """Return the opponents (c,) of an epoch, and each candidate's seeds (n, c) against them."""
+        available = 1 if isinstance(opponents, str) else len(opponents.genomes)
+        rng = self.generator(Purpose.OPPONENTS, team, generation, epoch)
+        met = self.samplers[team].sample(available, epoch, rng)
         # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
-        match = self.run.learners[self.team].seed_groups
-        seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]
-        return Matchup(epoch, opponents, np.stack(seeds, axis=1))
+        groups = self.learners[team].seed_groups
+        seeds = []
+        for opponent in map(int, met):
+            # They depend on both generations, so that no two phases play the same episodes.
+            pair = (generation, opponent) if team == "pursuer" else (opponent, generation)
+            count, phase = int(groups.max()) + 1, learning_phase(team)
+            seeds.append(training_seeds(self.settings.seed, *pair, phase, epoch, count)[groups])
+        return met, np.stack(seeds, axis=1)
 
-    def _seeds(self, opponent: int, epoch: int) -> Seeds:
-        """Return the seeds of an epoch's matches against one opponent."""
-        # Seeds depend on both generations, so that no two phases play the same episodes.
-        own, seed = self.generation, self.run.settings.seed
-        generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
-        count = int(self.run.learners[self.team].seed_groups.max()) + 1
-        return training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
+    def generator(
+        self, purpose: Purpose, team: Team, generation: int, epoch: int
+    ) -> np.random.Generator:
+        """Return the random numbers of a team in an epoch."""
+        return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
 
-    def _generator(self, purpose: Purpose, epoch: int) -> np.random.Generator:
-        key = (TEAMS.index(self.team), self.generation, epoch)
-        return keyed_generator(self.run.settings.seed, purpose, *key)
+
+def check_same(run: SavedRun, expected: RaceSettings) -> None:
+    """Raise ValueError if a run has other settings than expected."""
+    different = different_settings(run.settings, expected)
+    if different:
+        raise ValueError(f"{run.path}: holds a run with other settings: {', '.join(different)}")

@@ -10,18 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import does_not_vary, t_ends
-from matrixworld.coevolution.opponents import RoundRobin
-from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import (
-    Restored,
-    RunDirectory,
-    archive_network,
-    last_generation,
-    script_of,
-)
+from matrixworld.coevolution.storage import SavedRun, check_empty, last_generation
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, Team, other
 from matrixworld.play.network_policy import check_fits
 from matrixworld.play.rollout import Rollout, rollout
@@ -44,9 +37,9 @@ class SingleTeam(Run):
     Parameters
     ----------
     opponents : Population, optional
-        Opponents in place of `schedule.opponent`.
+        Opponents in place of `schedule.opponent`, of a new run.
     start : array_like of float32, shape (genes,), optional
-        Genome to start from, in place of `schedule.start`.
+        Genome to start from in place of `schedule.start`, of a new run.
 
     Attributes
     ----------
@@ -60,24 +53,25 @@ class SingleTeam(Run):
     def __init__(
         self,
         settings: RaceSettings,
-        directory: str | Path | RunDirectory,
+        directory: str | Path,
         *,
         opponents: Population | None = None,
         start: ArrayLike | None = None,
         threads: int | None = None,
         play: Rollout = rollout,
     ) -> None:
-        self.settings = settings
-        self.check_settings()
+        self.check_settings(settings)
         self.opponents: TeamPolicy = "random"
         self._start: Genome | None = None
-        # In an existing run, `_take` has them from the archive.
-        if not isinstance(directory, RunDirectory):
+        # The settings in config.json must not name opponents that were not used.
+        changes = {"opponent": opponents, "start": start}
+        given: Any = {name: GIVEN for name, value in changes.items() if value is not None}
+        if given and Path(directory).exists():
+            check_empty(Path(directory))
+        # A run that exists has all genomes in its archive.
+        if not SavedRun(directory).exists:
             self.opponents, self._start = check_sources(settings, opponents, start)
-            # The settings in config.json must not name opponents that were not used.
-            changes = {"opponent": opponents, "start": start}
-            given: Any = {name: GIVEN for name, value in changes.items() if value is not None}
-            settings = replace(settings, schedule=replace(settings.schedule, **given))
+        settings = replace(settings, schedule=replace(settings.schedule, **given))
         super().__init__(settings, directory, threads=threads, play=play)
 
     def first_population(self, team: Team) -> Genomes:
@@ -107,7 +101,7 @@ class SingleTeam(Run):
         first = stage * schedule.archive_every
         epochs = range(first, min(first + schedule.archive_every, schedule.epochs))
         activity = f"{team}s against {schedule.opponent}"
-        TeamPhase(self, team, 1 + stage, self.opponents, RoundRobin(), activity).learn(epochs)
+        self.improve(team, 1 + stage, self.opponents, epochs, activity)
         self.archive_genome(team)
 
     def total_matches(self) -> int:
@@ -146,13 +140,10 @@ class SingleTeam(Run):
             }
         return found
 
-    def _take(self, restored: Restored) -> None:
-        super()._take(restored)
+    def _restore(self) -> None:
+        super()._restore()
         team = other(self.schedule.team)
-        if self.archive[team]:
-            self.opponents = Population(self.genomes(team), archive_network(self.files, team))
-        else:
-            self.opponents = script_of(self.schedule.opponent)
+        self.opponents = self.files.as_policy(team, self.genomes(team))
 
 
 def check_sources(
@@ -165,7 +156,7 @@ def check_sources(
     schedule, network = cast(Against, settings.schedule), settings.network
     policy: TeamPolicy
     if opponents is None and schedule.opponent in SCRIPTS:
-        policy = script_of(schedule.opponent)
+        policy = schedule.opponent
     else:
         policy = opponents or last_generation(schedule.opponent, other(schedule.team))
         check_fits("opponents", policy.network, settings.world)
