@@ -74,7 +74,7 @@ def test_jobs_tell_each_row_once(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_job_is_stopped_and_goes_on(tmp_path: Path) -> None:
     before, after = list[Row](), list[Row]()
-    long = {"generations": 10, "pursuer_epochs": 200, "evader_epochs": 200}
+    long = {"generations": 10, "pursuer_epochs": 100, "evader_epochs": 100}
     job = {f"seed-{seed}": tiny_race(seed=seed, **long) for seed in (1, 2)}
     with pytest.raises(StopRun):
         evolve(job, tmp_path, threads=2, on_epoch=stop_after(before, 2))

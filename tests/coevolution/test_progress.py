@@ -8,7 +8,7 @@ import pytest
 from tqdm import tqdm
 
 from matrixworld.coevolution import Progress, ProgressBar
-from matrixworld.coevolution.progress import LAYOUT
+from matrixworld.coevolution.progress import BAR
 
 
 class Terminal(io.StringIO):
@@ -23,8 +23,8 @@ def test_progress_lines_without_a_terminal():
     for done in (100, 150, 300, 350, 600):
         lines(Progress("evaders", done, 1000, 100))
     assert out.getvalue().splitlines() == [
-        " 30%  300 of 1,000 matches, 100 a second, 00:07 left (evaders)",
-        " 60%  600 of 1,000 matches, 125 a second, 00:03 left (evaders)",
+        " 30%  00:07 left, 100 matches/s, 300 of 1.00k, evaders",
+        " 60%  00:03 left, 125 matches/s, 600 of 1.00k, evaders",
     ]
 
 
@@ -37,20 +37,23 @@ def test_progress_lines_of_a_job():
         lines(Progress(what, done, 100, 0, runs))
     said = out.getvalue().splitlines()
     assert len(said) == 10
-    first = r" 10%  10 of 100 matches, .* left \(1 of 4 runs, seed-1 5%\)"
-    assert re.fullmatch(first, said[0])
-    assert "(1 of 4 runs, 1 failed, seed-1 50%)" in said[-1]
+    assert re.fullmatch(
+        r" 10%  .* left, .* matches/s, 10.0 of 100, 1 of 4 runs, seed-1 5%", said[0]
+    )
+    assert said[-1].endswith(", 1 of 4 runs, 1 failed, seed-1 50%")
 
 
 def test_bars_in_a_terminal_have_a_line_for_each_run_in_work():
     out = Terminal()
-    with ProgressBar(stream=out) as bar:
+    with ProgressBar(stream=out, clock=iter([0.0, 0.1, 1.0]).__next__) as bar:
         runs = {f"seed-{seed}": Progress("generation 1", 10, 100) for seed in range(2)}
         bar(Progress("0 of 3 runs", 20, 300, 0, runs))
+        bar(Progress("too early", 21, 300, 0, runs))
         del runs["seed-0"]
         bar(Progress("1 of 3 runs", 150, 300, 0, runs))
     said = out.getvalue()
     assert "seed-0: generation 1" in said
+    assert "too early" not in said
     assert re.search(r" 50%\|[#█]{8} {8}\| .* left, .*matches/s, 150 of 300, 1 of 3 runs", said)
 
 
@@ -64,7 +67,7 @@ def test_a_narrow_terminal_shows_bar_and_time_left(columns):
         prefix="[2/3] pursuers, generation 12 of 30",
         unit=" matches",
         unit_scale=True,
-        bar_format=LAYOUT,
+        bar_format=BAR,
     )
     assert len(meter) <= columns
     assert re.match(r" 45%\|█{7}. {8}\| 00:56 left, 2.56k matches/s", meter)

@@ -4,9 +4,8 @@ The file of a job is written before any run begins: a job that is stopped, even 
 runs that have not begun. All runs go on from their last stage, so that a stop, a crash and the
 death of a worker cost the work since then only.
 
-While a job is played, its directory holds a folder ``.running-*`` in which each run in work tells
-its progress. Whoever plays a run, on whatever machine, ends when the folder goes. A later start has
-another folder, and so never waits for what an earlier one left.
+While a job is played, its directory holds a folder ``.running-*`` with a file for each run. Whoever
+plays the run, on whatever machine, writes its progress there, and ends when the file is gone.
 """
 
 from __future__ import annotations
@@ -21,7 +20,6 @@ import tempfile
 import threading
 import time
 import warnings
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import (
     FIRST_COMPLETED,
@@ -67,13 +65,10 @@ FORMAT = 1
 """Version of the file's layout; another one is refused."""
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
-
 ITSELF = "."
 """Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
 RUNNING = ".running-"
 """Begin of the name of the folder that a job has while it is played."""
-GO = "go"
-"""File in that folder: without it, whoever plays a run ends."""
 STOP_WAIT = 3.0
 """Seconds for which runs that have been stopped are waited for."""
 BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
@@ -81,9 +76,6 @@ BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
 
 Job = Mapping[str, RaceSettings]
 """Runs that were asked for together: settings by the path of a run's directory in the job's."""
-
-
-# Names:
 
 
 def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
@@ -114,16 +106,13 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
     return runs
 
 
-def _check_names(runs: Mapping[str, RaceSettings]) -> None:
+def _check_names(runs: Job) -> None:
     if not runs:
         raise ValueError("settings: expected at least one run, got none")
     for name in runs:
-        if not isinstance(name, str) or not NAME.fullmatch(name) or name == JOB:
+        if not isinstance(name, str) or not NAME.fullmatch(name):
             expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
             raise ValueError(f"settings: expected {expected}, got {shown(name)}")
-        # A run inside the directory of another one would be one of its files.
-        if "/" in name and name.partition("/")[0] in runs:
-            raise ValueError(f"settings: expected runs beside each other, got {name} in a run")
 
 
 def _from_anywhere(settings: RaceSettings) -> RaceSettings:
@@ -140,9 +129,6 @@ def _from_anywhere(settings: RaceSettings) -> RaceSettings:
 def group_of(name: str) -> str:
     """Return the name of the runs that differ from a run in their seed only, such as a schedule."""
     return name.rpartition("/")[0] or name
-
-
-# The file:
 
 
 def save_job(directory: Path, job: Job) -> None:
@@ -177,9 +163,6 @@ def open_job(directory: str | Path) -> Job | None:
     return job
 
 
-# Playing:
-
-
 class FailedRunsError(RuntimeError):
     """Some runs of a job have failed (`failures`, by directory); the others are `finished`."""
 
@@ -205,6 +188,9 @@ def described(path: Path, error: BaseException) -> str:
     return text.removeprefix(f"{path.absolute()}: ").removeprefix(f"{path}: ")
 
 
+# Playing:
+
+
 def evolve(
     settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings],
     directory: str | Path,
@@ -216,7 +202,11 @@ def evolve(
 ) -> list[SavedRun]:
     """Return the finished runs of these settings: start them, continue them, or only open them.
 
-    The runs are in the order of the settings.
+    The runs are in the order of the settings. After Ctrl-C, a crash or a failure, the same call
+    continues. Each run directory has the same bytes as by `finish`, whatever the executor, the
+    threads and the order. A run whose process dies is played once more, from its last stage.
+
+    In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
 
     Parameters
     ----------
@@ -227,13 +217,15 @@ def evolve(
     directory : str or Path
         A new or empty directory, or that of the same runs, which are continued.
     executor : concurrent.futures.Executor, optional
-        Plays the runs, one thread each. By default each run has a process of this machine, with as
-        many threads as there are more cores than runs; a single run, and in a browser any run, is
-        played in this process.
+        Plays the runs, one thread each, wherever the directory has the same path:
+        `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and Dask
+        (``Client.get_executor(pure=False)``) serve. By default each run has a process of this
+        machine, with as many threads as there are more cores than runs; a single run, and in a
+        browser any run, is played in this process.
     threads : int, optional
         Threads in all, without an executor. By default one per usable core.
     report : callable, optional
-        Called twice a second with a `Progress`, such as a `ProgressBar`.
+        Called often with a `Progress`, such as a `ProgressBar`.
     on_epoch : callable, optional
         Called in this process as by `finish`, with the name of each run in the job as ``run``. With
         several runs the rows of a stage come when it has been saved, and none comes twice.
@@ -249,18 +241,6 @@ def evolve(
         If no worker can begin a run, or another process plays the job.
     StopRun
         If `on_epoch` raises it. All runs have stopped then.
-
-    Notes
-    -----
-    Each run directory has the same bytes as by `finish`, whatever the executor, the threads and the
-    order. After Ctrl-C, a crash or a failure, the same call continues. A run whose process dies is
-    played once more, from its last stage.
-
-    An executor carries settings and paths to wherever the directory has the same path:
-    `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and Dask
-    (``Client.get_executor(pure=False)``) serve.
-
-    In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
     """
     if executor is not None:
         check_instance("executor", executor, Executor)
@@ -272,16 +252,10 @@ def evolve(
     errors = play_job(
         job, root, executor=executor, threads=threads, report=report, on_epoch=on_epoch
     )
-    failures = {root / name: error for name, error in errors.items()}
-    finished = []
-    for path in (root / name for name in job if name not in errors):
-        try:
-            finished.append(open_run(path))
-        except BAD_FILES as error:  # noqa: PERF203, of one run: the others are returned
-            failures[path] = error
-    if failures:
-        cause = next(iter(failures.values())) if len(job) == 1 else None
-        raise FailedRunsError(failures, finished) from cause
+    finished = [open_run(root / name) for name in job if name not in errors]
+    if errors:
+        failures = {root / name: error for name, error in errors.items()}
+        raise FailedRunsError(failures, finished) from next(iter(errors.values()))
     return finished
 
 
@@ -291,8 +265,7 @@ def check_directory(root: Path, job: Job) -> None:
     if found is None and root.exists():
         check_empty(root)
     if found is not None and found != job:
-        different = found.items() ^ job.items()
-        names = sorted({name for name, _ in different})
+        names = sorted({name for name, _ in found.items() ^ job.items()})
         raise ValueError(
             f"{root}: expected the runs in its {JOB}, got others: "
             f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
@@ -304,23 +277,21 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
 
     `elsewhere` says whether other machines play them, each of which checks its memory itself.
     """
-    check_threads(threads)
-    left = {n: each for n, each in job.items() if not _finished(root, n)}
-    # Even then one learner is made here, to try it.
+    left = {n: each for n, each in job.items() if not SavedRun(root / n).finished}
     at_once = 1 if elsewhere else shares(len(left), threads)[0]
     needs = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
     check_memory(f"{at_once} runs at one time" if at_once > 1 else "run", runs=sum(needs[:at_once]))
     # Seeds make no difference here, and a job may have a thousand.
-    for each in dict.fromkeys(each.method for each in left.values()):
-        check_own_code(each)
+    for method in dict.fromkeys(each.method for each in left.values()):
+        check_own_code(method)
     for each in left.values():
         if isinstance(each.schedule, Yoked):
             race_to_replay(each)
     # A run that has begun has its opponents in its own archive.
-    new = [each for name, each in left.items() if not SavedRun(root / name).exists]
-    for each in dict.fromkeys(each.method for each in new):
-        if not each.is_race:
-            check_sources(each)
+    new = dict.fromkeys(each.method for n, each in left.items() if not SavedRun(root / n).exists)
+    for method in new:
+        if not method.is_race:
+            check_sources(method)
 
 
 def shares(runs: int, threads: int | None) -> tuple[int, int]:
@@ -329,12 +300,6 @@ def shares(runs: int, threads: int | None) -> tuple[int, int]:
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
     return workers, max(1, cores // workers)
-
-
-def _finished(root: Path, name: str) -> bool:
-    """Return whether nothing has to be done for a run."""
-    # A run that is a job of its own is restored in any case, to tell of any damage.
-    return name != ITSELF and SavedRun(root / name).finished
 
 
 def play_job(
@@ -360,7 +325,8 @@ def play_job(
             if open_job(root) is None:
                 save_job(root, job)
         play = _Play(job, root, report, on_epoch)
-        names = play.unfinished()
+        # If the job is stopped, its groups have about equally many seeds.
+        names = sorted((n for n in job if not play.ended(n)), key=lambda n: job[n].seed)
         if executor is None and (len(names) == 1 or not HAS_PROCESSES):
             for name in names:
                 play.here(name, threads)
@@ -381,27 +347,17 @@ class _Play:
         self._work: dict[str, Progress] = {}
         self.failures: dict[str, BaseException] = {}
         for name, settings in job.items():
-            if _finished(root, name):
+            run = SavedRun(root / name)
+            if run.finished:
                 try:
-                    check_same(SavedRun(root / name), settings)
+                    check_same(run, settings)
                     self._end(name)
                 except BAD_FILES as error:
                     self.failures[name] = error
         self._before = dict(self._done)
 
-    def unfinished(self) -> list[str]:
-        """Return the names of the runs to play: the first one of each group, then the second ones.
-
-        If the job is stopped, the groups have about equally many seeds.
-        """
-        counts: Counter[str] = Counter()
-        order = {}
-        for name in self._job:
-            counts[group_of(name)] += 1
-            order[name] = counts[group_of(name)]
-        return sorted((n for n in order if not self._ended(n)), key=order.__getitem__)
-
-    def _ended(self, name: str) -> bool:
+    def ended(self, name: str) -> bool:
+        """Return whether a run is finished or has failed."""
         return name in self._done or name in self.failures
 
     def here(self, name: str, threads: int | None) -> None:
@@ -411,10 +367,14 @@ class _Play:
         """
         on_epoch = self._on_epoch
         told = on_epoch and (lambda row: on_epoch({**row, "run": name}))
-        report = at_times(lambda progress: self._tell({name: progress}))
-        settings, path = self._job[name], self._root / name
         try:
-            finish(settings, path, threads=threads, report=report, on_epoch=told)
+            finish(
+                self._job[name],
+                self._root / name,
+                threads=threads,
+                report=lambda progress: self._tell({name: progress}),
+                on_epoch=told,
+            )
             self._end(name)
         except StopRun:
             raise
@@ -426,37 +386,32 @@ class _Play:
     def side_by_side(
         self, names: Sequence[str], executor: Executor | None, threads: int | None
     ) -> None:
-        """Play runs by an executor, or each in a process of its own."""
+        """Play runs by an executor, or each in a process of its own, until all have ended."""
         workers, each = shares(len(names), threads) if executor is None else (1, 1)
         play = play_in_process if executor is None else play_run
-        root, futures = self._root.absolute(), dict[Future[None], str]()
+        futures: dict[Future[None], str] = {}
         with ThreadPoolExecutor(workers) as own:  # its threads wait for processes
             try:
-                with _running(root) as folder:
-                    for number, name in enumerate(names):
-                        task = self._job[name], root / name, folder / f"{number}", each
+                with _running(self._root.absolute(), names) as files:
+                    for name, told in files.items():
+                        task = self._job[name], self._root.absolute() / name, told, each
                         futures[(executor or own).submit(play, *task)] = name
-                    self._follow(futures, folder)
+                    self._tell({})
+                    pending = {*futures}
+                    while pending:
+                        done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
+                        self._tell(_progress_in(files))
+                        for future in done:
+                            self._take(futures[future], future)
+                        for name in names:
+                            self._tell_epochs(name)
             finally:
                 # After Ctrl-C or an error runs may be left, which end now.
                 wait([future for future in futures if not future.cancel()], STOP_WAIT)
         self._tell({})
 
-    def _follow(self, futures: Mapping[Future[None], str], folder: Path) -> None:
-        """Tell the progress of runs until all have ended."""
-        names = [*futures.values()]
-        self._tell({})
-        pending = {*futures}
-        while pending:
-            done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
-            self._tell(_progress_in(folder, names))
-            ended = [futures[future] for future in done]
-            for future in done:
-                self._take(futures[future], future)
-            for name in [*self._work, *ended]:
-                self._tell_epochs(name)
-
     def _take(self, name: str, future: Future[None]) -> None:
+        """Take the result of a run that has ended."""
         try:
             future.result()
             numbers = self._end(name)
@@ -473,7 +428,7 @@ class _Play:
         else:
             # The warning of the run itself stayed in its process.
             for text in numbers.get("disengagement", []):
-                warnings.warn(f"{name}: {text}", DisengagementWarning, stacklevel=6)
+                warnings.warn(f"{name}: {text}", DisengagementWarning, stacklevel=5)
         self._work.pop(name, None)
 
     def _end(self, name: str) -> dict[str, Any]:
@@ -492,7 +447,7 @@ class _Play:
 
     def _tell(self, told: Mapping[str, Progress]) -> None:
         """Report the progress of all runs, with what those in work have told."""
-        self._work.update({n: each for n, each in told.items() if not self._ended(n)})
+        self._work.update({n: each for n, each in told.items() if not self.ended(n)})
         work = {name: each for name, each in self._work.items() if each.total}
         for name, each in work.items():
             self._before.setdefault(name, each.before)
@@ -507,6 +462,30 @@ class _Play:
         self._report(Progress(what, done, max(total, 1), sum(self._before.values()), work))
 
 
+@contextmanager
+def _running(root: Path, names: Sequence[str]) -> Iterator[dict[str, Path]]:
+    """Yield a new file for the progress of each run; those who play them end with the block."""
+    for left in root.glob(f"{RUNNING}*"):  # by a job that was killed
+        shutil.rmtree(left, ignore_errors=True)
+    folder = Path(tempfile.mkdtemp(prefix=RUNNING, dir=root))
+    files = {name: folder / str(number) for number, name in enumerate(names)}
+    try:
+        for file in files.values():
+            file.touch()
+        yield files
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _progress_in(files: Mapping[str, Path]) -> dict[str, Progress]:
+    """Return the progress of the runs that have begun."""
+    found = {}
+    for name, file in files.items():
+        with suppress(ValueError):  # empty, or just being written
+            found[name] = Progress(*json.loads(file.read_text(encoding="utf-8")))
+    return found
+
+
 # What plays a run, on any machine:
 
 
@@ -515,16 +494,23 @@ def play_run(settings: RaceSettings, path: Path, told: Path, threads: int) -> No
 
     FileNotFoundError when the job has been stopped.
     """
+    following = 0.0
 
     def tell(progress: Progress) -> None:
-        if not (told.parent / GO).exists():
+        nonlocal following
+        # Called after each epoch, which may take less than a millisecond.
+        if time.monotonic() < following:
+            return
+        following = time.monotonic() + SECONDS
+        if not told.exists():
             raise FileNotFoundError(f"{told.parent}: expected a directory that all workers share")
-        values = progress.what, progress.done, progress.total, progress.before
-        told.write_text(json.dumps(values), encoding="utf-8")
+        with told.open("r+", encoding="utf-8") as file:  # which never makes it anew
+            file.write(json.dumps((progress.what, progress.done, progress.total, progress.before)))
+            file.truncate()
 
     # Before anything else: if this process dies, it is known that the run had begun.
     tell(Progress("begins", 0, 0))
-    finish(settings, path, threads=threads, report=at_times(tell))
+    finish(settings, path, threads=threads, report=tell)
 
 
 def play_in_process(
@@ -532,12 +518,12 @@ def play_in_process(
 ) -> None:
     """Do what `play_run` does in a process of its own; once more if that dies."""
     # spawn: a fork would copy locks that other threads of this process hold.
-    context, go = multiprocessing.get_context("spawn"), told.parent / GO
+    context = multiprocessing.get_context("spawn")
     try:
-        with without_interrupts(), ProcessPoolExecutor(1, context, _begin, (go,)) as process:
+        with without_interrupts(), ProcessPoolExecutor(1, context, _begin, (told,)) as process:
             process.submit(play_run, settings, path, told, threads).result()
     except BrokenProcessPool:
-        if not told.exists():  # stopped, or not even begun
+        if not told.exists():  # stopped
             raise
         if tries == 1:
             text = "its process died twice, for example for lack of memory"
@@ -563,57 +549,17 @@ def without_interrupts() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin(go: Path) -> None:
+def _begin(told: Path) -> None:
     """Begin a process that ends with its job, even if the process of that is killed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
     warnings.simplefilter("ignore", DisengagementWarning)
-    threading.Thread(target=_end_with, args=(go,), daemon=True).start()
+    threading.Thread(target=_end_with, args=(told,), daemon=True).start()
 
 
-def _end_with(go: Path) -> None:
+def _end_with(told: Path) -> None:
     parent = multiprocessing.parent_process()
     assert parent is not None
-    while parent.is_alive() and go.exists():
+    while parent.is_alive() and told.exists():
         time.sleep(SECONDS)
     os._exit(1)  # not sys.exit, which ends this thread only; files are safe at any moment
-
-
-@contextmanager
-def _running(root: Path) -> Iterator[Path]:
-    """Yield a new folder for the progress of runs; those who play them end with the block."""
-    for left in root.glob(f"{RUNNING}*"):  # by a job that was killed
-        shutil.rmtree(left, ignore_errors=True)
-    folder = Path(tempfile.mkdtemp(prefix=RUNNING, dir=root))
-    go = folder / GO
-    go.touch()
-    try:
-        yield folder
-    finally:
-        # In one step, before the folder: progress may be written into it meanwhile.
-        go.unlink(missing_ok=True)
-        shutil.rmtree(folder, ignore_errors=True)
-
-
-def _progress_in(folder: Path, names: Sequence[str]) -> dict[str, Progress]:
-    """Return the progress of the runs that have begun."""
-    found = {}
-    for file in folder.iterdir():
-        with suppress(ValueError):  # not the file of a run, or just being written
-            values = json.loads(file.read_text(encoding="utf-8"))
-            found[names[int(file.name)]] = Progress(*values)
-    return found
-
-
-def at_times(tell: Report) -> Report:
-    """Return a report that calls `tell` with the progress of a run, but only twice a second."""
-    following = 0.0
-
-    def report(progress: Progress) -> None:
-        nonlocal following
-        # Called after each epoch, which may take less than a millisecond.
-        if time.monotonic() >= following:
-            following = time.monotonic() + SECONDS
-            tell(progress)
-
-    return report

@@ -17,14 +17,14 @@ MOST_RUNS = 16
 """Most runs in work that are shown."""
 TENTH = 0.1
 """Share of the work from one line to the next, if there is no terminal."""
-SLOW = 10.0
-"""Rates below it, in units a second, are written with a decimal."""
 
 # What matters most comes first: in a narrow terminal tqdm cuts the line at its right end.
-LAYOUT = "{percentage:3.0f}%|{bar:16}| {remaining} left, {rate_fmt}, {n_fmt} of {total_fmt}, {desc}"
-"""The parts of a bar's line, as tqdm names them; 60 columns show bar, time left and rate."""
+LINE = "{percentage:3.0f}%  {remaining} left, {rate_fmt}, {n_fmt} of {total_fmt}, {desc}"
+"""The parts of a line, as tqdm names them."""
+BAR = LINE.replace("%  ", "%|{bar:16}| ")
+"""The same with a bar; 60 columns show bar, time left and rate."""
 STARTING = "{percentage:3.0f}%|{bar:16}| {n_fmt} of {total_fmt}, {desc}"
-"""The line before anything has been played: there is no rate yet."""
+"""The line of a bar before anything has been played: there is no rate yet."""
 
 JOB = ""
 """Name of the bar of the job, or of the only run."""
@@ -60,9 +60,7 @@ class Progress:
 
 
 Report = Callable[[Progress], None]
-"""Called often while something is played: by a job twice a second, by a run after each epoch."""
-
-
+"""Called often while something is played: by many runs twice a second, by one after each epoch."""
 OnEpoch = Callable[[Mapping[str, Any]], None]
 """Called with a row for each epoch that a run plays: the columns of log.csv, with ``run`` (the name
 of the run's directory, or its name in a job) and ``seed``."""
@@ -86,7 +84,7 @@ class ProgressBar:
     stream : TextIO, optional
         Where the progress is shown. The default is standard error.
     clock : callable, optional
-        Returns the time in seconds, for the rates of plain lines.
+        Returns the time in seconds.
 
     Examples
     --------
@@ -106,16 +104,21 @@ class ProgressBar:
     ) -> None:
         self._unit, self._stream, self._clock = unit, stream or sys.stderr, clock
         self._began: float | None = None
-        self._next_share = 0.0
+        self._next_time, self._next_share = 0.0, 0.0
         self._bars: dict[str, tqdm[None]] = {}
 
     def __call__(self, progress: Progress) -> None:
         """Show the progress of a run, or of a job with all its runs in work."""
+        now = self._clock()
+        if self._began is None:
+            self._began, self._next_time, self._next_share = now, now, progress.share + TENTH
         # Bars redraw their lines, which makes a log file unreadable.
-        if self._stream.isatty():
+        if not self._stream.isatty():
+            self._write(progress, now - self._began)
+        # Epochs may take less than a millisecond.
+        elif now >= self._next_time or progress.share >= 1.0:
+            self._next_time = now + SECONDS
             self._draw(progress)
-        else:
-            self._write(progress)
 
     def __enter__(self) -> ProgressBar:
         return self
@@ -138,38 +141,27 @@ class ProgressBar:
     def _draw_bar(self, name: str, what: str, progress: Progress) -> None:
         if name not in self._bars:
             self._bars[name] = tqdm(
-                desc=what, total=progress.total, initial=progress.done, leave=name == JOB,
-                unit=f" {self._unit}", unit_scale=True, mininterval=SECONDS, dynamic_ncols=True,
-                bar_format=LAYOUT, file=self._stream,
+                initial=progress.done, leave=name == JOB, unit=f" {self._unit}", unit_scale=True,
+                dynamic_ncols=True, bar_format=STARTING, file=self._stream,
             )  # fmt: skip
         bar = self._bars[name]
         if name == JOB:
             bar.initial = progress.before  # more and more runs tell what was played before
         bar.total, bar.n = progress.total, min(progress.done, progress.total)
-        bar.bar_format = LAYOUT if bar.n > bar.initial else STARTING
-        bar.set_description_str(what, refresh=False)
-        bar.refresh()
+        bar.bar_format = BAR if bar.n > bar.initial else STARTING
+        bar.set_description_str(what)
 
-    def _write(self, progress: Progress) -> None:
+    def _write(self, progress: Progress, seconds: float) -> None:
         """Write a line if another tenth has been done since the last line."""
-        now = self._clock()
-        if self._began is None:
-            self._began, self._next_share = now, progress.share + TENTH
         # Shares such as 0.1 + 0.1 + 0.1 are inexact: the line at 30% must not wait for 30.01%.
         if progress.share < self._next_share - 1e-9:
             return
         self._next_share = progress.share + TENTH
-        seconds = now - self._began
-        rate = (progress.done - progress.before) / seconds if seconds else 0.0
-        left = tqdm.format_interval((progress.total - progress.done) / rate) if rate else "?"
-        self._stream.write(
-            f"{progress.share:4.0%}  {progress.done:,} of {progress.total:,} {self._unit}, "
-            f"{rate:,.{0 if rate >= SLOW else 1}f} a second, {left} left ({_in_words(progress)})\n"
-        )
+        runs = [f"{name} {each.share:.0%}" for name, each in progress.runs.items()]
+        shown = [*runs[:MOST_RUNS], *["..."] * (len(runs) > MOST_RUNS)]
+        line = tqdm.format_meter(
+            progress.done, progress.total, seconds, prefix=", ".join([progress.what, *shown]),
+            unit=f" {self._unit}", unit_scale=True, bar_format=LINE, initial=progress.before,
+        )  # fmt: skip
+        self._stream.write(f"{line}\n")
         self._stream.flush()
-
-
-def _in_words(progress: Progress) -> str:
-    runs = [f"{name} {each.share:.0%}" for name, each in progress.runs.items()]
-    more = ["..."] if len(runs) > MOST_RUNS else []
-    return ", ".join([progress.what, *runs[:MOST_RUNS], *more])
