@@ -1,6 +1,5 @@
 """Files are complete or refused: atomic writes and checksums."""
 
-import contextlib
 import os
 import stat
 import sys
@@ -70,26 +69,6 @@ def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
     assert [item.name for item in tmp_path.iterdir()] == ["x.json"]
 
 
-def test_an_error_while_writing_leaves_no_file(tmp_path):
-    def interrupted():
-        with files.replacing(tmp_path / "x") as file:
-            file.write(b"half")
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        interrupted()
-    assert not list(tmp_path.iterdir())
-
-
-# Names that are not those of regular files:
-
-
-# Temporary names:
-
-
-# Files that are no files, or damaged:
-
-
 def test_objects_are_not_pickled(tmp_path):
     with pytest.raises(TypeError, match="things: expected"):
         files.save_arrays(tmp_path / "x.npz", {"things": np.array([{}])})
@@ -115,14 +94,6 @@ def test_permissions_are_those_of_a_plain_open_or_of_the_replaced_file(tmp_path)
     assert stat.S_IMODE((tmp_path / "x").stat().st_mode) == 0o755
 
 
-def test_only_temporary_files_are_removed(tmp_path):
-    kept = [".x.tmp.d", "x.tmp", ".hidden"]
-    for name in [*kept, ".a.tmp", ".archive.npz.123.tmp"]:
-        (tmp_path / name).touch()
-    files.remove_temporary_files(tmp_path)
-    assert sorted(os.listdir(tmp_path)) == sorted(kept)
-
-
 READERS = {
     "x.map": mw.read_map,
     "x.json": files.read_json,
@@ -141,17 +112,3 @@ def test_a_file_that_cannot_be_read_is_refused_by_its_name(tmp_path, name, conte
         path.write_bytes(content)
     with pytest.raises(ValueError, match=f"{name}: "):
         READERS[name](path)
-
-
-def test_altered_archives_are_refused_or_read(tmp_path):
-    """Random bytes, also in headers and in the directory of the archive."""
-    path, rng = tmp_path / "x.npz", np.random.default_rng(0)
-    np.savez(path, payoff=np.zeros((3, 3)))
-    whole = path.read_bytes()
-    for _ in range(100):
-        content = bytearray(whole)
-        for place in rng.integers(len(content), size=rng.integers(1, 4)):
-            content[place] = rng.integers(256)
-        path.write_bytes(bytes(content))
-        with contextlib.suppress(DamagedFileError):
-            files.read_npz(path)

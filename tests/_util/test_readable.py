@@ -63,22 +63,6 @@ def test_columns_have_the_numbers_of_the_arrays():
     assert [line.split() for line in str(nash).splitlines()[-12:-1]] == rows[3:-1]
 
 
-def test_a_matrix_is_shown_with_its_numbers_and_a_large_one_in_part():
-    small, large = analysis.read_payoffs(PAYOFF[:3, :2]), analysis.read_payoffs(np.eye(50))
-    head, *rows = cells_in(small._repr_html_())
-    assert head == ["", "0", "1"]
-    assert rows == [[str(i), *(f"{x:.2f}" for x in PAYOFF[i, :2])] for i in range(3)]
-    shown = cells_in(large._repr_html_())
-    assert shown[0][1] == "0"
-    assert shown[0][-1] == shown[-1][0] == "49"
-    assert all(
-        row[i] == ("1.00" if row[0] == shown[0][i] else "0.00")
-        for row in shown[1:]
-        for i in range(1, 13)
-    )
-    assert max(map(len, str(large).splitlines())) <= 80
-
-
 def test_text_of_others_is_escaped():
     scores = HeldOutScores("evader", (1,), ("<b>", "fleer"), np.ones((1, 2, 9)))
     assert "<b>" in str(scores)

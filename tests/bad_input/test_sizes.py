@@ -54,22 +54,6 @@ def test_what_is_too_large_is_refused_with_an_estimate(
     checks.check_memory("all", bytes=10**30)  # where memory is unknown nothing is refused
 
 
-def test_the_smallest_limit_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    meminfo = tmp_path / "meminfo"
-    meminfo.write_text("MemTotal: 9000000 kB\nMemAvailable:    2000000 kB\nHugePages_Free: 0\n")
-    monkeypatch.setattr(checks, "_MEMINFO", meminfo)
-    monkeypatch.setattr(checks, "_GROUPS", tmp_path)
-    monkeypatch.setattr(checks, "_address_space", lambda: None)
-    assert checks.available_memory() == 2_048_000_000
-    (tmp_path / "memory.max").write_text("1000000000\n")
-    (tmp_path / "memory.stat").write_text("anon 400000000\nfile 500000000\n")
-    assert checks.available_memory() == 600_000_000
-    (tmp_path / "memory.max").write_text("max\n")
-    assert checks.available_memory() == 2_048_000_000
-    monkeypatch.setattr(checks, "_address_space", lambda: -5)
-    assert checks.available_memory() == 0
-
-
 # Estimates
 
 
@@ -112,7 +96,7 @@ ESTIMATES: dict[str, tuple[Callable[[], object], int]] = {
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
-@pytest.mark.parametrize("name", ESTIMATES)
+@quickly("name", ESTIMATES, lambda name: name == "agents", others=pytest.mark.slow)
 def test_estimates_are_near_what_is_measured(name: str) -> None:
     play, estimate = ESTIMATES[name]
     measured = measured_peak(play)
@@ -138,6 +122,7 @@ ENVIRONMENTS: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
+@pytest.mark.slow
 @quickly("name", ENVIRONMENTS, lambda name: name == "copies")
 def test_estimates_of_environments_are_within_a_half(
     name: str, monkeypatch: pytest.MonkeyPatch

@@ -1,8 +1,6 @@
 """Where an environment with render_mode="human" is shown."""
 
-import copy
 import dataclasses
-import pickle
 from collections.abc import Iterator
 from types import SimpleNamespace
 from unittest.mock import Mock, call
@@ -129,12 +127,3 @@ def test_a_notebook_s_output_is_drawn_anew() -> None:
     place.show(SCENE)
     place.close()
     assert display.call_count == 2
-
-
-def test_a_copied_environment_has_no_window() -> None:
-    env = mw.parallel_env(config_of("O"), render_mode="human")
-    env.reset(seed=0)
-    for twin in (copy.deepcopy(env), pickle.loads(pickle.dumps(env))):  # noqa: S301
-        twin.step(dict.fromkeys(twin.agents, 0))
-        assert twin.recorded.length == 1
-    assert env.recorded.length == 0

@@ -1,12 +1,9 @@
 """Episodes recorded while they are played, and replayed from their actions."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.episodes import render, replay
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS
 from rows import NAMES, by_name, config_of, play_turns, random_actions
 
@@ -92,20 +89,3 @@ def test_a_recorder_refuses_missing_rounds() -> None:
     world.play_turn([0] * 4)
     with pytest.raises(RuntimeError, match=r"expected begin\(\) between two rounds, got turn 1"):
         recorder.begin()
-
-
-@pytest.mark.parametrize("name", ["D", "SD", "O"])
-def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
-    world = mw.World(config)
-    recorder = mw.Recorder(world)
-    for row in random_actions(2, 5, config.max_steps, config.n_agents):
-        if world.terminated or world.truncated:
-            break
-        world.step(row)
-        recorder.note(row)
-        shown, expected = recorder.scene(), replay.scene(recorder.episode())
-        assert shown.title == expected.title.replace(f" of {world.steps}", "", 1)
-        expected = dataclasses.replace(expected, title=shown.title)
-        np.testing.assert_array_equal(render.rgb(shown, cell=12), render.rgb(expected, cell=12))
-    assert world.steps > 2

@@ -82,31 +82,13 @@ def test_any_grid_is_drawn_at_a_fitting_size(grid: tuple[int, int]) -> None:
     assert pixel(picture, drawn, grid[0] - 1, grid[1] - 1) == ImageColor.getrgb(colors.EVADER)
 
 
-def numbered(scene: Scene) -> NDArray[np.uint8]:
-    return rgb(scene, cell=24, numbers=True)
-
-
-def test_agents_carry_their_numbers_on_request() -> None:
-    # Two agents that change places look the same, but for their numbers.
-    swapped = scene(positions=np.array([[2, 3], [0, 0], [1, 4], [3, 0], [-1, -1]]))
-    assert (rgb(swapped, cell=24) == rgb(scene(), cell=24)).all()
-    assert (numbered(swapped) != numbered(scene())).any()
-    several = of([[1, 1]] * 3, 3, (4, 4))
-    assert count(rgb(several), colors.INK) > 50  # how many there are
-    assert (numbered(several) != rgb(several, cell=24)).any()
-
-
-def test_both_teams_on_one_cell_are_both_seen() -> None:
-    alone, shared = scene(), scene(positions=np.array([[0, 0], [1, 4], [1, 4], [3, 0], [-1, -1]]))
-    # Of two, one is shared, and it is not hidden.
-    assert count(rgb(shared), colors.PURSUER) > 1.5 * count(rgb(alone), colors.PURSUER) / 2
-    assert count(rgb(shared), colors.EVADER) > 1.2 * count(rgb(alone), colors.EVADER) / 2
-
-
-def test_a_captured_evader_is_hollow() -> None:
+def test_captured_evaders_are_hollow_and_several_agents_on_a_cell_are_told() -> None:
     drawn = scene(captured=np.array([True, False, True]))
     assert pixel(rgb(drawn), drawn, 1, 4) == ImageColor.getrgb(colors.PAPER)
     assert pixel(rgb(drawn), drawn, 1, 4.33) == ImageColor.getrgb(colors.EVADER)
+    several = of([[1, 1]] * 3, 3, (4, 4))
+    assert count(rgb(several), colors.INK) > 50  # how many there are
+    assert (rgb(several, cell=24, numbers=True) != rgb(several, cell=24)).any()
 
 
 def test_captures_and_deaths_are_marked_where_they_happened_and_fade() -> None:
@@ -139,25 +121,12 @@ def test_a_trail_leads_to_each_living_agent_and_fades() -> None:
     assert new[2] < old[2] < paper[2]  # the less blue, the stronger the vermilion
 
 
-def test_the_field_of_view_is_cut_to_the_grid() -> None:
-    seen = rgb(scene(), viewers=[0], fov=3)
-    changed = (seen != rgb(scene())).any(axis=2)
-    left, top, _, _ = Layout.of((4, 6)).field
-    cell = Layout.of((4, 6)).cell
-    inside = np.zeros_like(changed)
-    # 3 x 3 cells around (0, 0), of which 2 x 2 are on the grid.
-    inside[top : top + 2 * cell, left : left + 2 * cell] = True
-    assert changed.any()
-    assert not (changed & ~inside).any()
-    assert (rgb(scene(), viewers=[4], fov=3) == rgb(scene())).all()  # gone: sees nothing
-
-
 def test_viewers_are_given_by_number_or_name() -> None:
     named = rgb(scene(), viewers=["pursuer_1", "evader_0"], fov=3)
     assert (named == rgb(scene(), viewers=[1, 2], fov=3)).all()
+    assert (rgb(scene(), viewers=[4], fov=3) == rgb(scene())).all()  # gone: sees nothing
     for wrong in (5, -1, "pursuer_2", "evader_3"):
-        expected = f"viewers: expected 0 to 4 or a name such as pursuer_0, got {wrong!r}"
-        with pytest.raises(ValueError, match=expected):
+        with pytest.raises(ValueError, match="^viewers: expected"):
             rgb(scene(), viewers=[wrong])
 
 
@@ -191,25 +160,16 @@ def test_colours_are_codes_around_the_same_cells(color: str) -> None:
     assert all(line.endswith("\x1b[0m") for line in text.split("\n")[1:])
 
 
-def test_half_blocks_put_two_rows_into_a_line() -> None:
-    lines = ansi(scene(), compact=True).split("\n")
-    bare = [re.sub(r"\x1b\[[0-9;]*m", "", line) for line in lines]
-    assert bare[1:] == ["▀" * 6] * 2
-    assert lines[1].startswith("\x1b[38;2;213;94;0;48;2;255;255;255m▀")  # pursuer over paper
-    odd = of([[2, 0]], 0, (3, 1))
-    assert ansi(odd, compact=True).split("\n")[2] == "\x1b[38;2;0;114;178m▀\x1b[0m"
-
-
 @pytest.mark.parametrize(
-    ("draw", "options", "says"),
+    ("draw", "options", "field"),
     [
-        (rgb, {"cell": 0}, "cell: expected 1 to 1365 pixels for 4 x 6 cells, got 0"),
-        (rgb, {"cell": 19, "numbers": True}, "cell: expected 20 to 1365"),
-        (rgb, {"fov": 4}, "fov:"),
-        (ansi, {"color": "red"}, "color:"),
-        (ansi, {"color": "none", "compact": True}, "compact:"),
+        (rgb, {"cell": 0}, "cell"),
+        (rgb, {"cell": 19, "numbers": True}, "cell"),
+        (rgb, {"fov": 4}, "fov"),
+        (ansi, {"color": "red"}, "color"),
+        (ansi, {"color": "none", "compact": True}, "compact"),
     ],
 )
-def test_options_that_are_refused(draw: Any, options: dict[str, object], says: str) -> None:
-    with pytest.raises(ValueError, match=f"^{says}"):
+def test_options_that_are_refused(draw: Any, options: dict[str, object], field: str) -> None:
+    with pytest.raises(ValueError, match=f"^{field}: expected"):
         draw(scene(), **options)

@@ -153,22 +153,3 @@ def test_an_unfinished_episode_is_forgotten_and_a_missing_step_refused() -> None
     env.step(dict.fromkeys(env.agents, 0))
     with pytest.raises(ValueError, match="expected step 1, got step 2"):
         monitor.observe(env.status)
-
-
-@pytest.mark.parametrize(
-    ("changes", "field"),
-    [
-        ({"faults": np.zeros((2, 3), int)}, "faults"),
-        ({"collisions": np.full((2, 2, 3), -1)}, "collisions"),
-        ({"capture_rate": [np.nan, 0]}, "capture_rate"),
-        ({"faults": np.full((2, 2, 3), 2)}, "safety"),
-    ],
-)
-def test_refused_counts_are_not_collected(changes: dict[str, Any], field: str) -> None:
-    monitor = mw.SafetyMonitor()
-    counts = np.ones((2, 2, 3), int)
-    fine = {"agent_steps": [[2, 2]] * 2, "capture_rate": np.zeros(2)}
-    with pytest.raises(ValueError, match=f"^{field}: expected"):
-        monitor.add(**{"collisions": counts, "faults": counts, **fine, **changes})
-    with pytest.raises(ValueError, match="at least one whole episode, got none"):
-        monitor.summary()

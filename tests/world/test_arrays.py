@@ -3,7 +3,6 @@
 import inspect
 import re
 from collections.abc import Callable
-from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -40,13 +39,6 @@ def test_every_field_is_described(
         axes = tuple(LETTERS.get(axis, axis) for axis in table[name].axes)
         assert tuple(re.findall(r"\w+", shape)) == axes
         assert dtype == table[name].dtype
-
-
-def test_moments_are_listed() -> None:
-    """The last paragraph of `array_specs` names the arrays of the present moment."""
-    moments = {name for name, field in WORLD_FIELDS.items() if field.written == "moment"}
-    paragraph = (inspect.getdoc(mw.array_specs) or "").split("\n\n")[-1]
-    assert set(re.findall(r"``(\w+)``", paragraph)) == moments
 
 
 @pytest.mark.parametrize("views", [np.uint8, np.float32])
@@ -87,10 +79,3 @@ def test_every_output_is_in_infos() -> None:
     assert named <= set(env.infos)
     of_agents = {name for name, field in WORLD_FIELDS.items() if field.axes == ("agents", "kinds")}
     assert {f"{name}_{kind}" for name in of_agents for kind in mw.COLLISION_KINDS} <= set(INFO_KEYS)
-
-
-def test_statistics_of_batches_are_statistics_of_rollouts() -> None:
-    names = {field.name for field in fields(mw.EpisodeStatistics)}
-    for name in (name for name in BATCH_FIELDS if name.startswith("episode_")):
-        statistic = name.removeprefix("episode_")
-        assert statistic in names or {f"pursuer_{statistic}", f"evader_{statistic}"} <= names

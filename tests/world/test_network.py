@@ -40,7 +40,7 @@ def test_shapes(hidden: tuple[int, ...], activation: str) -> None:
 
 
 # Up to views much larger than the grid.
-@pytest.mark.parametrize("fov", [1, 3, 5, 7, 9, 11, 13, 15, 55, 57, 61])
+@pytest.mark.parametrize("fov", [1, 5, 11, 15, 57, 61])
 @pytest.mark.parametrize("shape", [(7, 6), (1, 40), (33, 2), (20, 24)])
 def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
     """Wherever an agent stands, it sees the border that belongs to that place."""
@@ -153,28 +153,22 @@ def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: s
 # ---- Instruction sets ------------------------------------------------------------------------
 
 
-def run_with_kernels(level: str | None) -> subprocess.CompletedProcess[str]:
-    environment = {k: v for k, v in os.environ.items() if k != "MATRIXWORLD_KERNELS"}
-    environment["PYTHONPATH"] = os.pathsep.join(sys.path)
-    if level is not None:
-        environment["MATRIXWORLD_KERNELS"] = level
+def hash_with_kernels(level: str) -> list[str]:
+    """Return the level that was used, and the hash."""
+    environment = os.environ | {
+        "PYTHONPATH": os.pathsep.join(sys.path),
+        "MATRIXWORLD_KERNELS": level,
+    }
     command = [sys.executable, network_hash.__file__]
-    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-
-
-def hash_with_kernels(level: str | None) -> tuple[str, str]:
-    """The level that was used, and the hash."""
-    done = run_with_kernels(level)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    used, digest = done.stdout.split()
-    return used, digest
+    return done.stdout.split()
 
 
+@pytest.mark.slow
 def test_every_instruction_set_gives_the_same_bits() -> None:
-    best, expected = hash_with_kernels(None)
-    assert best == _core.kernel_level()
-    # This processor has these, too.
-    lower = list(LEVELS.values())[: list(LEVELS.values()).index(best)]
+    levels = list(LEVELS.values())
+    lower = levels[: levels.index(_core.kernel_level())]  # this processor has these, too
+    expected = network_hash.of_everything()
     for level in (level for level, name in LEVELS.items() if name in lower):
-        assert hash_with_kernels(level) == (LEVELS[level], expected)
-    assert network_hash.of_everything() == expected
+        assert hash_with_kernels(level) == [LEVELS[level], expected]

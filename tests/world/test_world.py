@@ -12,13 +12,6 @@ import pytest
 import matrixworld as mw
 from rows import assert_same_worlds, config_of, random_actions
 
-ARRAYS = [name for name, (shape, _) in mw.array_specs(mw.WorldConfig()).items() if shape]
-
-
-def read(world: mw.World, name: str) -> np.ndarray:
-    value = getattr(world, name)
-    return value() if callable(value) else value
-
 
 def small(**changes: object) -> mw.World:
     return mw.World(**({"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1} | changes))
@@ -72,17 +65,12 @@ def test_text() -> None:
 
 def test_conflicts_are_kept_only_with_explain() -> None:
     world = small()
-    with pytest.raises(RuntimeError, match="explain=True"):
-        _ = world.conflicts
     world.step([0, 0, 0], explain=True)
     assert world.conflicts == []
-    world.step([0, 0, 0])
-    with pytest.raises(RuntimeError, match="explain=True"):
-        _ = world.conflicts
-    world.step([0, 0, 0], explain=True)
-    world.reset()
-    with pytest.raises(RuntimeError, match="explain=True"):
-        _ = world.conflicts
+    for call in (lambda: world.step([0, 0, 0]), world.reset):
+        call()
+        with pytest.raises(RuntimeError, match="explain=True"):
+            _ = world.conflicts
 
 
 def test_conflicts_in_words() -> None:
@@ -106,30 +94,6 @@ def test_conflicts_in_words() -> None:
         turn=0,
         text="pursuer_0 and pursuer_1 both headed for (0, 1): both bounce",
     )
-
-
-# ---- Sizes -----------------------------------------------------------------------------------
-
-
-def test_a_large_world() -> None:
-    side, n = 1024, 3000  # so many that products of sizes leave 32 bits
-    config = mw.WorldConfig(
-        "O", rows=side, cols=side, n_pursuers=n, n_evaders=n, obstacles=0.1, max_steps=5
-    )
-    world = mw.World(config)
-    assert world.map.sum() == round(0.1 * side * side)
-    start = world.positions
-    assert len(np.unique(start, axis=0)) == 2 * n
-    assert (start.max(axis=0) > side - 10).all()  # drawn from the whole map, not from a part of it
-    actions = random_actions(0, 5, 5, 2 * n)
-    for row in actions:
-        world.step(row)
-    assert world.truncated
-    moved = np.abs(world.positions - start)[world.alive]
-    assert moved.sum(axis=1).max() == 5
-    assert not world.map[tuple(world.positions[world.alive].T)].any()
-    state = world.state()
-    assert state[1][tuple(world.positions[:n].T)].all()
 
 
 # ---- Configurations --------------------------------------------------------------------------
@@ -166,29 +130,27 @@ def test_json(config: mw.WorldConfig) -> None:
 
 
 @pytest.mark.parametrize(
-    ("changes", "error", "message"),
+    ("changes", "error", "field"),
     [
-        ({"speed": 1}, ValueError, r"config: expected \['cols', .* got .*'speed'"),
-        ({"rules": "O"}, TypeError, "rules: expected a mapping, got str"),
-        ({"rules": {}}, ValueError, r"rules: expected \['capture', .* got \[\]"),
-        ({"rules": {"capture": "FLOOD"}}, ValueError, "capture: expected one of OCCUPATION, SURR"),
-        ({"rewards": {"blame": []}}, ValueError, r"blame: expected one of FAULT, .* got \[\]"),
-        ({"rewards": {"evader_step": "1"}}, TypeError, "evader_step: expected a number, got '1'"),
-        ({"obstacles": "/dev/zero"}, TypeError, "obstacles: expected a number or a list"),
+        ({"speed": 1}, ValueError, "config"),
+        ({"rules": "O"}, TypeError, "rules"),
+        ({"rules": {}}, ValueError, "rules"),
+        ({"rules": {"capture": "FLOOD"}}, ValueError, "capture"),
+        ({"rewards": {"blame": []}}, ValueError, "blame"),
+        ({"rewards": {"evader_step": "1"}}, TypeError, "evader_step"),
+        ({"obstacles": "/dev/zero"}, TypeError, "obstacles"),
         ({"rows": 0}, ValueError, "rows"),
     ],
 )
 def test_plain_settings_are_checked(
-    changes: dict[str, object], error: type[Exception], message: str
+    changes: dict[str, object], error: type[Exception], field: str
 ) -> None:
     plain = mw.WorldConfig().to_json()
     for name, value in changes.items():
         part = plain.get(name)
         plain[name] = part | value if isinstance(value, dict) and value and part else value
-    with pytest.raises(error, match=message):
+    with pytest.raises(error, match=f"{field}: expected"):
         mw.WorldConfig.from_json(plain)
-    with pytest.raises(TypeError, match="config: expected a mapping, got list"):
-        mw.WorldConfig.from_json([])  # type: ignore[arg-type]
 
 
 # ---- Maps ------------------------------------------------------------------------------------
