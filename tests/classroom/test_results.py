@@ -45,15 +45,6 @@ def test_entries_that_cannot_be_told_apart_share_a_range(
     assert rank_ranges(payoffs) == ranks
 
 
-def test_ranges_rarely_miss_the_true_ranks() -> None:
-    """Of equal entries every rank is true, so a range that is not the whole is a miss."""
-    missed = [
-        sum(found != (1, 6) for found in rank_ranges(noisy([0.5] * 6, seed=seed)))
-        for seed in range(60)
-    ]
-    assert np.mean(missed) / 6 < 0.05
-
-
 RATES = np.tile([[[0.2, 0.3], [0.4, 0.5]], [[0.9, 0.9]] * 2, [[0.0, 0.0]] * 2], 10)
 """Of two students and a script against a student and a script, in 20 episodes."""
 
@@ -97,19 +88,20 @@ def test_a_class_may_hand_in_predictions_alone(tmp_path: Path) -> None:
 HOSTILE = "<img src=x onerror=document.title='owned'>"
 
 
-@pytest.fixture(scope="module", params=["O", "TO"])
-def played(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> ClassResult:
-    """A class of genomes: of a game in one turn, and of one in which the teams take turns."""
+@pytest.fixture(scope="module")
+def played(tmp_path_factory: pytest.TempPathFactory) -> ClassResult:
+    """A class of genomes, of a game in which the teams take turns."""
     directory = tmp_path_factory.mktemp("class")
     write_genomes(directory, 3)
     (directory / f"{HOSTILE}.txt").write_text("no submission")
     vote = json.dumps({"prediction": "4.a", "choice": HOSTILE})
     (directory / "dee.jsonl").write_text(vote + '\n{"prediction": "4.b", "choice": "d"}\n')
     (directory / "genome 00.npz").rename(directory / f"{HOSTILE}.npz")
-    config = WorldConfig(request.param, rows=9, cols=9, n_pursuers=3, n_evaders=2, max_steps=12)
+    config = WorldConfig("TO", rows=9, cols=9, n_pursuers=3, n_evaders=2, max_steps=12)
     return play_class(directory, config, episodes=3, seed=1)
 
 
+@pytest.mark.slow
 def test_the_page_plays_every_cell_again_and_shows_what_was_found(
     browser: Browser, played: ClassResult, tmp_path: Path
 ) -> None:
@@ -138,6 +130,7 @@ def test_the_page_plays_every_cell_again_and_shows_what_was_found(
     assert browser.errors() == []
 
 
+@pytest.mark.nightly
 def test_a_page_without_room_keeps_the_best_and_worst_matches(
     browser: Browser, played: ClassResult, tmp_path: Path
 ) -> None:
