@@ -10,11 +10,9 @@ import pytest
 import matrixworld as mw
 from course import check
 from course.boards import (
-    actions_to,
     before_and_after,
     plan,
     random_pack,
-    target,
 )
 from course.chapter_1 import MAZE, SHORTEST
 from course.chapter_2 import JAM, JAM_ACTIONS, true_cells
@@ -55,22 +53,6 @@ def test_a_step_is_played_and_can_be_explained() -> None:
     ]
     before = plan(world_of_three(), [EAST, WEST, STAY]).pixels
     assert np.array_equal(picture.pixels[:, : before.shape[1]], before)
-
-
-def test_agents_that_are_gone_have_no_arrow() -> None:
-    world = drawn_world("D", ". A . B / . . . . / C . . a")
-    before_and_after(world, [EAST, WEST, STAY, STAY])
-    assert world.alive.tolist() == [False, False, True, True]
-    one, other = (plan(world, [move, move, STAY, STAY]).pixels for move in (NORTH, STAY))
-    assert np.array_equal(one, other)
-
-
-def test_random_packs() -> None:
-    cells, targets = random_pack(np.random.default_rng(7), 5, 20)
-    assert len(set(cells)) == 20
-    assert all(0 <= part < 5 for cell in [*cells, *targets] for part in cell)
-    actions = actions_to(cells, targets)
-    assert [target(cell, action) for cell, action in zip(cells, actions, strict=True)] == targets
 
 
 # ---- Notebook 1 ----------------------------------------------------------------------------------
@@ -138,16 +120,6 @@ def test_every_single_change_that_frees_pursuer_0_is_right() -> None:
         if right:
             free.append((agent, action))
     assert free == [(1, NORTH), (1, SOUTH), (2, STAY), (2, NORTH), (2, EAST), (2, SOUTH)]
-
-
-def test_rewards_of_a_captured_and_of_a_surviving_evader() -> None:
-    world = mw.World("O", rows=1, cols=9, n_pursuers=1, n_evaders=2)
-    world.reset(0, pursuers=[[0, 0]], evaders=[[0, 1], [0, 8]])
-    captured, survivor = world.step([EAST, STAY, STAY])[1:]
-    assert captured == pytest.approx(-10.05)
-    # A capture costs as much as 201 steps.
-    assert 201 * survivor == pytest.approx(captured, abs=1e-4)
-    assert check("2.3", np.int64(202)).right is True
 
 
 def test_outcomes_of_the_first_predictions_of_notebook_2() -> None:

@@ -119,8 +119,3 @@ def test_claims_hold_for_other_seeds(name: str) -> None:
             if (low if sign == "+" else -high) <= 0.0:
                 failed[effect] = low, high
     assert not failed
-
-
-def test_claims_rest_on_seeds_that_no_notebook_shows() -> None:
-    assert set(NAMES) == set(sources())
-    assert not [s for s in sources().values() if set(s.shown) & set(s.others)]

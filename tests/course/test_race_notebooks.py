@@ -2,7 +2,6 @@
 
 import ast
 import inspect
-import re
 import runpy
 from itertools import combinations, permutations, product
 from typing import Any
@@ -11,9 +10,9 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from course import UnansweredError, chapter_3, chapter_10, check, kept
+from course import chapter_3, chapter_10, check, kept
 from course.chapter_5 import four_races
-from course.chapter_7 import UNKNOWN, is_disengaged, reveal, unknown_races, verdict_of
+from course.chapter_7 import UNKNOWN, is_disengaged, unknown_races, verdict_of
 from course.chapter_9 import (
     WEIGHTS,
     WORLD,
@@ -137,20 +136,6 @@ def test_the_races_to_judge_are_of_both_sorts_and_need_many_episodes() -> None:
     few, many = ([verdict_of(race) for race in unknown_races(episodes)] for episodes in (10, 50))
     assert "present" not in few
     assert [verdict == "present" for verdict in many] == truths
-
-
-def test_the_truth_is_shown_beside_the_verdicts() -> None:
-    races = unknown_races(episodes=4)
-    right = ["yes" if is_disengaged(*each) else "no" for each in UNKNOWN]
-    swapped = ["no" if each == "yes" else "yes" for each in right]
-    told = [" ".join(reveal(answers, races).split("\n")[-1:]) for answers in (right, swapped)]
-    assert [[int(number) for number in re.findall(r"\d+", each)] for each in told] == [
-        [0, 4, 0, 4],
-        [4, 4, 4, 4],
-    ]
-    for wrong in (..., "yes", ["yes"], ["maybe"] * 8):
-        with pytest.raises(UnansweredError):
-            reveal(wrong, races)
 
 
 @pytest.mark.slow
@@ -301,25 +286,6 @@ def test_the_network_wishes_what_the_table_says() -> None:
     found = own.network.logits(own.genomes[0], views)
     expected = [wishes(view, weights) for view in views]
     np.testing.assert_allclose(found, expected, atol=1e-4)
-
-
-def test_other_shapes_are_refused() -> None:
-    for weights in (1.0, [1, 2], np.zeros((2, 7)), np.zeros((1, 1, 6))):
-        with pytest.raises(ValueError, match="weights: expected shape"):
-            pack(weights)
-    with pytest.raises(ValueError, match="mask: expected shape"):
-        play_masked([0] * 6, lambda views: np.ones(len(views), bool), episodes=5)
-
-
-def test_without_a_mask_it_plays_like_a_rollout() -> None:
-    weights = [6, 20, -10, -10, -2, 0]
-    masked = play_masked(weights, everything, episodes=400, seed=1)
-    played = mw.rollout(WORLD, pack(weights), "random", mw.Matches.of(0, 0, 2), episodes=400)
-    # Means of 400 episodes each; the standard error of their difference is below 0.5 steps.
-    assert abs(masked.steps.mean() - played.length.mean()) < 2
-    assert abs(masked.captured.mean() - played.capture_rate.mean()) < 0.05
-    assert masked.safety.episodes == 400
-    assert masked.steps.max() <= WORLD.max_steps  # it keeps the time limit itself
 
 
 def test_a_forbidden_action_is_never_chosen() -> None:

@@ -14,7 +14,7 @@ import pytest
 
 import matrixworld as mw
 import student_functions as student
-from course import check, hint
+from course import check
 from course.chapter_1 import BUMPER_CARS
 from course.chapter_2 import JAM_ACTIONS
 from course.chapter_5 import ENDINGS
@@ -46,39 +46,28 @@ WRONG: dict[str, dict[str, Any]] = {
         "into an obstacle": [SOUTH, SOUTH, SOUTH, EAST, EAST, EAST, EAST],
         "into the border": [NORTH, EAST, EAST, SOUTH, SOUTH, EAST, EAST],
         "too short": [EAST, EAST, SOUTH, SOUTH, EAST, EAST, STAY],
-        "too many": [EAST] * 8,
-        "a number": 7,
         "no such action": [EAST, EAST, SOUTH, SOUTH, EAST, EAST, 5],
-        "names": ["EAST"] * 7,
     },
     "1.2": {
         "swaps": [EAST, WEST, EAST, WEST],
         "into the border": [WEST, EAST, WEST, EAST],
-        "all stay": [STAY] * 4,
     },
     "1.3": {
         "simultaneous": bumper_cars(interaction=mw.Interaction.SIMULTANEOUS),
         "two fields": bumper_cars(pursuer=mw.Outcome.REACH, captured_disappear=True),
         "occupation": bumper_cars(capture=mw.Capture.OCCUPATION),
-        "the name of a variant": "SB",
     },
     "1.4": {
         "no edge conflicts": partial(student.conflicts, edge=False),
         "no vertex conflicts": partial(student.conflicts, vertex=False),
         "without those that stay": student.without_stayers,
         "every occupied target": student.all_occupied,
-        "nobody": lambda cells, targets: set(),
         "no return": lambda cells, targets: None,
-        "cells": lambda cells, targets: [(0, 1)],
-        "True": lambda cells, targets: True,
-        "the result": {0, 1},
     },
     "2.1": {
         "nothing changed": JAM_ACTIONS,
         "two changed": [EAST, EAST, STAY, WEST, SOUTH],
         "pursuer 0 changed": [STAY, EAST, WEST, EAST, SOUTH],
-        "still one cell": [EAST, STAY, WEST, EAST, SOUTH],
-        "a swap": [EAST, WEST, WEST, EAST, SOUTH],
         "still a chain": [EAST, EAST, WEST, STAY, SOUTH],
     },
     "2.2": {
@@ -86,41 +75,26 @@ WRONG: dict[str, dict[str, Any]] = {
         "no penalty for teammates": [-0.05, -0.05, 9.95, -10.05, -12.05],
         "a penalty for the capture": [-12.05, -12.05, -2.05, -22.05, -12.05],
         "a captured evader wins": [-12.05, -12.05, 9.95, 9.95, -12.05],
-        "a neighbour": [-12.05, -12.05, 10.05, -10.05, -12.05],
         "no capture": [-12.05, -12.05, 9.95, -0.05, -12.05],
         "two penalties": [-24.05, -12.05, 9.95, -10.05, -12.05],
-        "guesses": [1, 2, 3, 4, 5],
-        "not a number": [float("nan")] * 5,
-        "too few": [1.0] * 4,
-        "text": ["x"] * 5,
-        "one number": -12.05,
     },
     "2.3": {
         "equal": 201,
-        "without the first step": 200,
         "too few": 100,
-        "too many": 500,
-        "half a step": 201.5,
-        "True": True,
     },
     "2.4": {
         "by index": student.by_index,
         "no chains": student.without_chains,
         "one link of a chain": student.one_link_only,
         "swaps pass": student.swaps_pass,
-        "all stay": lambda cells, targets: cells,
-        "one cell": lambda cells, targets: targets[:1],
     },
     "3.1": {
         "no biases": lambda side, hidden, moves: 3 * side**2 * hidden + hidden * moves,
         "one layer": lambda side, hidden, moves: (side**2 + 1) * hidden + (hidden + 1) * moves,
-        "one right number": lambda side, hidden, moves: 653,
     },
     "3.2": {
         "no square": lambda spread, error: spread / error,
-        "not rounded": lambda spread, error: (spread / error) ** 2,
         "one more": lambda spread, error: int((spread / error) ** 2) + 2,
-        "the error": lambda spread, error: 1000,
         "rounded down": lambda spread, error: int((spread / error) ** 2),
     },
     "3.3": {
@@ -133,89 +107,59 @@ WRONG: dict[str, dict[str, Any]] = {
         "never moves": student.climber(tell=lambda self, fitness: None),
         "to the worst": student.climber(tell=student.Climber.tell_the_worst),
         "one candidate": student.climber(ask=lambda self, rng: self.genome),
-        "float64": student.climber(ask=lambda self, rng: np.zeros((4, 60))),
-        "a list": student.climber(ask=lambda self, rng: [1.0]),
-        "no ask": student.climber(ask=None),
-        "no genome": student.climber(__init__=lambda self, genome, rng: None),
-        "no class": np.zeros(3),
     },
     "4.1": {
         "swapped": (0.5 - LAGS, 0.5 + LAGS),
         "one team only": (ONE_TEAM, 0.5 - LAGS),
         "level": [np.full((4, 4), 0.5)] * 2,
-        "another diagonal": [0.6 + LAGS] * 2,
-        "beyond 1": [0.5 + 3 * LAGS] * 2,
-        "too small": [np.full((3, 3), 0.5)] * 2,
-        "one matrix": np.zeros((4, 4)),
     },
     "4.2": {
         "current evaders": lambda payoff, g: payoff[g, : g + 1].mean(),
         "a column": lambda payoff, g: payoff[:g, g].mean(),
         "later evaders": lambda payoff, g: payoff[g].mean(),
-        "a square": lambda payoff, g: payoff[:g, :g].mean() + 1,
-        "no mean": lambda payoff, g: payoff[g, :g],
     },
     "4.3": {
         "the most captured": lambda m: (m.mean(axis=1).argmax(), m.mean(axis=0).argmax()),
         "the other axis": lambda m: (m.mean(axis=0).argmax(), m.mean(axis=1).argmin()),
         "the last ones": lambda m: (len(m) - 1, m.shape[1] - 1),
-        "beyond the last": lambda m: (len(m), 0),
     },
     "4.4": {
         "the opponents win": lambda beats, a, b: beats(*student.pairs(a, b)[::-1]).mean(),
         "one opponent each": lambda beats, a, b: beats(a[: len(b)], b).mean(),
-        "a sum": lambda beats, a, b: beats(*student.pairs(a, b)).sum(),
-        "a guess": lambda beats, a, b: 0.5,
     },
     "5.1": {
-        "text": "arms race",
-        "one race": {"A": "cycle"},
-        "no such word": {**ENDINGS, "A": "extinction"},
         "two swapped": {**ENDINGS, "A": "cycle", "B": "one side only"},
     },
     "5.2": {
         "rule of the pursuers": lambda k, i: i % k,
         "the newest": lambda k, i: k,
-        "the first": lambda k, i: 0,
     },
     "5.3": {
         "the mean": GAINS.value,
         "the other sign": [-GAINS.high, -GAINS.low],
         "specialists": student.interval_of_gains("specialist_specialist"),
         "too narrow": np.add(GAINS.value, [-0.001, 0.001]),
-        "normal": np.add(GAINS.value, np.subtract([GAINS.low, GAINS.high], GAINS.value) * 0.87),
-        "exchanged": (GAINS.high, GAINS.low),
-        "rounded": (round(GAINS.low, 2), round(GAINS.high, 2)),
-        "another one": (0.0, 0.05),
     },
     "5.4": {
-        "a number": lambda scores: 0.7,
         "always": lambda scores: True,
-        "never": lambda scores: False,
         "last beats first": student.last_beats_first,
         "the diagonal": lambda scores: bool(np.diag(scores.mean(axis=2))[-1] > 0.5),
     },
     "6.1": {
         "each four times": student.each_square_four_times,
-        "none": lambda matrix: -1,
         "strict losses": student.strict_losses,
         "neighbours only": student.neighbours_only,
-        "all squares": lambda matrix: analysis.checkerboards(matrix).possible,
     },
     "6.2": {
         "the rest": lambda matrix: 1 - analysis.transitive_share(matrix),
         "the mean twice": student.mean_twice,
-        "the mean": lambda matrix: matrix.mean(),
     },
     "6.3": {
-        "ragged": [[1, 2], [3]],
         "without the well": ROCK_PAPER_SCISSORS,
         "it beats the other ones": OTHER_WELL,
         "its column forgotten": LOST,
     },
     "6.4": {
-        "one opponent": lambda available, rng: available - 1,
-        "no such opponent": lambda available, rng: [available],
         "without the newest": lambda available, rng: [0],
         "with repetition": student.hall(4, repeat=True),
         "too few": student.hall(3),
@@ -225,27 +169,21 @@ WRONG: dict[str, dict[str, Any]] = {
         "of wins": student.of_wins_only,
         "of five matches": lambda wins, v: student.of_wins_only(wins / 5, v),
         "without a zero": student.of_the_largest,
-        "the wins": lambda wins, v: wins,
-        "the sum": lambda wins, v: wins.sum(),
     },
     "7.2": {"best": 0.8, "below": 0.75, "above": 0.95, "nine": 9},
     "7.3": {
         "the wins": lambda wins: wins.sum(axis=1),
         "by individual": lambda wins: (wins / wins.sum(axis=1, keepdims=True)).sum(axis=1),
         "by opponent": lambda wins: wins.sum(axis=0),
-        "divided by zero": student.shared_without_zeros,
     },
     "7.4": {
         "a percentage": 84.0,
         "of the others": 0.25,
         "the right ones": 0.16,
-        "of equally many": 0.217,
-        "a guess": 0.5,
     },
     "7.5": {
         "the wins": lambda wins: wins,
         "zeros": lambda wins: 0 * wins,
-        "the most": lambda wins: wins.max(),
     },
     "8.1": {
         "always up": lambda stage, escaped: stage + 1,
@@ -261,15 +199,12 @@ WRONG: dict[str, dict[str, Any]] = {
     "8.3": {
         "with the own": lambda rates: rates.mean(axis=1),
         "the own": np.diag,
-        "divided by 6": lambda r: (r * (1 - np.eye(len(r)))).mean(axis=1),
-        "columns": lambda r: (r.sum(axis=0) - np.diag(r)) / 5,
     },
     "8.4": {
         "one wrong": {**CASES, "D": "autocurriculum"},
         "another one": {**CASES, "A": "co-evolution"},
     },
     "8.5": {
-        "True": lambda one, other: True,
         "by the means": lambda one, other: "better" if one.mean() > other.mean() else "worse",
         "unpaired": student.unpaired,
         "swapped": lambda one, other: verdict_on(other, one),
@@ -282,16 +217,12 @@ WRONG: dict[str, dict[str, Any]] = {
     "9.2": {"the paper's": 12, "low": 5.0, "two": [1.0, 2.0]},
     "9.3": {"few": 100, "one less": 298, "one more": 300, "none": 0},
     "9.4": {
-        "True": True,
-        "nothing": lambda own, other: None,
-        "a move": min,
         "a coin": student.coin(),
         "always": lambda own, other: True,
         "never": lambda own, other: False,
         "right before left": student.right_before_left,
         "the left waits": student.left_waits,
         "right of way": student.right_of_way,
-        "left before right": lambda own, other: student.right_of_way(other, own),
     },
 }  # fmt: skip
 
@@ -299,9 +230,6 @@ WRONG |= {
     "10.1": {
         "the best": lambda payoff, mixture: (mixture @ payoff).max(),
         "the mean": lambda payoff, mixture: (mixture @ payoff).mean(),
-        "an entry": lambda payoff, mixture: payoff.min(),
-        "of the columns": lambda payoff, mixture: payoff.sum(),
-        "all scores": lambda payoff, mixture: mixture @ payoff,
     },
     "10.2": {"equal": [1 / 3] * 3, "percent": [25, 50, 25], "rock": [1, 0, 0], "two": [0.5, 0.5]},
     "10.3": {"generalists": 0.843, "both": 0.17, "one team": 0.325, "ten": 10.0},
@@ -309,8 +237,6 @@ WRONG |= {
         "always east": lambda west, east, memory: ("east", None),
         "turns only": lambda west, east, memory: ("west" if east else "east", memory),
         "no memory": lambda west, east, memory: "east",
-        "a number": lambda west, east, memory: (1, memory),
-        "no function": "east",
     },
 }
 
@@ -386,10 +312,3 @@ def test_replies_do_not_give_numbers_away() -> None:
     }
     for name, answer in answers.items():
         assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())
-
-
-def test_hints_get_more_explicit() -> None:
-    *hints, again = (hint("3.1").text for _ in range(4))
-    assert [text[:13] for text in hints] == [f"Hint {number} of 3: " for number in (1, 2, 3)]
-    assert len(set(hints)) == 3
-    assert again == hints[-1]

@@ -1,12 +1,9 @@
 """The slider of the notebooks: a picture for each value, by keyboard, and one without scripts."""
 
-import importlib
 from pathlib import Path
 
 import matplotlib.pyplot as plt
-import pytest
 
-import course
 from browser import Browser, browser  # noqa: F401  # a fixture
 from course import Slider
 
@@ -30,13 +27,3 @@ def test_a_slider_shows_the_picture_of_its_value(tmp_path: Path, browser: Browse
     picture = page["text/html"].partition("<script>")[0]
     assert page["image/png"] in picture
     assert "<input" not in picture
-
-
-def test_small_runs_of_notebooks_say_so(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    for quick in ("1", "0"):
-        monkeypatch.setenv("MATRIXWORLD_QUICK", quick)
-        importlib.reload(course)  # what the first cell of every notebook imports
-        shown = capsys.readouterr().out
-        assert ("The text of this notebook does not apply" in shown) == (quick == "1")

@@ -5,7 +5,7 @@ import pytest
 
 from course import toys
 from course.synthetic_races import play_episodes
-from course.toys import PAPER, ROCK, SCISSORS, History, mutate_biased, select_proportionate
+from course.toys import PAPER, ROCK, SCISSORS
 from matrices import ROCK_PAPER_SCISSORS
 from matrixworld import analysis
 from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized
@@ -103,33 +103,6 @@ def test_samplers_get_the_scores_against_champions():
     assert samplers[0].win_rates(5).tolist() == [0.5, 0, 0, 0, 0.5]
 
 
-def test_selection_in_proportion_to_fitness():
-    rng = np.random.default_rng(0)
-    for fitness, expected in (([0, 1, 3], [0, 1000, 3000]), ([0, 0], [2000, 2000])):
-        picked = select_proportionate(np.array(fitness, float), 4000, rng)
-        counts = np.bincount(picked, minlength=len(fitness))
-        assert counts.tolist() == pytest.approx(expected, rel=0.1)
-
-
-def test_scores_of_a_history_by_hand() -> None:
-    ones = np.array([[[[3], [3]], [[1], [1]]], [[[2], [2]], [[2], [2]]]])
-    history = History(toys.GAMES["scalar"], ones, np.zeros((1, 2, 2)))
-    scores = history.scores([0, 1], 3, np.random.default_rng(0))
-    assert scores.shape == (2, 2, 3)
-    # 3 against 1 and 2; 2 against 1 and 2.
-    assert scores.mean(axis=2).tolist() == [[1.0, 1.0], [1.0, 0.5]]
-    history.ones[0, 0] = [[0], [2]]  # one of two individuals wins, and each is drawn as often
-    scores = history.scores([0], 2000, np.random.default_rng(0))
-    assert scores.mean() == pytest.approx(0.5, abs=0.05)  # 4 standard errors
-
-
-def test_bits_drift_to_their_bias():
-    rng, bits = np.random.default_rng(0), np.zeros((200, 1, 100), dtype=bool)
-    for _ in range(150):
-        bits = mutate_biased(bits, rng, probability=0.03, bias=0.75)
-    assert bits.mean() == pytest.approx(0.75 * (1 - 0.97**150), abs=0.01)
-
-
 @pytest.mark.parametrize(
     ("virulence", "engaged", "hosts"),
     # Known: engaged in 10 % of generations, hosts at 50; in nearly all, hosts at 93. Spread over
@@ -141,14 +114,6 @@ def test_virulence_disengages_the_hosts(virulence, engaged, hosts):
     assert np.mean([race.engaged.mean() for race in races]) == pytest.approx(engaged, abs=0.1)
     last = np.mean([race.objective[-50:, 0].mean() for race in races])
     assert last == pytest.approx(hosts, abs=6)
-
-
-def test_parasites_may_have_a_fitness_of_your_own():
-    """It decides: a constant one is no selection, so that parasites drift to their bias."""
-    given, named = (toys.hosts_and_parasites(v, 3, generations=40) for v in (lambda w: w, 1.0))
-    assert np.array_equal(given.ones, named.ones)
-    drifted = toys.hosts_and_parasites(np.zeros_like, 3, generations=200)
-    assert drifted.objective[-50:, 1].mean() == pytest.approx(75, abs=5)
 
 
 # tests/evolution/test_judgement_benchmark.py looks at each kind of synthetic race.
@@ -163,9 +128,3 @@ def test_mean_and_variance_of_matches(evaders, episodes, matchups):
     expected = 0.3 * 0.7 * (1 + (evaders - 1) / 5) / evaders / episodes + matchups**2
     assert means.mean() == pytest.approx(0.3, abs=0.03)
     assert means.var() == pytest.approx(expected, rel=0.35)
-
-
-def test_certain_matches_end_as_they_must():
-    rng = np.random.default_rng(0)
-    assert play_episodes(np.ones(3), 5, rng).tolist() == [[1.0] * 5] * 3
-    assert play_episodes(np.zeros(3), 5, rng, evaders=30).max() == 0.0

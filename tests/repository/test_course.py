@@ -1,6 +1,5 @@
 """The course: notebooks run from top to bottom, and their exercises can be solved and failed."""
 
-import ast
 import json
 import os
 import re
@@ -32,10 +31,6 @@ def own(path: Path) -> dict[str, Exercise | Prediction]:
     text = "\n".join(source(cell) for cell in cells(TUTORIALS / f"{path.stem}.ipynb", "code"))
     table = exercises(chapter(path))
     return {name: table[name] for name in re.findall(r'(?:check|outcome)\("([\d.a-z]+)"', text)}
-
-
-def test_every_notebook_has_solutions() -> None:
-    assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
 
 
 RUN = runpy.run_path(str(TUTORIALS / "run.py"))
@@ -110,11 +105,6 @@ def test_a_teacher_s_copy_is_the_notebook_with_all_outputs(path: Path) -> None:
     assert same == [source(cell) for cell in cells(path, "code")]
 
 
-def test_notebooks_begin_alike() -> None:
-    """The first code cell installs the package where it is missing."""
-    assert len({source(cells(path, "code")[0]) for path in NOTEBOOKS}) == 1
-
-
 @pytest.mark.parametrize("number", CHAPTERS)
 def test_every_exercise_of_a_chapter_is_asked(number: int) -> None:
     parts = [own(path) for path in NOTEBOOKS if chapter(path) == number]
@@ -135,38 +125,6 @@ def test_predictions_are_made_before_their_experiments(path: Path) -> None:
     table = own(path)
     names = [name for name, each in table.items() if isinstance(each, Prediction)]
     assert order == [(what, name) for name in names for what in ("predict", "outcome")]
-
-
-MOST_LINES = 120
-
-
-def lines_to_read(code: str) -> int:
-    """Return the lines of a cell to read: no imports, docstrings, comments, questions."""
-    code = re.sub(r"^%.*", "", code, flags=re.MULTILINE)
-    skipped: set[int] = set()
-    for node in ast.walk(ast.parse(code)):
-        asked = ast.unparse(node) if isinstance(node, ast.Expr | ast.Assign) else ""
-        if isinstance(node, ast.Import | ast.ImportFrom) or re.match(QUESTION, asked):
-            skipped |= {*range(node.lineno, node.end_lineno + 1)}
-    lines = [line.strip() for n, line in enumerate(code.splitlines(), 1) if n not in skipped]
-    return sum(bool(line) and not line.startswith("#") for line in lines)
-
-
-QUESTION = r"'|\"|(predict|outcome|check|hint)\(|answer = "
-"""How docstrings begin, and lines that ask and answer."""
-
-
-@each_notebook
-def test_there_is_not_too_much_code_to_read(path: Path) -> None:
-    lines = sum(
-        lines_to_read(source(cell)) for cell in cells(path, "code")[1:]
-    )  # the first installs
-    assert lines <= MOST_LINES
-
-
-def test_the_page_of_the_course_has_a_row_for_each_notebook() -> None:
-    text = (TUTORIALS / "README.md").read_text("utf-8")
-    assert [text.count(f"({path.name})") for path in NOTEBOOKS] == [1] * len(NOTEBOOKS)
 
 
 @each_solution

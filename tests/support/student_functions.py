@@ -174,11 +174,6 @@ def of_the_largest(wins, v):
     return of_wins_only(wins / wins.max(), v)
 
 
-@np.errstate(invalid="ignore")
-def shared_without_zeros(wins):
-    return (wins / wins.sum(axis=0)).sum(axis=1)
-
-
 def unpaired(one, other):
     found = analysis.difference_of_runs(one, other)
     return "better" if found.low > 0 else "worse" if found.high < 0 else "cannot tell"
