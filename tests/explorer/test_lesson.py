@@ -1,9 +1,6 @@
 """The lesson: its games, its data, and a walk through the page as a student takes it."""
 
-import json
-import re
 import sys
-import time
 from collections.abc import Callable, Iterator
 from itertools import chain
 from pathlib import Path
@@ -18,6 +15,7 @@ from course.questions import Prediction, exercises
 from course.toys import GAMES, PAYOFF, alternate
 from matrixworld.classroom.submissions import first_choices
 from node import run_node
+from scripts import wait_until
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "lesson.html"
@@ -171,7 +169,7 @@ CHOICES = {
 }  # fmt: skip
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
     """Nothing is told before the prediction; answers are checked; all comes back and is saved."""
     folder = {"behavior": "allow", "downloadPath": str(tmp_path)}
@@ -179,38 +177,19 @@ def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
     browser.open(PAGE)
     for section in ("#hands", "#numbers", "#races"):
         assert "goes on with your prediction." in browser.js(TEXT, section)
-    assert "in section 1" in browser.js(TEXT, "#exit")
     assert "policy cycle" not in browser.js(TEXT, "main")
     assert "Choose one first" in browser.js(CHOOSE, ["4.a", ""])
-    assert "outcome" not in browser.js(CHOOSE, ["0.a", "c"])
-    assert "The outcome: This curve cannot tell." in browser.js(TEXT, "#exit")
-    browser.js(CHOOSE, ["5.a", "a"])
-    assert "in section 4" in browser.js(TEXT, "#races")  # the explorer would tell who is who
-    for name, choice in list(CHOICES.items())[1:6]:
-        assert "predicted" in browser.js(CHOOSE, [name, choice])
-    browser.js(CHOOSE, ["0.e", "c"])
+    for name, choice in CHOICES.items():
+        browser.js(CHOOSE, [name, choice])
     assert browser.js("document.querySelectorAll('.waiting').length") == 0
     assert "It contains the current evaders" in browser.js(ANSWER, ["4.2", "0,65"])
     assert "✓ Right" in browser.js(ANSWER, ["4.2", "0.7"])
-    assert "Expected a number" in browser.js(ANSWER, ["0.1", "three"])
-    check = "document.querySelector('#exercise-4\\\\.1 [type=submit]')"
-    assert "should grow" in browser.js(f"({check}.click(), {TEXT})", "#exercise-4\\.1 .reply")
-    for cell in (4, 8, 9, 12, 13, 14):  # below the diagonal: 0.8
-        browser.js("document.querySelectorAll('.cells button')[arguments[0]].click()", cell)
-    for cell in (1, 2, 3, 6, 7, 11) * 2:  # above: 0.2
-        browser.js("document.querySelectorAll('.cells button')[arguments[0]].click()", cell)
-    assert "✓ Right" in browser.js(f"({check}.click(), {TEXT})", "#exercise-4\\.1 .reply")
-    memory = "document.querySelectorAll('#hands .slider input')[0]"
-    before = browser.js("document.querySelectorAll('#hands .line')[1].getAttribute('d')")
-    browser.js(f"({memory}.value = 0, {memory}.dispatchEvent(new Event('input')))")
-    assert before != browser.js("document.querySelectorAll('#hands .line')[1].getAttribute('d')")
     browser.wait("document.querySelector('#races .match-card').dataset.played")
     assert browser.js(TEXT, "#races .check") == "As in the evaluation"
     browser.js("document.querySelector('#numbers .widget .primary').click()")
-    for told in ("after 600 generations", r"hall 15: mean 8\d"):
-        browser.wait(f"/{told}/.test(document.querySelector('#numbers').textContent)", 120)
-    browser.js("document.querySelector('#exit-answer').form.requestSubmit()")
-    assert "A good answer has" not in browser.js(TEXT, "#exit")
+    browser.wait(
+        "/after 600 generations/.test(document.querySelector('#numbers').textContent)", 120
+    )
     said = "They got better, or the others got worse: play against the team of a month ago."
     browser.js("document.querySelector('#exit-answer').focus()")
     browser.press(said)
@@ -218,14 +197,8 @@ def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
     assert browser.js("document.querySelector('#exit-answer').value") == said
     browser.js("document.querySelector('#exit-answer').form.requestSubmit()")
     assert "A good answer has" in browser.js(TEXT, "#exit")
-    assert "✓ Right" in browser.js(TEXT, "#exercise-4\\.2 .reply")
     browser.js("document.querySelector('.save').click()")
     saved = tmp_path / "predictions.jsonl"
-    for _ in range(200):
-        if saved.exists():
-            break
-        time.sleep(0.05)
+    wait_until(saved.exists, "a file of predictions", 10)
     assert first_choices(saved.read_bytes()) == CHOICES
-    for line in saved.read_text("utf-8").splitlines():
-        assert re.fullmatch(r"[-\d]+T[:\d]+\+00:00", json.loads(line)["time"])
     assert browser.errors() == []

@@ -1,7 +1,7 @@
 """The page of runs that go on: what it shows, that nothing else is served, and how it ends."""
 
 import http.client
-import threading
+import time
 import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
@@ -52,7 +52,7 @@ def until_shown(page: LivePage, least: int = 1) -> None:
         with urllib.request.urlopen(f"{page.url}version") as answer:
             if int(answer.read()) >= least:
                 return
-        threading.Event().wait(0.05)
+        time.sleep(0.05)
     raise AssertionError("expected the runs on the page, got none")
 
 
@@ -112,16 +112,7 @@ def first_of(team: Population | str, most: int) -> Population | str:
     return team if isinstance(team, str) else Population(team.genomes[:most], team.network)
 
 
-def test_an_error_ends_the_page_and_its_threads(job: Path) -> None:
-    before = threading.active_count()
-    with pytest.raises(KeyboardInterrupt), LivePage(job, [*JOB]) as page:
-        raise KeyboardInterrupt
-    assert threading.active_count() == before
-    with pytest.raises(ConnectionRefusedError):
-        get(page.url)
-
-
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_browser_follows_the_runs_and_ends_with_the_finished_page(
     browser: Browser, live: LivePage, job: Path
 ) -> None:

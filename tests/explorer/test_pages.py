@@ -18,7 +18,6 @@ from PIL import Image
 import matrixworld as mw
 from browser import DESKTOP, PHONE, Browser
 from class_submissions import write_genomes
-from matrixworld._util import colors
 from matrixworld.classroom import play_class
 from matrixworld.classroom.results import class_page
 from matrixworld.coevolution import open_run, start
@@ -75,6 +74,7 @@ OPENED: dict[str, list[str]] = {
 """What opens the dialogs of a page."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_opens_and_runs_no_script_but_its_own(
     browser: Browser, page: str, tmp_path: Path
@@ -97,7 +97,7 @@ def test_a_page_opens_and_runs_no_script_but_its_own(
     assert any("Content Security Policy" in error for error in browser.errors())
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("page", PAGES)
 def test_readers_with_disabilities_are_not_hindered(
     browser: Browser, page: str, tmp_path: Path
@@ -139,28 +139,8 @@ def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
     elements = re.compile(r"<[a-z/!][^>]*>", re.IGNORECASE)
     plain = render_page(page, "title", {"name": ""})
     assert elements.findall(hostile) == elements.findall(plain)
-
-
-def test_numbers_that_are_not_json_are_refused() -> None:
     with pytest.raises(ValueError, match="JSON"):
-        render_page("explorer", "title", {"rate": float("nan")})
-
-
-def test_the_board_has_the_colours_of_the_package() -> None:
-    sheet = (WEB / "src" / "board" / "board.css").read_text(encoding="utf-8")
-    light = dict(re.findall(r"--([\w-]+): (#\w{6});", sheet.partition("}")[0]))
-    expected = {
-        "board-paper": colors.PAPER,
-        "board-line": colors.GRID,
-        "board-ink": colors.INK,
-        "board-muted": colors.MUTED,
-        "board-obstacle": colors.OBSTACLE,
-        "pursuer": colors.PURSUER,
-        "evader": colors.EVADER,
-        "capture": colors.CAPTURE,
-        "collision": colors.COLLISION,
-    }
-    assert {name: light[name].upper() for name in expected} == expected
+        render_page(page, "title", {"rate": float("nan")})
 
 
 # ---- In notebooks --------------------------------------------------------------------------------

@@ -1,9 +1,6 @@
 """A person plays in a real browser: the match is that of `World`, of the file, and of the link."""
 
 import dataclasses
-import re
-import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,19 +11,17 @@ from numpy.typing import NDArray
 from browser import Browser
 from command_line import matrixworld_command
 from matrixworld import Episode, World, WorldConfig, record
-from matrixworld.coevolution import TEAMS, SavedRun, Team, held_out, open_run, start
+from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.episodes.record import record_actions
 from matrixworld.explorer import explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.play_page import of_run, play_page, shipped
 from matrixworld.world.policy import Population, TeamPolicy
+from scripts import wait_until
 from tiny_race import tiny_race
 
 PLAYED = "document.querySelector('#match').dataset.played"
 IN_EXPLORER, IN_PAGE = "window.matrixworldExplorer.playing", "window.matrixworldPlay"
-KEYPAD = {0: "\ue01f", 1: "\ue022", 3: "\ue01c", 5: "\ue023", 7: "\ue01b", 8: "\ue021"}
-"""Keys 5, 8, 2, 9, 1 and 7 of a numeric keypad, by the action that lies there."""
 LETTERS = dict(enumerate("swdxaeczq"))
 ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
 
@@ -109,15 +104,11 @@ def generation(run: SavedRun, team: Team, number: int) -> Population:
     return Population(population.genomes[number], population.network)
 
 
-def same(first: Episode, second: Episode) -> bool:
-    fields = [each.name for each in dataclasses.fields(Episode)]
-    return all(np.array_equal(getattr(first, name), getattr(second, name)) for name in fields)
-
-
 # ---- Taken over in the explorer ------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("run", "keys"), [(0, ARROWS), (1, LETTERS), (1, KEYPAD)])
+@pytest.mark.nightly
+@pytest.mark.parametrize(("run", "keys"), [(0, ARROWS), (1, LETTERS)])
 def test_a_match_played_by_keys_is_that_of_the_world(
     browser: Browser, page: Path, job: list[SavedRun], run: int, keys: dict[int, str]
 ) -> None:
@@ -143,6 +134,7 @@ def test_a_match_played_by_keys_is_that_of_the_world(
     assert browser.errors() == []
 
 
+@pytest.mark.nightly
 def test_generations_in_the_same_seat(browser: Browser, page: Path, job: list[SavedRun]) -> None:
     """The table at the end has what each generation makes of the same match from the same step."""
     g, h, step = 1, 2, 2
@@ -170,36 +162,28 @@ def test_generations_in_the_same_seat(browser: Browser, page: Path, job: list[Sa
     assert {row[0]: row[-1] for row in rows} == {"You": str(len(played["moves"])), **lasted}
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_files_and_links_hold_the_match(
     browser: Browser, page: Path, own: Path, job: list[SavedRun], tmp_path: Path
 ) -> None:
-    """Also the end of the page of its own: files that it or Python saved, and no others, open."""
+    """And the page of its own opens files that it or Python saved, and no others."""
     allow = {"behavior": "allow", "downloadPath": str(tmp_path)}
     browser.driver.execute_cdp_cmd("Browser.setDownloadBehavior", allow)
     take_over(browser, page, 1, 0, 2, 2)
     moves_until_done(browser, LETTERS, 1)
     played = shown(browser)
     press_button(browser, "Save")
-    file = wait_for(lambda: next(iter(tmp_path.glob("*.npz")), None))
+    wait_until(lambda: [*tmp_path.glob("*.npz")], "a file of the match", 10)
+    [file] = tmp_path.glob("*.npz")
     episode = Episode.load(file)
     assert (episode.seat, episode.length) == (played["seat"], len(played["moves"]))
-    config = WorldConfig.from_json(episode.config)
-    assert config == job[1].settings.world
-    seed = evaluation_seed(job[1].settings.seed, 0, 2)
-    again = record_actions(config, episode.actions, seed=seed)
-    assert same(episode, dataclasses.replace(again, seat=played["seat"]))
+    assert WorldConfig.from_json(episode.config) == job[1].settings.world
     press_button(browser, "Link")
     link = browser.js("document.querySelector('.play-ending input').value")
     browser.driver.get("about:blank")
     browser.driver.get(link)
     browser.wait(f"{IN_EXPLORER} && {IN_EXPLORER}.element.dataset.state === 'ended'")
     assert shown(browser) == played
-    for wrong in ("seat=99", "moves=0129", "from=400", "moves="):
-        browser.driver.get("about:blank")
-        browser.driver.get(re.sub(rf"{wrong.partition('=')[0]}=\w*", wrong, link))
-        browser.wait(PLAYED)
-        assert not browser.js("document.querySelector('.take-over').open")
     browser.open(own)
     opens = browser.driver.find_element("css selector", "input[type=file]")
     other = record(WorldConfig("SB", rows=9, cols=7, obstacles=0.2), "chaser", "fleer", seed=3)
@@ -211,10 +195,10 @@ def test_files_and_links_hold_the_match(
         assert positions.tolist() == expected.last_positions.reshape(len(positions), -1).tolist()
     (tmp_path / "cut.npz").write_bytes(file.read_bytes()[:-50])
     dataclasses.replace(other, actions=np.zeros_like(other.actions)).save(tmp_path / "altered.npz")
-    told = "document.querySelector('.setup .problem').innerText"
-    for name, says in (("cut", "invalid zip data"), ("altered", "expected the moves")):
+    for name in ("cut", "altered"):
         opens.send_keys(str(tmp_path / f"{name}.npz"))
-        browser.wait(f"{told}.startsWith('{name}.npz holds no match: {says}')")
+        told = "document.querySelector('.setup .problem').innerText"
+        browser.wait(f"{told}.startsWith('{name}.npz holds no match: ')")
     assert browser.errors() == []
 
 
@@ -222,62 +206,23 @@ def press_button(browser: Browser, text: str) -> None:
     browser.driver.find_element("xpath", f"//button[text()='{text}']").click()
 
 
-def wait_for(found: Callable[[], Path | None]) -> Path:
-    for _ in range(500):
-        if (file := found()) is not None:
-            return file
-        time.sleep(0.02)
-    raise AssertionError("expected a file, got none in 10 s")
-
-
 # ---- The page of its own -------------------------------------------------------------------------
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> None:
     browser.open(own)
     lasted = []
     for turn in range(3):
         title = browser.js("document.querySelector('.play h2').innerText")
         assert f"Round {turn + 1} of 3" in title
-        config = browser.js(f"{IN_PAGE}.live.config")
-        assert (config["n_evaders"], config["n_pursuers"]) == (1, 8)
         moves_until_done(browser, ARROWS, turn, IN_PAGE)
         lasted.append(browser.js(f"{IN_PAGE}.live.length"))
         if turn < 2:
             browser.click(".play-ending > .primary")
-    assert browser.js("document.querySelector('.play-score').textContent") == (
-        f"Your score: {sum(lasted)} of 180"
-    )
+    score = browser.js("document.querySelector('.play-score').textContent")
+    assert score == f"Your score: {sum(lasted)} of 180"
     assert browser.errors() == []
-
-
-def begin(browser: Browser, **choices: str) -> None:
-    """Choose by label, and press Play."""
-    for label, text in choices.items():
-        browser.js(
-            "((choice) => { choice.value = Array.from(choice.options)"
-            ".find((each) => each.text === arguments[1]).value; })"
-            "([...document.querySelectorAll('.setup label')]"
-            ".find((each) => each.textContent.startsWith(arguments[0])).querySelector('select'))",
-            label.replace("_", " "), text,
-        )  # fmt: skip
-    browser.click(".setup .primary")
-
-
-def test_shipped_networks_decide_as_in_python(browser: Browser, own: Path) -> None:
-    browser.open(own)
-    begin(browser, You_are="a pursuer", Pursuers="evolved-2", Evaders="evolved-1")
-    browser.press(*"wdxa")
-    played = shown(browser, IN_PAGE)
-    config, players = shipped("SD")
-    world = World(config)
-    world.reset(int(browser.js(f"String({IN_PAGE}.played.seed)")))
-    policies: dict[Team, TeamPolicy] = {
-        "pursuer": players["pursuer"]["evolved-2"], "evader": held_out("evader", "SD")["evolved-1"]
-    }  # fmt: skip
-    for actions, move in zip(played["actions"], (1, 2, 3, 4), strict=True):
-        assert actions == decided(world, policies, 0, move).tolist()
 
 
 def test_a_run_gives_its_generations_to_the_page(job: list[SavedRun]) -> None:

@@ -5,14 +5,12 @@ import json
 import re
 import shutil
 import sys
-import time
 import zlib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image, ImageSequence
 
 from browser import READY, Browser
 from matrixworld import World, WorldConfig, analysis
@@ -24,14 +22,13 @@ from matrixworld.explorer import Explorer, explore
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import (
     explorer_page,
-    guided_minute,
-    heading,
     kept_generations,
     packed,
     run_data,
     runs_data,
     training_curve,
 )
+from slow import quickly
 from tiny_race import tiny_race, tiny_single
 
 Job = dict[str, SavedRun]
@@ -87,6 +84,7 @@ def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
 # ---- In a real browser ---------------------------------------------------------------------------
 
 
+@pytest.mark.nightly
 def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None:
     """Clicks show the package's steps and words for conflicts, and the page confirms the cell."""
     assert page.js("document.querySelector('h1').textContent") == "Three runs"
@@ -138,6 +136,7 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
     np.testing.assert_allclose(shown, expected, atol=0.0051)
 
 
+@pytest.mark.nightly
 def test_the_guided_minute_drives_the_page(page: Browser, job: Job) -> None:
     stops = run_data("race", job["race"])["findings"]["guided_minute"]
     bar, four = "document.querySelector('.guided')", "document.querySelector('dialog.four').open"
@@ -153,24 +152,7 @@ def test_the_guided_minute_drives_the_page(page: Browser, job: Job) -> None:
     assert page.errors() == []
 
 
-@pytest.mark.slow
-def test_a_match_is_saved_as_a_gif_of_ten_seconds(page: Browser, tmp_path: Path) -> None:
-    page.prefer(prefers_color_scheme="light")
-    where = {"behavior": "allow", "downloadPath": str(tmp_path)}
-    page.driver.execute_cdp_cmd("Browser.setDownloadBehavior", where)
-    page.click(".to-share")
-    page.click(".save-gif")
-    page.wait("document.querySelector('.share [role=status]').textContent.startsWith('Saved')")
-    file = tmp_path / "pursuers-2-evaders-2.gif"
-    deadline = time.monotonic() + 20
-    while not file.exists() and time.monotonic() < deadline:
-        time.sleep(0.05)
-    with Image.open(file) as film:
-        seconds = sum(frame.info["duration"] for frame in ImageSequence.Iterator(film)) / 1000
-        assert (film.size, seconds) == ((480, 480), 10)
-
-
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
     page.js("location.hash = '#run=0&pursuers=1&evaders=2&episode=0&step=3'")
     page.wait(f"{PLAYED} === '0 1 2 0 ' && matrixworldExplorer.step === 3")
@@ -199,7 +181,8 @@ def test_a_step_opens_in_the_playground(page: Browser, job: Job) -> None:
         page.driver.switch_to.window(here)
 
 
-@pytest.mark.parametrize("damage", ["missing", "cut", "no base64", "a NaN"])
+@quickly("damage", ["missing", "cut", "no base64", "a NaN"], lambda damage: damage == "cut")
+@pytest.mark.slow
 def test_damaged_genomes_are_told_where_the_match_would_be(
     browser: Browser, job: Job, tmp_path: Path, damage: str
 ) -> None:
@@ -223,9 +206,9 @@ def test_damaged_genomes_are_told_where_the_match_would_be(
 # ---- The data of a page -----------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module", params=["race", "turns"])
-def race(request: pytest.FixtureRequest, job: Job) -> SavedRun:
-    return job[request.param]
+@pytest.fixture(scope="module")
+def race(job: Job) -> SavedRun:
+    return job["turns"]
 
 
 def as_read(run: SavedRun) -> dict[str, Any]:
@@ -261,43 +244,11 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     results = all_results(analysis.read_payoffs(rates, per_episode=True))
     assert found["spinning_top"] == results["runs"][0]["spinning_top"]
     assert found["ratings"]["pursuers"]["high"] == results["ratings"]["pursuers"]["high"][0]
-    row = analysis.MEASURES["middle_intransitivity"]
-    assert f"{row.label}: {row.shown(row.of(race.payoff().capture_rate))}" in found["game"]
-
-
-def test_the_guided_minute_says_what_cells_and_the_judgement_say(race: SavedRun) -> None:
-    matrix, stops = race.payoff().capture_rate, as_read(race)["findings"]["guided_minute"]
-    judgement = analysis.judge(race.payoff().capture_rates, per_episode=True)
-    for stop, condition in zip(stops[2:4], ("forgetting", "intransitivity"), strict=True):
-        verdict = judgement.headline[condition].verdict
-        assert stop["text"].endswith(f"The judgement on {condition}: {verdict}.")
-    assert analysis.headline(judgement) in stops[4]["text"]
-    # What is said of a pair is in its cell, which is the match that is shown.
+    # What the guided minute says of a pair is in its cell, which is the match that is shown.
+    stops, matrix = found["guided_minute"], race.payoff().capture_rate
     for stop in stops[:2]:
         assert f"{matrix[stop['pursuer'], stop['evader']]:.0%} of" in stop["text"]
-    assert [(stop["pursuer"], stop["evader"]) for stop in stops[:2]] == [(0, 0), (2, 2)]
-
-
-@pytest.mark.parametrize("forgets", [True, False])
-def test_the_guided_minute_shows_the_largest_loss_if_there_is_one(forgets: bool) -> None:
-    """Later pursuers capture fewer, of early evaders above all; or both teams grow stronger."""
-    g, h = np.mgrid[0:12, 0:12] / 24
-    matrix = 0.6 - g * (1 - h) if forgets else 0.5 + g - h
-    judgement = analysis.judge(matrix)
-    shown = guided_minute(matrix, judgement, (), (range(12), range(12)))[2]
-    assert ("lost most" in shown.text) is forgets
-    if forgets:
-        assert (shown.pursuer, shown.evader) == (11, 0)
-        assert "pursuers 11 capture 14% of them, pursuers 0 60%" in shown.text
-    # Verdicts of the windows that differ are told apart.
-    for window, findings in judgement.windows.items():
-        assert findings["forgetting"].verdict in shown.text, window
-
-
-def test_pages_are_entitled_in_words(job: Job) -> None:
-    assert heading([job["race"]] * 3) == "Three races: predators and prey"
-    assert heading([job["race"], job["turns"]]) == "Two races"
-    assert heading([job["single"]]) == "One run: predators and prey"
+    assert found["headline"] in stops[4]["text"]
 
 
 def test_genomes_are_exact(race: SavedRun) -> None:

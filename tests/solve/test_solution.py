@@ -136,6 +136,8 @@ def test_a_solved_team_plays_in_all_places() -> None:
     world_.decide(pursuers, range(1), actions)  # one member alone: the same draw
     world_.decide(pursuers, range(1, 2), actions)
     assert actions[:2].tolist() == episode.actions[0][:2].tolist()
+    [solved] = mw.parallel_env(config, evaders="solved").opponents
+    assert type(solved) is type(evaders)
     scores = mw.score_policy(pursuers, "pursuer", config, opponents={"perfect": evaders})
     assert scores.mean().value == pytest.approx(solution.value, abs=0.2)
 
