@@ -22,8 +22,7 @@ Seeds that all agree have an interval over all of their episodes.
 Look at the two rows of the evolution strategy in each game: gradients learn from far fewer steps,
 and the engine plays candidates so fast that the same time decides otherwise.
 
-``--results`` receives the table and the numbers behind it; ``--runs`` keeps the finished runs. A
-run that was interrupted is played anew, because its time is measured.
+A run that was interrupted is played anew, because its time is measured.
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ from __future__ import annotations
 import shutil
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from time import process_time
 from typing import Any
@@ -40,9 +39,9 @@ import numpy as np
 from scipy.stats import t
 from tqdm import tqdm
 
-from common import SMALL_STEPS, script_parser, written
+from common import SMALL_STEPS, Numbers, Runs, experiment, markdown, written
 from matrixworld.analysis import Estimate, interval_over_runs, mean_over_episodes
-from matrixworld.coevolution import RaceSettings, Team, finish, open_run
+from matrixworld.coevolution import RaceSettings, SavedRun, Team, finish, open_run
 
 EPISODES = 10
 """Episodes of a published number."""
@@ -60,8 +59,6 @@ class Game:
         Team that learns.
     against : str
         Name of a script, or of the game whose team, trained by actor-critic, is met.
-    start : str, optional
-        Game whose genome, by the same learner, is the start. By default it is untrained.
     capture, spread : float
         Published capture rate, and its standard deviation over ten episodes.
     length : str, optional
@@ -74,7 +71,6 @@ class Game:
     capture: float
     spread: float
     length: str = ""
-    start: str | None = None
 
     @property
     def worst(self) -> float:
@@ -100,123 +96,98 @@ GAMES = (
     Game(HUNT, "pursuer", "random", 1.0, 0.0, "117.2 +- 41.3"),
     Game(STATIC, "pursuer", "still", 0.990, 0.015, "264.6 +- 184.2"),
     Game(HIDE, "evader", "random", 0.0133, 0.0221),
-    Game(TAUGHT, "evader", HUNT, 0.060, 0.047, start=HIDE),
+    Game(TAUGHT, "evader", HUNT, 0.060, 0.047),
 )
 GRADIENTS, STEPS, TIME = "actor-critic", "evolution, equal agent-steps", "evolution, equal time"
 
 
-@dataclass(frozen=True)
-class Plan:
-    """World, learners, and the length of each training.
-
-    Parameters
-    ----------
-    world : mapping of str to object
-        Settings of all runs.
-    learners : mapping of str to mapping
-        Settings of each learner.
-    epochs : mapping of str to mapping
-        Epochs of each game by learner.
-    seeds : int
-        Training seeds, from 0.
-    changes : mapping of (str, str) to mapping
-        Settings of one learner in one game.
-    """
-
-    world: Mapping[str, Any]
-    learners: Mapping[str, Mapping[str, Any]]
-    epochs: Mapping[str, Mapping[str, int]]
-    seeds: int
-    changes: Mapping[tuple[str, str], Mapping[str, Any]] = field(default_factory=dict)
-
-    def settings(self, game: Game, learner: str, seed: int, root: Path) -> RaceSettings:
-        """Return the settings of one run."""
-        epochs = self.epochs[game.name][learner]
-        chosen = RaceSettings.of(
-            {
-                "schedule": "against",
-                "schedule.team": game.team,
-                "schedule.epochs": epochs,
-                "schedule.archive_every": epochs,
-                "seed": seed,
-                **self.world,
-                **({} if learner == GRADIENTS else SMALL_STEPS[game.team]),
-                **self.learners[learner],
-                **self.changes.get((game.name, learner), {}),
-            }
-        )
-        # These are the paths of runs that have been played before.
-        if game.start is not None:
-            chosen = chosen.changed(
-                {"schedule.start": str(root / place(game.start, learner, seed))}
-            )
-        rival = game.against
-        if rival in self.epochs:
-            rival = str(root / place(rival, GRADIENTS, seed))
-        return chosen.changed({"schedule.opponent": rival})
-
-
+LEARNERS = (GRADIENTS, STEPS, TIME)
 PPO = {
-    "learner": "actor-critic",
-    "learner.population": 4,
-    "learner.actor_rate": 0.003,
-    "learner.clip": 0.2,
-    "learner.actor_updates": 5,
-    "world.rewards": "published",
-}
+    "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,
+    "learner.clip": 0.2, "learner.actor_updates": 5, "world.rewards": "published",
+}  # fmt: skip
 LONG = {"learner.population": 2, "train_steps": 500}
 """Evaders that learn in short episodes are captured later in long ones."""
 AFTERWARDS = {"learner.sigma": 0.8, "learner.learning_rate": 0.1}
 """Steps of evolution that fit the weights of trained evaders (docs/published_numbers.md)."""
-FULL = Plan(
-    world={"policy.hidden": (32,), "evaluation_episodes": 200},
-    learners={
-        GRADIENTS: {**PPO, "train_steps": 200},
-        STEPS: {"learner.population": 16, "train_steps": 200},
-        TIME: {"learner.population": 48, "train_steps": 200},
-    },
-    changes={
-        (HIDE, GRADIENTS): LONG,
-        (TAUGHT, GRADIENTS): LONG,
-        (HIDE, TIME): {"train_steps": 300},
-        (TAUGHT, STEPS): AFTERWARDS,
-        (TAUGHT, TIME): {"train_steps": 300, **AFTERWARDS},
-    },
-    epochs={
-        HUNT: {GRADIENTS: 150, STEPS: 20, TIME: 1400},
-        STATIC: {GRADIENTS: 150, STEPS: 19, TIME: 1400},
-        HIDE: {GRADIENTS: 100, STEPS: 28, TIME: 1500},
-        TAUGHT: {GRADIENTS: 100, STEPS: 28, TIME: 1200},
-    },
-    seeds=3,
-)
-QUICK = Plan(
-    world={
-        "policy.hidden": (4,),
-        "world.rows": 8,
-        "world.cols": 8,
-        "world.n_pursuers": 3,
-        "world.n_evaders": 3,
-        "world.fov": 5,
-        "train_steps": 15,
-        "world.max_steps": 20,
-        "evaluation_episodes": 4,
-    },
-    learners={
-        GRADIENTS: {**PPO, "learner.population": 2},
-        STEPS: {"learner.population": 4},
-        TIME: {"learner.population": 8},
-    },
-    epochs={game.name: {GRADIENTS: 3, STEPS: 2, TIME: 4} for game in GAMES},
-    seeds=2,
-)
+LEARN: Mapping[str, Mapping[str, Any]] = {
+    GRADIENTS: {**PPO, "train_steps": 200},
+    STEPS: {"learner.population": 16, "train_steps": 200},
+    TIME: {"learner.population": 48, "train_steps": 200},
+}
+CHANGES: Mapping[tuple[str, str], Mapping[str, Any]] = {
+    (HIDE, GRADIENTS): LONG,
+    (TAUGHT, GRADIENTS): LONG,
+    (HIDE, TIME): {"train_steps": 300},
+    (TAUGHT, STEPS): AFTERWARDS,
+    (TAUGHT, TIME): {"train_steps": 300, **AFTERWARDS},
+}
+EPOCHS = {
+    HUNT: {GRADIENTS: 150, STEPS: 20, TIME: 1400},
+    STATIC: {GRADIENTS: 150, STEPS: 19, TIME: 1400},
+    HIDE: {GRADIENTS: 100, STEPS: 28, TIME: 1500},
+    TAUGHT: {GRADIENTS: 100, STEPS: 28, TIME: 1200},
+}
+QUICK = {
+    "policy.hidden": (4,), "world.rows": 8, "world.cols": 8, "world.n_pursuers": 3,
+    "world.n_evaders": 3, "world.fov": 5, "world.max_steps": 20, "train_steps": 15,
+    "learner.population": 4, "evaluation_episodes": 4,
+    "schedule.epochs": 3, "schedule.archive_every": 3,
+}  # fmt: skip
 
 
-def place(game: str, learner: str, seed: int) -> str:
-    """Return the path of a run in the directory of all runs."""
-    return "/".join(
-        [*(name.replace(",", "").replace(" ", "-") for name in (game, learner)), str(seed)]
+def settings_of(game: Game, learner: str, quick: bool) -> RaceSettings:
+    """Return the settings of a learner in a game, against a script or random opponents."""
+    epochs = EPOCHS[game.name][learner]
+    return RaceSettings.of(
+        {
+            "schedule": "against",
+            "schedule.team": game.team,
+            "schedule.opponent": game.against if game.name != TAUGHT else "random",
+            "schedule.epochs": epochs,
+            "schedule.archive_every": epochs,
+            "policy.hidden": (32,),
+            "evaluation_episodes": 200,
+            **({} if learner == GRADIENTS else SMALL_STEPS[game.team]),
+            **LEARN[learner],
+            **CHANGES.get((game.name, learner), {}),
+            **(QUICK if quick else {}),
+        }
     )
+
+
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of each learner in the games that begin untrained."""
+    return {
+        f"{game.name}; {learner}": settings_of(game, learner, quick)
+        for game in GAMES
+        if game.name != TAUGHT
+        for learner in LEARNERS
+    }
+
+
+def taught(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
+    """Return the settings of evaders that meet the pursuers of the first game.
+
+    They start from the evaders of their own learner that have met random pursuers.
+    """
+    return {
+        f"{TAUGHT}; {learner}": [
+            settings_of(GAMES[-1], learner, quick).changed(
+                {
+                    "seed": begun.settings.seed,
+                    "schedule.start": str(begun.path),
+                    "schedule.opponent": str(rival.path),
+                }
+            )
+            for begun, rival in zip(
+                runs.get(f"{HIDE}; {learner}", []),
+                runs.get(f"{HUNT}; {GRADIENTS}", []),
+                strict=False,
+            )
+        ]
+        for learner in LEARNERS
+    }
 
 
 def timed(settings: RaceSettings, directory: Path) -> None:
@@ -231,51 +202,26 @@ def timed(settings: RaceSettings, directory: Path) -> None:
     written.write_text(f"{process_time() - before:.2f}\n", encoding="ascii")
 
 
-def play(plan: Plan, root: Path, processes: int) -> None:
-    """Play the runs that are missing, side by side; those that build on others come second."""
-    first = [game for game in GAMES if game.start is None]
-    second = [game for game in GAMES if game.start is not None]
-    bar = tqdm(total=len(GAMES) * len(plan.learners) * plan.seeds, unit=" runs", disable=None)
-    with bar, ProcessPoolExecutor(processes) as executor:
-        for games in (first, second):
-            begun = [
-                executor.submit(
-                    timed, plan.settings(game, learner, seed, root),
-                    root / place(game.name, learner, seed),
-                )
-                for game in games for seed in range(plan.seeds) for learner in plan.learners
-            ]  # fmt: skip
-            for run in begun:
-                run.result()
-                bar.update()
+def play(
+    settings: Mapping[str, RaceSettings], root: Path, *, threads: int | None, where: str | None
+) -> dict[str, SavedRun]:
+    """Play the runs that are missing side by side, each on one core; return all."""
+    places = [root / name for name in settings]
+    with ProcessPoolExecutor(threads or 2) as executor:
+        begun = executor.map(timed, settings.values(), places)
+        for _ in tqdm(begun, total=len(places), unit=" runs", disable=None):
+            pass
+    return {name: open_run(root / name) for name in settings}
 
 
-def measured(plan: Plan, root: Path) -> dict[str, np.ndarray]:
-    """Return the numbers of all runs.
-
-    Returns
-    -------
-    dict of str to ndarray
-        ``captures`` and ``lengths``, shape (games, learners, seeds, episodes); ``agent_steps`` and
-        ``seconds`` of training and evaluation, shape (games, learners, seeds).
-    """
-    shape = (len(GAMES), len(plan.learners), plan.seeds)
-    episodes = plan.world["evaluation_episodes"]
-    captures, lengths = np.zeros((*shape, episodes)), np.zeros((*shape, episodes), np.int32)
-    agent_steps, seconds = np.zeros(shape, np.int64), np.zeros(shape)
-    names = [game.name for game in GAMES], list(plan.learners), range(plan.seeds)
-    for at in np.ndindex(shape):
-        path = root / place(*(each[k] for each, k in zip(names, at, strict=True)))  # type: ignore[arg-type]
-        run = open_run(path)
-        payoff = run.payoff()
-        captures[at], lengths[at] = payoff.capture_rates[-1, -1], payoff.lengths[-1, -1]
-        agent_steps[at] = run.summary()["training_agent_steps"]
-        seconds[at] = float(path.with_suffix(".seconds").read_text(encoding="ascii"))
+def measured(run: SavedRun, quick: bool) -> dict[str, Any]:
+    """Return captures and lengths of all test episodes, and the costs of training and test."""
+    payoff, path = run.payoff(), run.path
     return {
-        "captures": captures.astype(np.float32),
-        "lengths": lengths,
-        "agent_steps": agent_steps,
-        "seconds": seconds,
+        "captures": payoff.capture_rates[-1, -1].astype(np.float32),
+        "lengths": payoff.lengths[-1, -1].astype(np.int32),
+        "agent_steps": run.summary()["training_agent_steps"],
+        "seconds": float(path.with_suffix(".seconds").read_text(encoding="ascii")),
     }
 
 
@@ -286,46 +232,45 @@ def capture_rate(captures: np.ndarray) -> Estimate:
     return mean_over_episodes(captures.ravel()) if found.low is None else found
 
 
-def table(plan: Plan, numbers: Mapping[str, np.ndarray]) -> str:
+def table(numbers: Numbers) -> str:
     """Return the results as a table in Markdown."""
-    heads = (
-        "game", "learner", "capture rate [95 % over seeds]", "length", "million agent-steps",
-        "seconds", "published", "",
-    )  # fmt: skip
-    lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
-    for g, game in enumerate(GAMES):
+    rows = []
+    for game in GAMES:
         published = f"{game.capture:g} +- {game.spread:g}"
         published += f"; length {game.length}" if game.length else ""
-        for k, learner in enumerate(plan.learners):
-            found = capture_rate(numbers["captures"][g, k])
-            cells = (
-                game.name if k == 0 else "", learner, written(found),
-                f"{numbers['lengths'][g, k].mean():.0f}",
-                f"{numbers['agent_steps'][g, k].mean() / 1e6:.1f}",
-                f"{numbers['seconds'][g, k].mean():.0f}",
-                published if k == 0 else "", f"**{game.verdict(found)}**",
-            )  # fmt: skip
-            lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
-
-
-def main() -> None:
-    """Play missing runs, print and write the results."""
-    parser = script_parser(__doc__, quick="a small world and two seeds")
-    parser.add_argument("--runs", type=Path, default=Path("runs/actor_critic"))
-    parser.add_argument("--results", type=Path, default=Path("actor_critic"))
-    parser.add_argument("--processes", type=int, default=2, help="runs at one time; default: 2")
-    args = parser.parse_args()
-    plan, name = (QUICK, "quick") if args.quick else (FULL, "full")
-    play(plan, args.runs / name, args.processes)
-    numbers = measured(plan, args.runs / name)
-    text = table(plan, numbers)
-    print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "baselines.md").write_text(text + "\n", encoding="utf-8")
-    np.savez_compressed(args.results / "baselines.npz", **numbers)
-    print(f"Written: {args.results}/baselines.md, {args.results}/baselines.npz")
+        for learner in LEARNERS:
+            captures, lengths, steps, seconds = (
+                numbers[f"{game.name}; {learner} / {name}"]
+                for name in ("captures", "lengths", "agent_steps", "seconds")
+            )
+            found, first = capture_rate(captures), learner == LEARNERS[0]
+            rows.append([
+                game.name if first else "",
+                learner,
+                written(found),
+                f"{lengths.mean():.0f}",
+                f"{steps.mean() / 1e6:.1f}",
+                f"{seconds.mean():.0f}",
+                published if first else "",
+                f"**{game.verdict(found)}**",
+            ])  # fmt: skip
+    heads = [
+        "game", "learner", "capture rate [95 % over seeds]", "length", "million agent-steps",
+        "seconds", "published", "",
+    ]  # fmt: skip
+    return markdown(heads, rows)
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        then=taught,
+        measure=measured,
+        table=table,
+        seeds=3,
+        folder="actor_critic",
+        files=("baselines.npz", "baselines.md"),
+        play=play,
+    )

@@ -7,7 +7,6 @@ Both teams learn in turns. Their opponents are sampled from all earlier generati
 archive. Matches that an archive plays to compare candidates count towards the budget, so at the
 same budget races have reached different generations. The budget is the smallest number of matches
 that a race played. The champions of each sampler then play the champions of all other samplers.
-Runs are kept in ``--runs``; an interrupted script continues where it stopped.
 
 Method: the samplers of ``matrixworld.coevolution.opponents``, with their sources; comparison at an
 equal budget after de Jong (2007), "A monotonic archive for Pareto-coevolution".
@@ -18,65 +17,35 @@ each sampler reached with the budget.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, finish_all, script_parser
+from common import SAME_STEPS, SMALL_RACE, Numbers, Runs, experiment, kinds_in, markdown
 from matrixworld import analysis, coevolution
-from matrixworld.coevolution import RaceSettings, SavedRun
+from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.schedules import SAMPLERS
 
-FULL = RaceSettings.of(
-    {
-        "schedule": "alternating",
-        "world.rows": 24,
-        "world.cols": 24,
-        "world.n_pursuers": 6,
-        "world.n_evaders": 12,
-        "schedule.generations": 15,
-        "schedule.opponents": 2,
-        "schedule.pursuer_epochs": 20,
-        "schedule.evader_epochs": 30,
-        **SAME_STEPS,
-        "learner.population": 24,
-        "evaluation_episodes": 5,
-    }
-)
-QUICK = FULL.changed(
-    {
-        "world.rows": 10,
-        "world.cols": 10,
-        "world.n_pursuers": 3,
-        "world.n_evaders": 4,
-        "schedule.generations": 4,
-        "schedule.pursuer_epochs": 3,
-        "schedule.evader_epochs": 4,
-        "learner.population": 8,
-        "train_steps": 40,
-        "world.max_steps": 60,
-        "evaluation_episodes": 2,
-    }
-)
-
-Runs = Mapping[str, list[SavedRun]]
+FULL = RaceSettings.of({
+    "schedule": "alternating", "schedule.generations": 15, "schedule.opponents": 2,
+    "schedule.pursuer_epochs": 20, "schedule.evader_epochs": 30,
+    "world.rows": 24, "world.cols": 24, "world.n_pursuers": 6, "world.n_evaders": 12,
+    **SAME_STEPS, "learner.population": 24, "evaluation_episodes": 5,
+})  # fmt: skip
+QUICK = {
+    **SMALL_RACE, "schedule.generations": 4, "schedule.pursuer_epochs": 3,
+    "schedule.evader_epochs": 4, "evaluation_episodes": 2,
+}  # fmt: skip
 
 
-def play(
-    base: RaceSettings, names: list[str], seeds: range, root: Path, where: str | None = None
-) -> Runs:
-    """Return a finished race of each sampler and seed."""
-    settings = {
-        f"{name}/{seed}": base.changed(
-            {"schedule.pursuers_meet": name, "schedule.evaders_meet": name, "seed": seed}
-        )
-        for name in names
-        for seed in seeds
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of races whose teams meet what each sampler chooses."""
+    base = FULL.changed(QUICK if quick else {})
+    return {
+        name: base.changed({"schedule.pursuers_meet": name, "schedule.evaders_meet": name})
+        for name in SAMPLERS
     }
-    runs = finish_all(settings, root, where=where)
-    return {name: [runs[f"{name}/{seed}"] for seed in seeds] for name in names}
 
 
 def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
@@ -87,14 +56,14 @@ def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
     return mw.Population(np.stack(genomes), every[0].teams[team].network)
 
 
-def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np.ndarray:
+def cross_play(runs: Runs, budget: int, episodes: int) -> np.ndarray:
     """Return capture rates (samplers, seeds, samplers, seeds): pursuers first, then evaders."""
     pursuers, evaders = (champions(runs, team, budget) for team in coevolution.TEAMS)
+    first = next(iter(runs.values()))
     # Longer episodes than in training, as in payoff matrices.
-    world = base.world
+    world = first[0].settings.world
     played = coevolution.tournament(world, pursuers, evaders, seed=0, episodes=episodes)
-    seeds = len(next(iter(runs.values())))
-    return played.capture_rate.reshape(len(runs), seeds, len(runs), seeds)
+    return played.capture_rate.reshape(len(runs), len(first), len(runs), len(first))
 
 
 def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -109,29 +78,40 @@ def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return capture, escape
 
 
-def main() -> None:
-    """Play missing runs, and print the rates of each sampler's champions."""
-    parser = script_parser(__doc__, quick="a small world and one seed", cluster=True)
-    parser.add_argument("--seeds", type=int, help="races of each sampler")
-    parser.add_argument("--samplers", nargs="+", choices=SAMPLERS, default=list(SAMPLERS))
-    parser.add_argument("--runs", type=Path, default=Path("runs/archives"))
-    args = parser.parse_args()
-    base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 5, 20)
-    runs = play(base, args.samplers, range(args.seeds or few), args.runs, args.cluster)
-    every = [run for of_name in runs.values() for run in of_name]
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return the budget; for each sampler the generations within it, captures and escapes."""
     # The smallest total is a number of matches that every race has played.
-    budget = min(int(run.log()["matches"][-1]) for run in every)
-    capture, escape = scores(cross_play(base, runs, budget, episodes))
-    print(f"Champions after {budget:,} matches, against those of the other samplers:\n")
-    print("| sampler | generations | capture rate of pursuers | escape rate of evaders |")
-    print("|---|---|---|---|")
+    totals = (run.log()["matches"][-1] for of_name in runs.values() for run in of_name)
+    budget = int(min(totals))
+    capture, escape = scores(cross_play(runs, budget, episodes=2 if quick else 20))
+    numbers: dict[str, Any] = {"budget": budget}
     for name, captured, escaped in zip(runs, capture, escape, strict=True):
-        reached = np.mean([run.generation_at("evader", budget) for run in runs[name]])
-        means = [
-            analysis.interval_over_runs(values, bounds=(0.0, 1.0)) for values in (captured, escaped)
-        ]
-        print(f"| {name} | {reached:.1f} | {means[0]} | {means[1]} |")
+        reached = [run.generation_at("evader", budget) for run in runs[name]]
+        for key, each in (("generation", reached), ("capture", captured), ("escape", escaped)):
+            numbers[f"{name} / {key}"] = each
+    return numbers
+
+
+def table(numbers: Numbers) -> str:
+    """Return the rates of each sampler's champions in Markdown."""
+    rows = []
+    for name in kinds_in(numbers):
+        rates = (numbers[f"{name} / {key}"] for key in ("capture", "escape"))
+        means = (str(analysis.interval_over_runs(each, bounds=(0.0, 1.0))) for each in rates)
+        rows.append([name, f"{numbers[f'{name} / generation'].mean():.1f}", *means])
+    heads = ["sampler", "generations", "capture rate of pursuers", "escape rate of evaders"]
+    told = f"Champions after {numbers['budget']:,} matches, against those of the other samplers:"
+    return f"{told}\n\n{markdown(heads, rows)}"
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=lambda run, quick: {},
+        together=together,
+        table=table,
+        seeds=5,
+        quick_seeds=1,
+    )

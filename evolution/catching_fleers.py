@@ -17,46 +17,45 @@ in this step; `memory.py` trains others.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
 
 import matrixworld as mw
-from common import SMALL_STEPS, finish_all, script_parser
+from common import (
+    SMALL_RACE,
+    SMALL_STEPS,
+    Numbers,
+    Runs,
+    experiment,
+    kinds_in,
+    markdown,
+)
 from matrixworld.analysis import interval_over_runs
-from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution import RaceSettings, SavedRun
 
 SCRIPTED = ("chaser", "hunter")
 EVADERS = ("fleer", "dodger")
+FULL = RaceSettings.of({
+    "schedule": "against", "schedule.opponent": "fleer", "schedule.epochs": 300,
+    "schedule.archive_every": 300, "learner.population": 48, **SMALL_STEPS["pursuer"],
+    "evaluation_episodes": 50,
+})  # fmt: skip
+QUICK = FULL.changed({
+    **SMALL_RACE, "schedule.epochs": 3, "schedule.archive_every": 3, "learner.population": 4,
+    "train_steps": 20, "world.max_steps": 30, "evaluation_episodes": 3,
+})  # fmt: skip
+BASES = {False: FULL, True: QUICK}
+TEAMS = {False: (8, 16, 32, 64), True: (3, 6)}
+EPISODES = {False: 100, True: 3}
+"""Training, sizes of the teams that hunt, and episodes of each; with ``--quick`` or not."""
 
 
-@dataclass(frozen=True)
-class Plan:
-    """Training, tests and their sizes.
-
-    Parameters
-    ----------
-    base : RaceSettings
-        Training that the others change.
-    changes : mapping of str to mapping
-        Changed settings by the name of the training.
-    teams : tuple of int
-        Team sizes of the test.
-    seeds : int
-        Number of training seeds, from 0.
-    episodes : int
-        Episodes of each test.
-    """
-
-    base: RaceSettings
-    changes: dict[str, dict[str, object]]
-    teams: tuple[int, ...]
-    seeds: int
-    episodes: int
-
-
-def plan(base: RaceSettings, *, large: int, fov: int, **sizes: object) -> Plan:
-    """Return a plan: the base, and it with one change each."""
-    changes: dict[str, dict[str, object]] = {
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the base, and it with one change each."""
+    base, large, fov = (QUICK, 6, 15) if quick else (FULL, 32, 21)
+    changes: dict[str, dict[str, Any]] = {
         "fleers": {},
         "fleers, four times as long": {"schedule.epochs": 4 * base.schedule.epochs},
         "random evaders": {"schedule.opponent": "random"},
@@ -64,95 +63,52 @@ def plan(base: RaceSettings, *, large: int, fov: int, **sizes: object) -> Plan:
         f"fleers, {large} pursuers": {"world.n_pursuers": large},
         f"fleers, a view of {fov} x {fov} cells": {"world.fov": fov},
     }
-    return Plan(base, changes, **sizes)  # type: ignore[arg-type]
+    return {name: base.changed(change) for name, change in changes.items()}
 
 
-FULL = plan(
-    RaceSettings.of(
-        {
-            "schedule": "against",
-            "schedule.opponent": "fleer",
-            "learner.population": 48,
-            "schedule.epochs": 300,
-            **SMALL_STEPS["pursuer"],
-            "schedule.archive_every": 300,
-            "evaluation_episodes": 50,
-        }
-    ),
-    large=32,
-    fov=21,
-    teams=(8, 16, 32, 64),
-    seeds=3,
-    episodes=100,
-)
-QUICK = plan(
-    RaceSettings.of(
-        {
-            "schedule": "against",
-            "schedule.opponent": "fleer",
-            "world.rows": 10,
-            "world.cols": 10,
-            "world.n_pursuers": 3,
-            "world.n_evaders": 4,
-            "learner.population": 4,
-            "schedule.epochs": 3,
-            "schedule.archive_every": 3,
-            "train_steps": 20,
-            "world.max_steps": 30,
-            "evaluation_episodes": 3,
-        }
-    ),
-    large=6,
-    fov=15,
-    teams=(3, 6),
-    seeds=2,
-    episodes=3,
-)
+def captures(
+    pursuers: Any, quick: bool, fov: int | None = None, *, sizes: Sequence[int] | None = None
+) -> np.ndarray:
+    """Return the mean capture rates (evaders, sizes) of pursuers in the world of the base."""
+    base = BASES[quick]
+    world, matches = base.world, mw.Matches.of(0, 0, base.seed)
+
+    def captured(evaders: str, size: int) -> float:
+        hunted = mw.WorldConfig.of(world, n_pursuers=size, fov=fov or world.fov)
+        played = mw.rollout(hunted, pursuers, evaders, matches, episodes=EPISODES[quick])
+        return float(played.capture_rate.mean())
+
+    return np.array([[captured(each, size) for size in sizes or TEAMS[quick]] for each in EVADERS])
 
 
-def trained(plan: Plan, root: Path, where: str | None) -> dict[str, list[mw.Population]]:
-    """Return the last pursuers of each training and seed; play the runs that are missing."""
-    settings = {
-        f"{name.replace(',', '').replace(' ', '-')}/{seed}": plan.base.changed(
-            {"seed": seed, **change}
-        )
-        for seed in range(plan.seeds)
-        for name, change in plan.changes.items()
+def measured(run: SavedRun, quick: bool) -> dict[str, np.ndarray]:
+    """Return what the last pursuers capture."""
+    return {"captured": captures(run.last("pursuer"), quick, run.settings.world.fov)}
+
+
+def of_scripts(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return what scripted pursuers capture, and the sizes of the teams."""
+    return {
+        "sizes": TEAMS[quick],
+        **{f"captured by {name}": captures(name, quick) for name in SCRIPTED},
     }
-    runs = finish_all(settings, root, where=where)
-    found: dict[str, list[mw.Population]] = {name: [] for name in plan.changes}
-    # In the order of the settings: seed by seed, each training in turn.
-    for run, name in zip(runs.values(), plan.seeds * list(plan.changes), strict=True):
-        team = run.teams["pursuer"]
-        found[name].append(mw.Population(team.genomes[-1:], team.network))
-    return found
 
 
-def captured(plan: Plan, pursuers: mw.Population | str, evaders: str, size: int, fov: int) -> float:
-    """Return the mean capture rate of a team of this size, in episodes of the base's world."""
-    world = plan.base.world
-    return float(
-        mw.rollout(
-            mw.WorldConfig.of(world, n_pursuers=size, fov=fov),
-            pursuers,
-            evaders,
-            mw.Matches.of(0, 0, plan.base.seed),
-            episodes=plan.episodes,
-        ).capture_rate.mean()
-    )
+def table(numbers: Numbers, trained: str = "trained against ") -> str:
+    """Return capture rates by pursuers, evaders and team size in Markdown."""
+    rows = [
+        [name, *(f"{rate:.2f}" for rate in numbers[f"captured by {name}"].ravel())]
+        for name in SCRIPTED
+    ]
+    for kind in kinds_in(numbers):
+        rates = numbers[f"{kind} / captured"]
+        columns = rates.reshape(len(rates), -1).T
+        rows.append([f"{trained}{kind}", *map(shown, columns)])
+    heads = [f"{each}, {size} pursuers" for each in EVADERS for size in numbers["sizes"]]
+    return markdown(["pursuers", *heads], rows)
 
 
-def row(plan: Plan, name: str, teams: list[mw.Population | str], fov: int) -> str:
-    """Return a line of the table: capture rates by evader and team size."""
-    cells = []
-    for evaders in EVADERS:
-        for size in plan.teams:
-            rates = [captured(plan, team, evaders, size, fov) for team in teams]
-            cells.append(shown(rates))
-    return f"| {name} | {' | '.join(cells)} |"
-
-
-def shown(rates: list[float]) -> str:
+def shown(rates: np.ndarray) -> str:
     """Return a mean, with its interval over seeds if there are several."""
     found = interval_over_runs(rates, bounds=(0.0, 1.0))
     if found.low is None:
@@ -160,21 +116,13 @@ def shown(rates: list[float]) -> str:
     return f"{found.value:.2f} [{found.low:.2f}, {found.high:.2f}]"
 
 
-def main() -> None:
-    """Train what is missing; print the table."""
-    parser = script_parser(__doc__, quick="a small world and few epochs", cluster=True)
-    parser.add_argument("--runs", type=Path, default=Path("runs/catching_fleers"))
-    args = parser.parse_args()
-    chosen = QUICK if args.quick else FULL
-    root = args.runs / ("quick" if args.quick else "full")
-    heads = [f"{evaders}, {size} pursuers" for evaders in EVADERS for size in chosen.teams]
-    lines = [f"| pursuers | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
-    lines += [row(chosen, script, [script], chosen.base.world.fov) for script in SCRIPTED]
-    for name, teams in trained(chosen, root, args.cluster).items():
-        fov = chosen.base.changed(chosen.changes[name]).world.fov
-        lines.append(row(chosen, f"trained against {name}", list(teams), fov))
-    print(*lines, sep="\n")
-
-
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=measured,
+        together=of_scripts,
+        table=table,
+        seeds=3,
+    )

@@ -1,22 +1,27 @@
-"""Command-line options, runs and matches that several experiments share."""
+"""One way to play, measure and tell an experiment; matches and statistics that several share."""
 
 from __future__ import annotations
 
 import argparse
+import re
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
+from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import load_json, save_json
-from matrixworld.analysis import Estimate
+from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.coevolution import (
     FailedRunsError,
@@ -40,6 +45,13 @@ SMALL_STEPS: Mapping[Team, Mapping[str, float]] = {
 """Steps of a team that learns alone that do not follow from its epochs, by team."""
 
 
+SMALL_RACE = {
+    "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
+    "world.max_steps": 60, "train_steps": 40, "learner.population": 8,
+}  # fmt: skip
+"""A world, and candidates, of ``--quick``."""
+
+
 def long_race(schedule: str) -> dict[str, Any]:
     """Return the settings of a race with twice the matches of a default one, and `SAME_STEPS`."""
     in_turns = {"schedule.pursuer_epochs": 60, "schedule.evader_epochs": 120}
@@ -48,22 +60,7 @@ def long_race(schedule: str) -> dict[str, Any]:
 
 
 def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argparse.ArgumentParser:
-    """Return a parser with the first line of a script's docstring and the option ``--quick``.
-
-    Parameters
-    ----------
-    doc : str or None
-        Docstring of the script.
-    quick : str
-        Help text of ``--quick``.
-    cluster : bool, optional
-        Whether the script takes ``--cluster``.
-
-    Returns
-    -------
-    argparse.ArgumentParser
-        The parser, for further options.
-    """
+    """Return a parser with a script's docstring, ``--quick`` and, if wanted, ``--cluster``."""
     # Docstrings are None under python -OO.
     parser = argparse.ArgumentParser(description=(doc or "").split("\n", 1)[0])
     parser.add_argument("--quick", action="store_true", help=quick)
@@ -74,6 +71,169 @@ def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argp
             help="play on a Dask cluster (docs/cluster.md); default: this machine's cores",
         )
     return parser
+
+
+Numbers = Mapping[str, NDArray[Any]]
+"""By ``"<kind> / <number>"``, the first axis is that of the seeds; others by names of their own."""
+Runs = Mapping[str, list[SavedRun]]
+"""Runs of each kind, by seed."""
+Play = Callable[..., Mapping[str, SavedRun]]
+"""Plays runs as `finish_all` does, with the same arguments."""
+
+
+def experiment(
+    script: str,
+    doc: str | None,
+    *,
+    kinds: Callable[[bool], Mapping[str, RaceSettings]],
+    measure: Callable[[SavedRun, bool], Mapping[str, ArrayLike]],
+    table: Callable[[Numbers], str],
+    seeds: int,
+    quick_seeds: int = 2,
+    fewer: Mapping[str, int] | None = None,
+    then: Callable[[Runs, bool], Mapping[str, list[RaceSettings]]] = lambda runs, quick: {},
+    together: Callable[[Runs, bool], Mapping[str, ArrayLike]] = lambda runs, quick: {},
+    figures: Mapping[str, Callable[[Numbers], Figure]] | None = None,
+    files: Sequence[str] = ("numbers.npz", "table.md"),
+    folder: str | None = None,
+    play: Play | None = None,
+) -> None:
+    """Play runs of several kinds and seeds, measure them, and tell what the numbers say.
+
+    Parameters
+    ----------
+    script, doc : str
+        ``__file__`` of the script, which names its directories, and ``__doc__``, for ``--help``.
+    kinds : callable
+        Whether ``--quick`` is given -> settings of each kind.
+    measure : callable
+        A run, and whether ``--quick`` is given -> its numbers.
+    table : callable
+        Numbers of all runs -> what they say, in Markdown.
+    seeds, quick_seeds : int
+        Runs of each kind, if ``--seeds`` does not say another number.
+    fewer : mapping of str to int, optional
+        Most runs of kinds that take long.
+    then : callable, optional
+        Runs of `kinds` -> settings by seed of further kinds, which build on them.
+    together : callable, optional
+        All runs -> numbers of several runs together.
+    figures : mapping of str to callable, optional
+        File -> figure of the numbers.
+    files : (str, str), optional
+        Names of the files of the numbers and of the table.
+    folder : str, optional
+        Name of the directory of the results, if it is not that of the script.
+    play : callable, optional
+        What plays the runs instead of `finish_all`.
+    """
+    name = Path(script).stem
+    parser = script_parser(doc, quick="a small world and few seeds, some seconds", cluster=True)
+    parser.add_argument("--kinds", nargs="+", metavar="KIND", help="beginnings of names")
+    parser.add_argument("--seeds", type=int, help=f"runs of each kind; default: {seeds}")
+    parser.add_argument("--runs", type=Path, default=Path("runs", name), help="their directory")
+    parser.add_argument("--results", type=Path, default=Path(folder or name), help="where they go")
+    parser.add_argument("--threads", type=int, help="for training; default: one for each core")
+    parser.add_argument("--device", help="of networks that learn by PyTorch, such as cuda")
+    args = parser.parse_args()
+    planned = {}
+    for kind, settings in _chosen(parser, kinds(args.quick), args.kinds).items():
+        if args.device is not None:
+            settings = settings.changed({"learner.device": args.device})
+        count = args.seeds or (quick_seeds if args.quick else seeds)
+        count = min(count, (fewer or {}).get(kind, count))
+        planned[kind] = [replace(settings, seed=seed) for seed in range(count)]
+    # Quick runs and full ones have directories of their own.
+    runs_in, results = (
+        each / "quick" if args.quick else each for each in (args.runs, args.results)
+    )
+    finish = partial(
+        finish_kinds, root=runs_in, threads=args.threads, where=args.cluster, play=play
+    )
+    runs = finish(planned)
+    runs |= finish(then(runs, args.quick))
+    numbers: dict[str, ArrayLike] = {}
+    for kind, of_kind in tqdm(runs.items(), unit=" kinds", desc="measured", disable=None):
+        measured = [measure(run, args.quick) for run in of_kind]
+        for number in measured[0]:
+            numbers[f"{kind} / {number}"] = np.stack([each[number] for each in measured])
+    numbers |= together(runs, args.quick)
+    write(results, numbers, table, figures or {}, files)
+
+
+def _chosen(
+    parser: argparse.ArgumentParser, kinds: Mapping[str, RaceSettings], names: list[str] | None
+) -> dict[str, RaceSettings]:
+    """Return the kinds whose names begin as ``--kinds`` says."""
+    slugs = [slug(kind) for kind in kinds]
+    for name in names or ():
+        if not any(each.startswith(name) for each in slugs):
+            parser.error(f"--kinds: expected beginnings of {', '.join(slugs)}, got {name}")
+    return {
+        kind: settings
+        for kind, settings in kinds.items()
+        if names is None or slug(kind).startswith(tuple(names))
+    }
+
+
+def slug(kind: str) -> str:
+    """Return the name of a kind as the name of a directory."""
+    return re.sub("[ /]+", "-", re.sub("[,:;]", "", kind))
+
+
+def write(
+    results: Path,
+    numbers: Mapping[str, ArrayLike],
+    table: Callable[[Numbers], str],
+    figures: Mapping[str, Callable[[Numbers], Figure]],
+    files: Sequence[str] = ("numbers.npz", "table.md"),
+) -> None:
+    """Write numbers beside others that are kept, and what all of them say; print the table."""
+    file, tabled = (results / each for each in files)
+    kept = dict(np.load(file)) if file.exists() else {}
+    known = {**kept, **{name: np.asarray(values) for name, values in numbers.items()}}
+    results.mkdir(parents=True, exist_ok=True)
+    np.savez_compressed(file, **known)
+    try:
+        text = table(known)
+    except KeyError as error:
+        print(f"{file}: the table also needs {error}; --kinds plays other kinds")
+        return
+    tabled.write_text(text + "\n", encoding="utf-8")
+    print(text)
+    for name, draw in figures.items():
+        draw(known).savefig(results / name)
+    print(f"\nWritten: {', '.join([*files, *figures])} in {results}")
+
+
+def kinds_in(numbers: Numbers) -> list[str]:
+    """Return the kinds that have been measured, in their order."""
+    return list(dict.fromkeys(name.split(" / ")[0] for name in numbers if " / " in name))
+
+
+def finish_kinds(
+    planned: Mapping[str, Sequence[RaceSettings]],
+    root: Path,
+    *,
+    threads: int | None = None,
+    where: str | None = None,
+    play: Play | None = None,
+) -> dict[str, list[SavedRun]]:
+    """Return the finished runs of each kind by seed; play the missing ones side by side."""
+    # All kinds of a seed, then the next seed: what is interrupted compares equals.
+    settings = {
+        f"{slug(kind)}/{seed}": of_kind[seed]
+        for seed in range(max(map(len, planned.values()), default=0))
+        for kind, of_kind in planned.items()
+        if seed < len(of_kind)
+    }
+    finish = play or finish_all
+    runs = finish(settings, root, threads=threads, where=where) if settings else {}
+    return {
+        kind: [runs[f"{slug(kind)}/{seed}"] for seed in range(len(of_kind))]
+        for kind, of_kind in planned.items()
+        if of_kind
+    }
 
 
 @contextmanager
@@ -90,23 +250,9 @@ def finish_all(
     threads: int | None = None,
     where: str | None = None,
 ) -> dict[str, SavedRun]:
-    """Return finished runs by name; play the missing ones side by side.
+    """Return finished runs by the path of each in `root`; play the missing ones side by side.
 
-    Parameters
-    ----------
-    settings : mapping of str to RaceSettings
-        Settings of each run, by the path of its directory in `root`.
-    root : Path
-        Directory of all runs. It may hold others, of earlier calls.
-    threads : int, optional
-        Threads in all, without a cluster. By default one for each core.
-    where : str, optional
-        Value of ``--cluster``.
-
-    Raises
-    ------
-    FailedRunsError
-        If runs failed, after all others have ended.
+    FailedRunsError if runs failed, after all others have ended.
     """
     job = job_of(settings)
     with (
@@ -140,27 +286,7 @@ def play(
 ) -> mw.EpisodeStatistics:
     """Play matches of one team's genomes, whichever team it is.
 
-    Parameters
-    ----------
-    world : WorldConfig
-        World of the matches.
-    team : {"pursuer", "evader"}
-        Team of `own`.
-    own : Population
-        Genomes of the team.
-    opponents : Population
-        Genomes of the other team.
-    seeds : array_like of int, shape (matches,)
-        Seed of each match.
-    own_genomes : array_like of int, shape (matches,), optional
-        Genome of `own` in each match. The default is one match of each genome.
-    opponent_genomes : array_like of int, shape (matches,) or (), optional
-        Genome of `opponents` in each match.
-
-    Returns
-    -------
-    EpisodeStatistics
-        One episode of each match.
+    By default one match of each genome, against the first opponent.
     """
     each = np.arange(len(own.genomes)) if own_genomes is None else own_genomes
     # The engine takes pursuers first, in the populations and in the matches.
@@ -199,6 +325,12 @@ def holm(p_values: ArrayLike) -> NDArray[np.float64]:
     return np.minimum(adjusted, 1.0)
 
 
+def adjusted(values: Mapping[Any, ArrayLike]) -> dict[Any, float]:
+    """Return the p-value of each number (seeds,), adjusted for all of them, by its key."""
+    found = holm([p_value(each) for each in values.values()])
+    return dict(zip(values, found.tolist(), strict=True))
+
+
 def shown_p(p: float) -> str:
     """Return a p-value as text."""
     return "p < 0.001" if p < 0.001 else f"p = {p:.3f}"
@@ -210,3 +342,20 @@ def written(found: Estimate, digits: int = 3, sign: str = "") -> str:
     # Adding 0.0 turns -0.0 into 0.0.
     value, *interval = (format(round(end, digits) + 0.0, f"{sign}.{digits}f") for end in ends)
     return f"{value} [{', '.join(interval)}]" if interval else value
+
+
+def mean(
+    values: ArrayLike,
+    digits: int = 3,
+    sign: str = "",
+    *,
+    bounds: tuple[float, float] = (-np.inf, np.inf),
+) -> str:
+    """Return the mean over seeds and its interval as text."""
+    return written(interval_over_runs(values, bounds=bounds), digits, sign)
+
+
+def markdown(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a table in Markdown. The last head may end with a bar, for a column without one."""
+    head, *lines = (f"| {' | '.join(cells)} |" for cells in (heads, *rows))
+    return "\n".join([head, "|---" * (head.count("|") - 1) + "|", *lines])

@@ -23,14 +23,14 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 
 import matrixworld as mw
-from common import executor_of, script_parser
+from common import executor_of, markdown, script_parser
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import RaceSettings, SingleTeam, Team
@@ -49,32 +49,17 @@ QUICK_EPOCHS = 3
 EPISODES = 50  # of each pair in the table
 
 
-@dataclass(frozen=True)
-class Lesson:
-    """Training against a script in a small square world.
-
-    Parameters
-    ----------
-    against : str
-        Script of the opponents.
-    epochs : int
-        Epochs of the lesson.
-    side : int
-        Rows and columns of the world.
-    pursuers : int
-        Number of pursuers.
-    evaders : int
-        Number of evaders.
-    steps : int
-        Steps of an episode.
-    """
+class Lesson(NamedTuple):
+    """Training against a script in a small square world."""
 
     against: str
     epochs: int
     side: int
+    """Rows and columns of the world."""
     pursuers: int
     evaders: int
     steps: int
+    """Steps of an episode."""
 
 
 # Occupation needs space to flee; surrounding needs many pursuers close to few evaders, or untrained
@@ -85,22 +70,10 @@ MIDDLE = partial(Lesson, side=16, pursuers=12, evaders=3, steps=80)
 HUNTED = partial(Lesson, side=20, pursuers=8, evaders=4, steps=120)
 
 LESSONS: dict[tuple[mw.Capture, Team], tuple[Lesson, Lesson]] = {
-    (mw.Capture.OCCUPATION, "pursuer"): (
-        OPEN("random", 1500),
-        OPEN("clumsy-fleer", 1500),
-    ),
-    (mw.Capture.OCCUPATION, "evader"): (
-        OPEN("clumsy-chaser", 1500),
-        OPEN("hunter", 1500),
-    ),
-    (mw.Capture.SURROUND, "pursuer"): (
-        TIGHT("random", 2500),
-        MIDDLE("random", 1500),
-    ),
-    (mw.Capture.SURROUND, "evader"): (
-        HUNTED("clumsy-chaser", 1000),
-        HUNTED("surrounder", 1000),
-    ),
+    (mw.Capture.OCCUPATION, "pursuer"): (OPEN("random", 1500), OPEN("clumsy-fleer", 1500)),
+    (mw.Capture.OCCUPATION, "evader"): (OPEN("clumsy-chaser", 1500), OPEN("hunter", 1500)),
+    (mw.Capture.SURROUND, "pursuer"): (TIGHT("random", 2500), MIDDLE("random", 1500)),
+    (mw.Capture.SURROUND, "evader"): (HUNTED("clumsy-chaser", 1000), HUNTED("surrounder", 1000)),
 }
 
 
@@ -109,25 +82,14 @@ def evolve(
 ) -> np.ndarray:
     """Return a team's genome after a lesson, rounded to float16; `start` None: untrained."""
     may_share = team == "evader" and mw.VARIANTS[variant].teammate is mw.Outcome.REACH
-    settings = RaceSettings.of(
-        {
-            "schedule": "against",
-            "fitness.overlap_penalty": OVERLAP_PENALTY if may_share else None,
-            "world.rules": variant,
-            "schedule.team": team,
-            "schedule.opponent": lesson.against,
-            "schedule.epochs": lesson.epochs,
-            "schedule.archive_every": lesson.epochs,
-            "world.rows": lesson.side,
-            "world.cols": lesson.side,
-            "world.n_pursuers": lesson.pursuers,
-            "world.n_evaders": lesson.evaders,
-            "train_steps": lesson.steps,
-            "evaluation_episodes": 1,
-            "seed": seed,
-            **LEARNER,
-        }
-    )
+    settings = RaceSettings.of({
+        "schedule": "against", "schedule.team": team, "schedule.opponent": lesson.against,
+        "schedule.epochs": lesson.epochs, "schedule.archive_every": lesson.epochs,
+        "fitness.overlap_penalty": OVERLAP_PENALTY if may_share else None,
+        "world.rules": variant, "world.rows": lesson.side, "world.cols": lesson.side,
+        "world.n_pursuers": lesson.pursuers, "world.n_evaders": lesson.evaders,
+        "train_steps": lesson.steps, "evaluation_episodes": 1, "seed": seed, **LEARNER,
+    })  # fmt: skip
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
         run = SingleTeam(settings, directory, start=start, threads=1)
@@ -142,53 +104,52 @@ def curriculum(variant: str, epochs: int | None, seed: int) -> dict[str, np.ndar
     for team in coevolution.TEAMS:
         genomes: list[np.ndarray] = []
         for lesson in LESSONS[mw.VARIANTS[variant].capture, team]:
-            lesson = lesson if epochs is None else replace(lesson, epochs=epochs)
+            lesson = lesson if epochs is None else lesson._replace(epochs=epochs)
             start = genomes[-1] if genomes else None
             genomes.append(evolve(variant, team, lesson, start, seed))
         taught[f"{variant}.{team}s"] = np.stack(genomes).astype(np.float16)
     return taught
 
 
+def captured(team: Team, world: mw.WorldConfig | str, own: Any, rival: Any, episodes: int) -> float:
+    """Return the score of a team in one match of many episodes, with the same seed for all."""
+    sides = (own, rival) if team == "pursuer" else (rival, own)
+    matches = mw.Matches.of(0, 0, np.uint64(0))
+    rate = float(mw.rollout(world, *sides, matches, episodes=episodes).capture_rate.mean())
+    return rate if team == "pursuer" else 1 - rate
+
+
 def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) -> Iterator[str]:
-    """Yield lines of Markdown: capture or escape rates against random opponents and all scripts."""
+    """Yield tables: capture or escape rates against random opponents and all scripts."""
     for team in coevolution.TEAMS:
-        yield f"\n| {team}s | " + " | ".join(variants) + " |\n|---|" + "---|" * len(variants)
         # Variants differ in their scripts; a dictionary keeps the order and drops repeats.
         names = dict.fromkeys(name for v in variants for name in held_out_scripts(team, v))
-        for name in (*names, *(f"evolved-{number}" for number in (1, 2))):
-            cells = (cell(genomes, team, name, variant, episodes) for variant in variants)
-            yield f"| {name} | " + " | ".join(cells) + " |"
+        rows = [
+            [name, *(cell(genomes, team, name, variant, episodes) for variant in variants)]
+            for name in (*names, "evolved-1", "evolved-2")
+        ]
+        yield "\n" + markdown([f"{team}s", *variants], rows)
 
 
 def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, episodes: int) -> str:
     """Return the rate against random opponents and the mean rate against all scripts, as text."""
-    if not name.startswith("evolved"):
-        if name not in held_out_scripts(team, variant):
-            return ""
-        player = name
-    else:
+    player: Any = name
+    if name.startswith("evolved"):
         number = int(name.removeprefix("evolved-")) - 1
         player = mw.Population(genomes[f"{variant}.{team}s"][number].astype(np.float32), NETWORK)
-    # One match of many episodes, with the same seed for all opponents.
-    matches = mw.Matches.of(0, 0, np.uint64(0))
-    rates = []
-    for script in held_out_scripts(other(team), variant):
-        sides = (player, script) if team == "pursuer" else (script, player)
-        captured = mw.rollout(variant, *sides, matches, episodes=episodes).capture_rate.mean()
-        rates.append(captured if team == "pursuer" else 1 - captured)
+    elif name not in held_out_scripts(team, variant):
+        return ""
+    scripts = held_out_scripts(other(team), variant)
+    rates = [captured(team, variant, player, script, episodes) for script in scripts]
     return f"{rates[0]:.2f}, {np.mean(rates):.2f}"
 
 
-def difficulty(episodes: int) -> Iterator[str]:
-    """Yield lines of Markdown: what chasers capture of evaders, and fleers escape from pursuers."""
+def difficulty(episodes: int) -> Iterator[tuple[str, str, float]]:
+    """Yield what chasers capture of evaders, and fleers escape from pursuers, by opponent."""
     config = mw.WorldConfig("O", rows=10, cols=10, n_pursuers=4, n_evaders=4, max_steps=50)
-    yield "| team | opponent | score against it |\n|---|---|---|"
     for team, script in (("pursuer", "fleer"), ("evader", "chaser")):
         for name, player in coevolution.held_out(team, config.rules).items():
-            sides = (player, script) if team == "pursuer" else (script, player)
-            matches = mw.Matches.of(0, 0, np.uint64(0))
-            captured = mw.rollout(config, *sides, matches, episodes=episodes).capture_rate.mean()
-            yield f"| {team} | {name} | {1 - captured if team == 'pursuer' else captured:.2f} |"
+            yield team, name, captured(other(team), config, script, player, episodes)
 
 
 def main() -> None:
@@ -201,7 +162,9 @@ def main() -> None:
     parser.add_argument("--difficulty", action="store_true", help="print only how hard they are")
     args = parser.parse_args()
     if args.difficulty:
-        print(*difficulty(20 if args.quick else 4000), sep="\n")
+        found = difficulty(20 if args.quick else 4000)
+        rows = [[team, name, f"{score:.2f}"] for team, name, score in found]
+        print(markdown(["team", "opponent", "score against it"], rows))
         return
     variants = ["O", "SB"] if args.quick else list(mw.VARIANTS)
     if args.table is None:

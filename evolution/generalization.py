@@ -30,36 +30,20 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, SMALL_STEPS, long_race, script_parser
+from common import SAME_STEPS, SMALL_STEPS, long_race, markdown, script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
 
-FULL = RaceSettings.of(
-    {
-        **long_race("generalist-generalist"),
-        "world.rows": 30,
-        "world.cols": 30,
-        "world.n_pursuers": 6,
-        "world.n_evaders": 12,
-        "schedule.generations": 20,
-    }
-)
-QUICK = RaceSettings.of(
-    {
-        "world.rows": 12,
-        "world.cols": 12,
-        "world.n_pursuers": 3,
-        "world.n_evaders": 6,
-        **SAME_STEPS,
-        "learner.population": 12,
-        "schedule.generations": 8,
-        "schedule.pursuer_epochs": 10,
-        "schedule.evader_epochs": 20,
-        "train_steps": 60,
-        "world.max_steps": 80,
-    }
-)
+FULL = RaceSettings.of({
+    **long_race("generalist-generalist"), "schedule.generations": 20,
+    "world.rows": 30, "world.cols": 30, "world.n_pursuers": 6, "world.n_evaders": 12,
+})  # fmt: skip
+QUICK = RaceSettings.of({
+    "world.rows": 12, "world.cols": 12, "world.n_pursuers": 3, "world.n_evaders": 6,
+    "world.max_steps": 80, "train_steps": 60, **SAME_STEPS, "learner.population": 12,
+    "schedule.generations": 8, "schedule.pursuer_epochs": 10, "schedule.evader_epochs": 20,
+})  # fmt: skip
 
 CHASING, FLEEING = "pursuers-against-random", "evaders-against-random"
 HALFWAY, TAUGHT = "evaders-against-random-half", "evaders-against-trained"
@@ -83,27 +67,20 @@ def another(race: RaceSettings) -> str:
 def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings]:
     """Return the settings of all runs by name; a run comes after the runs that it builds on."""
     # Baselines differ from the race in their opponents and in nothing else.
-    same = {
-        "world": race.world, "learner.population": race.learner.population,
-        "train_steps": race.train_steps, "seed": race.seed,
-    }  # fmt: skip
-    chasing = RaceSettings.of(
-        {
-            "schedule": "against",
-            "schedule.team": "pursuer",
-            "schedule.epochs": race.schedule.total_epochs("pursuer"),
-            **SMALL_STEPS["pursuer"],
-            **same,
-        }
-    )
-    fleeing = RaceSettings.of(
-        {
-            "schedule": "against",
-            "schedule.team": "evader",
-            "schedule.epochs": race.schedule.total_epochs("evader"),
-            **SMALL_STEPS["evader"],
-            **same,
-        }
+    chasing, fleeing = (
+        RaceSettings.of(
+            {
+                "schedule": "against",
+                "schedule.team": team,
+                "schedule.epochs": race.schedule.total_epochs(team),
+                **SMALL_STEPS[team],
+                "world": race.world,
+                "learner.population": race.learner.population,
+                "train_steps": race.train_steps,
+                "seed": race.seed,
+            }
+        )
+        for team in coevolution.TEAMS
     )
     # A run of its own rather than a part of `fleeing`, since its learning rate falls sooner.
     halfway = fleeing.changed({"schedule.epochs": fleeing.schedule.epochs // 2})
@@ -138,35 +115,26 @@ def matches(team: Team, runs: list[SavedRun]) -> int:
 
 @dataclass(frozen=True)
 class Standing:
-    """Scores of a team's last generation after one kind of training.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        The team.
-    training : str
-        The race or a baseline.
-    matches : int
-        Training matches.
-    in_training : float
-        Mean score against the training opponents.
-    scores : ndarray of float64, shape (generations,)
-        Score against each generation of the race's opponents, in [0, 1].
-    new : ndarray of float64, shape (generations,)
-        Score against each generation of another race's opponents.
-    """
+    """Scores of a team's last generation after one kind of training."""
 
     team: Team
     training: str
     matches: int
+    """Training matches."""
     in_training: float
+    """Mean score against the training opponents."""
     scores: np.ndarray
+    """Score against each generation of the race's opponents, in [0, 1]."""
     new: np.ndarray
+    """Score against each generation of another race's opponents."""
 
-    def __str__(self) -> str:
-        numbers = (f"{each.mean():.2f} | {each.min():.2f}" for each in (self.scores, self.new))
-        trained = (f"{self.team}s", self.training, f"{self.matches:,}", f"{self.in_training:.2f}")
-        return f"| {' | '.join((*trained, *numbers))} |"
+    def cells(self) -> list[str]:
+        """Return a line of the table."""
+        ends = (
+            each for scores in (self.scores, self.new) for each in (scores.mean(), scores.min())
+        )
+        trained = [f"{self.team}s", self.training, f"{self.matches:,}", f"{self.in_training:.2f}"]
+        return [*trained, *(f"{end:.2f}" for end in ends)]
 
 
 def standings(team: Team, race: RaceSettings, runs: dict[str, SavedRun]) -> list[Standing]:
@@ -184,8 +152,7 @@ def standings(team: Team, race: RaceSettings, runs: dict[str, SavedRun]) -> list
     found, races = [], (race.schedule.name, another(race))
     for training, names in {"in the race": (race.schedule.name,), **BASELINES[team]}.items():
         parts = [runs[name] for name in names]
-        learned = parts[-1].teams[team]
-        last = mw.Population(learned.genomes[-1:], learned.network)
+        last = parts[-1].last(team)
         met = [scores(last, runs[name].teams[other(team)]) for name in races]
         # The run's own payoff matrix: its last genome against its training opponents.
         in_training = of_last(parts[-1].payoff()).mean()
@@ -211,9 +178,8 @@ def main() -> None:
     found = {team: standings(team, race, runs) for team in coevolution.TEAMS}
     print("Mean score against the training opponents; mean and worst score against the race's")
     print("opponents and against new opponents, those of another race.\n")
-    print("| team | trained | matches | training | race | worst | new | worst |")
-    print("|---|---|---|---|---|---|---|---|")
-    print(*found["pursuer"], *found["evader"], sep="\n")
+    heads = ["team", "trained", "matches", "training", "race", "worst", "new", "worst"]
+    print(markdown(heads, [each.cells() for of_team in found.values() for each in of_team]))
     lines = {
         f"{team}_baselines": {
             f"{team}s {each.training}": each.scores.mean() for each in standing[1:]

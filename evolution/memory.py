@@ -1,7 +1,7 @@
 """What does it bring to remember? A corridor that only memory solves, evaders that flee, races.
 
     python evolution/memory.py                    hours on two cores; can be interrupted
-    python evolution/memory.py --parts corridor   a quarter of an hour
+    python evolution/memory.py --kinds corridor   a quarter of an hour
     python evolution/memory.py --quick            some seconds
 
 **Corridor.** One pursuer sees one cell around it, and a still evader is somewhere in a corridor of
@@ -26,19 +26,17 @@ seeds.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import optimize
 
 import catching_fleers
-from catching_fleers import EVADERS, SCRIPTED
-from common import finish_all, script_parser, written
+from catching_fleers import EVADERS, SCRIPTED, captures, shown
+from common import SMALL_RACE, Numbers, Runs, experiment, kinds_in, markdown, mean
 from course import chapter_10
 from course.chapter_10 import CELLS, STEPS
-from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 from matrixworld.solve import States, best_response, expected_payoff
 from matrixworld.world.policy import GATES
@@ -58,20 +56,29 @@ BOARD = RaceSettings.of({
     "evaluation_episodes": 10_000,
 })  # fmt: skip
 QUICK_RACES = {
-    "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
-    "world.max_steps": 30, "train_steps": 20, "learner.population": 4, "schedule.generations": 2,
-    "evaluation_episodes": 2,
+    **SMALL_RACE, "learner.population": 4, "train_steps": 20, "world.max_steps": 30,
+    "schedule.generations": 2, "evaluation_episodes": 2,
 }  # fmt: skip
-FLEERS = catching_fleers.Plan(
-    catching_fleers.FULL.base,
-    {"no memory": {}, **{each: {"policy.memory": each} for each in ("elman", "gru")}},
-    teams=(8, 16, 32),
-    seeds=SEEDS,
-    episodes=100,
-)
-QUICK_FLEERS = catching_fleers.Plan(
-    catching_fleers.QUICK.base, FLEERS.changes, teams=(3, 6), seeds=1, episodes=2
-)
+SIZES = {False: (8, 16, 32), True: (3, 6)}
+
+
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of each part, with each memory."""
+    few = QUICK if quick else {}
+    bases = {
+        "corridor": CORRIDOR.changed(few),
+        "fleers": catching_fleers.BASES[quick],
+        **{f"board, {each}": BOARD.changed({**few, "schedule.opponent": each}) for each in EVADERS},
+        **{
+            f"races, {each}": RaceSettings.of({"schedule": each, **(QUICK_RACES if quick else {})})
+            for each in SCHEDULES
+        },
+    }
+    return {
+        f"{part}, {memory}": base.changed({"policy.memory": memory})
+        for part, base in bases.items()
+        for memory in GATES
+    }
 
 
 # ---- The corridor, exactly -----------------------------------------------------------------------
@@ -111,108 +118,99 @@ def without_memory(cells: int = CELLS, steps: int = STEPS) -> float:
     )
 
 
-# ---- Runs ----------------------------------------------------------------------------------------
+# ---- Numbers and tables --------------------------------------------------------------------------
 
 
-def trained(
-    bases: Mapping[str, RaceSettings], root: Path, seeds: int
-) -> dict[str, dict[str, list[SavedRun]]]:
-    """Train what is missing, with each memory and seed; return the runs by base and memory."""
-    settings = {
-        f"{name}-{memory}/{seed}": base.changed({"policy.memory": memory, "seed": seed})
-        for seed in range(seeds)
-        for name, base in bases.items()
-        for memory in GATES
-    }
-    runs = finish_all(settings, root)
-
-    def of(start: str) -> list[SavedRun]:
-        return [run for name, run in runs.items() if name.startswith(start)]
-
-    return {name: {each: of(f"{name}-{each}/") for each in GATES} for name in bases}
+def measured(run: SavedRun, quick: bool) -> dict[str, Any]:
+    """Return what the last pursuers capture in new episodes, or the scores of a race."""
+    if run.settings.schedule.name in SCHEDULES:
+        scores = score(run)
+        return {team: scores[team].means[-1] for team in TEAMS}
+    if run.settings.world == catching_fleers.BASES[quick].world:
+        return {"captured": captures(run.last("pursuer"), quick, sizes=SIZES[quick])}
+    return {"captured": float(run.summary()["capture_rate"])}
 
 
-def captured(run: SavedRun) -> float:
-    """Return the capture rate of the last pursuers, in episodes that no training has played."""
-    return float(run.summary()["capture_rate"])
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return what scripts capture, and what is known exactly."""
+    sizes = SIZES[quick]
+    numbers = {f"captured by {name}": captures(name, quick, sizes=sizes) for name in SCRIPTED}
+    states = States(BOARD.world)
+    for name in SCRIPTED:
+        numbers[f"{name} on the board"] = [expected_payoff(states, name, each) for each in EVADERS]
+    best = [best_response(states, each, "evader").value for each in EVADERS]
+    return {**numbers, "sizes": sizes, "best": best, "without memory": without_memory()}
 
 
-def corridor(root: Path, *, quick: bool) -> list[str]:
-    """Train what is missing in the corridor; return a table of capture rates."""
-    base, seeds = (CORRIDOR.changed(QUICK), 1) if quick else (CORRIDOR, SEEDS)
-    lines = ["| corridor | capture rate | of each seed |", "|---|---|---|"]
-    for memory, runs in trained({"corridor": base}, root, seeds)["corridor"].items():
-        rates = [captured(run) for run in runs]
-        each = ", ".join(f"{rate:.3f}" for rate in rates)
-        lines.append(f"| memory: {memory} | {catching_fleers.shown(rates)} | {each} |")
-    return [*lines, f"| the best without memory, exactly | {without_memory():.3f} | |"]
-
-
-def board(root: Path, *, quick: bool) -> list[str]:
-    """Train what is missing on the board; return a table of capture rates by evader."""
-    base = BOARD.changed(QUICK) if quick else BOARD
-    bases = {each: base.changed({"schedule.opponent": each}) for each in EVADERS}
-    states = States(base.world)
-    table = {
-        each: [f"{expected_payoff(states, each, evaders):.3f}" for evaders in EVADERS]
-        for each in SCRIPTED
-    }
-    runs = trained(bases, root, 1 if quick else SEEDS)
+def corridor(numbers: Numbers) -> str:
+    """Return the capture rates in the corridor."""
+    rows = []
     for memory in GATES:
-        rates = ([captured(run) for run in runs[evaders][memory]] for evaders in EVADERS)
-        table[f"trained, memory: {memory}"] = [catching_fleers.shown(each) for each in rates]
-    table["the best, exactly"] = [
-        f"{best_response(states, evaders, 'evader').value:.3f}" for evaders in EVADERS
-    ]
-    rows = (f"| {name} | {' | '.join(cells)} |" for name, cells in table.items())
-    return [f"| pursuers | {' | '.join(EVADERS)} |", "|---" * (len(EVADERS) + 1) + "|", *rows]
+        rates = numbers[f"corridor, {memory} / captured"]
+        each = ", ".join(f"{rate:.3f}" for rate in rates)
+        rows.append([f"memory: {memory}", shown(rates), each])
+    rows.append(["the best without memory, exactly", f"{numbers['without memory']:.3f} |"])
+    return markdown(["corridor", "capture rate", "of each seed"], rows)
 
 
-def fleers(root: Path, *, quick: bool) -> list[str]:
-    """Train what is missing against fleers; return a table of capture rates by team size."""
-    plan = QUICK_FLEERS if quick else FLEERS
-    fov = plan.base.world.fov
-    heads = [f"{each}, {size} pursuers" for each in catching_fleers.EVADERS for size in plan.teams]
-    lines = [f"| pursuers | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
-    teams = {each: [each] for each in catching_fleers.SCRIPTED}
-    for name, trained in catching_fleers.trained(plan, root, None).items():
-        teams[f"trained, {name}"] = list(trained)
-    return [*lines, *(catching_fleers.row(plan, name, each, fov) for name, each in teams.items())]
+def board(numbers: Numbers) -> str:
+    """Return the capture rates on the board by evader."""
+    rows = [[name, *exactly(numbers[f"{name} on the board"])] for name in SCRIPTED]
+    for memory in GATES:
+        rates = (numbers[f"board, {evaders}, {memory} / captured"] for evaders in EVADERS)
+        rows.append([f"trained, memory: {memory}", *map(shown, rates)])
+    rows.append(["the best, exactly", *exactly(numbers["best"])])
+    return markdown(["pursuers", *EVADERS], rows)
 
 
-def races(root: Path, *, quick: bool) -> list[str]:
-    """Play the missing races; return a table of held-out scores by schedule and memory."""
-    changes = QUICK_RACES if quick else {}
-    bases = {each: RaceSettings.of({"schedule": each, **changes}) for each in SCHEDULES}
+def exactly(rates: NDArray[np.float64]) -> list[str]:
+    """Return rates without intervals as text."""
+    return [f"{rate:.3f}" for rate in rates]
+
+
+def fleers(numbers: Numbers) -> str:
+    """Return the capture rates of fleers and dodgers by team size."""
+    names = {f"fleers, {each} / captured": f"{each} / captured" for each in GATES}
+    names["fleers, none / captured"] = "no memory / captured"
+    trained = {short: numbers[name] for name, short in names.items()}
+    others = {name: each for name, each in numbers.items() if " / " not in name}
+    return catching_fleers.table({**trained, **others}, trained="trained, ")
+
+
+def races(numbers: Numbers) -> str:
+    """Return the held-out scores by schedule and memory."""
+    rows = []
+    for schedule in SCHEDULES:
+        plain = [numbers[f"races, {schedule}, none / {team}"] for team in TEAMS]
+        for memory in GATES:
+            scores = [numbers[f"races, {schedule}, {memory} / {team}"] for team in TEAMS]
+            changes = ["", ""]
+            if memory != "none":
+                pairs = zip(scores, plain, strict=True)
+                changes = [mean(each - before, 2, "+") for each, before in pairs]
+            rows.append(
+                [schedule, memory, *(mean(each, 2, bounds=(0.0, 1.0)) for each in scores), *changes]
+            )
     heads = ["memory", *(f"{team}s" for team in TEAMS), *(f"difference, {team}s" for team in TEAMS)]
-    lines = [f"| schedule | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
-    for schedule, by_memory in trained(bases, root, 1 if quick else RACE_SEEDS).items():
-        scores = {
-            memory: np.array([[score(run)[team].means[-1] for run in runs] for team in TEAMS])
-            for memory, runs in by_memory.items()
-        }
-        for memory, each in scores.items():
-            cells = [written(interval_over_runs(team, bounds=(0.0, 1.0)), 2) for team in each]
-            for change in each - scores["none"]:
-                differs = memory != "none"
-                cells.append(written(interval_over_runs(change), 2, "+") if differs else "")
-            lines.append(f"| {schedule} | {memory} | {' | '.join(cells)} |")
-    return lines
+    return markdown(["schedule", *heads], rows)
 
 
-PARTS = {"corridor": corridor, "fleers": fleers, "board": board, "races": races}
-
-
-def main() -> None:
-    """Train what is missing; print the tables."""
-    parser = script_parser(__doc__, quick="few epochs and one seed")
-    parser.add_argument("--runs", type=Path, default=Path("runs/memory"))
-    parser.add_argument("--parts", nargs="+", choices=PARTS, default=list(PARTS))
-    args = parser.parse_args()
-    for part in args.parts:
-        root = args.runs / ("quick" if args.quick else "full") / part
-        print(*PARTS[part](root, quick=args.quick), "", sep="\n")
+def table(numbers: Numbers) -> str:
+    """Return the tables of all parts that have been played."""
+    parts = {kind.split(",")[0] for kind in kinds_in(numbers)}
+    tables = {"corridor": corridor, "fleers": fleers, "board": board, "races": races}
+    return "\n\n".join(of(numbers) for part, of in tables.items() if part in parts)
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=measured,
+        together=together,
+        table=table,
+        seeds=SEEDS,
+        quick_seeds=1,
+        fewer={f"races, {each}, {memory}": RACE_SEEDS for each in SCHEDULES for memory in GATES},
+    )

@@ -2,7 +2,7 @@
 
     python evolution/paper_claims.py              six hours on two cores; can be interrupted
     python evolution/paper_claims.py --quick      a small world and two seeds, a minute
-    python evolution/paper_claims.py --parts long --seeds 3      some of the runs
+    python evolution/paper_claims.py --kinds long --seeds 3      some of the runs
 
 Method: the experiments of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854, with two differences:
 the policy is a small network, and it learns by evolution strategies instead of policy gradients.
@@ -15,9 +15,6 @@ it lies on the other side, both told from chance at 5 %. Else the table cannot t
 number of another learner, network and reward is not comparable. Claims on races
 are tested in the whole race and in its halves; numbers of a race in time are those of
 `analysis.MEASURES`.
-
-``--results`` receives the tables and the numbers behind them; ``--runs`` keeps the runs. The parts
-of a measurement that is there already are kept: ``--parts`` adds parts, or replaces them.
 """
 
 from __future__ import annotations
@@ -30,7 +27,17 @@ from pathlib import Path
 import numpy as np
 
 import paper_surrounding
-from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
+from common import (
+    SIGNIFICANCE,
+    Numbers,
+    experiment,
+    holm,
+    markdown,
+    mean,
+    p_value,
+    shown_p,
+    written,
+)
 from matrixworld import analysis
 from matrixworld.analysis import MEASURES, read_payoffs
 from matrixworld.analysis.judge import DROPS, LEAST_INTRANSITIVITY, LEAST_RECURRENCE
@@ -38,22 +45,19 @@ from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution import TEAMS, Team
 from paper_runs import (
     CANDIDATES,
-    CROSS_PLAY,
     EVADERS_ALONE,
     EVADERS_TAUGHT,
     FEW_EPOCHS,
     FEWER,
-    FULL,
     GENERALISTS,
+    LONG,
     MIXED,
-    PARTS,
     PURSUERS_ALONE,
-    QUICK,
     RACES,
     SPECIALISTS,
     SURROUNDING,
+    kinds,
     measured,
-    play,
 )
 
 CLEARLY = 0.05
@@ -68,44 +72,29 @@ AT_ITS_SIZE = Path(__file__).parent / "results" / "paper_surrounding" / "numbers
 ASSURANCE = """Rewards do not make pursuers safe in -S, and the paper asks for assurance. These
 learned at the paper's size by policy gradients, as `paper_surrounding.py` plays it."""
 
-Numbers = Mapping[str, np.ndarray]
 ByColumn = Mapping[str, np.ndarray]
 """One number for each seed, shape (seeds,), by the column of the table."""
 
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement of the paper as one number of each seed.
-
-    Parameters
-    ----------
-    says : str
-        The statement.
-    measured : str
-        Name of the number.
-    values : mapping of str to ndarray, shape (seeds,)
-        The number by column, such as a part of the race; NaN where it is not defined.
-    side : {"above", "below"}
-        Side of the threshold on which the number lies if the statement is true.
-    than : float, optional
-        The threshold.
-    published : str, optional
-        What the paper's authors measured, if they published it.
-    squared : bool, optional
-        Whether number and threshold are squares, whose roots are printed.
-    comparable : bool, optional
-        Whether learner, network and rewards are those behind the published number. If not, the
-        number is shown and not tested.
-    """
+    """A statement of the paper as one number of each seed."""
 
     says: str
     measured: str
+    """Name of the number."""
     values: ByColumn
+    """By a part of the race, for example; NaN where the number is not defined."""
     side: str
+    """On which side of the threshold it lies if the statement is true: "above" or "below"."""
     than: float = 0.0
     published: str = ""
+    """What the paper's authors measured, if they published it."""
     squared: bool = False
+    """Whether number and threshold are squares, whose roots are printed."""
     comparable: bool = True
+    """Whether learner, network and rewards are those behind the published number. If not, the
+    number is shown and not tested."""
 
     def tested(self) -> str:
         """Return statement, number, threshold and seeds as a cell in two lines."""
@@ -471,27 +460,18 @@ def _on_generalization(numbers: Numbers) -> list[Claim]:
 
 # The tables:
 
+CROSS_PLAY = "cross-play of evaders"
 CLAIMS: tuple[tuple[tuple[str, ...], Callable[[Numbers], list[Claim]]], ...] = (
-    (("races",), _on_races),
-    (("few-epochs",), _on_few_epochs),
+    ((f"captured {SPECIALISTS}",), _on_races),
+    ((f"captured {FEW_EPOCHS}",), _on_few_epochs),
     ((CROSS_PLAY,), _on_generalization),
-    (("races",), _on_swings),
-    (("races", "long"), _on_long_races),
-    (("plateau",), _on_plateau),
-    (("surrounding",), _on_surrounding),
-    (("safety",), _on_safety),
+    ((f"captured {SPECIALISTS}",), _on_swings),
+    ((f"captured {SPECIALISTS}", f"phases {SPECIALISTS}"), _on_long_races),
+    (("plateau: random",), _on_plateau),
+    ((f"{SURROUNDING['rewards']}: captured",), _on_surrounding),
+    ((f"{SURROUNDING['rewards']}: faults",), _on_safety),
 )
-"""Parts of the measurement that claims take, and the claims."""
-NUMBER_OF = {
-    "races": f"captured {SPECIALISTS}",
-    CROSS_PLAY: "cross-play of evaders",
-    "surrounding": f"{SURROUNDING['rewards']}: captured",
-    "long": f"phases {SPECIALISTS}",
-    "plateau": "plateau: random",
-    "few-epochs": f"captured {FEW_EPOCHS}",
-    "safety": f"{SURROUNDING['rewards']}: faults",
-}
-"""A number of each part, which shows that the part has been measured."""
+"""Some of the numbers that claims take, and the claims."""
 
 
 HEAD = """# Claims of the paper
@@ -501,12 +481,12 @@ for all tests of the same table. The last table holds the scores of all candidat
 
 
 def claims(numbers: Numbers) -> list[Claim]:
-    """Return the claims of the parts that are measured, from the numbers of `measured`."""
+    """Return the claims whose numbers are measured."""
     return [
         claim
-        for parts, of_parts in CLAIMS
-        if all(NUMBER_OF[part] in numbers for part in parts)
-        for claim in of_parts(numbers)
+        for names, found in CLAIMS
+        if all(name in numbers for name in names)
+        for claim in found(numbers)
     ]
 
 
@@ -516,33 +496,32 @@ def tables(numbers: Numbers) -> str:
     for claim in claims(numbers):
         by_columns.setdefault(tuple(claim.values), []).append(claim)
     parts = [HEAD, *(table(columns, of_table) for columns, of_table in by_columns.items())]
-    missing = [part for part, number in NUMBER_OF.items() if number not in numbers]
+    missing = {name: None for names, _ in CLAIMS for name in names if name not in numbers}
     if missing:
-        parts.append(f"Not measured: {', '.join(missing)} (`--parts`).")
-    if "races" not in missing:
+        parts.append(f"Not measured: {', '.join(missing)} (`--kinds`).")
+    if f"captured {SPECIALISTS}" in numbers:
         parts.append(returns(numbers))
-    if CROSS_PLAY not in missing:
+    if CROSS_PLAY in numbers:
         parts.append(scores(numbers))
-    if "surrounding" not in missing and AT_ITS_SIZE.exists():
+    if f"{SURROUNDING['rewards']}: captured" in numbers and AT_ITS_SIZE.exists():
         parts += [ASSURANCE, paper_surrounding.ends(dict(np.load(AT_ITS_SIZE)))]
     return "\n\n".join(parts)
 
 
 def table(columns: Sequence[str], of_table: Sequence[Claim]) -> str:
     """Return claims with the same columns as a table in Markdown, with p-values adjusted in it."""
-    heads = [
-        "the paper's claim, and the number that tests it",
-        *(each or "found" for each in columns),
+    tested = [(k, col) for k, claim in enumerate(of_table) if claim.comparable for col in columns]
+    found = holm([of_table[k].p_value(column) for k, column in tested])
+    p_values = dict(zip(tested, found, strict=True))
+    rows = [
+        [
+            claim.tested(),
+            *(cell(claim, column, p_values.get((k, column), 1.0)) for column in columns),
+        ]
+        for k, claim in enumerate(of_table)
     ]
-    lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
-    tested = [(c.says, c.measured, col) for c in of_table if c.comparable for col in columns]
-    unadjusted = [c.p_value(col) for c in of_table if c.comparable for col in columns]
-    adjusted = dict(zip(tested, holm(unadjusted), strict=True))
-    for claim in of_table:
-        keys = ((claim.says, claim.measured, column) for column in columns)
-        cells = [cell(claim, key[-1], adjusted.get(key, 1.0)) for key in keys]
-        lines.append(f"| {' | '.join([claim.tested(), *cells])} |")
-    return "\n".join(lines)
+    heads = [each or "found" for each in columns]
+    return markdown(["the paper's claim, and the number that tests it", *heads], rows)
 
 
 def cell(claim: Claim, column: str, p: float) -> str:
@@ -570,61 +549,24 @@ def returns(numbers: Numbers) -> str:
 
 def scores(numbers: Numbers) -> str:
     """Return the scores of all candidates as a table in Markdown."""
-    lines = [f"| trained | team | {' | '.join(OPPONENTS)} |", "|---" * 6 + "|"]
-    for team, kinds in CANDIDATES.items():
+    rows = []
+    for team, candidates in CANDIDATES.items():
         payoffs = standings(numbers, team)
-        for kind in kinds:
-            cells = (
-                written(analysis.interval_over_runs(payoffs[name][kind], bounds=(0.0, 1.0)))
-                for name in OPPONENTS
-            )
-            lines.append(f"| {kind} | {team}s | {' | '.join(cells)} |")
-    return "\n".join(lines)
-
-
-def kept_numbers(path: Path, evaders: int) -> dict[str, np.ndarray]:
-    """Return the numbers of an earlier measurement; none if there was none.
-
-    Raises ValueError if it was one of another size.
-    """
-    if not path.exists():
-        return {}
-    kept = dict(np.load(path))
-    found = int(kept["evaders"])
-    if found != evaders:
-        raise ValueError(
-            f"{path}: expected numbers of races with {evaders} evaders, got {found}; "
-            "--results names another directory"
-        )
-    return kept
-
-
-def main() -> None:
-    """Play missing runs, test the claims, print and write the results."""
-    parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
-    parser.add_argument("--parts", nargs="+", choices=PARTS, default=[*PARTS], help="default: all")
-    parser.add_argument("--seeds", type=int, help="training seeds; default 20 (long: 5), or 2")
-    parser.add_argument("--runs", type=Path, default=Path("runs/paper_claims"))
-    parser.add_argument("--results", type=Path, default=Path("paper_claims"))
-    parser.add_argument("--threads", type=int, help="default: one for each core")
-    args = parser.parse_args()
-    plan = QUICK if args.quick else FULL
-    file = args.results / "numbers.npz"
-    try:
-        kept = kept_numbers(file, plan.race.world.n_evaders)
-    except ValueError as error:
-        parser.error(str(error))
-    few = 2 if args.quick else None
-    seeds = {part: range(args.seeds or few or PARTS[part].seeds) for part in args.parts}
-    runs = play(plan, seeds, args.runs, args.threads, args.cluster)
-    numbers = {**kept, **measured(plan, runs, args.threads)}
-    args.results.mkdir(parents=True, exist_ok=True)
-    np.savez_compressed(file, **numbers)
-    text = tables(numbers)
-    print(text)
-    (args.results / "claims.md").write_text(text + "\n", encoding="utf-8")
-    print(f"Written: {args.results}/claims.md, {args.results}/numbers.npz")
+        for kind in candidates:
+            means = (mean(payoffs[name][kind], bounds=(0.0, 1.0)) for name in OPPONENTS)
+            rows.append([kind, f"{team}s", *means])
+    return markdown(["trained", "team", *OPPONENTS], rows)
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=lambda run, quick: {},
+        together=measured,
+        table=tables,
+        seeds=20,
+        fewer=dict.fromkeys(LONG.values(), 5),
+        files=("numbers.npz", "claims.md"),
+    )

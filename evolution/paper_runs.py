@@ -1,18 +1,18 @@
-"""The runs behind the paper's claims, and the numbers of them, in parts (see `PARTS`).
+"""The runs behind the paper's claims, and the numbers of them.
 
 `paper_claims.py` says what follows from the numbers.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, SMALL_STEPS, finish_all, long_race
+from common import SAME_STEPS, SMALL_STEPS, Runs, long_race, slug
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution import (
     Against,
@@ -31,15 +31,15 @@ SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
 MIXED = "generalist-specialist"
 PURSUERS_ALONE = "pursuers against random"
 EVADERS_ALONE, EVADERS_TAUGHT = "evaders against random", "evaders against trained"
-EVADERS_IN_TENTHS = "evaders against random in tenths"
+IN_TENTHS = "evaders in tenths"
 FEW_EPOCHS = "generalist-generalist with few epochs"
 SURROUNDING = {
     "rewards": "surrounding for rewards",
     "captured-fraction": "surrounding for captures",
 }
 RACES = (SPECIALISTS, MIXED, GENERALISTS)
-LONG = {race: f"long {race}" for race in (SPECIALISTS, GENERALISTS)}
-"""Races of more generations, by schedule."""
+LONG = {race: f"long, {race}" for race in (SPECIALISTS, GENERALISTS)}
+"""Kinds of the races of more generations, by schedule."""
 CANDIDATES: dict[Team, tuple[str, ...]] = {
     "pursuer": (*RACES, PURSUERS_ALONE),
     "evader": (*RACES, EVADERS_ALONE, EVADERS_TAUGHT),
@@ -47,224 +47,141 @@ CANDIDATES: dict[Team, tuple[str, ...]] = {
 """Runs whose last generation is tested, by team."""
 FEWER = 20
 """The race with few epochs has so many times fewer of them in each generation."""
+FIRST_TEST_SEED = 10**6
+"""Test episodes have seeds of their own; those of training are hashes."""
 
-Runs = Sequence[Mapping[str, SavedRun]]
-"""Runs of each seed by name."""
 Numbers = dict[str, np.ndarray]
 
 
-@dataclass(frozen=True)
-class Plan:
-    """Settings of all runs, without their seeds.
-
-    Parameters
-    ----------
-    race : RaceSettings
-        Settings of the races, except for the schedule.
-    pursuers, evaders : RaceSettings
-        Baselines, with as many matches as the team plays in a race.
-    few : RaceSettings
-        A race with few epochs in each generation.
-    surround : RaceSettings
-        Surrounding runs, one for each fitness of `SURROUNDING`.
-    long : int
-        Generations of the long races.
-    every : int
-        Distance of the generations of a race that are test opponents.
-    episodes : int
-        Episodes of each pair in the cross-play.
-    """
+class Sizes(NamedTuple):
+    """Races and surrounding runs, and how much is played."""
 
     race: RaceSettings
-    pursuers: RaceSettings
-    evaders: RaceSettings
-    few: RaceSettings
+    """Settings of the races, except for the schedule."""
     surround: RaceSettings
     long: int
+    """Generations of the long races."""
     every: int
+    """Distance of the generations of a race that are test opponents."""
     episodes: int
+    """Episodes of each pair in the cross-play."""
+
+    @property
+    def world(self) -> mw.WorldConfig:
+        """World of the races."""
+        return self.race.world
 
 
-def plan(
-    race: RaceSettings, surround: RaceSettings, *, long: int, every: int, episodes: int
-) -> Plan:
-    """Return a plan whose baselines have the world, the budget and the settings of the race."""
-
-    def alone(team: Team) -> RaceSettings:
-        # As many epochs as the team has in a race, and every other setting of the race: the same
-        # number of matches, training steps, step sizes and penalties.
-        epochs = race.schedule.total_epochs(team)
-        # The penalty is one of evaders; pursuers take no such setting.
-        penalty = race.overlap_penalty if team == "evader" else None
-        return replace(
-            race,
-            schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2),
-            fitness=replace(race.fitness, overlap_penalty=penalty),
-        )
-
-    few = race.changed(
-        {
-            f"schedule.{team}_epochs": max(1, race.schedule.epochs(team) // FEWER)
-            for team in CANDIDATES
-        }
-    )
-    return Plan(race, alone("pursuer"), alone("evader"), few, surround, long, every, episodes)
-
-
-FULL = plan(
-    RaceSettings.of(long_race("generalist-generalist")),
-    RaceSettings.of(
-        {
-            "schedule": "against",
-            "world.rules": "S",
-            "learner.population": 48,
-            "schedule.epochs": 1200,
-            "schedule.archive_every": 200,
-            **SMALL_STEPS["pursuer"],
-        }
-    ),
-    long=100,
-    every=5,
-    episodes=10,
-)
 TINY = {
-    "world.rows": 12, "world.cols": 12, "learner.population": 8, "train_steps": 40,
-    "world.max_steps": 60,
+    "world.rows": 12, "world.cols": 12, "world.max_steps": 60, "train_steps": 40,
+    "learner.population": 8,
 }  # fmt: skip
-QUICK = plan(
-    RaceSettings.of(
-        {
-            "world.n_pursuers": 3,
-            "world.n_evaders": 6,
-            "schedule.generations": 6,
-            "schedule.pursuer_epochs": 4,
-            "schedule.evader_epochs": 4,
-            **SAME_STEPS,
-            **TINY,
-        }
+SIZES = {
+    False: Sizes(
+        RaceSettings.of(long_race(GENERALISTS)),
+        RaceSettings.of({
+            "schedule": "against", "schedule.epochs": 1200, "schedule.archive_every": 200,
+            "world.rules": "S", "learner.population": 48, **SMALL_STEPS["pursuer"],
+        }),
+        long=100,
+        every=5,
+        episodes=10,
     ),
-    RaceSettings.of(
-        {
-            "schedule": "against",
-            "world.rules": "S",
-            "world.n_pursuers": 8,
-            "world.n_evaders": 2,
-            "schedule.epochs": 20,
-            "schedule.archive_every": 5,
-            "evaluation_episodes": 5,
-            **TINY,
-        }
+    True: Sizes(
+        RaceSettings.of({
+            "world.n_pursuers": 3, "world.n_evaders": 6, "schedule.generations": 6,
+            "schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4, **SAME_STEPS, **TINY,
+        }),
+        RaceSettings.of({
+            "schedule": "against", "schedule.epochs": 20, "schedule.archive_every": 5,
+            "world.rules": "S", "world.n_pursuers": 8, "world.n_evaders": 2,
+            "evaluation_episodes": 5, **TINY,
+        }),
+        long=9,
+        every=1,
+        episodes=4,
     ),
-    long=9,
-    every=1,
-    episodes=4,
-)
+}  # fmt: skip
+"""Without and with ``--quick``."""
 
 
-def play(
-    plan: Plan,
-    seeds: Mapping[str, range],
-    root: Path,
-    threads: int | None,
-    where: str | None = None,
-) -> dict[str, Runs]:
-    """Return the finished runs of some parts; play the missing ones side by side.
-
-    Parameters
-    ----------
-    plan : Plan
-        Settings of the runs.
-    seeds : mapping of str to range
-        Training seeds of each part of `PARTS` that is wanted.
-    root : Path
-        Directory of all runs.
-    threads : int or None
-        Threads; None: one for each core.
-    where : str, optional
-        Value of ``--cluster``.
-
-    Returns
-    -------
-    dict of str to sequence of dict of str to SavedRun
-        Runs by name, for each part and seed.
-    """
-    settings = {part: PARTS[part].settings(plan) for part in seeds}
-    planned = {
-        place(name, seed): replace(each, seed=seed)
-        for part, of_part in seeds.items()
-        for seed in of_part
-        for name, each in settings[part].items()
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of each kind of run."""
+    race, surround, long, *_ = SIZES[quick]
+    few = {
+        f"schedule.{team}_epochs": max(1, race.schedule.epochs(team) // FEWER)
+        for team in CANDIDATES
     }
-    played = finish_all(planned, root, threads=threads, where=where)
-    runs = {
-        part: [{name: played[place(name, seed)] for name in settings[part]} for seed in of_part]
-        for part, of_part in seeds.items()
+    evaders = alone(race, "evader")
+    tenth = evaders.schedule.epochs // 10
+    return {
+        **{name: race.changed({"schedule": name}) for name in RACES},
+        PURSUERS_ALONE: alone(race, "pursuer"),
+        EVADERS_ALONE: evaders,
+        **{name: surround.changed({"fitness.measure": aim}) for aim, name in SURROUNDING.items()},
+        **{
+            name: race.changed({"schedule": schedule, "schedule.generations": long})
+            for schedule, name in LONG.items()
+        },
+        IN_TENTHS: evaders.changed({"schedule.archive_every": tenth}),
+        FEW_EPOCHS: race.changed(few).changed({"schedule": GENERALISTS}),
     }
-    # These continue from two of the runs above. There is one a seed.
-    for seed, of_seed in zip(seeds.get(CROSS_PLAY, ()), runs.get(CROSS_PLAY, ()), strict=True):
-        directory = root / place(EVADERS_TAUGHT, seed)
-        of_seed[EVADERS_TAUGHT] = teach(plan, seed, of_seed, directory, threads)
-    return dict(runs)
 
 
-def place(name: str, seed: int) -> str:
-    """Return the path of a run in the directory of all runs."""
-    return f"{name.replace(' ', '-')}/{seed}"
+def alone(race: RaceSettings, team: Team) -> RaceSettings:
+    """Return the settings of a baseline, with the matches and all settings of the race."""
+    epochs = race.schedule.total_epochs(team)
+    # The penalty is one of evaders; pursuers take no such setting.
+    penalty = race.overlap_penalty if team == "evader" else None
+    return replace(
+        race,
+        schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2),
+        fitness=replace(race.fitness, overlap_penalty=penalty),
+    )
 
 
-def teach(
-    plan: Plan, seed: int, runs: Mapping[str, SavedRun], directory: Path, threads: int | None
-) -> SavedRun:
+def teach(runs: Runs) -> list[SavedRun]:
     """Return evaders after half of their baseline, then trained against trained pursuers."""
-    if not (directory / "config.json").exists():
-        half = plan.evaders.schedule.archive_every
-        settings = plan.evaders.changed({"seed": seed, "schedule.epochs": half})
-        genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
-        rivals = runs[PURSUERS_ALONE].teams["pursuer"]
-        champion = mw.Population(rivals.genomes[-1:], rivals.network)
-        SingleTeam(settings, directory, opponents=champion, start=genome)
-    resume(directory, threads=threads).run()
-    return open_run(directory)
+    found = []
+    for begun, rival in zip(runs[EVADERS_ALONE], runs[PURSUERS_ALONE], strict=True):
+        directory = begun.path.parents[1] / slug(EVADERS_TAUGHT) / str(begun.settings.seed)
+        if not (directory / "config.json").exists():
+            half = begun.settings.schedule.archive_every
+            settings = begun.settings.changed({"schedule.epochs": half})
+            genome = begun.teams["evader"].genomes[1]
+            SingleTeam(settings, directory, opponents=rival.last("pursuer"), start=genome)
+        resume(directory).run()
+        found.append(open_run(directory))
+    return found
 
 
-def cross_play(plan: Plan, team: Team, runs: Runs, threads: int | None) -> np.ndarray:
+def last_of(team: Team, runs: Runs) -> mw.Population:
+    """Return the last generation of each kind of `CANDIDATES` and seed as one population."""
+    last = [run.last(team) for kind in CANDIDATES[team] for run in runs[kind]]
+    return mw.Population(np.concatenate([each.genomes for each in last]), last[0].network)
+
+
+def cross_play(sizes: Sizes, team: Team, runs: Runs) -> np.ndarray:
     """Play a team's candidates against the opponents of all races.
 
-    Parameters
-    ----------
-    plan : Plan
-        Settings of the runs.
-    team : {"pursuer", "evader"}
-        Team of the candidates.
-    runs : Runs
-        Runs of each seed.
-    threads : int or None
-        Threads; None: one for each core.
-
-    Returns
-    -------
-    ndarray of float64, shape (kinds, seeds, races, seeds, generations)
-        Payoff of each kind of `CANDIDATES` and seed against every so many generations of each race
-        and seed.
+    Returns the payoff (kinds, seeds, races, seeds, generations) of each kind of `CANDIDATES` and
+    seed against every so many generations of each race and seed.
     """
-    own = [of_seed[kind].teams[team] for kind in CANDIDATES[team] for of_seed in runs]
-    rivals = [of_seed[race].teams[other(team)] for race in RACES for of_seed in runs]
+    rivals = [run.teams[other(team)] for race in RACES for run in runs[race]]
     # One population of all candidates and one of all opponents: a single tournament.
-    candidates = mw.Population(np.stack([each.genomes[-1] for each in own]), own[0].network)
-    opponents = np.concatenate([each.genomes[:: plan.every] for each in rivals])
+    candidates = last_of(team, runs)
+    opponents = np.concatenate([each.genomes[:: sizes.every] for each in rivals])
     met = mw.Population(opponents, rivals[0].network)
     pursuers, evaders = (candidates, met) if team == "pursuer" else (met, candidates)
-    world = plan.race.world
     played = tournament(
-        world, pursuers, evaders, seed=0, episodes=plan.episodes, threads=threads
+        sizes.world, pursuers, evaders, seed=0, episodes=sizes.episodes
     ).capture_rate
     payoff = played if team == "pursuer" else 1.0 - played.T
-    return payoff.reshape(len(CANDIDATES[team]), len(runs), len(RACES), len(runs), -1)
+    seeds = len(runs[RACES[0]])
+    return payoff.reshape(len(CANDIDATES[team]), seeds, len(RACES), seeds, -1)
 
 
-def surrounding(
-    plan: Plan, runs: Sequence[SavedRun], threads: int | None
-) -> tuple[np.ndarray, np.ndarray]:
+def surrounding(runs: Sequence[SavedRun]) -> tuple[np.ndarray, np.ndarray]:
     """Return capture rate, and collisions between pursuers per 1000 of their agent-steps.
 
     Both have the shape (seeds, entries of the archive); 100 episodes each.
@@ -273,89 +190,81 @@ def surrounding(
     for run in runs:
         pursuers = run.teams["pursuer"]
         each = np.arange(len(pursuers.genomes))
-        world = plan.surround.world
-        scores = mw.rollout(
-            world, pursuers, "random", mw.Matches.of(each, 0, each), episodes=100, threads=threads
-        )
+        matches = mw.Matches.of(each, 0, each)
+        scores = mw.rollout(run.settings.world, pursuers, "random", matches, episodes=100)
         captured.append(scores.capture_rate.mean(axis=1))
         steps = scores.agent_steps[:, :, 0].sum(axis=1)
         collisions.append(1000 * scores.collisions[:, :, 0, 1].sum(axis=1) / steps)
     return np.array(captured), np.array(collisions)
 
 
-def held_out(plan: Plan, team: Team, runs: Runs, threads: int | None) -> np.ndarray:
-    """Return the mean payoff (kinds, seeds) of a team's candidates against held-out opponents."""
-    own = [of_seed[kind].teams[team] for kind in CANDIDATES[team] for of_seed in runs]
-    candidates = mw.Population(np.stack([each.genomes[-1] for each in own]), own[0].network)
-    world = plan.race.world
-    scores = score_policy(candidates, team, world, episodes=10 * plan.episodes, threads=threads)
-    return scores.means.reshape(len(CANDIDATES[team]), len(runs))
+# What is measured of the runs, in the dtypes in which it is written:
 
 
-# What is measured of the runs of a part, in the dtypes in which it is written:
-
-
-def _captured(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
-    """Return ``captured NAME``, uint8 (seeds, n, n, episodes), of all races in the runs.
+def _captured(sizes: Sizes, runs: Runs) -> Numbers:
+    """Return ``captured NAME``, uint8 (seeds, n, n, episodes), of all races but the long ones.
 
     These are the evaders captured in each episode of the payoff matrix.
     """
     numbers = {}
-    for name in runs[0]:
-        rates = np.stack([of_seed[name].payoff().capture_rates for of_seed in runs])
-        captured = np.rint(rates * plan.race.world.n_evaders)
-        numbers[f"captured {name}"] = captured.astype(np.uint8)
+    for name in (*RACES, FEW_EPOCHS):
+        if name in runs:
+            rates = np.stack([run.payoff().capture_rates for run in runs[name]])
+            captured = np.rint(rates * sizes.world.n_evaders)
+            numbers[f"captured {name}"] = captured.astype(np.uint8)
     return numbers
 
 
-def _phases(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
+def _phases(sizes: Sizes, runs: Runs) -> Numbers:
     """Return ``phases RACE`` (seeds, generations, 2): capture rates after both team phases."""
     return {
         f"phases {race}": np.array(
-            [team_phase_rates(of_seed[name].payoff().capture_rate) for of_seed in runs], np.float32
+            [team_phase_rates(run.payoff().capture_rate) for run in runs[name]], np.float32
         )
         for race, name in LONG.items()
     }
 
 
-def _generalization(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
-    """Return ``cross-play of TEAM`` and ``held-out of TEAM``; see `cross_play` and `held_out`."""
-    numbers = {}
-    for team in CANDIDATES:
+def _generalization(sizes: Sizes, runs: Runs) -> Numbers:
+    """Return ``cross-play of TEAM``, and ``held-out of TEAM`` (kinds, seeds), its mean payoff."""
+    runs, numbers = {**runs, EVADERS_TAUGHT: teach(runs)}, {}
+    for team, kinds in CANDIDATES.items():
         # float32 halves the file and keeps far more digits than ten episodes give.
-        numbers[f"cross-play of {team}s"] = cross_play(plan, team, runs, threads).astype("f4")
-        numbers[f"held-out of {team}s"] = held_out(plan, team, runs, threads).astype("f4")
+        numbers[f"cross-play of {team}s"] = cross_play(sizes, team, runs).astype("f4")
+        own, episodes = last_of(team, runs), 10 * sizes.episodes
+        scores = score_policy(own, team, sizes.world, episodes=episodes)
+        numbers[f"held-out of {team}s"] = scores.means.reshape(len(kinds), -1).astype("f4")
     return numbers
 
 
-def _surrounding(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
+def _surrounding(sizes: Sizes, runs: Runs) -> Numbers:
     """Return for each fitness of `SURROUNDING` ``captured`` and ``collisions``."""
     numbers = {}
     for name in SURROUNDING.values():
-        both = surrounding(plan, [of_seed[name] for of_seed in runs], threads)
+        both = surrounding(runs[name])
         for what, values in zip(("captured", "collisions"), both, strict=True):
             numbers[f"{name}: {what}"] = values.astype(np.float32)
     return numbers
 
 
-def _tenths(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
+def _tenths(sizes: Sizes, runs: Runs) -> Numbers:
     """Return ``plateau: OPPONENTS`` (seeds, entries): escape rates after each tenth of the epochs.
 
     Opponents are the pursuers of the training, which move at random, and held-out ones.
     """
-    world, episodes = plan.race.world, 10 * plan.episodes
+    world, episodes = sizes.world, 10 * sizes.episodes
     found: dict[str, list[np.ndarray]] = {"random": [], "held-out": []}
-    for of_seed in runs:
-        evaders = of_seed[EVADERS_IN_TENTHS].teams["evader"]
+    for run in runs[IN_TENTHS]:
+        evaders = run.teams["evader"]
         each = mw.Matches.of(0, np.arange(len(evaders.genomes)), FIRST_TEST_SEED)
-        scores = mw.rollout(world, "random", evaders, each, episodes=episodes, threads=threads)
+        scores = mw.rollout(world, "random", evaders, each, episodes=episodes)
         found["random"].append(1.0 - scores.capture_rate.mean(axis=1))
-        against = score_policy(evaders, "evader", world, episodes=episodes, threads=threads)
+        against = score_policy(evaders, "evader", world, episodes=episodes)
         found["held-out"].append(against.means)
     return {f"plateau: {name}": np.array(rates, np.float32) for name, rates in found.items()}
 
 
-def _safety(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
+def _safety(sizes: Sizes, runs: Runs) -> Numbers:
     """Return how surrounding teams collide in training and in tests, and what they earn.
 
     For each fitness of `SURROUNDING`: ``rewards`` (seeds, 2), the mean return of the untrained and
@@ -363,13 +272,13 @@ def _safety(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
     team collide; ``faults`` (seeds, 2), collisions at fault of pursuers per 1000 agent-steps in
     the last tenth of the training, and of the last team in tests. Tests are 100 new episodes.
     """
-    world, numbers = plan.surround.world, {}
+    world, numbers = sizes.surround.world, {}
     for name in SURROUNDING.values():
         rewards, colliding, faults = [], [], []
-        for of_seed in runs:
-            log, teams = of_seed[name].log(), of_seed[name].teams["pursuer"]
+        for run in runs[name]:
+            log, teams = run.log(), run.teams["pursuer"]
             ends = mw.Matches.of([0, len(teams.genomes) - 1], 0, FIRST_TEST_SEED)
-            tested = mw.rollout(world, teams, "random", ends, episodes=100, threads=threads)
+            tested = mw.rollout(world, teams, "random", ends, episodes=100)
             rewards.append(tested.pursuer_return.mean(axis=1))
             colliding.append((tested.collisions[1, :, 0, 1] > 0).mean())
             last = slice(-max(1, len(log["epoch"]) // 10), None)
@@ -383,74 +292,22 @@ def _safety(plan: Plan, runs: Runs, threads: int | None) -> Numbers:
     return numbers
 
 
-FIRST_TEST_SEED = 10**6
-"""Test episodes have seeds of their own; those of training are hashes."""
+MEASURED: tuple[tuple[tuple[str, ...], Callable[[Sizes, Runs], Numbers]], ...] = (
+    ((), _captured),
+    ((*RACES, PURSUERS_ALONE, EVADERS_ALONE), _generalization),
+    (tuple(SURROUNDING.values()), _surrounding),
+    (tuple(LONG.values()), _phases),
+    ((IN_TENTHS,), _tenths),
+    (tuple(SURROUNDING.values()), _safety),
+)
+"""Kinds of runs, and what is measured of them."""
 
 
-@dataclass(frozen=True)
-class Part:
-    """Runs of each seed, and what is measured of them.
-
-    Parameters
-    ----------
-    settings : callable
-        Plan -> settings of the runs of a seed by name, without the seed.
-    measure : callable
-        Plan, runs and threads -> numbers by name.
-    seeds : int, optional
-        Training seeds in the full size.
-    """
-
-    settings: Callable[[Plan], dict[str, RaceSettings]]
-    measure: Callable[[Plan, Runs, int | None], Numbers]
-    seeds: int = 20
-
-
-def _races(plan: Plan) -> dict[str, RaceSettings]:
-    return {race: plan.race.changed({"schedule": race}) for race in RACES}
-
-
-def _surrounds(plan: Plan) -> dict[str, RaceSettings]:
-    return {
-        name: plan.surround.changed({"fitness.measure": aim}) for aim, name in SURROUNDING.items()
-    }
-
-
-def _long_races(plan: Plan) -> dict[str, RaceSettings]:
-    return {
-        name: plan.race.changed({"schedule": race, "schedule.generations": plan.long})
-        for race, name in LONG.items()
-    }
-
-
-def _alone_in_tenths(plan: Plan) -> dict[str, RaceSettings]:
-    every = plan.evaders.schedule.epochs // 10
-    return {EVADERS_IN_TENTHS: plan.evaders.changed({"schedule.archive_every": every})}
-
-
-CROSS_PLAY = "cross-play"
-PARTS = {
-    "races": Part(_races, _captured),
-    CROSS_PLAY: Part(
-        lambda plan: {
-            **_races(plan), PURSUERS_ALONE: plan.pursuers, EVADERS_ALONE: plan.evaders,
-        },
-        _generalization,
-    ),
-    "surrounding": Part(_surrounds, _surrounding),
-    "long": Part(_long_races, _phases, seeds=5),
-    "plateau": Part(_alone_in_tenths, _tenths),
-    "few-epochs": Part(
-        lambda plan: {FEW_EPOCHS: plan.few.changed({"schedule": GENERALISTS})}, _captured
-    ),
-    "safety": Part(_surrounds, _safety),
-}  # fmt: skip
-"""The parts of the measurement by name. Parts share the runs that they have in common."""
-
-
-def measured(plan: Plan, runs: Mapping[str, Runs], threads: int | None) -> Numbers:
-    """Return the numbers of some parts by name, and ``evaders``, their number in a race."""
-    numbers: Numbers = {"evaders": np.array(plan.race.world.n_evaders)}
-    for part, of_part in runs.items():
-        numbers |= PARTS[part].measure(plan, of_part, threads)
+def measured(runs: Runs, quick: bool) -> Numbers:
+    """Return the numbers of the kinds that have been played, and ``evaders``, those of a race."""
+    sizes = SIZES[quick]
+    numbers: Numbers = {"evaders": np.array(sizes.world.n_evaders)}
+    for kinds, measure in MEASURED:
+        if all(kind in runs for kind in kinds):
+            numbers |= measure(sizes, runs)
     return numbers

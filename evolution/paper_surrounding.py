@@ -23,7 +23,7 @@ of PPO (Schulman et al., 2017). Needs PyTorch.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -32,14 +32,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import finish_all, script_parser, written
+from common import Numbers, experiment, kinds_in, markdown, mean
 from matrixworld._util import colors
-from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.world.rules import COLLISION_KINDS
-
-Numbers = dict[str, NDArray[Any]]
-"""By ``"<kind> / <number>"``: see `of_run`; the first axis is that of the seeds."""
 
 LOG = Path(__file__).parent / "results" / "paper_surrounding" / "published_log.csv"
 """Every tenth epoch of the authors' log (github.com/LijunSun90/MatrixWorld, directory
@@ -52,7 +48,11 @@ CURVE_EPISODES, LAST_EPISODES = 20, 400
 FIRST_TEST_SEED = 10**6
 """Test episodes have seeds of their own; those of training are hashes."""
 
-WORLD = {"world.rules": "S", "world.n_pursuers": 20, "world.n_evaders": 5}
+BASE = RaceSettings.of({
+    "schedule": "against", "schedule.team": "pursuer", "schedule.archive_every": WINDOW,
+    "learner": "actor-critic",
+    "world.rules": "S", "world.n_pursuers": 20, "world.n_evaders": 5,
+})  # fmt: skip
 SMALL = {
     "world.rows": 6, "world.cols": 6, "world.n_pursuers": 4, "world.n_evaders": 1, "world.fov": 5,
     "world.max_steps": 10, "train_steps": 10, "policy.hidden": (8,), "schedule.epochs": 4,
@@ -68,52 +68,30 @@ FREE = {
     "learner.actor_rate": 1e-3, "learner.critic_rate": 2e-3, "learner.anneal": True,
     "learner.discount": 0.97, "learner.entropy": 0.01,
 }  # fmt: skip
-KINDS: Mapping[str, tuple[Mapping[str, Any], int]] = {
-    "published": (PUBLISHED, 2),
-    "no mask": (FREE, 3),
-    "right of way": ({**FREE, "policy.mask": "right-of-way"}, 5),
+KINDS: Mapping[str, Mapping[str, Any]] = {
+    "published": PUBLISHED,
+    "no mask": FREE,
+    "right of way": {**FREE, "policy.mask": "right-of-way"},
 }
-"""Settings of each kind, and its seeds."""
+"""Settings of each kind."""
+SEEDS = {"published": 2, "no mask": 3, "right of way": 5}
 DRAWN = {"published": colors.BLUE, "no mask": colors.VERMILLION, "right of way": colors.GREEN}
 
 
-def settings_of(kinds: Iterable[str], *, quick: bool, device: str) -> dict[str, RaceSettings]:
-    """Return the settings of each run of some kinds, by the path of its directory."""
-    base = RaceSettings.of(
-        {
-            "schedule": "against",
-            "schedule.team": "pursuer",
-            "learner": "actor-critic",
-            "learner.device": device,
-            "schedule.archive_every": WINDOW,
-            **WORLD,
-        }
-    )
-    return {
-        directory(kind, seed): base.changed(
-            {**KINDS[kind][0], **(SMALL if quick else {}), "seed": seed}
-        )
-        for kind in kinds
-        for seed in range(min(KINDS[kind][1], 2) if quick else KINDS[kind][1])
-    }
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of each kind."""
+    small = SMALL if quick else {}
+    return {kind: BASE.changed({**changes, **small}) for kind, changes in KINDS.items()}
 
 
-def directory(kind: str, seed: int) -> str:
-    """Return the path of a run."""
-    return f"{kind.replace(' ', '-')}/{seed}"
-
-
-def of_run(run: SavedRun) -> Numbers:
+def of_run(run: SavedRun, quick: bool) -> Numbers:
     """Return the numbers of a run.
 
-    Returns
-    -------
-    dict of str to ndarray
-        Over epochs of training ``captured`` (in the last step) and ``fault`` (agent-steps of the
-        pursuers at fault in an episode); over archived generations ``reward`` (of a pursuer in an
-        episode) and ``test captured``, and ``test fault`` (generations, kinds of collision); of the
-        last generation in new episodes ``last captured``, ``last length`` and, in all of them,
-        ``last fault`` (kinds) and ``last agent-steps``.
+    Over epochs of training ``captured`` (in the last step) and ``fault`` (agent-steps of the
+    pursuers at fault in an episode); over archived generations ``reward`` (of a pursuer in an
+    episode) and ``test captured``, and ``test fault`` (generations, kinds of collision); of the
+    last generation in new episodes ``last captured``, ``last length`` and, in all of them, ``last
+    fault`` (kinds) and ``last agent-steps``.
     """
     log, own, world = run.log(), run.teams["pursuer"], run.settings.world
 
@@ -137,24 +115,6 @@ def of_run(run: SavedRun) -> Numbers:
     }
 
 
-def measured(runs: Mapping[str, SavedRun]) -> Numbers:
-    """Return the numbers of all runs."""
-    numbers: Numbers = {}
-    for kind in KINDS:
-        each = [
-            of_run(run) for name, run in runs.items() if name == directory(kind, run.settings.seed)
-        ]
-        if not each:
-            continue
-        numbers |= {f"{kind} / {key}": np.stack([one[key] for one in each]) for key in each[0]}
-    return numbers
-
-
-def kinds_of(numbers: Mapping[str, Any]) -> list[str]:
-    """Return the kinds that have been measured."""
-    return [kind for kind in KINDS if f"{kind} / captured" in numbers]
-
-
 def published_log() -> dict[str, NDArray[np.float64]]:
     """Return the columns of the authors' log: `epoch`, `reward`, `captured` and the collisions."""
     names = LOG.read_text(encoding="utf-8").splitlines()[0].split(",")
@@ -170,38 +130,41 @@ def windows(values: NDArray[Any], length: int = WINDOW) -> NDArray[np.float64]:
 
 def tables(numbers: Numbers) -> str:
     """Return the ends of all runs, and the course of the published training, in Markdown."""
-    missing = [kind for kind in KINDS if kind not in kinds_of(numbers)]
+    missing = [kind for kind in KINDS if kind not in in_order(numbers)]
     told = [f"Not measured: {', '.join(missing)} (`--kinds`)."] if missing else []
     return "\n\n".join([ends(numbers), course(numbers), *told])
 
 
+def in_order(numbers: Numbers) -> list[str]:
+    """Return the kinds that have been measured, in the order of `KINDS`."""
+    return [kind for kind in KINDS if kind in kinds_in(numbers)]
+
+
 def ends(numbers: Numbers) -> str:
     """Return how the runs ended, in Markdown."""
-    lines = [
+    told = (
         f"Ends of the runs, {LAST_EPISODES} new episodes each: evaders captured in the last step, "
         "steps, and collisions\nof the pursuers (agent-steps at fault in an episode); in training, "
-        "all of them. Mean over seeds [95% interval].\n",
-        f"| training | seeds | captured | steps | {' | '.join(COLLISION_KINDS)} "
-        "| agent-steps | collisions in training |",
-        "|---" * 9 + "|",
-    ]
-    for kind in kinds_of(numbers):
+        "all of them. Mean over seeds [95% interval].\n\n"
+    )
+    heads = ["training", "seeds", "captured", "steps", *COLLISION_KINDS]
+    rows = []
+    for kind in in_order(numbers):
         captured, length, faults, steps = (
             numbers[f"{kind} / last {key}"]
             for key in ("captured", "length", "fault", "agent-steps")
         )
-        matches = KINDS[kind][0].get("learner.population", 1)
-        cells = (
+        matches = KINDS[kind].get("learner.population", 1)
+        rows.append([
             kind,
             f"{len(captured)}",
-            written(interval_over_runs(captured, bounds=(0.0, 1.0)), 3),
-            written(interval_over_runs(length, bounds=(0.0, np.inf)), 0),
+            mean(captured, bounds=(0.0, 1.0)),
+            mean(length, 0, bounds=(0.0, np.inf)),
             *(f"{each:.1f}" for each in faults.mean(axis=0) / LAST_EPISODES),
             f"{steps.sum() / 1e6:.1f} million",
             f"{matches * numbers[f'{kind} / fault'].sum(axis=1).mean():,.0f}",
-        )
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+        ])  # fmt: skip
+    return told + markdown([*heads, "agent-steps", "collisions in training"], rows)
 
 
 def course(numbers: Numbers) -> str:
@@ -212,7 +175,7 @@ def course(numbers: Numbers) -> str:
         WINDOW // 10,
     )
     columns = [*theirs[[1, 2, 0]]]
-    if "published" in kinds_of(numbers):
+    if "published" in in_order(numbers):
         captured, faults = (windows(numbers[f"published / {key}"]) for key in ("captured", "fault"))
         rewards = numbers["published / reward"][:, 1:]  # the first generation is untrained
         for of_seed in zip(captured, faults, rewards, strict=True):
@@ -220,13 +183,12 @@ def course(numbers: Numbers) -> str:
     heads = ["epochs", "log: captured", "collisions", "reward"]
     for seed in range(len(columns) // 3 - 1):
         heads += [f"seed {seed}: captured", "collisions", "reward"]
-    lines = [
+    told = (
         f"The published training by windows of {WINDOW} epochs: means of an episode (the log: "
         f"every tenth epoch); rewards of a pursuer,\nours in {CURVE_EPISODES} test episodes at the "
-        "end of the window.\n",
-        f"| {' | '.join(heads)} |",
-        "|---" * len(heads) + "|",
-    ]
+        "end of the window.\n\n"
+    )
+    rows = []
     for w in range(theirs.shape[1]):
         if w >= 10 and w % 5 != 4:  # later windows change slowly
             continue
@@ -234,8 +196,8 @@ def course(numbers: Numbers) -> str:
             f"{column[w]:.{0 if k % 3 else 2}f}" if w < len(column) else ""
             for k, column in enumerate(columns)
         ]
-        lines.append(f"| {w * WINDOW} to {(w + 1) * WINDOW - 1} | {' | '.join(cells)} |")
-    return "\n".join(lines)
+        rows.append([f"{w * WINDOW} to {(w + 1) * WINDOW - 1}", *cells])
+    return told + markdown(heads, rows)
 
 
 def figure(numbers: Numbers) -> Figure:
@@ -249,7 +211,7 @@ def figure(numbers: Numbers) -> Figure:
         axes.plot(middles, line, color=colors.INK, linestyle="--", label="the authors' log")
         axes.set_xlabel("epoch")
         axes.grid(color=colors.GRID)
-    for kind in kinds_of(numbers):
+    for kind in in_order(numbers):
         color = DRAWN[kind]
         curves = {
             panels[0]: windows(numbers[f"{kind} / captured"]),
@@ -272,28 +234,14 @@ def figure(numbers: Numbers) -> Figure:
     return drawn
 
 
-def main() -> None:
-    """Play missing runs; print and write the tables, and draw the figure."""
-    parser = script_parser(__doc__, quick="a small world and two seeds")
-    names = {kind.replace(" ", "-"): kind for kind in KINDS}
-    parser.add_argument("--kinds", nargs="+", choices=names, default=[*names], help="default: all")
-    parser.add_argument("--device", default="cpu", help="device of PyTorch, such as cuda")
-    parser.add_argument("--runs", type=Path, default=Path("runs/paper_surrounding"))
-    parser.add_argument("--results", type=Path, default=Path("paper_surrounding"))
-    args = parser.parse_args()
-    kinds = [names[name] for name in args.kinds]
-    runs = finish_all(settings_of(kinds, quick=args.quick, device=args.device), args.runs)
-    file = args.results / "numbers.npz"
-    kept = dict(np.load(file)) if file.exists() else {}
-    numbers = {**kept, **measured(runs)}
-    text = tables(numbers)
-    print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    np.savez_compressed(file, **numbers)
-    figure(numbers).savefig(args.results / "training.png")
-    print(f"\nWritten: table.md, numbers.npz and training.png in {args.results}")
-
-
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=of_run,
+        table=tables,
+        seeds=max(SEEDS.values()),
+        fewer=SEEDS,
+        figures={"training.png": figure},
+    )

@@ -26,28 +26,30 @@ for the number of rows (Holm).
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
-from tqdm import tqdm
 
 import matrixworld as mw
 from common import (
     SAME_STEPS,
     SIGNIFICANCE,
-    finish_all,
-    holm,
+    Numbers,
+    Runs,
+    adjusted,
+    experiment,
     kept,
-    p_value,
-    script_parser,
+    kinds_in,
+    markdown,
+    mean,
     shown_p,
-    written,
 )
 from matrixworld import analysis
 from matrixworld._util import colors
@@ -55,26 +57,14 @@ from matrixworld._util.files import load_toml
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
 from matrixworld.solve import States, guarantees, mixture_bounds, solve
 
-FULL = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed(
-    {
-        **SAME_STEPS,
-        "policy.hidden": [32],
-        "learner.population": 24,
-        "schedule.generations": 12,
-        "schedule.pursuer_epochs": 20,
-        "schedule.evader_epochs": 20,
-        "evaluation_episodes": 64,
-    }
-)
+FULL = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed({
+    **SAME_STEPS, "policy.hidden": [32], "learner.population": 24, "evaluation_episodes": 64,
+    "schedule.generations": 12, "schedule.pursuer_epochs": 20, "schedule.evader_epochs": 20,
+})  # fmt: skip
 QUICK = {
-    "world.rows": 4,
-    "world.cols": 4,
-    "schedule.generations": 3,
-    "schedule.pursuer_epochs": 3,
-    "schedule.evader_epochs": 3,
-    "learner.population": 8,
-    "evaluation_episodes": 8,
-}
+    "world.rows": 4, "world.cols": 4, "learner.population": 8, "evaluation_episodes": 8,
+    "schedule.generations": 3, "schedule.pursuer_epochs": 3, "schedule.evader_epochs": 3,
+}  # fmt: skip
 # A match is 16 episodes here, so that 2 matches of each pair are 32.
 META = {f"schedule.{team}s_meet.episodes": 2 for team in TEAMS}
 
@@ -99,8 +89,6 @@ OTHERS = {
 }
 KINDS = {**OTHERS, **PSRO}
 
-Row = dict[str, Any]
-"""Numbers of one race: its seed, and one number of each generation from 1 (see `numbers_of`)."""
 CURVES = {
     "newest": "NashConv of the newest generations",
     "mixture": "NashConv of the mixtures, at most",
@@ -111,29 +99,23 @@ TABLED = ("newest", "mixture")
 exploitability of 0, whatever the race: it tells in the course of a race only."""
 
 
-def races(
-    base: RaceSettings, seeds: range, kinds: Mapping[str, Mapping[str, Any]] = KINDS
-) -> dict[str, RaceSettings]:
-    """Return the settings of all races, all kinds of a seed after each other."""
-    schedule = base.schedule
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of each kind of race."""
+    return races(FULL.changed(QUICK if quick else {}), KINDS)
+
+
+def races(base: RaceSettings, kinds: Mapping[str, Mapping[str, Any]]) -> dict[str, RaceSettings]:
+    """Return what the kinds change in races of a base."""
+    schedule, found = base.schedule, {}
     # With two contemporaries and one of the hall, an epoch of both teams is two of each.
     joint = (schedule.pursuer_epochs + schedule.evader_epochs) // 4
-    found = {}
-    for seed in seeds:
-        for kind, changes in kinds.items():
-            given = {"seed": seed, **changes}
-            if kind == "halls of fame":
-                given |= {
-                    "schedule.generations": schedule.generations,
-                    "schedule.joint_epochs": max(1, joint),
-                }
-            found[f"{place(kind)}/{seed}"] = base.changed(given)
+    for kind, changes in kinds.items():
+        sizes = {
+            "schedule.generations": schedule.generations,
+            "schedule.joint_epochs": max(1, joint),
+        }
+        found[kind] = base.changed({**changes, **(sizes if kind == "halls of fame" else {})})
     return found
-
-
-def place(kind: str) -> str:
-    """Return the name of the directory of all races of a kind."""
-    return kind.lower().replace(",", "").replace(" ", "-")
 
 
 # Numbers of a race
@@ -146,28 +128,48 @@ def mixtures(matrix: NDArray[np.float64], k: int) -> list[NDArray[np.float64]]:
     return [np.append(weights, rest) for weights in (nash.pursuers, nash.evaders)]
 
 
-def numbers_of(run: SavedRun, states: States) -> Row:
-    """Return the numbers of one finished race."""
+@cache
+def states_of(world: mw.WorldConfig) -> States:
+    """Return the states of a world, which all races in it share."""
+    return States(world)
+
+
+def numbers_of(run: SavedRun, quick: bool) -> dict[str, Any]:
+    """Return numbers of one finished race for each generation from 1, and steps a match.
+
+    A file beside the race keeps them for the next call.
+    """
+    return kept(run.path.with_suffix(".json"), lambda: measured(run))
+
+
+def measured(run: SavedRun) -> dict[str, Any]:
+    """Return what `numbers_of` keeps."""
     matrix, log = run.payoff().capture_rate, run.log()
-    short = guarantees(states, run.teams).exploitability
+    short = guarantees(states_of(run.settings.world), run.teams).exploitability
     generations = range(1, len(matrix))
     weights = [mixtures(matrix, k) for k in generations]
-    curves = {
-        "matches": [log["matches"][log["generation"] == k].max() for k in generations],
-        "newest": [sum(short[team][k] for team in TEAMS) for k in generations],
+    matches = [int(log["matches"][log["generation"] == k].max()) for k in generations]
+    return {
+        "matches": matches,
+        "newest": [float(sum(short[team][k] for team in TEAMS)) for k in generations],
         "mixture": [
-            sum(w @ short[team] for w, team in zip(of_k, TEAMS, strict=True)) for of_k in weights
+            float(sum(w @ short[team] for w, team in zip(of_k, TEAMS, strict=True)))
+            for of_k in weights
         ],
         "population": [analysis.exploitability(matrix, *of_k).total for of_k in weights],
+        "agent_steps": run.summary()["training_agent_steps"] / matches[-1],
     }
-    steps = run.summary()["training_agent_steps"] / int(curves["matches"][-1])
-    rounded = {name: np.round(values, 6).tolist() for name, values in curves.items()}
-    return {"seed": run.settings.seed, "agent_steps": round(steps, 3), **rounded}
 
 
-def kept_numbers(run: SavedRun, states: States) -> Row:
-    """Return the numbers of a race, which a file beside it keeps for the next call."""
-    return kept(run.path.with_suffix(".json"), lambda: numbers_of(run, states))
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return the value, and the least NashConv of the mixtures of the first seed of each kind."""
+    states = states_of(next(iter(runs.values()))[0].settings.world)
+    budget = min(int(run.log()["matches"].max()) for each in runs.values() for run in each)
+    least = {
+        f"least of {kind}": enclosure(each[0], states, each[0].generation_at("evader", budget))
+        for kind, each in runs.items()
+    }
+    return {"value": solve(states).value, **least}
 
 
 def enclosure(run: SavedRun, states: States, k: int) -> float:
@@ -186,19 +188,24 @@ def enclosure(run: SavedRun, states: States, k: int) -> float:
 # Tables and figures
 
 
-def at_budget(found: Mapping[str, Sequence[Row]]) -> tuple[int, dict[str, dict[str, NDArray[Any]]]]:
+Reached = Mapping[str, Mapping[str, NDArray[Any]]]
+"""Kind -> name -> a number of each seed."""
+
+
+def at_budget(numbers: Numbers) -> tuple[int, Reached]:
     """Return the budget, and the numbers of all seeds of each kind within it."""
-    budget = min(row["matches"][-1] for rows in found.values() for row in rows)
-    numbers = {}
-    for kind, rows in found.items():
-        ends = [int(np.searchsorted(row["matches"], budget, side="right")) - 1 for row in rows]
-        numbers[kind] = {
-            name: np.array([row[name][end] for row, end in zip(rows, ends, strict=True)])
-            for name in CURVES
+    kinds = kinds_in(numbers)
+    budget = min(int(numbers[f"{kind} / matches"][:, -1].min()) for kind in kinds)
+    found = {}
+    for kind in kinds:
+        ends = (numbers[f"{kind} / matches"] <= budget).sum(axis=1) - 1
+        seeds = np.arange(len(ends))
+        found[kind] = {
+            **{name: numbers[f"{kind} / {name}"][seeds, ends] for name in CURVES},
+            "generation": 1 + ends,
+            "agent_steps": numbers[f"{kind} / agent_steps"],
         }
-        numbers[kind]["generation"] = 1 + np.array(ends)
-        numbers[kind]["agent_steps"] = np.array([row["agent_steps"] for row in rows])
-    return budget, numbers
+    return budget, found
 
 
 def verdict(p: float, difference: float) -> str:
@@ -206,59 +213,51 @@ def verdict(p: float, difference: float) -> str:
     return "cannot tell" if p > SIGNIFICANCE else "lower" if difference < 0.0 else "higher"
 
 
-def differences(
-    reached: Mapping[str, Mapping[str, NDArray[Any]]], labels: Mapping[str, str]
-) -> list[str]:
+def differences(reached: Reached, labels: Mapping[str, str]) -> str:
     """Return the differences of all kinds from generalists as a table in Markdown."""
     others = [kind for kind in reached if kind != GENERALISTS]
-    lines = ["", "Differences from generalists of the same seed:", ""]
-    lines += [f"| race | {' | '.join(f'{label} | Holm' for label in labels.values())} |"]
-    lines += ["|---" * (1 + 2 * len(labels)) + "|"]
     # Pairs of the same seed: both races start with the same genomes.
     found = {
         (kind, name): reached[kind][name] - reached[GENERALISTS][name]
         for kind in others
         for name in labels
     }
-    adjusted = holm([p_value(each) for each in found.values()])
-    told = dict(zip(found, adjusted, strict=True))
-    for kind in others:
-        cells = [kind]
-        for name in labels:
-            difference, p = found[kind, name], told[kind, name]
-            cells += [
-                written(analysis.interval_over_runs(difference), sign="+"),
-                f"{shown_p(p)}, {verdict(p, difference.mean())}",
-            ]
-        lines.append(f"| {' | '.join(cells)} |")
-    return lines
+    p_values = adjusted(found)
+
+    def cells(kind: str, name: str) -> list[str]:
+        difference, p = found[kind, name], p_values[kind, name]
+        return [mean(difference, sign="+"), f"{shown_p(p)}, {verdict(p, difference.mean())}"]
+
+    heads = ["race", *(head for label in labels.values() for head in (label, "Holm"))]
+    rows = [[kind, *(cell for name in labels for cell in cells(kind, name))] for kind in others]
+    return "Differences from generalists of the same seed:\n\n" + markdown(heads, rows)
 
 
-def table(numbers: Mapping[str, Any]) -> str:
+def table(numbers: Numbers) -> str:
     """Return the comparison of all kinds of race as tables in Markdown."""
-    found: dict[str, list[Row]] = numbers["races"]
-    budget, reached = at_budget(found)
-    lines = [
-        f"After {budget:,} matches; means over {len(found[GENERALISTS])} seeds [95 %]. "
+    budget, reached = at_budget(numbers)
+    rows = [
+        [
+            kind,
+            f"{each['generation'].mean():.1f}",
+            f"{each['agent_steps'].mean():.1f}",
+            *(mean(each[name]) for name in TABLED),
+        ]
+        for kind, each in reached.items()
+    ]
+    width = max(
+        float(each["mixture"][0] - numbers[f"least of {kind}"]) for kind, each in reached.items()
+    )
+    heads = ["race", "generations", "agent-steps a match", *(CURVES[name] for name in TABLED)]
+    parts = [
+        f"After {budget:,} matches; means over {len(reached[GENERALISTS]['newest'])} seeds [95 %]. "
         f"The value is {numbers['value']:.3f}.",
-        "",
-        f"| race | generations | agent-steps a match | {' | '.join(CURVES[n] for n in TABLED)} |",
-        "|---" * (3 + len(TABLED)) + "|",
-    ]
-    for kind, each in reached.items():
-        means = [written(analysis.interval_over_runs(each[name])) for name in TABLED]
-        counts = [f"{each['generation'].mean():.1f}", f"{each['agent_steps'].mean():.1f}"]
-        lines.append(f"| {' | '.join([kind, *counts, *means])} |")
-    lines += differences(reached, {name: CURVES[name] for name in TABLED})
-    widths = [
-        float(reached[kind]["mixture"][0]) - least for kind, least in numbers["least"].items()
-    ]
-    lines += [
-        "",
-        f"In the races of the first seed the bound of the mixtures is at most {max(widths):.4f} "
+        markdown(heads, rows),
+        differences(reached, {name: CURVES[name] for name in TABLED}),
+        f"In the races of the first seed the bound of the mixtures is at most {width:.4f} "
         "above what an opponent gains that is told nothing.",
     ]
-    return "\n".join(lines)
+    return "\n\n".join(parts)
 
 
 DASHES = {
@@ -287,53 +286,28 @@ def draw_curve(
         axes.fill_between(matches, band.low, band.high, color=color, alpha=0.12, lw=0)
 
 
-def draw(found: Mapping[str, Sequence[Row]], path: Path) -> None:
+def figure(numbers: Numbers) -> Figure:
     """Draw the mean curves of all kinds over the matches; of some the interval over seeds."""
-    figure, panels = plt.subplots(1, 3, figsize=(11.0, 3.6), layout="constrained", sharex=True)
+    drawn, panels = plt.subplots(1, 3, figsize=(11.0, 3.6), layout="constrained", sharex=True)
     for (name, label), axes in zip(CURVES.items(), panels, strict=True):
-        for kind, rows in found.items():
-            matches = np.mean([row["matches"] for row in rows], axis=0)
-            draw_curve(axes, kind, matches, np.array([row[name] for row in rows]))
+        for kind in kinds_in(numbers):
+            matches = numbers[f"{kind} / matches"].mean(axis=0)
+            draw_curve(axes, kind, matches, numbers[f"{kind} / {name}"])
         axes.set(title=label, xlabel="training matches")
     panels[0].set_ylabel("capture rate")
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4, frameon=False)
-    figure.savefig(path, dpi=150)
-
-
-def main() -> None:
-    """Play missing races; write their numbers, the tables and the figure."""
-    parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
-    parser.add_argument("--seeds", type=int, help="races of each kind; default 10, or 2")
-    parser.add_argument("--runs", type=Path, default=Path("runs/psro"))
-    parser.add_argument("--results", type=Path, default=Path("psro"))
-    parser.add_argument("--threads", type=int, help="default: one for each core")
-    args = parser.parse_args()
-    base, few = (FULL.changed(QUICK), 2) if args.quick else (FULL, 10)
-    seeds = range(args.seeds or few)
-    runs = finish_all(races(base, seeds), args.runs, threads=args.threads, where=args.cluster)
-    states = States(base.world, threads=args.threads)
-    found = {
-        kind: [kept_numbers(runs[f"{place(kind)}/{seed}"], states) for seed in seeds]
-        for kind in tqdm(KINDS, unit=" kinds", disable=None)
-    }
-    value = solve(states).value
-    _, reached = at_budget(found)
-    least = {
-        kind: enclosure(runs[f"{place(kind)}/0"], states, int(reached[kind]["generation"][0]))
-        for kind in KINDS
-    }
-    numbers = {"value": round(value, 6), "least": least, "races": found}
-    args.results.mkdir(parents=True, exist_ok=True)
-    path = args.results / "numbers.json"
-    path.write_text(json.dumps(numbers, indent=1) + "\n", encoding="utf-8")
-    # From the file, so that the table follows from the rounded numbers that are kept.
-    text = table(json.loads(path.read_text(encoding="utf-8")))
-    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    print(text)
-    draw(found, args.results / "curves.png")
-    print(f"Written: numbers.json, table.md and curves.png in {args.results}")
+    drawn.legend(handles, labels, loc="outside lower center", ncols=4, frameon=False)
+    return drawn
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=numbers_of,
+        together=together,
+        table=table,
+        seeds=10,
+        figures={"curves.png": figure},
+    )

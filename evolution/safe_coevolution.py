@@ -26,16 +26,14 @@ table, look at the differences: an interval around 0 says how much the mask may 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import finish_all, play, script_parser, written
+from common import SMALL_RACE, Numbers, Runs, experiment, markdown, mean, play, written
 from matrixworld import analysis, coevolution
 from matrixworld._util import colors
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable, RaceSettings, SavedRun, Team
@@ -45,35 +43,20 @@ SIGMA = 0.1  # standard deviation of the evolution strategy's samples
 MARKERS = "osD^v<>ph"  # one for each price
 
 
-@dataclass(frozen=True)
-class Budget:
-    """Prices, world and length of the races; all races have the same number of matches.
-
-    Parameters
-    ----------
-    prices : tuple of float
-        Price of a collision at fault per agent-step.
-    seeds : int
-        Races at each price.
-    world : WorldConfig
-        World of all matches.
-    generations : int
-        Generations of a race.
-    epochs : int
-        Epochs of each team in a generation.
-    samples : int
-        Candidates of the evolution strategy in each epoch.
-    episodes : int
-        Episodes of each pair in the final evaluation.
-    """
+class Budget(NamedTuple):
+    """Prices, world and length of the races; all races have the same number of matches."""
 
     prices: tuple[float, ...]
+    """Prices of a collision at fault per agent-step."""
     seeds: int
     world: mw.WorldConfig
     generations: int
     epochs: int
+    """Epochs of each team in a generation."""
     samples: int
+    """Candidates of the evolution strategy in each epoch."""
     episodes: int
+    """Episodes of each pair in the final evaluation."""
 
     @property
     def matches(self) -> int:
@@ -123,19 +106,13 @@ def race(price: float, budget: Budget, seed: int) -> dict[Team, np.ndarray]:
 
 
 class Evaluation(NamedTuple):
-    """Means over all matches of one team's champions.
-
-    Parameters
-    ----------
-    score : ndarray of float64, shape (prices, seeds)
-        Capture rate of pursuers, escape rate of evaders.
-    collisions : ndarray of float64, shape (prices, seeds, 3)
-        Agent-steps per 1000: at fault with obstacles, at fault with teammates, and involved with
-        adversaries. Contact with adversaries is a capture here, so no agent is at fault.
-    """
+    """Means over all matches of one team's champions, by price and seed."""
 
     score: np.ndarray
+    """Capture rate of pursuers, escape rate of evaders."""
     collisions: np.ndarray
+    """Agent-steps per 1000 (last axis): at fault with obstacles, at fault with teammates, and
+    involved with adversaries. Contact with adversaries is a capture here: no agent is at fault."""
 
 
 def evaluate(champions: Mapping[Team, np.ndarray], budget: Budget) -> dict[Team, Evaluation]:
@@ -164,38 +141,53 @@ def evaluate(champions: Mapping[Team, np.ndarray], budget: Budget) -> dict[Team,
     return evaluations
 
 
-def table(evaluations: Mapping[Team, Evaluation], budget: Budget) -> str:
+def price_table(evaluations: Mapping[Team, Evaluation], numbers: Numbers) -> str:
     """Return the evaluations in Markdown: means over seeds, with intervals over seeds."""
-
-    def cell(values: np.ndarray, digits: int) -> str:
-        # A single seed has no interval, and equal values have none either.
-        mean = analysis.interval_over_runs(values, bounds=(0.0, np.inf))
-        if mean.low is None:
-            return f"{mean.value:.{digits}f}"
-        return f"{mean.value:.{digits}f} [{mean.low:.{digits}f}, {mean.high:.{digits}f}]"
-
-    lines = [
-        "Score: capture rate of pursuers, escape rate of evaders. Obstacles, teammates: steps at",
-        "fault, adversaries: steps in contact, both per 1000 agent-steps. [95% over seeds]\n",
-        "| team | price | score | obstacles | teammates | adversaries | matches |",
-        "|---|---|---|---|---|---|---|",
-    ]
+    told = (
+        "Score: capture rate of pursuers, escape rate of evaders. Obstacles, teammates: steps at\n"
+        "fault, adversaries: steps in contact, both per 1000 agent-steps. [95% over seeds]\n\n"
+    )
+    rows = []
     for team, evaluation in evaluations.items():
-        for price, score, rates in zip(budget.prices, *evaluation, strict=True):
-            numbers = (cell(score, 2), *(cell(rate, 0) for rate in rates.T))
-            cells = (f"{team}s", f"{price:g}", *numbers, f"{budget.matches:,}")
-            lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+        for price, score, rates in zip(numbers["prices"], *evaluation, strict=True):
+            means = (mean(rate, 0, bounds=(0.0, np.inf)) for rate in rates.T)
+            score_mean = mean(score, 2, bounds=(0.0, np.inf))
+            matches = f"{numbers['matches']:,}"
+            rows.append([f"{team}s", f"{price:g}", score_mean, *means, matches])
+    heads = ["team", "price", "score", "obstacles", "teammates", "adversaries", "matches"]
+    return told + markdown(heads, rows)
 
 
-def figure(evaluations: Mapping[Team, Evaluation], budget: Budget) -> Figure:
+def evaluations_in(numbers: Numbers) -> dict[Team, Evaluation]:
+    """Return the evaluations that are kept."""
+    return {
+        team: Evaluation(numbers[f"{team} score"], numbers[f"{team} collisions"])
+        for team in coevolution.TEAMS
+    }
+
+
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Run a race for each price and seed; return the evaluation of their champions."""
+    budget = QUICK if quick else FULL
+    races = [(price, seed) for price in budget.prices for seed in range(budget.seeds)]
+    bar = tqdm(races, desc="races", disable=None)
+    last = [race(price, budget, seed) for price, seed in bar]
+    champions = {team: np.stack([each[team] for each in last]) for team in coevolution.TEAMS}
+    numbers: dict[str, Any] = {"prices": budget.prices, "matches": budget.matches}
+    for team, evaluation in evaluate(champions, budget).items():
+        numbers |= {f"{team} score": evaluation.score, f"{team} collisions": evaluation.collisions}
+    return numbers
+
+
+def figure(numbers: Numbers) -> Figure:
     """Draw score over collisions at fault: small marks are seeds, large ones are means."""
+    evaluations, prices = evaluations_in(numbers), numbers["prices"]
     drawn = Figure(figsize=(9.0, 4.4), dpi=150, layout="constrained")
     panels = drawn.subplots(1, 2, sharex=True, sharey=True)
     teams = zip(evaluations.items(), panels, colors.TEAMS, ("capture", "escape"), strict=True)
     for (team, (score, collisions)), axes, color, aim in teams:
         at_fault = collisions[:, :, :2].sum(axis=2)
-        for price, x, y, mark in zip(budget.prices, at_fault, score, MARKERS, strict=False):
+        for price, x, y, mark in zip(prices, at_fault, score, MARKERS, strict=False):
             axes.plot(x, y, mark, color=color, markersize=4, alpha=0.6)
             ring = {"color": color, "markersize": 11, "fillstyle": "none"}
             axes.plot(x.mean(), y.mean(), mark, label=f"price {price:g}", **ring)
@@ -207,85 +199,70 @@ def figure(evaluations: Mapping[Team, Evaluation], budget: Budget) -> Figure:
 
 
 MASKS = ("none", "right-of-way")
-MASK_SEEDS = 10
-TINY_RACE = {
-    "world.rows": 10, "world.cols": 10, "world.n_pursuers": 3, "world.n_evaders": 4,
-    "world.max_steps": 60, "schedule.generations": 4, "schedule.pursuer_epochs": 2,
-    "schedule.evader_epochs": 2, "learner.population": 8, "train_steps": 40,
+QUICK_RACE = {
+    **SMALL_RACE, "schedule.generations": 4, "schedule.pursuer_epochs": 2,
+    "schedule.evader_epochs": 2,
 }  # fmt: skip
 
 
-def masked_races(*, quick: bool, root: Path) -> dict[str, list[SavedRun]]:
-    """Return default races with each of `MASKS`, by seed; play the missing ones."""
-    seeds = range(2 if quick else MASK_SEEDS)
-    settings = {
-        f"{mask}/{seed}": RaceSettings.of(
-            {**(TINY_RACE if quick else {}), "policy.mask": mask, "seed": seed}
-        )
-        for seed in seeds
-        for mask in MASKS
-    }
-    runs = finish_all(settings, root)
-    return {mask: [runs[f"{mask}/{seed}"] for seed in seeds] for mask in MASKS}
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return default races with each of `MASKS`."""
+    base = RaceSettings.of(QUICK_RACE if quick else {})
+    return {mask: base.changed({"policy.mask": mask}) for mask in MASKS}
 
 
-def mask_table(races: Mapping[str, list[SavedRun]]) -> str:
-    """Return what the masks change, in Markdown: means over seeds, and differences of seeds."""
-    found = {mask: np.array([of_race(run) for run in runs]) for mask, runs in races.items()}
-    rows = {
-        **found,
-        "right of way, minus none": np.subtract(*(found[mask] for mask in MASKS[::-1])),
-    }
-    heads = [
-        "mask", "score, pursuers", "score, evaders", "collisions, pursuers", "evaders",
-        "in all of training",
-    ]  # fmt: skip
-    lines = [
-        "Scores of the last generations against held-out opponents; collisions: agent-steps at "
-        "fault in an episode\nof the last generation's training, and in all of training. "
-        "[95% over seeds]\n",
-        f"| {' | '.join(heads)} |",
-        "|---" * len(heads) + "|",
-    ]
-    for label, numbers in rows.items():
-        sign = "+" if "minus" in label else ""
-        means = [analysis.interval_over_runs(column) for column in numbers.T]
-        cells = [*(written(each, 2, sign) for each in means[:2])]
-        cells += [written(each, 1, sign) for each in means[2:4]]
-        lines.append(f"| {' | '.join([label, *cells, format(means[4].value, f'{sign},.0f')])} |")
-    return "\n".join(lines)
-
-
-def of_race(run: SavedRun) -> list[float]:
+def of_race(run: SavedRun, quick: bool) -> dict[str, list[float]]:
     """Return scores of both teams and collisions: late ones of both teams, and all of training."""
     scores, log = coevolution.score(run), run.log()
     late = log["generation"] == log["generation"].max()
     episodes = np.diff(log["matches"], prepend=0)
     collisions = [log[f"{team}_faults"] for team in coevolution.TEAMS]
-    return [
-        *(float(scores[team].means[-1]) for team in coevolution.TEAMS),
-        *(float(each[late].mean()) for each in collisions),
-        float(sum(each @ episodes for each in collisions)),
-    ]
+    return {
+        "scores": [float(scores[team].means[-1]) for team in coevolution.TEAMS],
+        "late": [float(each[late].mean()) for each in collisions],
+        "all": [float(sum(each @ episodes for each in collisions))],
+    }
 
 
-def main() -> None:
-    """Run a race for each price and seed; print and draw the evaluation."""
-    parser = script_parser(__doc__, quick="two prices and a small world")
-    parser.add_argument("--figure", default="safe_coevolution.png", help="file to draw to")
-    parser.add_argument("--runs", type=Path, default=Path("runs/safe_coevolution"))
-    args = parser.parse_args()
-    budget = QUICK if args.quick else FULL
-    races = [(price, seed) for price in budget.prices for seed in range(budget.seeds)]
-    bar = tqdm(races, desc="races", disable=None)
-    last = [race(price, budget, seed) for price, seed in bar]
-    champions = {team: np.stack([each[team] for each in last]) for team in coevolution.TEAMS}
-    evaluations = evaluate(champions, budget)
-    print(table(evaluations, budget))
-    figure(evaluations, budget).savefig(args.figure)
-    print(f"\n{mask_table(masked_races(quick=args.quick, root=args.runs))}")
-    print(f"\nDrawn: {args.figure}")
+def mask_table(numbers: Numbers) -> str:
+    """Return what the masks change, in Markdown: means over seeds, and differences of seeds."""
+    found = {
+        mask: np.hstack([numbers[f"{mask} / {name}"] for name in ("scores", "late", "all")])
+        for mask in MASKS
+    }
+    found["right of way, minus none"] = np.subtract(*(found[mask] for mask in MASKS[::-1]))
+    rows = []
+    for label, columns in found.items():
+        sign = "+" if "minus" in label else ""
+        means = [analysis.interval_over_runs(column) for column in columns.T]
+        digits = (2, 2, 1, 1)
+        cells = [written(each, n, sign) for each, n in zip(means, digits, strict=False)]
+        rows.append([label, *cells, format(means[4].value, f"{sign},.0f")])
+    heads = [
+        "mask", "score, pursuers", "score, evaders", "collisions, pursuers", "evaders",
+        "in all of training",
+    ]  # fmt: skip
+    told = (
+        "Scores of the last generations against held-out opponents; collisions: agent-steps at "
+        "fault in an episode\nof the last generation's training, and in all of training. "
+        "[95% over seeds]\n\n"
+    )
+    return told + markdown(heads, rows)
+
+
+def table(numbers: Numbers) -> str:
+    """Return both tables."""
+    return f"{price_table(evaluations_in(numbers), numbers)}\n\n{mask_table(numbers)}"
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=of_race,
+        together=together,
+        table=table,
+        seeds=10,
+        figures={"prices.png": figure},
+    )

@@ -19,8 +19,6 @@ numbers, the tables and two figures. Needs PyTorch.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,21 +26,28 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from common import SIGNIFICANCE, holm, p_value, script_parser, shown_p, written
+from common import (
+    SIGNIFICANCE,
+    Numbers,
+    Runs,
+    adjusted,
+    experiment,
+    kinds_in,
+    markdown,
+    mean,
+    shown_p,
+)
 from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.world.rules import COLLISION_KINDS
-from safe_runs import FEW_SEEDS, FULL, LIMIT, QUICK, long_test, measured, play
-
-Numbers = Mapping[str, NDArray[Any]]
-"""The arrays that `safe_runs.measured` returns."""
+from safe_runs import FEW_SEEDS, LIMIT, METHODS, VARIANTS, budget, kinds, long_test, of_run
 
 EVOLVED = " evolution: "
 LONG_TEST = 1e7
 """Steps of pursuers with right of way in the test of all their last generations."""
-HEAD = " | ".join(
-    ["capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps"]
-)
+HEADS = (
+    "capture rate", "steps", "collisions", *COLLISION_KINDS, "while training", "million steps",
+)  # fmt: skip
 NOTHING, TWELVE, ONE, LIMITED, WALLS, WAYS = (
     colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
 )  # fmt: skip
@@ -80,19 +85,14 @@ STYLES = [
 """Marks of the methods: filled for gradients, hollow for evolution."""
 
 
-def names_of(numbers: Numbers) -> list[str]:
-    """Return the variants and methods of the numbers, in their order."""
-    return list(dict.fromkeys(key.split(" / ")[0] for key in numbers if " / " in key))
-
-
 def variants_of(numbers: Numbers) -> list[str]:
     """Return the variants of the numbers."""
-    return list(dict.fromkeys(name.split()[0] for name in names_of(numbers)))
+    return list(dict.fromkeys(name.split()[0] for name in kinds_in(numbers)))
 
 
 def methods_of(numbers: Numbers, variant: str) -> list[str]:
-    """Return those of `names_of` that belong to a variant."""
-    return [name for name in names_of(numbers) if name.startswith(f"{variant} ")]
+    """Return the names of a variant and each of its methods."""
+    return [name for name in kinds_in(numbers) if name.startswith(f"{variant} ")]
 
 
 def within(numbers: Numbers, variant: str) -> list[str]:
@@ -121,7 +121,7 @@ def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[A
 def table(numbers: Numbers) -> str:
     """Return the comparison of the methods as a table in Markdown for each variant."""
     budget = float(numbers["budget"])
-    seeds = len(numbers[f"{names_of(numbers)[0]} / capture rate"])
+    seeds = len(numbers[f"{kinds_in(numbers)[0]} / capture rate"])
     parts = [
         f"Collisions at fault per 1000 agent-steps of the pursuers: in the test, by kind, and in "
         f"training so far.\nAll methods after at most {budget / 1e6:.4g} million agent-steps of "
@@ -130,14 +130,13 @@ def table(numbers: Numbers) -> str:
     ]
     for variant in variants_of(numbers):
         names = methods_of(numbers, variant)
-        late = [name for name in names if EVOLVED in name]
         rows = [
             *(row(numbers, name, name.removeprefix(f"{variant} "), budget)
               for name in within(numbers, variant)),
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
-              for name in late),
+              for name in names if EVOLVED in name),
         ]  # fmt: skip
-        parts.append("\n".join([f"| -{variant} | {HEAD} |", "|---" * 9 + "|", *rows]))
+        parts.append(markdown([f"-{variant}", *HEADS], rows))
     steps, faults = numbers["long test"]
     tested = (
         f"With right of way, pursuers were at fault {faults:,} times in {steps:,} agent-steps of "
@@ -158,38 +157,41 @@ def comparisons(numbers: Numbers) -> str:
         both = min(len(first[number]), len(second[number]))
         return np.asarray(first[number][:both] - second[number][:both])
 
-    found = {(row, variant): difference(variant, *row) for row in COMPARED for variant in variants}
-    adjusted = dict(zip(found, holm([p_value(each) for each in found.values()]), strict=True))
+    found = {
+        (row, variant): difference(variant, *row)
+        for row in COMPARED
+        for variant in variants
+        if {f"{variant} {method}" for method in row[1:]} <= {*kinds_in(numbers)}
+    }
+    p_values = adjusted(found)
 
     def cell(row: tuple[str, str, str], variant: str) -> str:
-        values, p = interval_over_runs(found[row, variant]), adjusted[row, variant]
+        if (row, variant) not in found:
+            return ""
+        p, digits = p_values[row, variant], 2 if row[0] == "capture rate" else 1
         unknown = "; **cannot tell**" if p > SIGNIFICANCE else ""
-        return (
-            f"{written(values, 2 if row[0] == 'capture rate' else 1, '+')}; {shown_p(p)}{unknown}"
-        )
+        return f"{mean(found[row, variant], digits, '+')}; {shown_p(p)}{unknown}"
 
-    heads = ["difference of", "between", *(f"-{variant}" for variant in variants)]
-    lines = [
-        f"| {NUMBERS[number]} | {one}, minus {other} "
-        + "".join(f"| {cell((number, one, other), variant)} " for variant in variants)
-        + "|"
-        for number, one, other in COMPARED
-    ]
-    return "\n".join([f"| {' | '.join(heads)} |", "|---" * len(heads) + "|", *lines])
+    return markdown(
+        ["difference of", "between", *(f"-{variant}" for variant in variants)],
+        [
+            [NUMBERS[row[0]], f"{row[1]}, minus {row[2]}", *(cell(row, v) for v in variants)]
+            for row in COMPARED
+        ],
+    )
 
 
-def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
+def row(numbers: Numbers, name: str, label: str, budget: float) -> list[str]:
     """Return a line of the table."""
-    found = judged(numbers, name, budget=budget)
-    cells = [
-        written(interval_over_runs(found["capture rate"], bounds=(0.0, 1.0)), 3),
-        written(interval_over_runs(found["length"], bounds=(0.0, np.inf)), 1),
-        written(interval_over_runs(found["all"], bounds=(0.0, np.inf)), 1),
+    found, positive = judged(numbers, name, budget=budget), (0.0, np.inf)
+    return [
+        label,
+        mean(found["capture rate"], bounds=(0.0, 1.0)),
+        *(mean(found[number], 1, bounds=positive) for number in ("length", "all")),
         *(f"{found[kind].mean():.1f}" for kind in COLLISION_KINDS),
-        written(interval_over_runs(found["training"], bounds=(0.0, np.inf)), 1),
+        mean(found["training"], 1, bounds=positive),
         f"{found['agent-steps'].mean():.2f}",
     ]
-    return f"| {' | '.join([label, *cells])} |"
 
 
 def training_figure(numbers: Numbers) -> Figure:
@@ -265,28 +267,28 @@ def curve(
     axes.fill_between(grid, low, high, color=style["color"], alpha=0.12, linewidth=0)
 
 
-def main() -> None:
-    """Play missing runs; print and write the comparison, and draw it."""
-    parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
-    parser.add_argument("--seeds", type=int, help="runs of each method; default 10, or 2")
-    parser.add_argument("--runs", type=Path, default=Path("runs/safe_learning"))
-    parser.add_argument("--results", type=Path, default=Path("safe_learning"))
-    args = parser.parse_args()
-    plan = QUICK if args.quick else FULL
-    runs = play(plan, range(args.seeds or plan.seeds), args.runs, args.cluster)
-    numbers = {"budget": np.array(plan.budget), **measured(runs, plan.episodes)}
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return the budget, and the ``long test``: steps of masked pursuers, and those at fault."""
     masked = [run for name, each in runs.items() if name.endswith("right of way") for run in each]
-    share = (LONG_TEST if not args.quick else 1e4) / len(masked)
-    numbers["long test"] = np.sum([long_test(run, share) for run in masked], axis=0)
-    text = table(numbers)
-    print(text)
-    args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
-    np.savez_compressed(args.results / "numbers.npz", **numbers)
-    training_figure(numbers).savefig(args.results / "training.png")
-    methods_figure(numbers).savefig(args.results / "methods.png")
-    print(f"\nWritten: table.md, numbers.npz, training.png and methods.png in {args.results}")
+    share = (1e4 if quick else LONG_TEST) / max(1, len(masked))
+    tests = [long_test(run, share) for run in masked]
+    return {"budget": budget(quick), "long test": np.sum(tests or [(0, 0)], axis=0)}
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        measure=of_run,
+        together=together,
+        table=table,
+        seeds=10,
+        fewer={
+            f"{variant} {name}": FEW_SEEDS
+            for variant in VARIANTS[False]
+            for name, method in METHODS.items()
+            if method.slow
+        },
+        figures={"training.png": training_figure, "methods.png": methods_figure},
+    )

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import SMALL_STEPS, finish_all
+from common import SMALL_STEPS
 from matrixworld.coevolution import Against, RaceSettings, SavedRun
 
 LIMIT = 20.0
@@ -53,18 +50,11 @@ EVOLUTION: dict[str, Method] = {
     "rewards with penalty 1": Method({"fitness.measure": "rewards", **_penalty(1.0)}, slow=True),
     "captures within a limit": Method({FITNESS_LIMIT: LIMIT}, slow=True),
     "captures, right of way": Method({MASK: "right-of-way"}),
-    "rewards, right of way, 16 times the matches": Method(
-        {
-            MASK: "right-of-way",
-            "fitness.measure": "rewards",
-            "learner.population": 128,
-            "match_episodes": 4,
-            "learner.sigma": 0.3,
-            "learner.learning_rate": 0.1,
-        },
-        slow=True,
-    ),
-}
+    "rewards, right of way, 16 times the matches": Method({
+        MASK: "right-of-way", "fitness.measure": "rewards", "learner.population": 128,
+        "match_episodes": 4, "learner.sigma": 0.3, "learner.learning_rate": 0.1,
+    }, slow=True),
+}  # fmt: skip
 METHODS = {
     f"{kind}: {name}": method
     for kind, methods in (("gradients", GRADIENTS), ("evolution", EVOLUTION))
@@ -72,154 +62,65 @@ METHODS = {
 }
 
 
-@dataclass(frozen=True)
-class Plan:
-    """Trainings and tests, and their sizes.
-
-    Parameters
-    ----------
-    gradients, evolution : RaceSettings
-        Training by gradients and by evolution, which the methods change.
-    variants : tuple of str
-        Variants of the game.
-    seeds : int
-        Number of training seeds, from 0.
-    episodes : int
-        Test episodes of each archived generation.
-    """
-
-    gradients: RaceSettings
-    evolution: RaceSettings
-    variants: tuple[str, ...]
-    seeds: int
-    episodes: int
-
-    @property
-    def budget(self) -> int:
-        """Agent-steps of the pursuers in a training by gradients, if no episode ends early."""
-        one = self.gradients
-        epochs = one.schedule.total_epochs("pursuer")
-        return epochs * one.learner.population * one.train_steps * one.world.n_pursuers
-
-    def trainings(self) -> dict[str, RaceSettings]:
-        """Return the settings of each method by its name, in the first variant and seed."""
-        bases = {"gradients": self.gradients, "evolution": self.evolution}
-        return {
-            name: bases[name.partition(":")[0]].changed(method.changes)
-            for name, method in METHODS.items()
-        }
-
-
 WORLD: Changes = {
     "world.rules": "SB", "world.rows": 8, "world.cols": 8, "world.n_pursuers": 6,
     "world.n_evaders": 1, "world.fov": 7, "world.max_steps": 60, "train_steps": 60,
     "schedule.team": "pursuer", "policy.hidden": (32,),
 }  # fmt: skip
-FULL = Plan(
-    RaceSettings.of(
-        {
-            "schedule": "against",
-            **WORLD,
-            "learner": "actor-critic",
-            "learner.population": 16,
-            "schedule.epochs": 1200,
-            "schedule.archive_every": 60,
-            "learner.clip": 0.2,
-            "learner.actor_updates": 4,
-            "learner.critic_updates": 4,
-            "learner.actor_rate": 1e-3,
-            "learner.critic_rate": 2e-3,
-            "learner.discount": 0.95,
-        }
-    ),
-    RaceSettings.of(
-        {
-            "schedule": "against",
-            **WORLD,
-            "learner.population": 32,
-            "schedule.epochs": 1500,
-            **SMALL_STEPS["pursuer"],
-            "schedule.archive_every": 50,
-        }
-    ),
-    variants=("S", "SB"),
-    seeds=10,
-    episodes=200,
-)
+BASES = {
+    "gradients": RaceSettings.of({
+        "schedule": "against", **WORLD, "schedule.epochs": 1200, "schedule.archive_every": 60,
+        "learner": "actor-critic", "learner.population": 16, "learner.clip": 0.2,
+        "learner.actor_updates": 4, "learner.critic_updates": 4, "learner.actor_rate": 1e-3,
+        "learner.critic_rate": 2e-3, "learner.discount": 0.95,
+    }),
+    "evolution": RaceSettings.of({
+        "schedule": "against", **WORLD, "schedule.epochs": 1500, "schedule.archive_every": 50,
+        "learner.population": 32, **SMALL_STEPS["pursuer"],
+    }),
+}  # fmt: skip
+"""Training by gradients and by evolution, which the methods change."""
 TINY: Changes = {
     "world.rows": 5, "world.cols": 5, "world.n_pursuers": 3, "world.fov": 5, "world.max_steps": 12,
     "policy.hidden": (8,), "train_steps": 10, "learner.population": 4, "schedule.epochs": 4,
     "schedule.archive_every": 2,
 }  # fmt: skip
-QUICK = Plan(
-    FULL.gradients.changed(TINY),
-    FULL.evolution.changed(TINY),
-    variants=("SB",),
-    seeds=2,
-    episodes=5,
-)
+VARIANTS = {False: ("S", "SB"), True: ("SB",)}
+EPISODES = {False: 200, True: 5}
+"""Variants of the game, and test episodes of each archived generation; with ``--quick`` or not."""
 
 
-def seeds_of(name: str, seeds: range) -> range:
-    """Return the seeds of a method."""
-    return seeds[:FEW_SEEDS] if METHODS[name].slow else seeds
-
-
-def play(plan: Plan, seeds: range, root: Path, where: str | None) -> dict[str, list[SavedRun]]:
-    """Return the runs of each variant and method, one for each seed; play the missing ones."""
-    settings = {
-        f"{variant}-{slug(name)}/{seed}": base.changed({"world.rules": variant, "seed": seed})
-        # All methods of a seed, then the next seed: what is interrupted compares equals.
-        for seed in seeds
-        for variant in plan.variants
-        for name, base in plan.trainings().items()
-        if seed in seeds_of(name, seeds)
-    }
-    runs = finish_all(settings, root, where=where)
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of each variant and method."""
     return {
-        f"{variant} {name}": [
-            runs[f"{variant}-{slug(name)}/{seed}"] for seed in seeds_of(name, seeds)
-        ]
-        for variant in plan.variants
-        for name in plan.trainings()
-    }
-
-
-def slug(name: str) -> str:
-    """Return a name as the name of a directory."""
-    return "-".join(word.strip(":,") for word in name.split())
-
-
-def measured(runs: Mapping[str, list[SavedRun]], episodes: int) -> dict[str, NDArray[Any]]:
-    """Return the numbers of all runs.
-
-    Parameters
-    ----------
-    runs : mapping of str to list of SavedRun
-        Runs of each variant and method, one for each seed.
-    episodes : int
-        Test episodes of each archived generation.
-
-    Returns
-    -------
-    dict of str to ndarray
-        By ``"<variant> <method> / <number>"``, arrays over seeds and archived generations:
-        ``agent-steps`` and ``collisions`` of the pursuers in training until then, (seeds,
-        generations), the ``capture rate`` and the mean ``length`` in the test, (seeds,
-        generations), and agent-steps at ``fault`` per 1000 in the test, (seeds, generations,
-        kinds).
-    """
-    return {
-        f"{name} / {key}": np.stack([each[key] for each in of_seeds])
-        for name, of_seeds in (
-            (name, [of_run(run, episodes) for run in each]) for name, each in runs.items()
+        f"{variant} {name}": base_of(name, quick).changed(
+            {**method.changes, "world.rules": variant}
         )
-        for key in of_seeds[0]
+        for variant in VARIANTS[quick]
+        for name, method in METHODS.items()
     }
 
 
-def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
-    """Return the numbers of one run; see `measured`."""
+def base_of(method: str, quick: bool) -> RaceSettings:
+    """Return the training that a method changes."""
+    base = BASES[method.partition(":")[0]]
+    return base.changed(TINY) if quick else base
+
+
+def budget(quick: bool) -> int:
+    """Return the steps of all pursuers in a training by gradients, if no episode ends early."""
+    one = base_of("gradients", quick)
+    epochs = one.schedule.total_epochs("pursuer")
+    return epochs * one.learner.population * one.train_steps * one.world.n_pursuers
+
+
+def of_run(run: SavedRun, quick: bool) -> dict[str, NDArray[Any]]:
+    """Return the numbers of a run over archived generations, untrained pursuers first.
+
+    ``agent-steps`` and ``collisions`` of the pursuers in training until then; in the test the
+    ``capture rate``, the mean ``length``, and agent-steps at ``fault`` per 1000 (generations,
+    kinds).
+    """
     settings, log = run.settings, run.log()
     schedule = settings.schedule
     assert isinstance(schedule, Against)
@@ -230,7 +131,7 @@ def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
     ends = np.minimum(
         np.arange(len(run.teams["pursuer"].genomes)) * schedule.archive_every, schedule.epochs
     )
-    captures, lengths, faults = tested(run, episodes)
+    captures, lengths, faults = tested(run, EPISODES[quick])
     return {
         "agent-steps": steps[ends],
         "collisions": collisions[ends],

@@ -28,8 +28,7 @@ import numpy as np
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import script_parser, written
-from matrixworld.analysis import interval_over_runs
+from common import markdown, mean, script_parser
 from matrixworld.coevolution import open_run
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.policy import TeamPolicy
@@ -159,41 +158,41 @@ def open_moves(positions: np.ndarray, n_pursuers: int, rng: np.random.Generator)
 
 def table(rows: dict[str, list[Row | None]]) -> str:
     """Return captures and steps of all kinds, faults and seconds, in Markdown."""
-    heads = " | ".join(f"{n} v {m}" for n, m in SIZES)
-    lines = [
-        "Evaders captured in the last step / steps [95% over episodes].\n",
-        f"| | {heads} | pursuers at fault |",
-        "|---" * (len(SIZES) + 2) + "|",
-        f"| FSC2, published | {' | '.join(f'{c:g} / {s}' for c, s in PUBLISHED['FSC2'])} | 0 |",
-    ]
+    sizes = [f"{n} v {m}" for n, m in SIZES]
+    published = [f"{captured:g} / {steps}" for captured, steps in PUBLISHED["FSC2"]]
+    lines = [["FSC2, published", *published, "0"]]
     for name, each in rows.items():
         faults = sum(row.faults for row in each if row)
-        lines.append(f"| {name} | {' | '.join(map(cell, each))} | {faults:,} |")
+        lines.append([name, *map(cell, each), f"{faults:,}"])
     seconds = [row.seconds if row else None for row in next(iter(rows.values()))]
-    lines += [
-        "\nSeconds an episode:\n",
-        f"| | {heads} |",
-        "|---" * (len(SIZES) + 1) + "|",
-        f"| FSC2, published | {' | '.join(f'{s:g}' for s in PUBLISHED['FSC2, seconds'])} |",
-        f"| {BEST}, one core | {' | '.join('' if s is None else f'{s:.2g}' for s in seconds)} |",
+    parts = [
+        "Evaders captured in the last step / steps [95% over episodes].",
+        markdown(["", *sizes, "pursuers at fault"], lines).replace("|  |", "| |", 1),
+        "Seconds an episode:",
+        markdown(
+            ["", *sizes],
+            [
+                ["FSC2, published", *(f"{s:g}" for s in PUBLISHED["FSC2, seconds"])],
+                [f"{BEST}, one core", *("" if s is None else f"{s:.2g}" for s in seconds)],
+            ],
+        ).replace("|  |", "| |", 1),
     ]
-    return "\n".join(lines)
+    return "\n\n".join(parts)
 
 
 def cell(row: Row | None) -> str:
     """Return captures and steps of a row as text."""
     if row is None:
         return ""
-    steps = interval_over_runs(row.steps, bounds=(0.0, float(STEPS)))
-    return f"{np.mean(row.captured):.4g} / {written(steps, 0)}"
+    return f"{np.mean(row.captured):.4g} / {mean(row.steps, 0, bounds=(0.0, float(STEPS)))}"
 
 
 def networks_in(directory: Path) -> mw.Population:
     """Return the last pursuers of all runs in a directory."""
-    teams = [open_run(path.parent).teams["pursuer"] for path in directory.glob("*/summary.json")]
-    if not teams:
+    last = [open_run(path.parent).last("pursuer") for path in directory.glob("*/summary.json")]
+    if not last:
         raise FileNotFoundError(f"{directory}: expected directories of finished runs, got none")
-    return mw.Population(np.stack([team.genomes[-1] for team in teams]), teams[0].network)
+    return mw.Population(np.concatenate([team.genomes for team in last]), last[0].network)
 
 
 def rows_of(kinds: Iterable[Kind], sizes: Iterable[tuple[int, int]], share: float) -> Any:

@@ -18,25 +18,32 @@ evader on 6 x 6 cells for 8 steps, and 3 against 5 on 12 x 12 cells for 50 steps
 
 Look at the last columns: the difference of each seed, race minus yoked race, with its interval over
 seeds and its p-value, adjusted for the rows of a table (Holm). *Alike* means that the whole
-interval lies within .05, the margin of the judgement. ``--results`` receives the tables, and the
-numbers of each race.
+interval lies within .05, the margin of the judgement.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from tqdm import tqdm
 
 import matrixworld as mw
-from common import SIGNIFICANCE, finish_all, holm, p_value, script_parser, shown_p, written
+from common import (
+    SIGNIFICANCE,
+    Numbers,
+    Runs,
+    adjusted,
+    experiment,
+    kinds_in,
+    markdown,
+    shown_p,
+    written,
+)
 from matrixworld import analysis
 from matrixworld._util.files import load_toml
 from matrixworld.coevolution import (
@@ -59,85 +66,36 @@ EPISODES = 10
 MARGIN = 0.05
 """A smaller difference does not matter; that of the judgement."""
 
-SMALL = RaceSettings.of(
-    {
-        "world.rows": 6,
-        "world.cols": 6,
-        "world.n_pursuers": 2,
-        "world.n_evaders": 1,
-        "world.max_steps": 8,
-        "train_steps": 8,
-        "match_episodes": 4,
-        "learner.relative_sigma": 0.0,
-        "learner.learning_rate": 0.05,
-        "schedule.pursuer_epochs": 60,
-        "schedule.evader_epochs": 60,
-        "evaluation_episodes": 40,
-    }
-)
-MEDIUM = SMALL.changed(
-    {
-        "world.rows": 12,
-        "world.cols": 12,
-        "world.n_pursuers": 3,
-        "world.n_evaders": 5,
-        "world.max_steps": 50,
-        "train_steps": 50,
-        "match_episodes": 1,
-        "schedule.generations": 20,
-        "evaluation_episodes": 20,
-    }
-)
-
-
-@dataclass(frozen=True)
-class Experiment:
-    """Races of one schedule in one world; with `exact` numbers where the world can be solved."""
-
-    base: RaceSettings
-    schedule: str
-    exact: bool = False
-
-    def settings(self, seed: int) -> RaceSettings:
-        """Return the settings of the race of a seed."""
-        meet = SCHEDULES[self.schedule]
-        changes = {"pursuers_meet": meet.pursuers_meet, "evaders_meet": meet.evaders_meet}
-        return replace(self.base, seed=seed, schedule=replace(self.base.schedule, **changes))
-
-
-GENERALISTS = "generalist-generalist"
-TURNS = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed(
-    {
-        "match_episodes": 8,
-        "learner.relative_sigma": 0.0,
-        "learner.learning_rate": 0.05,
-        "schedule.pursuer_epochs": 30,
-        "schedule.evader_epochs": 30,
-        "evaluation_episodes": 40,
-    }
-)
-FULL = {
-    "turns, generalists": Experiment(TURNS, GENERALISTS, exact=True),
-    "small, generalists": Experiment(SMALL, GENERALISTS),
-    "medium, generalists": Experiment(MEDIUM, GENERALISTS),
+MEET = {
+    f"schedule.{name}": getattr(SCHEDULES["generalist-generalist"], name)
+    for name in ("pursuers_meet", "evaders_meet")
 }
-TINY = TURNS.changed(
-    {
-        "world.rows": 4,
-        "world.cols": 4,
-        "match_episodes": 4,
-        "learner.population": 8,
-        "schedule.generations": 11,
-        "schedule.pursuer_epochs": 2,
-        "schedule.evader_epochs": 2,
-    }
-)
-QUICK = {"tiny, generalists": Experiment(TINY, GENERALISTS, exact=True)}
-
-Row = dict[str, float]
-"""Numbers of one race by name."""
-Kinds = dict[str, dict[str, Any]]
-"""By kind: ``"rows"``, one for each seed, and ``"judgement"`` of all of them, by condition."""
+SMALL = RaceSettings.of({
+    "world.rows": 6, "world.cols": 6, "world.n_pursuers": 2, "world.n_evaders": 1,
+    "world.max_steps": 8, "train_steps": 8, "match_episodes": 4, "evaluation_episodes": 40,
+    "learner.relative_sigma": 0.0, "learner.learning_rate": 0.05,
+    "schedule.pursuer_epochs": 60, "schedule.evader_epochs": 60, **MEET,
+})  # fmt: skip
+TURNS = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml"))).changed({
+    "match_episodes": 8, "evaluation_episodes": 40,
+    "learner.relative_sigma": 0.0, "learner.learning_rate": 0.05,
+    "schedule.pursuer_epochs": 30, "schedule.evader_epochs": 30, **MEET,
+})  # fmt: skip
+WORLDS = {
+    "turns": TURNS,
+    "small": SMALL,
+    "medium": SMALL.changed({
+        "world.rows": 12, "world.cols": 12, "world.n_pursuers": 3, "world.n_evaders": 5,
+        "world.max_steps": 50, "train_steps": 50, "match_episodes": 1, "evaluation_episodes": 20,
+        "schedule.generations": 20,
+    }),
+}  # fmt: skip
+TINY = TURNS.changed({
+    "world.rows": 4, "world.cols": 4, "match_episodes": 4, "learner.population": 8,
+    "schedule.generations": 11, "schedule.pursuer_epochs": 2, "schedule.evader_epochs": 2,
+})  # fmt: skip
+EXACT = {"turns", "tiny"}
+"""Worlds that are solved."""
 
 SHARES = ("arms race", "rise")
 """Conditions: 1 if the judgement of a single race finds it in the whole race, else 0."""
@@ -157,51 +115,52 @@ NAMES = {
 }
 
 
-def play(
-    experiment: Experiment, name: str, seeds: int, root: Path, threads: int | None
-) -> dict[str, list[SavedRun]]:
-    """Return the finished runs of both kinds by seed, playing the missing ones."""
-    world, _, _ = name.partition(",")
-
-    def place(each: RaceSettings, seed: int) -> str:
-        return f"{world}-{each.schedule.name}/seed-{seed}"
-
-    races = {place(each, each.seed): each for each in map(experiment.settings, range(seeds))}
-    yoked = {}
-    for each in races.values():
-        race = root.absolute() / place(each, (each.seed + 1) % seeds)
-        schedule = Yoked(**vars(each.schedule), race=str(race))
-        control = replace(each, schedule=schedule)
-        yoked[place(control, control.seed)] = control
-    return {
-        kind: [*finish_all(settings, root, threads=threads).values()]
-        for kind, settings in ((RACE, races), (YOKED, yoked))
-    }
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of the races of each world."""
+    worlds = {"tiny": TINY} if quick else WORLDS
+    return {f"{world}, generalists, {RACE}": settings for world, settings in worlds.items()}
 
 
-def numbers(
-    experiment: Experiment, runs: Mapping[str, Sequence[SavedRun]], threads: int | None
-) -> Kinds:
-    """Return the numbers of all races, and the judgement of each kind."""
-    found: Kinds = {}
+def yoked(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
+    """Return the settings of races whose opponents are those of the race of the next seed."""
+    found = {}
+    for kind, races in runs.items():
+        replayed = [*races[1:], races[0]]
+        found[kind.removesuffix(RACE) + YOKED] = [
+            replace(
+                race.settings,
+                schedule=Yoked(**vars(race.settings.schedule), race=str(each.path.absolute())),
+            )
+            for race, each in zip(races, replayed, strict=True)
+        ]
+    return found
+
+
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return the numbers of `NAMES` of each kind of race by seed, and its ``judgement``."""
+    numbers: dict[str, Any] = {}
     for kind, each in runs.items():
+        races = runs[kind.removesuffix(YOKED).removesuffix(RACE) + RACE]
         rates = np.stack([run.payoff().capture_rates for run in each])
         judged = analysis.judge(rates, per_episode=True).windows["whole"]
-        rows = []
-        for seed in tqdm(range(len(each)), unit=" races", desc=kind, disable=None):
-            row = {f"{team}_gain": gain(rates[seed], team) for team in TEAMS}
-            for name in SHARES:
-                row[name] = float(judged[name].by_run[seed] == "present")
-            met = each[seed] if kind == RACE else runs[RACE][(seed + 1) % len(each)]
-            for team in TEAMS:
-                row[f"{team}_met"] = gain_against_met(team, each[seed], met, threads)
-                row[f"{team}_common"] = against_common(team, seed, each[seed], runs[RACE], threads)
-                if experiment.exact:
-                    row |= exactly(team, each[seed])
-            rows.append(row)
-        verdicts = {name: finding.verdict for name, finding in judged.items()}
-        found[kind] = {"rows": rows, "judgement": verdicts}
-    return found
+        numbers[f"judgement of {kind}"] = [[name, each.verdict] for name, each in judged.items()]
+        for name in SHARES:
+            present = [verdict == "present" for verdict in judged[name].by_run]
+            numbers[f"{kind} / {name}"] = np.array(present, float)
+        met = [*races[1:], races[0]] if kind.endswith(YOKED) else races
+        for team in TEAMS:
+            rows = [
+                {
+                    "gain": gain(rates[seed], team),
+                    "met": gain_against_met(team, run, met[seed]),
+                    "common": against_common(team, seed, run, races),
+                    **(exactly(team, run) if kind.split(",")[0] in EXACT else {}),
+                }
+                for seed, run in enumerate(each)
+            ]
+            for name in rows[0]:
+                numbers[f"{kind} / {team}_{name}"] = [row[name] for row in rows]
+    return numbers
 
 
 def gain(rates: NDArray[np.float32], team: Team) -> float:
@@ -210,7 +169,7 @@ def gain(rates: NDArray[np.float32], team: Team) -> float:
     return float(analysis.MEASURES[f"{team}_gain"].of(payoffs, "whole").value)
 
 
-def gain_against_met(team: Team, run: SavedRun, met: SavedRun, threads: int | None) -> float:
+def gain_against_met(team: Team, run: SavedRun, met: SavedRun) -> float:
     """Return a team's gain against the other team of the race that it met in training."""
     teams = {team: run.teams[team], other(team): met.teams[other(team)]}
     rates = tournament(
@@ -219,7 +178,6 @@ def gain_against_met(team: Team, run: SavedRun, met: SavedRun, threads: int | No
         teams["evader"],
         seed=run.settings.seed,
         episodes=run.settings.evaluation_episodes,
-        threads=threads,
     ).capture_rates
     return gain(rates, team)
 
@@ -230,9 +188,7 @@ def late(run: SavedRun, team: Team) -> slice:
     return slice(count - max(1, count // 5), count)
 
 
-def against_common(
-    team: Team, seed: int, run: SavedRun, races: Sequence[SavedRun], threads: int | None
-) -> float:
+def against_common(team: Team, seed: int, run: SavedRun, races: Sequence[SavedRun]) -> float:
     """Return how much a team's last fifth is better than generation 0, against other races.
 
     The opponents are every fifth generation of the races of other seeds, without the next seed,
@@ -252,7 +208,6 @@ def against_common(
         met["evader"],
         seed=seed,
         episodes=EPISODES,
-        threads=threads,
     ).capture_rate
     scores = payoff.mean(axis=1) if team == "pursuer" else 1 - payoff.mean(axis=0)
     return float(scores[1:].mean() - scores[0])
@@ -264,7 +219,7 @@ def solved(world: mw.WorldConfig) -> Solution:
     return solve(world)
 
 
-def exactly(team: Team, run: SavedRun) -> Row:
+def exactly(team: Team, run: SavedRun) -> dict[str, float]:
     """Return how much a team's last fifth is better than generation 0, exactly.
 
     Against perfect play, and against the best response to each generation: what it guarantees.
@@ -278,7 +233,7 @@ def exactly(team: Team, run: SavedRun) -> Row:
         rates.append((expected_payoff(solution.states, *pair), responded))
     # Captures are what pursuers want, and evaders do not.
     rises = (np.mean(rates[1:], axis=0) - rates[0]) * (1 if team == "pursuer" else -1)
-    return {f"{team}_perfect": float(rises[0]), f"{team}_guaranteed": float(rises[1])}
+    return {"perfect": float(rises[0]), "guaranteed": float(rises[1])}
 
 
 def verdict(p: float, difference: analysis.Estimate) -> str:
@@ -290,68 +245,48 @@ def verdict(p: float, difference: analysis.Estimate) -> str:
     return "alike" if max(-difference.low, difference.high) < MARGIN else "cannot tell"
 
 
-def table(name: str, found: Kinds) -> str:
-    """Return the comparison of both kinds of an experiment in Markdown."""
-    rows = {kind: each["rows"] for kind, each in found.items()}
-    names = [key for key in NAMES if key in rows[RACE][0]]
+def table(numbers: Numbers) -> str:
+    """Return the comparison of both kinds of race in each world, in Markdown."""
+    worlds = [kind.removesuffix(f", {RACE}") for kind in kinds_in(numbers)]
+    return "\n\n".join(of_world(numbers, each) for each in worlds if not each.endswith(YOKED))
+
+
+def of_world(numbers: Numbers, world: str) -> str:
+    """Return the comparison of both kinds of race in a world."""
+    names = [name for name in NAMES if f"{world}, {RACE} / {name}" in numbers]
     values = {
-        kind: {key: np.array([row[key] for row in each]) for key in names}
-        for kind, each in rows.items()
+        kind: {name: numbers[f"{world}, {kind} / {name}"] for name in names}
+        for kind in (RACE, YOKED)
     }
-    differences = {key: values[RACE][key] - values[YOKED][key] for key in names}
-    adjusted = holm([p_value(each) for each in differences.values()])
-    count = len(rows[RACE])
-    lines = [
-        f"### {name}",
-        "",
-        f"| mean over {count} seeds [95%] | {RACE} | {YOKED} | difference | Holm | |",
-        "|---" * 6 + "|",
+    differences = {name: values[RACE][name] - values[YOKED][name] for name in names}
+    rows = []
+    for name, p in adjusted(differences).items():
+        bounds = (0.0 if name in SHARES else -1.0, 1.0)
+        means = [analysis.interval_over_runs(values[kind][name], bounds=bounds) for kind in values]
+        difference = analysis.interval_over_runs(differences[name], bounds=(-1.0, 1.0))
+        told = [written(difference, sign="+"), shown_p(p), f"**{verdict(p, difference)}**"]
+        rows.append([NAMES[name], *map(written, means), *told])
+    count = len(differences[names[0]])
+    heads = [f"mean over {count} seeds [95%]", RACE, YOKED, "difference", "Holm |"]
+    judged = [numbers[f"judgement of {world}, {kind}"] for kind in (RACE, YOKED)]
+    verdicts = [[name, said, other] for (name, said), (_, other) in zip(*judged, strict=True)]
+    parts = [
+        f"### {world}",
+        markdown(heads, rows),
+        markdown(["judgement of all seeds, whole race", RACE, YOKED], verdicts),
     ]
-    for key, p in zip(names, adjusted, strict=True):
-        low, high = (0.0, 1.0) if key in SHARES else (-1.0, 1.0)
-        means = [
-            analysis.interval_over_runs(values[kind][key], bounds=(low, high))
-            for kind in (RACE, YOKED)
-        ]
-        difference = analysis.interval_over_runs(differences[key], bounds=(-1.0, 1.0))
-        cells = [NAMES[key], *map(written, means), written(difference, sign="+"), shown_p(p)]
-        lines.append(f"| {' | '.join([*cells, f'**{verdict(p, difference)}**'])} |")
-    lines += ["", f"| judgement of all seeds, whole race | {RACE} | {YOKED} |", "|---" * 3 + "|"]
-    for condition, said in found[RACE]["judgement"].items():
-        lines.append(f"| {condition} | {said} | {found[YOKED]['judgement'][condition]} |")
-    return "\n".join(lines)
-
-
-def report(found: Mapping[str, Kinds]) -> str:
-    """Return the tables of all experiments."""
-    return "\n\n".join(table(name, kinds) for name, kinds in found.items())
-
-
-def main() -> None:
-    """Play missing runs, and print and write the comparison."""
-    parser = script_parser(__doc__, quick="two seeds of tiny races")
-    parser.add_argument("--seeds", type=int, help="races of each kind; default 10, or 2")
-    parser.add_argument("--only", choices=FULL, nargs="+", help="some of the experiments")
-    parser.add_argument("--runs", type=Path, default=Path("runs/yoked_races"))
-    parser.add_argument("--results", type=Path, default=Path("yoked_races"))
-    parser.add_argument("--threads", type=int, help="default: one for each core")
-    args = parser.parse_args()
-    experiments, few = (QUICK, 2) if args.quick else (FULL, 10)
-    found = {}
-    for name in args.only or experiments:
-        experiment = experiments[name]
-        runs = play(experiment, name, args.seeds or few, args.runs, args.threads)
-        found[name] = numbers(experiment, runs, args.threads)
-    args.results.mkdir(parents=True, exist_ok=True)
-    file = args.results / "numbers.json"
-    # Rounded first, so that the tables follow from the numbers that are kept.
-    text = json.dumps(json.loads(json.dumps(found), parse_float=lambda x: round(float(x), 6)))
-    file.write_text(text + "\n", encoding="utf-8")
-    told = report(json.loads(file.read_text(encoding="utf-8")))
-    (args.results / "comparison.md").write_text(told + "\n", encoding="utf-8")
-    print(told)
-    print(f"\nWritten: numbers.json and comparison.md in {args.results}")
+    return "\n\n".join(parts)
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        then=yoked,
+        measure=lambda run, quick: {},
+        together=together,
+        table=table,
+        seeds=10,
+        files=("numbers.npz", "comparison.md"),
+    )

@@ -75,7 +75,7 @@ def test_the_page_shows_the_published_tables():
         assert table.strip() in page
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path: Path):
     options = ("--threads", "1", "--responses", "--schedules", "generalist-generalist")
     printed = run_quickly("validation/ground_truth", tmp_path, *options)

@@ -1,97 +1,150 @@
-"""The scripts in evolution/ run, and their numbers are correct."""
+"""The scripts in evolution/ run, go on where they stopped, and their numbers are correct."""
 
-import re
-from dataclasses import replace
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-import catching_fleers
+import common
 import deap_example
-import evolve_held_out
-import generalization
 import matrixworld as mw
 import memory
 import safe_coevolution
-from evolution_scripts import DOCS, read, rows, run_quickly, run_script
+from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
-from matrixworld.world.policy import GATES
+from matrixworld.coevolution import RaceSettings, SavedRun
+from tiny_race import tiny_race
+
+# All scripts, each night
+
+LIBRARIES = {"common", "paper_runs", "safe_runs"}
+NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
+WITH_TORCH = {"actor_critic_baselines", "actor_critic_races", "paper_surrounding", "safe_learning"}
+ONCE = {"actor_critic_baselines", "arms_race", "evolve_held_out", "scripted_pursuit"}
+"""Scripts that tell the time that they took, or keep no runs."""
 
 
-def quick(name: str, place: Path, *options: str) -> str:
-    """Return what a script prints; it also draws a figure of its own name."""
-    told = run_quickly(name, place, *options)
-    assert (place / f"{name}.png").read_bytes().startswith(b"\x89PNG")
-    return told
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", NAMES)
+def test_a_script_says_the_same_again_from_what_it_keeps(name: str, tmp_path: Path) -> None:
+    if name in WITH_TORCH:
+        pytest.importorskip("torch")
+    told = run_quickly(name, tmp_path)
+    for file in [*tmp_path.rglob("table.md"), *tmp_path.rglob("comparison.md")]:
+        assert told.startswith(read(file))
+    runs = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("runs/**/payoff.npz")}
+    if name not in ONCE:
+        assert run_quickly(name, tmp_path) == told
+    assert runs == {path: path.stat().st_mtime_ns for path in runs}
 
 
-@pytest.mark.slow
-def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
-    told = quick("arms_race", tmp_path)
-    for schedule in ("specialist-specialist", "generalist-generalist"):
-        assert re.search(rf"^{schedule}: ([A-Z]|cannot tell)", told, re.M)
-    assert told.count("Cycling: ") == 2
-    assert [path.name for path in tmp_path.iterdir()] == ["arms_race.png"]
+@pytest.mark.nightly
+def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
+    run_quickly("evolve_held_out", tmp_path)
+    run_quickly("evolve_held_out", tmp_path, "--processes", "2", "--output", "again.npz")
+    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
+    assert "| evolved-2 | " in run_quickly("evolve_held_out", tmp_path, "--table", "held_out.npz")
 
 
-def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
-    done = run_script("arms_race", tmp_path, "--schedules", "tit-for-tat")
-    assert done.returncode == 2
-    assert "invalid choice: 'tit-for-tat'" in done.stderr
+@pytest.mark.nightly
+def test_safe_methods_do_not_collide(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    told = run_quickly("safe_learning", tmp_path, "--kinds", "SB-gradients", "--seeds", "1")
+    assert "pursuers were at fault 0 times in " in told
+    with np.load(tmp_path / "safe_learning/quick/numbers.npz") as numbers:
+        assert not numbers["SB gradients: right of way / fault"].any()
+        assert not numbers["SB gradients: mask of obstacles / fault"][..., 0].any()
+        assert numbers["SB gradients: no penalty / fault"].any()
+
+
+# What experiments share
+
+
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    return {
+        f"races, {n} epochs": tiny_race().changed(epochs(n)) for n in ((1,) if quick else (1, 2))
+    }
+
+
+def epochs(n: int) -> dict[str, int]:
+    return {"schedule.pursuer_epochs": n, "schedule.evader_epochs": n}
+
+
+def later(runs: common.Runs, quick: bool) -> dict[str, list[RaceSettings]]:
+    return {
+        "later": [
+            run.settings.changed({"seed": run.settings.seed + 5}) for run in runs["races, 1 epochs"]
+        ]
+    }
+
+
+def measure(run: SavedRun, quick: bool) -> dict[str, object]:
+    return {"seed": run.settings.seed, "rates": run.payoff().capture_rate}
+
+
+def played(monkeypatch: pytest.MonkeyPatch, *options: str, **others: object) -> None:
+    monkeypatch.setattr(sys, "argv", ["script.py", "--threads", "1", *options])
+    common.experiment(
+        "place/script.py",
+        "What is asked?",
+        kinds=kinds,
+        measure=measure,
+        table=lambda numbers: ", ".join(common.kinds_in(numbers)),
+        seeds=2,
+        **others,
+    )
+
+
+def test_an_experiment_keeps_numbers_by_kind_and_seed(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    no_processes: None,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    played(monkeypatch, "--kinds", "races-2", then=lambda runs, quick: {})
+    assert capsys.readouterr().out.startswith("races, 2 epochs\n")
+    file = tmp_path / "script/numbers.npz"
+    first = dict(np.load(file))
+    assert list(first["races, 2 epochs / seed"]) == [0, 1]
+    # Numbers of other kinds stay, and runs are not played again.
+    ended = (tmp_path / "runs/script/races-2-epochs/1/payoff.npz").stat().st_mtime_ns
+    fewer = {"races, 2 epochs": 1}
+    together = {"count": np.array(3)}
+    played(monkeypatch, then=later, fewer=fewer, together=lambda runs, quick: together)
+    assert capsys.readouterr().out.startswith("races, 2 epochs, races, 1 epochs, later\n")
+    numbers = dict(np.load(file))
+    assert list(numbers["races, 2 epochs / seed"]) == [0]
+    assert list(numbers["later / seed"]) == [5, 6]
+    assert numbers["count"] == 3
+    shape = np.shape(numbers["later / rates"][0])
+    assert numbers["races, 1 epochs / rates"].shape == (2, *shape)
+    again = (tmp_path / "runs/script/races-2-epochs/1/payoff.npz").stat().st_mtime_ns
+    assert again == ended
+    assert read(tmp_path / "script/table.md").startswith("races, 2 epochs")
+
+
+def test_an_unknown_kind_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        played(monkeypatch, "--kinds", "race-3")
+    assert (
+        "expected beginnings of races-1-epochs, races-2-epochs, got race-3"
+        in capsys.readouterr().err
+    )
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.slow
-def test_generalization_compares_at_equal_matches_and_reuses_its_runs(tmp_path: Path) -> None:
-    told = quick("generalization", tmp_path)
-    table = rows(told)
-    assert [row[0] for row in table] == ["pursuers"] * 2 + ["evaders"] * 3
-    for team in ("pursuers", "evaders"):
-        assert len({row[2] for row in table if row[0] == team}) == 1
-    for row in table:
-        home, mean, worst, strange, worst_strange = map(float, row[3:])
-        assert 0 <= home <= 1
-        assert 0 <= worst <= mean <= 1
-        assert 0 <= worst_strange <= strange <= 1
-
-    runs = tmp_path / "runs" / "generalization" / "quick-0"
-    race = coevolution.open_run(runs / "generalist-generalist")
-    payoff = race.payoff().capture_rate
-    assert float(table[0][3]) == pytest.approx(payoff[-1].mean(), abs=0.005)
-    assert float(table[2][3]) == pytest.approx(1 - payoff[:, -1].mean(), abs=0.005)
-    for k in (0, 2):  # the same pairs in other episodes
-        assert float(table[k][4]) == pytest.approx(float(table[k][3]), abs=0.12)
-    played = race.summary()["training_matches"]
-    assert played == sum(int(table[k][2].replace(",", "")) for k in (0, 2))
-    taught = coevolution.open_run(runs / "evaders-against-trained")
-    halfway = coevolution.open_run(runs / "evaders-against-random-half").teams["evader"]
-    teachers = coevolution.open_run(runs / "pursuers-against-random").teams["pursuer"]
-    escaped = 1 - taught.summary()["capture_rate"]
-    assert float(table[4][3]) == pytest.approx(escaped, abs=0.005)
-    assert (taught.teams["evader"].genomes[0] == halfway.genomes[-1]).all()
-    assert (taught.teams["pursuer"].genomes == teachers.genomes[-1:]).all()
-
-    written = {path: path.stat().st_mtime_ns for path in runs.rglob("payoff.npz")}
-    assert len(written) == 6
-    assert quick("generalization", tmp_path) == told
-    assert {path: path.stat().st_mtime_ns for path in written} == written
+def test_tables_in_markdown() -> None:
+    rows = [["1", "2"], ["", "3"]]
+    assert common.markdown(["a", "b"], rows) == "| a | b |\n|---|---|\n| 1 | 2 |\n|  | 3 |"
+    assert common.markdown(["a", "b |"], []) == "| a | b | |\n|---|---|---|"
 
 
-def test_generalization_refuses_runs_of_other_settings(tmp_path: Path) -> None:
-    coevolution.start(generalization.QUICK, tmp_path / "race")
-    with pytest.raises(ValueError, match="race: holds a run with other settings"):
-        generalization.played(generalization.FULL, tmp_path / "race")
-
-
-@pytest.mark.slow
-def test_the_deap_example_is_determined_by_its_seed(tmp_path: Path) -> None:
-    told = quick("deap_example", tmp_path)
-    assert [path.name for path in tmp_path.iterdir()] == ["deap_example.png"]
-    assert re.search(r"^4 +\t108 ", told, re.M)  # 6 + 4 x 12 players, against 2 rivals
-    assert "a best response to these evaders captures 0." in told
-    assert quick("deap_example", tmp_path) == told
-    assert quick("deap_example", tmp_path, "--seed", "1") != told
+# Their own numbers
 
 
 def test_the_deap_example_scores_each_player_against_each_rival() -> None:
@@ -124,27 +177,6 @@ def test_the_deap_example_evolves_a_response_that_wins() -> None:
     assert after < before - 0.1
 
 
-@pytest.mark.slow
-def test_safe_coevolution_prices_and_forbids_collisions(tmp_path: Path) -> None:
-    *table, _, free_race, masked, change = rows(quick("safe_coevolution", tmp_path))
-    assert {path.name for path in tmp_path.iterdir()} == {"safe_coevolution.png", "runs"}
-    # Right of way: nobody is at fault in the last generation, nor in all of training.
-    assert [free_race[0], masked[0]] == ["none", "right-of-way"]
-    assert masked[3:] == ["0.0", "0.0", "0"]
-    assert int(change[5].replace(",", "")) == -int(free_race[5].replace(",", "")) < 0
-    assert [row[:2] for row in table] == [
-        ["pursuers", "0"], ["pursuers", "1"], ["evaders", "0"], ["evaders", "1"],
-    ]  # fmt: skip
-    assert {row[-1] for row in table} == {"288"}
-    score, obstacle, teammate = (
-        [float(row[column].split()[0]) for row in table] for column in (2, 3, 4)
-    )
-    # All pursuers met all evaders: captures and escapes add up.
-    assert sum(score[:2]) == pytest.approx(2 - sum(score[2:]), abs=0.03)
-    for free, priced in ((0, 1), (2, 3)):
-        assert obstacle[priced] + teammate[priced] < obstacle[free] + teammate[free]
-
-
 def test_safe_coevolution_charges_each_team_for_its_own_faults() -> None:
     world = safe_coevolution.SMALL
     scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
@@ -168,7 +200,7 @@ def test_safe_coevolution_evaluates_each_champion_separately() -> None:
         team: np.stack([network.initial(rng, head=head) for head in (0.01, 3.0)])
         for team in coevolution.TEAMS
     }
-    budget = replace(safe_coevolution.QUICK, prices=(0.0,))
+    budget = safe_coevolution.QUICK._replace(prices=(0.0,))
     told = safe_coevolution.evaluate(champions, budget)
     pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
     for index in range(2):
@@ -186,43 +218,6 @@ def test_safe_coevolution_evaluates_each_champion_separately() -> None:
             rate = np.mean(captured)
             assert score == pytest.approx(rate if team == "pursuer" else 1 - rate)
             np.testing.assert_allclose(rates, 1000 * collisions / steps, rtol=1e-9)
-
-
-@pytest.mark.slow
-def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(tmp_path: Path) -> None:
-    told = run_quickly("catching_fleers", tmp_path)
-    table = {row[0]: row[1:] for row in rows(told)}
-    plan = catching_fleers.QUICK
-    assert len(table) == len(catching_fleers.SCRIPTED) + len(plan.changes)
-    # Recorded episodes give the same captures as the script's rollouts.
-    world = plan.base.world
-    size = plan.teams[-1]
-    episodes = [
-        mw.record(
-            mw.WorldConfig.of(world, n_pursuers=size), "chaser", "dodger", seed=0, episode=k
-        ).capture_rate
-        for k in range(plan.episodes)
-    ]
-    assert float(table["chaser"][-1]) == pytest.approx(np.mean(episodes), abs=0.005)
-    assert run_quickly("catching_fleers", tmp_path) == told
-
-
-@pytest.mark.slow
-def test_memory_prints_all_tables_again(tmp_path: Path) -> None:
-    told = run_quickly("memory", tmp_path)
-    table = {row[0]: row[1:] for row in rows(told)}
-    assert table["the best without memory, exactly"][0] == "0.617"
-    assert {f"trained, {each}" for each in ("no memory", "elman", "gru")} <= table.keys()
-    best = [float(rate) for rate in table["the best, exactly"]]
-    for name in ("hunter", *(f"trained, memory: {each}" for each in GATES)):
-        assert all(
-            float(rate) <= most + 0.1
-            for rate, most in zip(table[name][-len(best) :], best, strict=True)
-        )
-    assert [(row[0], row[1]) for row in rows(told)[-9:]] == [
-        (schedule, each) for schedule in memory.SCHEDULES for each in GATES
-    ]
-    assert run_quickly("memory", tmp_path) == told
 
 
 def test_the_corridor_without_memory_is_what_is_played_there() -> None:
@@ -243,15 +238,3 @@ def test_the_corridor_without_memory_is_what_is_played_there() -> None:
     played = mw.score_policy(choose, "pursuer", world, opponents={"still": "still"}, episodes=400)
     # Three deviations of 400 episodes.
     assert played.mean().value == pytest.approx(memory.capture_rate(policy), abs=0.075)
-
-
-def test_the_difficulty_of_opponents_is_what_the_page_says() -> None:
-    measured: dict[str, list[float]] = {}
-    for line in list(evolve_held_out.difficulty(300))[1:]:
-        _, name, score = line.strip("| ").split(" | ")
-        measured.setdefault(name, []).append(float(score))
-    page = read(DOCS / "held_out.md")
-    stated = dict(re.findall(r"^\| `([\w-]+)` \| [\w ]+ \| ([\d., ]+) \|", page, re.M))
-    assert stated.keys() == measured.keys()
-    for name, scores in measured.items():
-        assert [*map(float, stated[name].split(", "))] == pytest.approx(scores, abs=0.06)

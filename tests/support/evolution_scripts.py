@@ -24,9 +24,3 @@ def run_quickly(name: str, place: Path, *options: str) -> str:
 
 def read(path: Path) -> str:
     return path.read_text(encoding="utf-8")
-
-
-def rows(table: str) -> list[list[str]]:
-    """Return the cells of a Markdown table, without its head."""
-    lines = [line for line in table.splitlines() if line.startswith("| ")]
-    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[1:]]

@@ -14,7 +14,7 @@ smallest number of matches that a race played.
 of both populations, for 20 seeds; first with 15 living opponents, then with 10 living ones and 5
 champions of earlier generations.
 
-``halls.npz``: the numbers of each race in ``evolution/results/hall_of_fame/races.csv``, as
+``halls.npz``: the numbers of each race in ``evolution/results/hall_of_fame/numbers.npz``, as
 ``python evolution/hall_of_fame.py`` has written them, float32, shape (2, seeds) each: first without
 halls of fame, then with them.
 """
@@ -22,7 +22,6 @@ halls of fame, then with them.
 from __future__ import annotations
 
 import argparse
-import csv
 import sys
 from pathlib import Path
 
@@ -69,7 +68,7 @@ SMALL = RaceSettings.of(
     }
 )
 CROSS_EPISODES = 5
-HALLS = Path(__file__).parents[2] / "evolution/results/hall_of_fame/races.csv"
+HALLS = Path(__file__).parents[2] / "evolution/results/hall_of_fame/numbers.npz"
 
 
 def race(sampler: str, seed: int) -> RaceSettings:
@@ -135,11 +134,12 @@ def numbers_games() -> dict[str, np.ndarray]:
 
 def halls() -> dict[str, np.ndarray]:
     """Return the arrays of ``halls.npz``."""
-    with HALLS.open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    names = [name for name in rows[0] if name not in ("kind", "seed")]
-    values = np.array([[float(row[name]) for name in names] for row in rows], dtype=np.float32)
-    return {name: values[:, i].reshape(2, -1) for i, name in enumerate(names)}
+    found: dict[str, list[np.ndarray]] = {}
+    with np.load(HALLS) as numbers:
+        for name in numbers.files:  # kind by kind
+            _, number = name.split(" / ")
+            found.setdefault(number, []).append(numbers[name])
+    return {number: np.array(kinds, dtype=np.float32) for number, kinds in found.items()}
 
 
 def main() -> None:

@@ -274,11 +274,12 @@ def halls(seed: int) -> Effects:
     """Return what halls of fame change in the races of ``evolution/hall_of_fame.py``."""
     # Scripts of one directory import each other by their plain names.
     sys.path.append(str(NOTEBOOKS.parent / "evolution"))
-    from hall_of_fame import FULL, kinds, place
+    from common import slug
+    from hall_of_fame import kinds
 
     forgetting, found = analysis.MEASURES["pursuer_forgetting"], []
-    for name, settings in kinds(FULL).items():
-        folder = RUNS / "hall_of_fame" / place(name, seed)
+    for name, settings in kinds(quick=False).items():
+        folder = RUNS / "hall_of_fame" / slug(name) / str(seed)
         run = coevolution.finish(replace(settings, seed=seed), folder, threads=1)
         found.append(forgetting.of(run.payoff().capture_rate, "whole").value)
     without, with_halls = found
