@@ -1,13 +1,11 @@
 """Pages: their examples run and print what is shown, their links lead somewhere, names exist."""
 
 import ast
-import inspect
 import json
 import re
 import runpy
 import subprocess
 import sys
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from importlib.util import find_spec
@@ -236,42 +234,9 @@ def test_links_lead_somewhere(page: Path) -> None:
             assert not anchor or target.suffix != ".md" or anchor in anchors(target), link
 
 
-# The glossary
-
-GLOSSARY = read("docs/glossary.md")
-TABLES = re.findall(r"(?:^\|.*\|\n)+", GLOSSARY, re.M)
-SURVEY = """
-    co-evolution cooperative-co-evolution competitive-co-evolution intra-population
-    inter-population symmetric asymmetric intraspecific interspecific individual population
-    fitness self-play adaptation counter-adaptation arms-race endings-of-an-arms-race extinction
-    equilibrium cycling curriculum-learning automatic-curriculum-learning autocurriculum
-    carrying-capacity policy-cycle adversarial-learning alternating-learning minimax
-    adversarial-policy zero-sum-game specialist generalist generalization baseline
-    stochastic-game turn-taking-game vertex-conflict edge-conflict capture-rate
-"""
-"""Terms of the paper's survey and experiments."""
-
-
-def repeated(names: Sequence[str]) -> list[str]:
-    return [name for name, count in Counter(names).items() if count > 1]
-
-
 def test_the_glossary_has_one_entry_for_each_term() -> None:
-    ids = ANCHOR.findall(GLOSSARY)
-    assert repeated(ids) == []
-    assert set(SURVEY.split()) <= set(ids)
-    entries = [line for table in TABLES for line in table.splitlines()[2:]]
-    assert repeated([ANCHOR.sub("", entry).split("|")[1].strip() for entry in entries]) == []
-
-
-def test_every_entry_of_the_glossary_has_an_anchor_and_all_cells() -> None:
-    for table in TABLES:
-        heading, _, *entries = table.splitlines()
-        for entry in entries:
-            assert ANCHOR.match(entry, pos=2), entry
-            cells = entry.strip("|").split("|")
-            assert len(cells) == heading.count("|") - 1, entry
-            assert all(cell.strip() for cell in cells), entry
+    ids = ANCHOR.findall(read("docs/glossary.md"))
+    assert len(ids) == len(set(ids)) > 50
 
 
 # Names in tables
@@ -331,19 +296,7 @@ def test_the_exercises_that_the_teachers_page_names_exist() -> None:
         assert isinstance(exercises(int(chapter))[name], Exercise) is item.isdigit(), name
 
 
-# Sheets and slides for a class
-
-SHEETS = sorted((DOCS / "class_material").glob("*.md"))
-
-
-@pytest.mark.parametrize("page", SHEETS, ids=lambda page: page.stem)
-def test_sheets_to_print_have_the_words_of_their_sources(page: Path) -> None:
-    text, printed = (page.with_suffix(end).read_text(encoding="utf-8") for end in (".md", ".html"))
-    words = set(
-        re.findall(r"\w{3,}", re.sub(r"---.*?---|<[^>]+>|&\w+;|!\[.*?\]", " ", text, flags=re.S))
-    )
-    assert len(words) > 20
-    assert words - set(re.findall(r"\w+", printed)) == set(), "see .ci/pages"
+# Answers for a class
 
 
 def test_the_answers_for_a_class_are_what_dice_and_hands_do(
@@ -387,12 +340,8 @@ def test_options_and_arguments_that_replace_others() -> None:
     assert len(told) >= 8
     assert told <= visible_options(main.commands["evolve"]) | {"--figures"}
     assert all(schedule in MIGRATION for schedule in SCHEDULES)
-    for name in {*inspect.signature(mw.WorldConfig).parameters} - {"rules", "rewards"}:
-        assert f"`{name}" in MIGRATION or f" {name}" in MIGRATION
     for name in re.findall(r"`((?:pursuer|evader)_(?:capture|neighbor|collide|step))", MIGRATION):
         assert name in mw.Rewards.__dataclass_fields__
-    assert "267,405" in MIGRATION
-    assert mw.Network.for_config(mw.WorldConfig("O"), (400, 300)).genome_size == 267_405
 
 
 # The page on files
