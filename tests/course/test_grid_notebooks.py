@@ -31,15 +31,6 @@ def world_of_three() -> World:
     return drawn_world("SB", DRAWING + " / . . . a")
 
 
-def test_a_plan_leaves_the_world_as_it_is_and_shows_the_moves() -> None:
-    world = world_of_three()
-    before = world.positions.tolist()
-    pictures = [plan(world, [action, STAY, STAY]).pixels.tobytes() for action in list(Action)[:5]]
-    assert len(set(pictures)) == 5, "every move looks different"
-    assert world.positions.tolist() == before  # nothing is played
-    assert world.steps == 0
-
-
 def test_a_step_is_played_and_can_be_explained() -> None:
     world = world_of_three()
     for actions in ([EAST, WEST], [EAST, WEST, 5], [EAST, WEST, -1]):

@@ -21,7 +21,7 @@ from course.chapter_9 import (
     play_masked,
     right_of_way,
 )
-from matrixworld import analysis, coevolution
+from matrixworld import analysis
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from student_functions import STEPS, left_waits
 from student_functions import right_of_way as as_on_a_road
@@ -101,16 +101,6 @@ def test_the_four_races_are_what_the_solution_says() -> None:
     assert rises == {
         "A": [False, True], "B": [False, False], "C": [True, True], "D": [False, False]
     }  # fmt: skip
-
-
-def test_generalists_of_the_package_meet_these_opponents() -> None:
-    sampler = coevolution.SCHEDULES["generalist-generalist"].new_sampler("evader")
-    rng = np.random.default_rng(0)
-
-    def met(k: int, i: int) -> int:
-        return int(sampler.sample(coevolution.available("evader", k), i, rng)[0])
-
-    assert check("5.2", met).right
 
 
 @pytest.mark.parametrize(

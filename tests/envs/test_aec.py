@@ -68,30 +68,6 @@ def test_agents_see_what_was_done_before_their_turn() -> None:
     assert seen_in_midround > 5
 
 
-def test_an_evader_caught_in_a_turn_does_not_act() -> None:
-    config = mw.WorldConfig("TO", rows=1, cols=6, n_pursuers=2, n_evaders=2)
-    env = MatrixWorldAEC(config)
-    env.reset(seed=0, options={"pursuers": [[0, 0], [0, 5]], "evaders": [[0, 1], [0, 3]]})
-    env.step(int(mw.Action.EAST))
-    assert env.agent_selection == "evader_0"
-    assert env.terminations["evader_0"]
-    assert env.infos["evader_0"]["captured"]
-    assert env.rewards["pursuer_0"] == pytest.approx(10 - 0.05)
-    env.step(None)
-    assert env.agents == ["pursuer_0", "pursuer_1", "evader_1"]
-    assert env.agent_selection == "pursuer_1"
-    env.step(int(mw.Action.WEST))
-    assert env.agent_selection == "evader_1"
-    assert env.status.steps == 0
-    env.step(int(mw.Action.STAY))
-    assert (env.agent_selection, env.status.steps) == ("pursuer_0", 1)
-    env.step(int(mw.Action.EAST))
-    env.step(int(mw.Action.WEST))  # caught: the world terminates in the middle of the round
-    assert env.status.terminated
-    assert env.status.steps == 2
-    assert all(env.terminations.values())
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_only_simultaneous_rules_are_parallelizable(name: str) -> None:
     env = mw.aec_env(config_of(name))

@@ -4,7 +4,6 @@ import warnings
 from typing import Any
 
 import gymnasium
-import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 
@@ -22,33 +21,6 @@ def test_gymnasium_makes_and_checks_it(variant: str, agent: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         check_env(env.unwrapped, skip_render_check=True)
-
-
-@pytest.mark.parametrize("agent", ["pursuer_0", "pursuer_2", "evader_1"])
-def test_an_agent_that_plays_the_script_of_its_team_plays_the_episode_of_a_rollout(
-    agent: str,
-) -> None:
-    config = mw.WorldConfig("O", **SMALL)
-    team, number = agent.split("_")
-    index = int(number) + (config.n_pursuers if team == "evader" else 0)
-    script = {"pursuer": "chaser", "evader": "dodger"}
-    env = mw.AgentEnv(config, agent=agent, pursuers="chaser", evaders="dodger", record=True)
-    lengths = set()
-    for seed in range(8):
-        env.reset(seed=seed)
-        ended, total = False, 0.0
-        while not ended:
-            actions = np.zeros(config.n_agents, np.int64)
-            env.env.world.decide(script[team], range(index, index + 1), actions)
-            _, reward, terminated, truncated, _ = env.step(int(actions[index]))
-            ended, total = terminated or truncated, total + reward
-        expected = mw.record(config, "chaser", "dodger", seed=seed)
-        played = env.env.recorded
-        steps = played.length  # the agent may be gone before the end
-        np.testing.assert_array_equal(played.positions, expected.positions[: steps + 1])
-        assert total == pytest.approx(expected.rewards[:steps, index].sum(), abs=1e-4)
-        lengths.add(steps)
-    assert len(lengths) > 2
 
 
 def test_mates_and_opponents_are_drawn_independently() -> None:

@@ -5,7 +5,6 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.error import ClosedEnvironmentError
 from gymnasium.vector import AutoresetMode
 from gymnasium.wrappers import vector as wrappers
 
@@ -115,17 +114,12 @@ def test_record_episode_statistics(team: str | None, mode: str) -> None:
 
 
 def test_refuses() -> None:
-    with pytest.raises(ValueError, match="^team:"):
-        mw.AgentVectorEnv(worlds_of(), "both")
-    with pytest.raises(ValueError, match="^team:"):
-        mw.AgentVectorEnv(worlds_of(evaders="fleer"), "evader")
+    for worlds, team in ((worlds_of(), "both"), (worlds_of(evaders="fleer"), "evader")):
+        with pytest.raises(ValueError, match="^team:"):
+            mw.AgentVectorEnv(worlds, team)
     env = mw.AgentVectorEnv(worlds_of())
     env.reset(seed=1)
-    for actions, error in ((np.zeros((3, 7), int), ValueError), (np.zeros(21), TypeError)):
-        with pytest.raises(error, match="^actions:"):
-            env.step(actions)
+    with pytest.raises(ValueError, match="^actions:"):
+        env.step(np.zeros((3, 7), int))
     with pytest.raises(ValueError, match="^reset_mask: expected .*same value .* in world 1"):
         env.reset(options={"reset_mask": np.arange(21) == 8})
-    env.close()
-    with pytest.raises(ClosedEnvironmentError):
-        env.step(np.zeros(21, int))

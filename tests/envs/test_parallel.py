@@ -37,7 +37,19 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
             assert rewards[agent] == world.rewards[i]
             assert terminations[agent] == (world.terminated or not world.alive[i])
             assert truncations[agent] == (world.truncated and not terminations[agent])
-            assert tuple(infos[agent]) == INFO_KEYS
+            info = infos[agent]
+            assert tuple(info) == INFO_KEYS
+            assert {type(value) for value in info.values()} == {bool, float, int}
+            assert (info["cost"], info["step"]) == (world.cost[i], world.steps)
+            for k, kind in enumerate(mw.COLLISION_KINDS):
+                assert info[f"fault_{kind}"] == world.fault[i, k] == info[f"cost_{kind}"]
+                assert info[f"involved_{kind}"] == world.involved[i, k]
+            for name in ("capture_rate", "ever_capture_rate"):
+                assert info[name] == getattr(world, name)
+            if i >= config.n_pursuers:
+                evader = i - config.n_pursuers
+                assert info["captured"] == world.captured[evader]
+                assert info["captors"] == world.captors[evader]
         np.testing.assert_array_equal(env.state(), world.state())
         for field in vars(env.status):  # of all agents, also of those that are gone
             np.testing.assert_array_equal(getattr(env.status, field), world.read(field)[field])
@@ -46,34 +58,6 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
             assert env.agents == []
             break
     assert over
-
-
-def test_infos() -> None:
-    config = mw.WorldConfig("SB", rows=1, cols=5, n_pursuers=2, n_evaders=1, max_steps=9)
-    env = mw.parallel_env(config)
-    where = {"pursuers": [[0, 0], [0, 2]], "evaders": [[0, 3]]}
-    _, infos = env.reset(seed=0, options=where)
-    assert {tuple(info) for info in infos.values()} == {INFO_KEYS}
-    assert infos["pursuer_0"]["step"] == 0
-    # pursuer_0 heads for pursuer_1, which heads for the evader, which stays.
-    *_, infos = env.step({"pursuer_0": 2, "pursuer_1": 2, "evader_0": 0})
-    first, second, evader = infos.values()
-    assert not first["involved_adversary"]
-    assert (second["fault_adversary"], second["cost_adversary"], second["cost"]) == (True, 1.0, 1.0)
-    told = evader["involved_adversary"], evader["fault_adversary"], evader["cost"]
-    assert told == (True, False, 0.0)
-    _, _, terminations, _, infos = env.step({"pursuer_0": 2, "pursuer_1": 0, "evader_0": 2})
-    assert infos["pursuer_0"]["cost_teammate"] == infos["pursuer_1"]["cost_teammate"] == 1.0
-    assert infos["evader_0"] | {"captured": False} == infos["evader_0"]
-    # Between pursuer and border, the evader is surrounded.
-    _, _, terminations, _, infos = env.step({"pursuer_0": 0, "pursuer_1": 2, "evader_0": 0})
-    assert all(terminations.values())
-    assert (infos["evader_0"]["captured"], infos["evader_0"]["captors"]) == (True, 1)
-    shared = ("capture_rate", "ever_capture_rate", "pursuer_survival_rate", "evader_survival_rate")
-    for info in infos.values():
-        assert [info[key] for key in shared] == [1.0] * 4
-        assert info["step"] == 3
-        assert {type(value) for value in info.values()} == {bool, float, int}
 
 
 # ---- Episodes ----------------------------------------------------------------------------------

@@ -132,25 +132,25 @@ def test_make_vec(variant: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("call", "error", "says"),
+    ("call", "error", "field"),
     [
-        (lambda: mw.VectorEnv("O", 0), ValueError, "n_worlds: expected at least 1, got 0"),
-        (lambda: make(dtype=np.float64), ValueError, "dtype: expected uint8 or float32, got"),
-        (lambda: mw.VectorEnv("O", fov=1, action_mask=True), ValueError, "action_mask: .* got 1"),
-        (lambda: make(autoreset_mode="Never"), ValueError, "autoreset_mode: .* got 'Never'"),
-        (lambda: make(render_mode="human"), ValueError, "render_mode:"),
-        (lambda: make().step(np.zeros((4, 7), int)), RuntimeError, r"call reset\(\) before"),
-        (lambda: make().reset(options={"map": 1}), ValueError, r"options: .* got \['map'\]"),
-        (lambda: make().reset(seed=-1), ValueError, "seed:"),
-        (lambda: make().world(4), ValueError, "world: expected 0 to 3, got 4"),
+        (lambda: mw.VectorEnv("O", 0), ValueError, "n_worlds"),
+        (lambda: make(dtype=np.float64), ValueError, "dtype"),
+        (lambda: mw.VectorEnv("O", fov=1, action_mask=True), ValueError, "action_mask"),
+        (lambda: make(autoreset_mode="Never"), ValueError, "autoreset_mode"),
+        (lambda: make(render_mode="human"), ValueError, "render_mode"),
+        (lambda: make().step(np.zeros((4, 7), int)), RuntimeError, "call reset"),
+        (lambda: make().reset(options={"map": 1}), ValueError, "options"),
+        (lambda: make().reset(seed=-1), ValueError, "seed"),
+        (lambda: make().world(4), ValueError, "world"),
     ],
 )
-def test_refuses(call: Any, error: type[Exception], says: str) -> None:
-    with pytest.raises(error, match=f"^{says}"):
+def test_refuses(call: Any, error: type[Exception], field: str) -> None:
+    with pytest.raises(error, match=f"^{field}"):
         call()
 
 
-# ---- Action masks: the moves that run into neither an obstacle nor the border ----
+# ---- Spaces ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("team", [None, "pursuer"])

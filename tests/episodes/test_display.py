@@ -1,20 +1,14 @@
 """Where an environment with render_mode="human" is shown."""
 
-import dataclasses
-from collections.abc import Iterator
 from types import SimpleNamespace
 from unittest.mock import Mock, call
 
 import matplotlib as mpl
-import numpy as np
 import pytest
-from matplotlib import pyplot as plt
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
 import matrixworld as mw
 from matrixworld.episodes.display import FPS, _Notebook, first_place
-from matrixworld.episodes.render import ansi, png, rgb
+from matrixworld.episodes.render import ansi, png
 from matrixworld.episodes.replay import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from rows import config_of
 
@@ -62,54 +56,6 @@ def test_a_terminal_is_drawn_in_place(
     assert pieces[0] == pieces[1] == pieces[2] + WRAP_OFF
     assert pieces[2].endswith(WRAP_ON + "\n")
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
-
-
-# ---- Windows -----------------------------------------------------------------------------------
-
-
-class DisplayCanvas(FigureCanvasAgg):
-    """A canvas that says it stands on a display."""
-
-    required_interactive_framework = "made up"
-    flushed = 0
-
-    def flush_events(self) -> None:
-        type(self).flushed += 1
-
-
-@pytest.fixture
-def display(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Figures of Matplotlib's are windows."""
-    make = plt.figure
-
-    def window() -> Figure:
-        figure = make()
-        manager = figure.canvas.manager
-        DisplayCanvas(figure).manager = manager
-        monkeypatch.setattr(figure, "show", lambda: None)
-        return figure
-
-    monkeypatch.setattr(plt, "figure", window)
-    DisplayCanvas.flushed = 0
-    yield
-    plt.close("all")
-
-
-@pytest.mark.usefixtures("display")
-def test_a_window_shows_each_picture(naps: list[float]) -> None:
-    shown = first_place()
-    for title in ("before", "now"):
-        shown.follow(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
-    assert len(plt.get_fignums()) == 1
-    figure = plt.gcf()
-    expected = rgb(dataclasses.replace(SCENE, title="now"), fov=5, viewers=[0])
-    np.testing.assert_array_equal(figure.axes[0].images[0].get_array(), expected)
-    height, width, _ = expected.shape
-    assert (figure.get_size_inches() * figure.dpi).round().tolist() == [width, height]
-    assert DisplayCanvas.flushed == 2
-    assert naps == pytest.approx([0, 1 / FPS])
-    shown.close()
-    assert plt.get_fignums() == []
 
 
 # ---- Notebooks ---------------------------------------------------------------------------------

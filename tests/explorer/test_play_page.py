@@ -135,34 +135,6 @@ def test_a_match_played_by_keys_is_that_of_the_world(
 
 
 @pytest.mark.nightly
-def test_generations_in_the_same_seat(browser: Browser, page: Path, job: list[SavedRun]) -> None:
-    """The table at the end has what each generation makes of the same match from the same step."""
-    g, h, step = 1, 2, 2
-    take_over(browser, page, 0, g, h, step)
-    moves_until_done(browser, ARROWS, 5)
-    browser.wait("!document.querySelector('.play-ending').textContent.includes('…')")
-    texts = browser.js(
-        "Array.from(document.querySelectorAll('.play-ending tr'), (e) => e.innerText)"
-    )
-    rows = [text.split("\t") for text in texts]
-    played, run = shown(browser), job[0]
-    policies: dict[Team, TeamPolicy] = {
-        "pursuer": generation(run, "pursuer", g), "evader": generation(run, "evader", h)
-    }  # fmt: skip
-    lasted = {}
-    for number in range(3):
-        world = World(run.settings.world)
-        world.reset(evaluation_seed(run.settings.seed, g, h))
-        hand = generation(run, "evader", number)
-        evader = played["seat"] - run.settings.world.n_pursuers
-        while not (world.terminated or world.truncated or world.captured[evader]):
-            own = played["moves"][world.steps] if world.steps < step else hand
-            decided(world, policies, played["seat"], own)
-        lasted[f"generation {number}"] = str(world.steps)
-    assert {row[0]: row[-1] for row in rows} == {"You": str(len(played["moves"])), **lasted}
-
-
-@pytest.mark.nightly
 def test_files_and_links_hold_the_match(
     browser: Browser, page: Path, own: Path, job: list[SavedRun], tmp_path: Path
 ) -> None:

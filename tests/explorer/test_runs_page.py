@@ -26,7 +26,6 @@ from matrixworld.explorer.runs_page import (
     packed,
     run_data,
     runs_data,
-    training_curve,
 )
 from slow import quickly
 from tiny_race import tiny_race, tiny_single
@@ -134,22 +133,6 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
     numbers = "document.querySelectorAll('.action .numbers')"
     shown = page.js(f"Array.from({numbers}, (each) => +each.textContent)")
     np.testing.assert_allclose(shown, expected, atol=0.0051)
-
-
-@pytest.mark.nightly
-def test_the_guided_minute_drives_the_page(page: Browser, job: Job) -> None:
-    stops = run_data("race", job["race"])["findings"]["guided_minute"]
-    bar, four = "document.querySelector('.guided')", "document.querySelector('dialog.four').open"
-    page.click(".begin-minute")
-    for number, stop in enumerate(stops, 1):
-        assert page.js(f"{bar}.querySelector('p').textContent") == f"{number} of 5 {stop['text']}"
-        page.wait(f"{PLAYED} === '0 {stop['pursuer']} {stop['evader']} 0 '")
-        assert page.js(four) is (stop["shows"] == "checkerboard")
-        page.driver.execute_script(f"{bar}.querySelectorAll('button')[1].click()")
-    assert page.js(f"{bar}.hidden")
-    page.press("3")  # a team alone is not judged
-    assert page.js("document.querySelector('.begin-minute').hidden")
-    assert page.errors() == []
 
 
 @pytest.mark.nightly
@@ -276,21 +259,6 @@ def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:
     assert data["findings"] is None
     [run], _ = runs_data([("alone", job["single"])])
     assert [run["teams"][team]["script"] for team in TEAMS] == ["chaser", None]
-
-
-def test_a_long_training_curve_has_means_of_neighbouring_epochs(
-    monkeypatch: pytest.MonkeyPatch, job: Job
-) -> None:
-    single = job["single"]
-    log = single.log()
-    whole = training_curve(log, single.settings)
-    assert whole["epochs"] == 1
-    np.testing.assert_allclose(whole["capture_rate"], log["capture_rate"], atol=1e-4)
-    monkeypatch.setattr("matrixworld.explorer.runs_page.MOST_POINTS", 2)
-    short = training_curve(log, single.settings)
-    means = [log["capture_rate"][:3].mean(), log["capture_rate"][3:].mean()]
-    assert short["epochs"] == 3
-    np.testing.assert_allclose(short["capture_rate"], means, atol=1e-4)
 
 
 # ---- In notebooks and scripts --------------------------------------------------------------------

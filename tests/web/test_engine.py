@@ -175,20 +175,6 @@ def test_every_script_plays_as_in_the_extension(run_command: Commands, script: s
     assert got["positions"] == wanted.positions.ravel().tolist()
 
 
-def test_statistics_of_episodes_are_those_of_a_rollout(run_command: Commands) -> None:
-    config = config_of("O", max_steps=30)
-    pursuers, evaders = team(config, (32,), 1), team(config, (8,), 2)
-    wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), episodes=4, threads=1)
-    got = run_command(do="rollout", **asked(config, pursuers, evaders, 9, episodes=4))
-    for episode, statistics in enumerate(got):
-        for name, value in statistics.items():
-            names = [name] if hasattr(wanted, name) else [f"pursuer_{name}", f"evader_{name}"]
-            expected = np.array([getattr(wanted, each)[0, episode] for each in names])
-            np.testing.assert_array_equal(
-                np.array(value, expected.dtype).ravel(), expected.ravel(), err_msg=name
-            )
-
-
 # ---- Worlds -------------------------------------------------------------------------------------
 
 

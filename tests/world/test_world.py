@@ -1,4 +1,4 @@
-"""One world: episodes and seeds, starts, maps, text, drawings, large sizes, and rewards."""
+"""One world: episodes and seeds, starts, settings, maps, text, conflicts, and penalties."""
 
 import dataclasses
 import json
@@ -181,7 +181,7 @@ def test_a_movingai_map(tmp_path: Path) -> None:
     assert str(world).splitlines()[1].startswith("#####")
 
 
-# ---- Presets of rewards, penalties by kind of collision, and the agents that pay them ----
+# ---- Penalties by kind of collision, and the agents that pay them ------------------------------
 
 
 def penalties_only(**changes: object) -> mw.Rewards:
