@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from command_line import MAIN_JOB, RACE, matrixworld_command, words
+from command_line import MAIN_JOB, RACE, evolved, matrixworld_command, words
 from matrixworld.cli import main, report
 from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
@@ -109,16 +109,17 @@ def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path):
     assert results(tmp_path / "run" / PLACE) == results(straight)
 
 
-def test_finished_runs_are_read_without_the_code(straight):
+def test_finished_runs_are_read_and_not_continued_without_the_code(straight):
     shutil.copytree(straight, "RUN")
     settings = open_run("RUN").settings
     assert settings.learner.code == "mine:Learner"
     assert settings.learner.settings == {"sigma": 0.2, "shrink": 0.5}
     assert settings.schedule.pursuers_meet.settings == {"forget": 0.25}
     before = {path: path.read_bytes() for path in Path("RUN").iterdir()}
-    for command in (["judge"], ["score", "--episodes", "2"], ["evolve", "--resume"]):
+    for command in (["judge"], ["score", "--episodes", "2"]):
         matrixworld_command(*command, "RUN")
     assert "mine" not in sys.modules
+    assert "learner: expected a module that" in evolved("--resume", "RUN", code=2).stderr
     assert {path: path.read_bytes() for path in Path("RUN").iterdir()} == before
 
 

@@ -3,7 +3,6 @@
 import json
 import pickle
 from dataclasses import fields, replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -223,7 +222,7 @@ EVERY = [
 def test_settings_are_compared_hashed_pickled_and_saved(settings):
     plain = json.loads(json.dumps(settings.to_json()))
     for same in (
-        RaceSettings.from_json(plain),
+        RaceSettings.of(plain),
         settings.changed({}),
         pickle.loads(pickle.dumps(settings)),  # noqa: S301
         replace(settings, seed=settings.seed),
@@ -233,48 +232,6 @@ def test_settings_are_compared_hashed_pickled_and_saved(settings):
         assert same.to_json() == plain
     assert replace(settings, seed=6) != settings
     assert different_settings(settings, replace(settings, seed=6)) == ["seed"]
-
-
-def _paths(plain: dict[str, Any], path: str = "") -> list[str]:
-    found = []
-    for name, value in plain.items():
-        found.append(f"{path}{name}")
-        # The rules and the rewards of a world are checked as a whole.
-        if isinstance(value, dict) and not path.startswith("world"):
-            found += _paths(value, f"{path}{name}.")
-    return found
-
-
-def test_files_need_every_setting_and_no_other():
-    settings = tiny_race(schedule="hall-of-fame", pursuers_meet="maxsolve")
-    paths = _paths(settings.to_json())
-    assert len(paths) > 40  # all of them, not one level
-    for path in paths:
-        plain = settings.to_json()
-        *parents, name = path.split(".")
-        inside = plain
-        for parent in parents:
-            inside = inside[parent]
-        del inside[name]
-        # Without its kind, a section is of the default one, which has other fields.
-        message = "expected" if name == "kind" else f"^{path}: expected a value, got none$"
-        with pytest.raises(ValueError, match=message):
-            RaceSettings.from_json(plain)
-        inside[name] = settings.to_json()
-        inside["speed"] = 1
-        with pytest.raises((TypeError, ValueError), match="expected"):
-            RaceSettings.from_json(plain)
-
-
-def test_names_in_files_are_data():
-    settings = tiny_race(learner="own_code:HillClimber")
-    plain = settings.to_json()
-    plain["learner"]["code"] = "nowhere:Annealing"
-    read = RaceSettings.from_json(plain)
-    assert read.learner.code == "nowhere:Annealing"
-    assert replace(read, seed=9).learner == read.learner
-    with pytest.raises(ValueError, match="^learner: expected .*, got 'nowhere:Annealing'.*install"):
-        read.new_learner("pursuer", read.untrained("pursuer", 1))
 
 
 def test_a_change_keeps_what_the_kind_of_section_still_has():

@@ -356,7 +356,6 @@ def rewritten(directory, change):
     [
         (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
         (lambda config: config.pop("format"), r"expected format 9, got None"),
-        (lambda config: config["settings"].pop("seed"), "seed: expected a value, got none"),
         (lambda config: config["settings"].update(speed=1), "speed: expected one of the settings"),
         (lambda config: config["settings"]["world"].update(rows="many"), "rows"),
     ],

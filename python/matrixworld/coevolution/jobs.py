@@ -155,7 +155,7 @@ def open_job(directory: str | Path) -> Job | None:
     values = load_format(path, FORMAT)
     with settings_of_this_version(path, values):
         job = {
-            name: RaceSettings.from_json({**group["settings"], "seed": seed})
+            name: RaceSettings.of({**group["settings"], "seed": seed})
             for group in values["groups"]
             for name, seed in group["seeds"].items()
         }
@@ -277,7 +277,7 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
 
     `elsewhere` says whether other machines play them, each of which checks its memory itself.
     """
-    left = {n: each for n, each in job.items() if not SavedRun(root / n).finished}
+    left = {n: each for n, each in job.items() if not _finished(root, n)}
     at_once = 1 if elsewhere else shares(len(left), threads)[0]
     needs = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
     check_memory(f"{at_once} runs at one time" if at_once > 1 else "run", runs=sum(needs[:at_once]))
@@ -300,6 +300,12 @@ def shares(runs: int, threads: int | None) -> tuple[int, int]:
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
     return workers, max(1, cores // workers)
+
+
+def _finished(root: Path, name: str) -> bool:
+    """Return whether nothing has to be done for a run."""
+    # A run that is a job of its own is restored in any case, to tell of any damage.
+    return name != ITSELF and SavedRun(root / name).finished
 
 
 def play_job(
@@ -347,10 +353,9 @@ class _Play:
         self._work: dict[str, Progress] = {}
         self.failures: dict[str, BaseException] = {}
         for name, settings in job.items():
-            run = SavedRun(root / name)
-            if run.finished:
+            if _finished(root, name):
                 try:
-                    check_same(run, settings)
+                    check_same(SavedRun(root / name), settings)
                     self._end(name)
                 except BAD_FILES as error:
                     self.failures[name] = error

@@ -19,7 +19,6 @@ import re
 import sys
 from collections.abc import Callable, Mapping
 from copy import deepcopy
-from dataclasses import dataclass
 from importlib import import_module
 from operator import attrgetter
 from typing import Any, get_type_hints
@@ -40,29 +39,21 @@ class PluginError(RuntimeError):
     """
 
 
-# Names and settings, as data:
-
-
-@dataclass(frozen=True)
-class Interface:
-    """What a class of your own has to be: what messages call one, and its methods."""
-
-    what: str
-    methods: tuple[str, ...]
-
-
-LEARNER = Interface("learner", ("ask", "tell", "state", "restore"))
-OPPONENT = Interface("opponent sampler", ("sample", "tell", "state", "restore"))
+LEARNER, OPPONENT = "learner", "opponent sampler"
+METHODS = {
+    LEARNER: ("ask", "tell", "state", "restore"),
+    OPPONENT: ("sample", "tell", "state", "restore"),
+}
+"""What a class of your own has to have, by what messages call it."""
 
 Code = str | Callable[..., Any]
 """A class or function of your own, or its name."""
 
 
-def name_of(code: Callable[..., Any], interface: Interface) -> str:
-    """Return ``module:object`` for a class or function; ValueError unless it may be one."""
-    _check_interface(code, shown(code), interface)
-    name = f"{code.__module__}:{code.__qualname__}"
-    if not PATH.fullmatch(name):  # an import would not find what is inside a function
+def name_of(code: Callable[..., Any]) -> str:
+    """Return ``module:object`` for a class or function; ValueError if an import cannot find it."""
+    name = f"{getattr(code, '__module__', '')}:{getattr(code, '__qualname__', '')}"
+    if not PATH.fullmatch(name):  # such as what is inside a function
         raise ValueError(f"code: expected a class or function of a module, got {shown(code)}")
     return name
 
@@ -75,19 +66,14 @@ def check_own_settings(name: str, given: Any) -> dict[str, Any]:
     for key, value in values.items():
         if not isinstance(key, str) or not key.isidentifier():
             raise ValueError(f"{name}: expected names such as sigma, got {key!r}")
-        if not isinstance(value, bool | int | float | str):
-            raise TypeError(
-                f"{name}: expected a number, text, True or False as {key}, got {value!r}"
-            )
-        if isinstance(value, float) and not math.isfinite(value):
-            raise ValueError(f"{name}: expected a finite number as {key}, got {value}")
+        is_number = isinstance(value, float) and math.isfinite(value)
+        if not is_number and not isinstance(value, bool | int | str):
+            expected = "a finite number, text, True or False"
+            raise TypeError(f"{name}: expected {expected} as {key}, got {value!r}")
     return dict(sorted(values.items()))
 
 
-# Classes and functions:
-
-
-def find(code: Code, interface: Interface) -> Callable[..., Any]:
+def find(code: Code, what: str) -> Callable[..., Any]:
     """Return a class or function; import it if `code` is its name.
 
     Raises ValueError if there is no such module or object, PluginError if the module itself fails.
@@ -105,43 +91,35 @@ def find(code: Code, interface: Interface) -> Callable[..., Any]:
         missing = isinstance(error, ModuleNotFoundError) and error.name
         if missing and f"{module}.".startswith(f"{missing}."):
             raise ValueError(
-                f"{interface.what}: expected a module that can be imported, got {code!r} "
+                f"{what}: expected a module that can be imported, got {code!r} "
                 f"({error}); install the package that has it, or put its folder on PYTHONPATH"
             ) from error
-        raise _failed(f"{interface.what} {code}: import", error) from error
+        raise _failed(f"{what} {code}: import", error) from error
     try:
         found: Callable[..., Any] = attrgetter(attribute)(imported)
     except AttributeError as error:
         raise ValueError(
-            f"{interface.what}: expected the name of an object in {module}, got {attribute!r}"
+            f"{what}: expected the name of an object in {module}, got {attribute!r}"
         ) from error
     # Before it is called: the files of a stranger's run must not name any function at all.
-    _check_interface(found, code, interface)
+    kind = get_type_hints(found).get("return") if inspect.isfunction(found) else found
+    if not inspect.isclass(kind) or not all(hasattr(kind, method) for method in METHODS[what]):
+        raise ValueError(
+            f"{what}: expected a class with {', '.join(METHODS[what])}, or a function whose return "
+            f"annotation is one, got {code}"
+        )
     return found
 
 
-def _check_interface(found: Any, name: str, interface: Interface) -> None:
-    """Raise ValueError unless this is a class, or says that it returns one, with the methods."""
-    try:
-        made = found if inspect.isclass(found) else get_type_hints(found).get("return")
-    except (AttributeError, NameError, SyntaxError, TypeError):
-        made = None
-    if not all(hasattr(made, method) for method in interface.methods):
-        raise ValueError(
-            f"{interface.what}: expected a class with {', '.join(interface.methods)}, or a "
-            f"function whose return annotation is one, got {name}"
-        )
-
-
-def made(code: Code, interface: Interface, run: Mapping[str, Any], own: Mapping[str, Any]) -> Any:
+def made(code: Code, what: str, run: Mapping[str, Any], own: Mapping[str, Any]) -> Any:
     """Return a new learner or sampler of your own.
 
     `run` are the arguments that the run has for it, of which those are passed that its signature
     names; `own` are settings of its own. ValueError if it cannot be found, does not have these
     settings or refuses their values; PluginError on any other error.
     """
-    factory = find(code, interface)
-    title = f"{interface.what} {code if isinstance(code, str) else code.__qualname__}"
+    factory = find(code, what)
+    title = f"{what} {code if isinstance(code, str) else code.__qualname__}"
     signature = inspect.signature(factory)
     given = {name: run[name] for name in signature.parameters if name in run}
     try:

@@ -33,7 +33,7 @@ from matrixworld._util.checks import check_integer
 from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.opponents import OpponentSampler
-from matrixworld.coevolution.own_code import OPPONENT, Interface, made
+from matrixworld.coevolution.own_code import OPPONENT, made
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.policy import SCRIPTS
@@ -135,8 +135,6 @@ class MetaOpponents(Section):
 @dataclass(frozen=True)
 class OwnOpponents(OwnCode):
     """Opponents by a sampler of your own (see `OpponentSampler`)."""
-
-    interface: ClassVar[Interface] = OPPONENT
 
     def new(self, count: int) -> OpponentSampler:
         """Return a new sampler of up to `count` opponents an epoch; imports its code."""

@@ -29,7 +29,7 @@ from matrixworld._util.checks import (
     check_number,
     shown,
 )
-from matrixworld.coevolution.own_code import PATH, Interface, check_own_settings, name_of
+from matrixworld.coevolution.own_code import PATH, check_own_settings, name_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
@@ -117,14 +117,13 @@ class OwnCode(Section):
     """Base of the settings of a class of your own: its name or itself, and its settings."""
 
     kind: ClassVar[str] = "own"
-    interface: ClassVar[Interface]
 
     code: str = setting("", "module:object")
     settings: Mapping[str, Any] = setting({}, "its settings: numbers, text, true or false")
 
     def __post_init__(self) -> None:
         if callable(self.code):
-            object.__setattr__(self, "code", name_of(self.code, self.interface))
+            object.__setattr__(self, "code", name_of(self.code))
         super().__post_init__()
 
     def check(self) -> None:
@@ -231,16 +230,13 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
 
 def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str, Any]]:
     """Return the section of a kind, a shorthand or own code, and the fields that this sets."""
-    known, kinds = sections_in(hint), kinds_in(hint)
-    own: Any = known.get("own")
-    if own and callable(kind):
-        kind = name_of(kind, own.interface)
-    if isinstance(kind, str):
-        if kind in known:
-            return known[kind], known[kind].shorthands.get(kind, {})
-        if own and PATH.fullmatch(kind):
-            return own, {"code": kind}
-    names = [*kinds, "or module:object"] if own else kinds
+    known, names = sections_in(hint), kinds_in(hint)
+    if isinstance(kind, str) and kind in known:
+        return known[kind], known[kind].shorthands.get(kind, {})
+    if "own" in known:
+        if callable(kind) or (isinstance(kind, str) and PATH.fullmatch(kind)):
+            return known["own"], {"code": kind}
+        names.append("or module:object")
     expected = f"one of {', '.join(names)}" if names else known[""].__name__
     raise ValueError(f"{name}: expected {expected}, got {shown(kind)}")
 
@@ -285,15 +281,6 @@ def check_names(given: Iterable[str], known: Collection[str]) -> None:
             raise ValueError(f"{name}: expected one of the settings {', '.join(known)}")
 
 
-def check_complete(plain: Mapping[str, Any], expected: Mapping[str, Any], path: str = "") -> None:
-    """Raise ValueError for the first name of nested settings that is missing."""
-    for name, value in expected.items():
-        if name not in plain:
-            raise ValueError(f"{path}{name}: expected a value, got none")
-        if isinstance(value, Mapping) and isinstance(plain[name], Mapping):
-            check_complete(plain[name], value, f"{path}{name}.")
-
-
 def _world(name: str, plain: Mapping[str, Any]) -> WorldConfig:
     """Return the world of some fields; rules and rewards may be names, or both given one by one."""
     values = dict(plain)
@@ -308,14 +295,11 @@ def _world(name: str, plain: Mapping[str, Any]) -> WorldConfig:
             kind = parts.pop("kind", usual)
             check_choice(row, kind, kinds)
             # Those that are not given are as in the row of that kind.
-            base: Any = WorldConfig(**{row: kinds[kind]})
-            plain_base = base.to_json()
-            full = {**plain_base[row], **parts}
-            if full != plain_base[row]:
-                with inside(row):
-                    check_names(parts, plain_base[row])
-                    base = WorldConfig.from_json({**plain_base, row: full})
-            values[row] = getattr(base, row)
+            base = WorldConfig(**{row: kinds[kind]}).to_json()
+            with inside(row):
+                check_names(parts, base[row])
+                changed = WorldConfig.from_json({**base, row: {**base[row], **parts}})
+            values[row] = getattr(changed, row)
         return WorldConfig(**values)
 
 

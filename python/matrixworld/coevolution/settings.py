@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import Field, dataclass, fields, replace
 from functools import partial
 from inspect import signature
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from matrixworld.coevolution.learners.masked_network import (
     mask_weights,
     masked_network,
 )
-from matrixworld.coevolution.own_code import LEARNER, Interface, find, made
+from matrixworld.coevolution.own_code import LEARNER, find, made
 from matrixworld.coevolution.schedules import (
     SCHEDULES,
     Against,
@@ -35,7 +35,6 @@ from matrixworld.coevolution.sections import (
     OwnCode,
     Section,
     by_path,
-    check_complete,
     documented,
     inside,
     kinds_in,
@@ -148,8 +147,6 @@ class FitnessSettings(Section):
 @dataclass(frozen=True)
 class OwnLearnerSettings(OwnCode, LearnerSettings):
     """A learner of your own (see `Learner`)."""
-
-    interface: ClassVar[Interface] = LEARNER
 
     @property
     def starting_genomes(self) -> int:
@@ -372,25 +369,15 @@ class RaceSettings(Section):
     def of(cls, *values: Mapping[str, Any]) -> RaceSettings:
         """Return settings from values by their paths, such as ``{"learner.sigma": 0.2}``.
 
-        All other settings have their defaults; sections may be nested mappings, or texts that name
-        their kinds, rules and rewards names. Later mappings change earlier ones. TypeError or
-        ValueError as in `changed`.
+        All other settings have their defaults; sections may be nested mappings, as `to_json`
+        returns them, or texts that name their kinds, rules and rewards names. Later mappings change
+        earlier ones. Code of your own is named only, and not imported. TypeError or ValueError as
+        in `changed`; the message begins with the path.
         """
         given: dict[str, Any] = {}
         for each in values:
             given = merged(cls, given, by_path(each))
         return cls(**given)
-
-    @classmethod
-    def from_json(cls, plain: Mapping[str, Any]) -> RaceSettings:
-        """Return settings from what `to_json` returned, all of it.
-
-        Learners and samplers of your own are named only, and not imported. TypeError or ValueError
-        if a setting is missing, unknown or has a bad value; the message begins with its path.
-        """
-        found = cls.of(plain)
-        check_complete(plain, found.to_json())
-        return found
 
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:

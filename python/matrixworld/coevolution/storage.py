@@ -183,7 +183,7 @@ class SavedRun:
     def settings(self) -> RaceSettings:
         """Settings of the run; OtherVersionError if this version cannot read them."""
         with settings_of_this_version(self.path / CONFIG, self.config):
-            return RaceSettings.from_json(self.config["settings"])
+            return RaceSettings.of(self.config["settings"])
 
     @property
     def title(self) -> str:
