@@ -7,12 +7,12 @@ the same for every run show it, and make runs comparable.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from importlib.resources import as_file, files
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,7 @@ from matrixworld.analysis import (
     mean_over_episodes,
 )
 from matrixworld.coevolution.evaluation.tournament import (
+    each_genome,
     play_blocks,
     team_size,
     tournament,
@@ -204,11 +205,6 @@ class HeldOutScores(Readable):
         """Return the mean of one genome over the opponents, with an interval over episodes."""
         return self._estimate(row, range(len(self.opponents)))
 
-    def estimates(self, row: int = -1) -> dict[str, Estimate]:
-        """Return the means of one genome against each opponent by name, and their mean."""
-        # The mean has its own interval: it is narrower than those of its parts.
-        return {**{n: self.against(n, row) for n in self.opponents}, "mean": self.mean(row)}
-
     def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
         # Episode e against each opponent is one independent sample of the mean.
         return mean_over_episodes(self.rates[row][list(chosen)].mean(axis=0))
@@ -239,7 +235,9 @@ def estimates_of(scores: Sequence[HeldOutScores], row: int = -1) -> dict[str, Es
     Intervals are over the runs, those of a single run over its episodes.
     """
     if len(scores) == 1:
-        return scores[0].estimates(row)
+        [one] = scores
+        # The mean has its own interval: it is narrower than those of its parts.
+        return {**{n: one.against(n, row) for n in one.opponents}, "mean": one.mean(row)}
     rates = np.array([each.rates[row].mean(axis=1) for each in scores])
     columns = {**dict(zip(scores[0].opponents, rates.T, strict=True)), "mean": rates.mean(axis=1)}
     found = {name: interval_over_runs(each, bounds=(0.0, 1.0)) for name, each in columns.items()}
@@ -261,46 +259,75 @@ def _rows(scores: Sequence[HeldOutScores]) -> tuple[str, dict[str, Estimate]]:
     return f"{team}s by generation: mean {SCORE[team]}", means
 
 
-def _by_engine(
+class _Side(NamedTuple):
+    """A team to be scored: its genomes or another policy, and whom it meets."""
+
+    team: Team
+    policy: Plays
+    generations: Sequence[int]
+    opponents: Mapping[str, Plays]
+    left_out: str
+
+
+def _scores(
     config: WorldConfig,
-    team: Team,
-    policy: TeamPolicy,
-    opponents: Mapping[str, TeamPolicy],
+    teams: Sequence[_Side],
     *,
     episodes: int,
     seed: int,
     threads: int | None,
-    on_row: Callable[[int], None],
+    report: Report,
     executor: Executor | None = None,
+) -> dict[Team, HeldOutScores]:
+    """Play teams against their opponents, one opponent at a time."""
+    blocks, places = [], []
+    rates: dict[Team, NDArray[np.float64]] = {}
+    for team, policy, generations, opponents, _ in teams:
+        shape = len(generations), len(opponents), episodes
+        # Rates of the opponents so far, and the statistics of one more.
+        check_memory("scores", rates=shape[0] * episodes * (EPISODE_BYTES + 2 * RATE * shape[1]))
+        rates[team] = np.empty(shape)
+        for number, opponent in enumerate(opponents.values()):
+            # The generation is not part of the key: all genomes play the same episodes.
+            match = match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
+            blocks.append(partial(_played, config, team, policy, opponent, match, episodes))
+            places.append((team, number))
+    done, total = 0, sum(each.size for each in rates.values())
+    for block, found in play_blocks(blocks, threads, executor):
+        team, number = places[block]
+        rates[team][:, number] = found if team == "pursuer" else 1.0 - found
+        done += found.size
+        report(Progress(f"{team}s against held-out opponents", done, total))
+    return {
+        team: HeldOutScores(team, tuple(generations), tuple(opponents), rates[team], left_out)
+        for team, _, generations, opponents, left_out in teams
+    }
+
+
+def _played(
+    config: WorldConfig,
+    team: Team,
+    policy: Plays,
+    opponent: Plays,
+    seed: int,
+    episodes: int,
+    *,
+    threads: int | None,
 ) -> NDArray[np.float64]:
-    """Return the scores (G, N, episodes) of the genomes of a team against opponents.
+    """Return the capture rates (G, episodes) of the genomes of a team against an opponent."""
 
-    `on_row` gets the number of episodes played so far.
-    """
-    count = team_size(policy)
-    # Rates of the opponents so far, and the statistics of one more.
-    check_memory("scores", rates=count * episodes * (EPISODE_BYTES + 2 * RATE * len(opponents)))
-    blocks = []
-    for number, opponent in enumerate(opponents.values()):
-        sides = (policy, opponent) if team == "pursuer" else (opponent, policy)
-        # All genomes play the same episodes.
-        seeds = np.full(count, held_out_seed(seed, team, number), np.uint64)
-        own = np.arange(count)
-        matches = Matches.of(own, 0, seeds) if team == "pursuer" else Matches.of(0, own, seeds)
-        blocks.append(partial(rollout, config, *sides, matches, episodes=episodes))
-    captured = np.empty((count, len(opponents), episodes))
-    played = 0
-    for number, statistics in play_blocks(blocks, threads, executor):
-        captured[:, number] = statistics.capture_rate
-        played += statistics.capture_rate.size
-        on_row(played)
-    return captured if team == "pursuer" else 1.0 - captured
+    def sides(own: Any, others: Any) -> tuple[Any, Any]:
+        return (own, others) if team == "pursuer" else (others, own)
 
-
-def held_out_seed(seed: int, team: Team, number: int) -> int:
-    """Return the seed of the matches of a team against held-out opponent `number`."""
-    # The generation is not part of the key: all genomes play the same episodes.
-    return match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
+    if callable(policy) or callable(opponent):
+        every = (sides(each, opponent) for each in each_genome(policy))
+        played = [capture_rates(config, *each, seed=seed, episodes=episodes) for each in every]
+        return np.stack(played)
+    own = np.arange(team_size(policy))
+    matches = Matches.of(*sides(own, 0), np.full(len(own), seed, np.uint64))
+    both = sides(policy, opponent)
+    statistics = rollout(config, *both, matches, episodes=episodes, threads=threads)
+    return statistics.capture_rate.astype(np.float64)
 
 
 def score(
@@ -347,23 +374,31 @@ def score(
     episodes = check_integer("episodes", episodes, 2)
     check_threads(threads)
     world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
-    chosen = {team: _chosen(run, team, generation) for team in run.settings.learning_teams}
-    unseen = {team: _unseen(run, team, world) for team in chosen}
-    total = sum(len(chosen[team][1]) * len(unseen[team][0]) * episodes for team in chosen)
-    scores: dict[Team, HeldOutScores] = {}
+    return _scores(
+        world,
+        [_side(run, team, generation, world) for team in run.settings.learning_teams],
+        episodes=episodes,
+        seed=seed,
+        threads=threads,
+        report=report,
+        executor=executor,
+    )
 
-    def report_row(team: Team, done: int) -> None:
-        before = sum(each.matches for each in scores.values())
-        report(Progress(f"{team}s against held-out opponents", before + done, total))
 
-    for team, (population, generations) in chosen.items():
-        opponents, left_out = unseen[team]
-        rates = _by_engine(
-            world, team, population, opponents, episodes=episodes, seed=seed, threads=threads,
-            on_row=partial(report_row, team), executor=executor,
-        )  # fmt: skip
-        scores[team] = HeldOutScores(team, tuple(generations), tuple(opponents), rates, left_out)
-    return scores
+def _side(run: SavedRun, team: Team, generation: int | None, world: WorldConfig) -> _Side:
+    """Return a team of a run, and the opponents that it did not train against."""
+    archive = cast(Population, run.teams[team])  # never a script, because the team learned
+    generations = [*range(len(archive.genomes))]
+    if generation is not None:
+        generations = [run.generation(team, generation, "generation")]
+    opponents, left_out = opponents_of(team, world)
+    schedule = run.settings.schedule
+    if isinstance(schedule, Against) and schedule.opponent in opponents:
+        del opponents[schedule.opponent]
+        seen = f"not {schedule.opponent}: the run trained against it"
+        left_out = f"{seen}; {left_out}" if left_out else seen
+    chosen = Population(archive.genomes[generations], archive.network)
+    return _Side(team, chosen, generations, opponents, left_out)
 
 
 def score_runs(
@@ -406,25 +441,6 @@ def _kept(run: SavedRun) -> dict[str, Any] | None:
     except (FileNotFoundError, DamagedFileError):
         return None
     return kept if kept.items() >= SCORED_BY.items() else None
-
-
-def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
-    archive = cast(Population, run.teams[team])  # never a script, because the team learned
-    numbers = list(range(len(archive.genomes)))
-    if generation is not None:
-        numbers = [run.generation(team, generation, "generation")]
-    return Population(archive.genomes[numbers], archive.network), numbers
-
-
-def _unseen(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
-    """Return the opponents that the run did not train against, and which are left out."""
-    opponents, left_out = opponents_of(team, world)
-    schedule = run.settings.schedule
-    seen = schedule.opponent if isinstance(schedule, Against) else None
-    if seen not in opponents:
-        return opponents, left_out
-    unseen = {name: each for name, each in opponents.items() if name != seen}
-    return unseen, "; ".join(filter(None, [f"not {seen}: the run trained against it", left_out]))
 
 
 # Policies that learned elsewhere, and teams that learned in another way:
@@ -498,42 +514,9 @@ def score_policy(
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
         raise ValueError("opponents: expected at least one, got none")
-    total = team_size(mine) * len(theirs) * episodes
-
-    def on_row(played: int) -> None:
-        report(Progress(f"{team}s against held-out opponents", played, total))
-
-    if any(map(callable, [mine, *theirs.values()])):
-        rates = _by_functions(config, team, mine, theirs, episodes, seed, on_row)
-    else:
-        rates = _by_engine(
-            config, team, mine, theirs, episodes=episodes, seed=seed, threads=threads,
-            on_row=on_row,
-        )  # fmt: skip
-    return HeldOutScores(team, tuple(range(len(rates))), tuple(theirs), rates, left_out)
-
-
-def _by_functions(
-    config: WorldConfig,
-    team: Team,
-    policy: Plays,
-    opponents: Mapping[str, Plays],
-    episodes: int,
-    seed: int,
-    on_row: Callable[[int], None],
-) -> NDArray[np.float64]:
-    """Return what `_by_engine` does, where functions decide for a team."""
-    mine: list[Plays] = [policy]
-    if isinstance(policy, Population):
-        mine = [Population(genome, policy.network) for genome in policy.genomes]
-    captured = np.empty((len(mine), len(opponents), episodes))
-    for number, opponent in enumerate(opponents.values()):
-        match = held_out_seed(seed, team, number)
-        for row, one in zip(captured, mine, strict=True):
-            sides = (one, opponent) if team == "pursuer" else (opponent, one)
-            row[number] = capture_rates(config, *sides, seed=match, episodes=episodes)
-        on_row((number + 1) * len(mine) * episodes)
-    return captured if team == "pursuer" else 1.0 - captured
+    side = _Side(team, mine, range(team_size(mine)), theirs, left_out)
+    found = _scores(config, [side], episodes=episodes, seed=seed, threads=threads, report=report)
+    return found[team]
 
 
 def _plays(name: str, policy: Any, most: int | None = None) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, as_completed
 from functools import partial
 from itertools import product
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,9 +20,12 @@ from matrixworld._util.checks import (
 )
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff
-from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
+from matrixworld.play.matches import Plays
+from matrixworld.play.rollout import Matches, Rollout, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, Population, check_team
+
+Block = TypeVar("Block")
 
 MEANS = ("collisions", "faults", "agent_steps", "pursuer_survivors", "evader_survivors")
 """Statistics of which a payoff holds the mean over the episodes."""
@@ -90,7 +93,7 @@ def tournament(
     # One row at a time, so that the progress can be reported.
     rows = [
         partial(play, config, one, evaders, Matches.of(0, columns, row), episodes=episodes)
-        for one, row in zip(_each(pursuers), seeds.reshape(size), strict=True)
+        for one, row in zip(each_genome(pursuers), seeds.reshape(size), strict=True)
     ]
     kept: dict[str, NDArray[Any]] = {}
     played = 0
@@ -111,13 +114,11 @@ def tournament(
 
 
 def play_blocks(
-    blocks: Sequence[Callable[..., EpisodeStatistics]],
-    threads: int | None,
-    executor: Executor | None,
-) -> Iterator[tuple[int, EpisodeStatistics]]:
-    """Yield the number of each block of matches and its statistics.
+    blocks: Sequence[Callable[..., Block]], threads: int | None, executor: Executor | None
+) -> Iterator[tuple[int, Block]]:
+    """Yield the number of each block of matches and what it returned.
 
-    Blocks are calls of `rollout` without its threads: played here in order, or by an executor.
+    Blocks are functions of their threads, which are called here in order, or by an executor.
     """
     if executor is None:
         for number, play in enumerate(blocks):
@@ -137,12 +138,13 @@ def play_blocks(
             future.cancel()
 
 
-def team_size(team: EnginePolicy) -> int:
+def team_size(team: Plays) -> int:
     """Return how many candidates a team has: its genomes, or one."""
     return len(team.genomes) if isinstance(team, Population) else 1
 
 
-def _each(team: EnginePolicy) -> list[EnginePolicy]:
+def each_genome(team: Plays) -> list[Any]:
+    """Return each genome of a team as a population, or what else plays for it."""
     if not isinstance(team, Population):
         return [team]
     return [Population(genome[None], team.network) for genome in team.genomes]
