@@ -63,7 +63,7 @@ EXPLORE = [
     (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
     (["race", "--baseline", "x=alone", "--baseline", "x=alone"], 2, "each name once, got 'x'"),
-    (["race", "--figures", "--baseline", "x=race"], 2, "expected a run of one team, got a race"),
+    (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),
     (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs"),
 ]
 OTHERS = [

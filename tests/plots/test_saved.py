@@ -9,7 +9,7 @@ from command_line import matrixworld_command
 from matrixworld import analysis
 from matrixworld.cli.pages import FIGURES, FORMATS, OF_GAME
 from matrixworld.coevolution import finish, open_groups, open_run, open_runs
-from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.plots.saved import OF_GROUPS, OF_RUN, collisions_per_1000, figures_of
 from tiny_race import tiny_race, tiny_single
 
@@ -101,8 +101,12 @@ def levels(runs: Path, place: str, **baselines: str) -> tuple[dict[str, float], 
 
 def mean_score(race: Path, baseline: Path) -> float:
     """Return the score of a baseline by the payoff matrix of the tournament."""
-    team, champion = trained_team(open_run(baseline))
-    return float(np.mean(scores_in_race(open_run(race), team, champion)))
+    alone, settings = open_run(baseline), open_run(race).settings
+    [team] = alone.settings.learning_teams
+    sides = {**open_run(race).teams, team: alone.last(team)}
+    played = {"seed": settings.seed, "episodes": settings.evaluation_episodes}
+    rates = tournament(settings.world, *sides.values(), **played).capture_rate
+    return float(np.mean(rates if team == "pursuer" else 1 - rates))
 
 
 def test_baselines_are_level_lines_with_intervals_over_seeds(runs):

@@ -17,7 +17,6 @@ from matrixworld.cli.replay import source_of
 from matrixworld.cli.runs import common_directory, finished_groups, run_in, runs_argument
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import SavedRun, open_run, open_runs
-from matrixworld.coevolution.evaluation.scores import trained_team
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.explorer import play_page, playground
 from matrixworld.explorer.page import write_page
@@ -71,7 +70,7 @@ def _baselines(
             raise click.BadParameter(f"expected each name once, got {name!r} twice")
         try:
             opened[name] = open_runs(path)
-            teams = {trained_team(run)[0] for run in opened[name]}
+            teams = {team for run in opened[name] for team in run.settings.learning_teams}
         except (FileNotFoundError, ValueError) as error:
             raise click.BadParameter(f"{name}: {error}") from error
         if len(teams) != 1:

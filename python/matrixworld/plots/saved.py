@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from matrixworld import plots
 from matrixworld.analysis import headline
-from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import Against, HallOfFame, curve_window
 from matrixworld.coevolution.storage import SavedRun
@@ -226,14 +226,25 @@ def baseline_scores(group: RunGroup, baselines: Baselines) -> dict[Team, dict[st
     scores: dict[Team, dict[str, list[float]]] = {team: {} for team in TEAMS}
     races = group.runs if baselines else ()
     for name, runs in baselines.items():
-        trained = [trained_team(_of_seed(name, runs, race.settings.seed)) for race in races]
-        means = [
-            float(scores_in_race(race, team, champion).mean())
-            for race, (team, champion) in zip(races, trained, strict=True)
-        ]
+        means = []
+        for race in races:
+            trained = _of_seed(name, runs, race.settings.seed)
+            [team] = trained.settings.learning_teams
+            means.append(_mean_score(race, team, trained))
         # One run for all seeds tells nothing about other runs: its mean has no interval.
-        scores[trained[0][0]][name] = means if len(runs) > 1 else [sum(means) / len(means)]
+        scores[team][name] = means if len(runs) > 1 else [sum(means) / len(means)]
     return scores
+
+
+def _mean_score(race: SavedRun, team: Team, trained: SavedRun) -> float:
+    """Return the mean score of the last genome of a team against all opponents of a race."""
+    sides = {**race.teams, team: trained.last(team)}
+    settings, episodes = race.settings, race.settings.evaluation_episodes
+    payoff = tournament(
+        settings.world, sides["pursuer"], sides["evader"], seed=settings.seed, episodes=episodes
+    )
+    rates = payoff.capture_rate.ravel()
+    return float((rates if team == "pursuer" else 1 - rates).mean())
 
 
 def _of_seed(name: str, runs: Sequence[SavedRun], seed: int) -> SavedRun:

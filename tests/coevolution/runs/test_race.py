@@ -304,7 +304,6 @@ def test_race(tmp_path):
     assert log["generation"].tolist() == [1] * 4 + [2] * 4 + [3] * 4
     per_epoch = [4 * (2 + 2 * hall) for hall in (1, 2, 2) for _ in range(2)]
     assert log["matches"][::2].tolist() == np.cumsum(per_epoch).tolist()
-    assert race.phase_rates().shape == (3, 2)
 
 
 # ---- Learners that leave the range of float32: refused before the archive ----

@@ -42,7 +42,6 @@ from matrixworld.coevolution.evaluation.tournament import (
     each_genome,
     play_blocks,
     team_size,
-    tournament,
 )
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.schedules import Against
@@ -443,7 +442,7 @@ def _kept(run: SavedRun) -> dict[str, Any] | None:
     return kept if kept.items() >= SCORED_BY.items() else None
 
 
-# Policies that learned elsewhere, and teams that learned in another way:
+# Policies that learned elsewhere:
 
 
 def score_policy(
@@ -531,36 +530,3 @@ def _plays(name: str, policy: Any, most: int | None = None) -> Any:
     elif most is not None and team_size(policy) > most:
         raise ValueError(f"{name}: expected a single genome, got {team_size(policy)}")
     return policy
-
-
-def scores_in_race(race: SavedRun, team: Team, policy: TeamPolicy) -> NDArray[np.float64]:
-    """Return the mean scores (generations,) of a policy against a race's other team.
-
-    Capture rates, or for evaders 1 minus them; `policy` is one genome or a script. There are as
-    many episodes as in the race's evaluation. ValueError if the run is not a race.
-    """
-    check_choice("team", team, TEAMS)
-    settings = race.settings
-    if not settings.is_race:
-        raise ValueError(f"race: expected a race, got a run of one team: {race.path}")
-    sides = {**race.teams, team: policy}
-    payoff = tournament(
-        settings.world,
-        sides["pursuer"],
-        sides["evader"],
-        seed=settings.seed,
-        episodes=settings.evaluation_episodes,
-    )
-    # A row or a column of generations.
-    rates = payoff.capture_rate.ravel()
-    return rates if team == "pursuer" else 1 - rates
-
-
-def trained_team(run: SavedRun) -> tuple[Team, Population]:
-    """Return the team that learned in a run of one team, and its last genome."""
-    schedule = run.settings.schedule
-    if not isinstance(schedule, Against):
-        raise ValueError(f"{run.path}: expected a run of one team, got a race")
-    last = run.last(schedule.team)
-    assert isinstance(last, Population)  # the team that learned has genomes
-    return schedule.team, last

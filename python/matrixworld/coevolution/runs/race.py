@@ -22,7 +22,6 @@ from matrixworld.analysis import disengagements
 from matrixworld.analysis.progress import PATIENCE, Disengagement
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents import ArchiveSampler
-from matrixworld.coevolution.opponents.archives import PayoffFunction
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import (
     Alternating,
@@ -159,15 +158,11 @@ class Race(Run):
 
     def disengagements(self) -> tuple[Disengagement, ...]:
         """Return the stretches of finished generations in which one team won everything."""
-        return disengagements(self.phase_rates())
-
-    def phase_rates(self) -> FloatArray:
-        """Return the capture rates (K, 2) of both team phases of the K finished generations."""
         stages = self.stages_per_generation
-        finished = len(self.stage_capture_rates) // stages
+        finished = self.stage // stages
         rates = np.array(self.stage_capture_rates[: finished * stages]).reshape(finished, stages)
         # If a stage is a generation (as in `HallOfFameRace`), both phases have its rate.
-        return np.broadcast_to(rates, (finished, 2))
+        return disengagements(np.broadcast_to(rates, (finished, 2)))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return counts, and stretches of disengagement; commands judge the payoffs when asked."""
@@ -180,46 +175,35 @@ class Race(Run):
         """Add the team's newest genome and new `opponents` to its sampler's archive, if any."""
         sampler = self.samplers[team]
         if isinstance(sampler, ArchiveSampler):
-            payoff = self._payoff_function(team, graded=sampler.archive.graded)
+            payoff = partial(self._payoff, team, graded=sampler.archive.graded)
             sampler.update(np.array([generation - 1]), np.array(opponents), payoff)
 
-    def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:
-        """Return a function that plays generations (n,) against opponents (m,).
+    def _payoff(
+        self, team: Team, candidates: Members, tests: Members, *, graded: bool
+    ) -> FloatArray:
+        """Play generations (n,) of a team against opponents (m,), and return the payoffs (n, m).
 
-        Its payoffs (n, m) are rates if `graded`, otherwise 1 for a win, 0.5 for a draw and 0.
+        They are rates if `graded`, otherwise 1 for a win, 0.5 for a draw and 0.
         """
-
-        def payoff(candidates: Members, tests: Members) -> FloatArray:
-            generations = {team: candidates, other(team): tests}
-            captured = self._capture_rates(
-                generations["pursuer"], generations["evader"], self.schedule.archive_episodes(team)
-            )
-            # Archives are the same for both teams: rows are candidates, and higher is better.
-            rates = captured if team == "pursuer" else 1.0 - captured.T
-            return rates if graded else (1.0 + np.sign(np.round(rates - EVEN, DECIMALS))) / 2.0
-
-        return payoff
-
-    def _capture_rates(self, pursuers: Members, evaders: Members, episodes: int) -> FloatArray:
-        """Return mean capture rates (n, m); the seeds of a pair depend on that pair only."""
-        seed, shape = self.settings.seed, (len(pursuers), len(evaders), episodes)
+        met = {team: candidates.astype(int), other(team): tests.astype(int)}
+        episodes = self.schedule.archive_episodes(team)
+        # The order of the seeds: all episodes of a pair, which have seeds of their own, then the
+        # next pair.
+        pairs = [(int(g), int(h)) for g in met["pursuer"] for h in met["evader"]]
         seeds = [
-            training_seeds(seed, int(g), int(h), Phase.ARCHIVE, 0, episodes)
-            for g in pursuers
-            for h in evaders
+            training_seeds(self.settings.seed, g, h, Phase.ARCHIVE, 0, episodes) for g, h in pairs
         ]
-        # Matches in the order of the seeds: all episodes of a pair, then the next pair.
-        g, h, _ = np.indices(shape).reshape(3, -1)
-        scores = self.training.play(
-            self._members("pursuer", pursuers),
-            self._members("evader", evaders),
-            Matches.of(g, h, np.concatenate(seeds)),
-        )
+        pursuers, evaders = (self.training.population(self.genomes(each)) for each in TEAMS)
+        g, h = np.repeat(pairs, episodes, axis=0).T
+        scores = self.training.play(pursuers, evaders, Matches.of(g, h, np.concatenate(seeds)))
         rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
-        return np.asarray(rates.reshape(shape).mean(axis=2))
-
-    def _members(self, team: Team, generations: Members) -> Population:
-        return self.training.population(np.stack([self.archive[team][int(g)] for g in generations]))
+        shape = len(met["pursuer"]), len(met["evader"]), episodes
+        captured = np.asarray(rates.reshape(shape).mean(axis=2))
+        # Archives are the same for both teams: rows are candidates, and higher is better.
+        payoff = captured if team == "pursuer" else 1.0 - captured.T
+        if graded:
+            return payoff
+        return np.asarray((1.0 + np.sign(np.round(payoff - EVEN, DECIMALS))) / 2.0)
 
 
 class YokedRace(Race):
