@@ -118,11 +118,5 @@ def shown(rates: np.ndarray) -> str:
 
 if __name__ == "__main__":
     experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=measured,
-        together=of_scripts,
-        table=table,
-        seeds=3,
+        __file__, __doc__, kinds=kinds, measure=measured, together=of_scripts, table=table, seeds=3
     )

@@ -36,27 +36,18 @@ Matrix = np.ndarray
 
 @dataclass(frozen=True)
 class Simulation:
-    """Data of one kind and amount, and the intervals that the package gives for them.
-
-    Parameters
-    ----------
-    size : int
-        Generations of each team; 0 without a matrix.
-    samples : int
-        Runs, or episodes of each cell.
-    truths : mapping of (str, str) to float
-        True value of each interval and kind of data; NaN where there is none.
-    estimates : callable
-        Takes a generator, draws data, and returns the estimate of each interval.
-    slow : bool, optional
-        Whether it takes so long that a quarter of the repetitions has to do.
-    """
+    """Data of one kind and amount, and the intervals that the package gives for them."""
 
     size: int
+    """Generations of each team; 0 without a matrix."""
     samples: int
+    """Runs, or episodes of each cell."""
     truths: Mapping[Case, float]
+    """True value of each interval and kind of data; NaN where there is none."""
     estimates: Callable[[np.random.Generator], Mapping[Case, Estimate]]
+    """Draws data, and returns the estimate of each interval."""
     slow: bool = False
+    """Whether it takes so long that a quarter of the repetitions has to do."""
 
 
 # ---- One number of each run ----------------------------------------------------------------------

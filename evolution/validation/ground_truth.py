@@ -47,7 +47,7 @@ from tqdm import tqdm
 
 import _paths  # noqa: F401
 import matrixworld as mw
-from common import SMALL_STEPS, finish_all, kept, long_race, script_parser, written
+from common import SMALL_STEPS, finish_all, kept, long_race, mean, script_parser, written
 from judgement_counts import count_verdicts, read_counts
 from judgement_tables import RATE_HEADS, errors_of, table
 from judgement_truths import WINDOWS
@@ -69,19 +69,13 @@ SMALL = load_toml(Path(__file__).parents[1] / "small_world.toml")
 SHORT = {"match_episodes": 4, "schedule.generations": 20}
 """Races shorter than those of the file, of which many are needed."""
 QUICK = {
-    "world.rows": 3,
-    "world.cols": 3,
-    "world.max_steps": 2,
-    "learner.population": 4,
+    "world.rows": 3, "world.cols": 3, "world.max_steps": 2, "learner.population": 4,
     "schedule.generations": 8,
-}
+}  # fmt: skip
 SCHEDULES = (
-    "specialist-specialist",
-    "generalist-specialist",
-    "generalist-generalist",
-    "hall-of-fame",
+    "specialist-specialist", "generalist-specialist", "generalist-generalist", "hall-of-fame",
     "psro",
-)
+)  # fmt: skip
 BUDGETS = (2_000, 5_000, 20_000, 200_000)
 """Matches of learned responses."""
 RESPONSES_TO = "generalist-generalist"
@@ -201,16 +195,11 @@ def responses_of(
             responses = best_responses(runs, team, budget, where, learner=learner, threads=1)
             for name, each in responses.items():
                 states = states_of(runs[name].settings.world)
-                teams = {t: last(p) for t, p in runs[name].teams.items()}
-                learned = last(mw.coevolution.open_run(each.directory).teams[other(team)])
+                teams = {t: runs[name].last(t) for t in TEAMS}
+                learned = mw.coevolution.open_run(each.directory).last(other(team))
                 row = found[name].setdefault(team, {"met": exact(states, teams, team)})
                 row[str(budget)] = exact(states, teams | {other(team): learned}, team)
     return found
-
-
-def last(population: mw.Population) -> mw.Population:
-    """Return the last generation."""
-    return mw.Population(population.genomes[-1:], population.network)
 
 
 def exact(states: States, teams: Mapping[Team, mw.Population], champion: Team) -> float:
@@ -333,10 +322,7 @@ def table_of_truth(rows: Sequence[Row]) -> str:
     for schedule, several in by_schedule(rows).items():
         ends = [[row["truth"][team][when] for row in several] for team in TEAMS for when in (0, -1)]
         conv = [1 - sum(row["truth"][team][-1] for team in TEAMS) for row in several]
-        found = (
-            written(analysis.interval_over_runs(each, bounds=(0.0, 1.0))) for each in (*ends, conv)
-        )
-        cells.append([schedule, *found])
+        cells.append([schedule, *(mean(each, bounds=(0.0, 1.0)) for each in (*ends, conv))])
     return table([*heads, "NashConv: last"], cells)
 
 
@@ -355,8 +341,7 @@ def table_of_responses(rows: Sequence[Row]) -> str:
         line = [f"{int(budget):,}"]
         for team in TEAMS:
             gains, best = np.array([gains_of(row, team, budget) for row in learned]).T
-            found = (analysis.interval_over_runs(each) for each in (gains, gains / best))
-            line.extend(written(each, 2) for each in found)
+            line += [mean(gains, 2), mean(gains / best, 2)]
         cells.append(line)
     heads = [f"{team}s: {what}" for team in TEAMS for what in ("gain", "share of the true gain")]
     return table(["matches", *heads], cells)
@@ -426,12 +411,9 @@ def table_of_changes(rows: Sequence[Row]) -> str:
     for schedule, several in by_schedule(rows).items():
         line = [schedule]
         for team in TEAMS:
-            for scores in (
-                [row["measures"][team]["all"] for row in several],
-                [row["truth"][team] for row in several],
-            ):
-                found = analysis.interval_over_runs([linear_change(each) for each in scores])
-                line.append(written(found, 3, "+"))
+            gains = [linear_change(row["measures"][team]["all"]) for row in several]
+            guarantees = [linear_change(row["truth"][team]) for row in several]
+            line += [mean(each, 3, "+") for each in (gains, guarantees)]
         said = [row["verdicts"]["whole"]["arms race"] for row in several]
         line.append(f"{said.count('present')} of {len(said)}")
         cells.append(line)

@@ -29,7 +29,7 @@ from tqdm import tqdm
 
 import _paths  # noqa: F401
 import matrixworld as mw
-from common import script_parser
+from common import markdown, script_parser
 from coverage_of_runs import (
     EFFECTS,
     RUNS,
@@ -72,17 +72,7 @@ ENOUGH = 0.90
 
 @dataclass(frozen=True)
 class Count:
-    """Counts of one case.
-
-    Parameters
-    ----------
-    interval, data : str
-        What the interval is of, and of which data.
-    size, samples : int
-        As in `Simulation`.
-    repetitions, given, covered : int
-        Data sets, intervals that the package gave, and those that contain the truth.
-    """
+    """Of one case: data sets, intervals that are given, and those that contain the truth."""
 
     interval: str
     data: str
@@ -107,6 +97,11 @@ TRUE_MATRICES: dict[str, Callable[[Matrix, int], Matrix]] = {
     "flat": lambda lag, n: np.full((n, n), 0.5),
 }
 """Capture rate of all pairs from the lag g - h and the number of generations."""
+
+
+def lags(size: int) -> Matrix:
+    """Return g - h of all pairs of generations."""
+    return np.subtract.outer(np.arange(size), np.arange(size)).astype(float)
 
 
 def win_or_loss(rates: Matrix, episodes: int, rng: np.random.Generator) -> Matrix:
@@ -147,8 +142,7 @@ LINEAR = {
 
 def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping) -> Simulation:
     """Return the linear measures and the transitive share of one run with known episodes."""
-    lags = np.subtract.outer(np.arange(size), np.arange(size)).astype(float)
-    rates = TRUE_MATRICES[kind](lags, size)
+    rates = TRUE_MATRICES[kind](lags(size), size)
     data = f"{kind}, {scores}"
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
@@ -180,9 +174,7 @@ THIRDS = ("weakest", "middle", "strongest")
 
 def of_game(kind: str, scores: str, size: int, episodes: int) -> Simulation:
     """Return effective diversity and the intransitivity of thirds of one run."""
-    rates = TRUE_GAMES[kind](
-        np.subtract.outer(np.arange(size), np.arange(size)).astype(float), size
-    )
+    rates = TRUE_GAMES[kind](lags(size), size)
     data = f"{kind}, {scores}"
 
     def thirds(matrix: Matrix, noise: Matrix) -> Iterator[Estimate]:
@@ -212,9 +204,7 @@ def of_game(kind: str, scores: str, size: int, episodes: int) -> Simulation:
 
 def of_rating(kind: str, scores: str, size: int, episodes: int) -> Simulation:
     """Return the rating of the last pursuers of one run."""
-    rates = TRUE_GAMES[kind](
-        np.subtract.outer(np.arange(size), np.arange(size)).astype(float), size
-    )
+    rates = TRUE_GAMES[kind](lags(size), size)
     case = ("pursuer_rating", f"{kind}, {scores}")
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
@@ -352,17 +342,14 @@ def count(simulation: Simulation, repetitions: int, rng: np.random.Generator) ->
 def table(counts: Iterable[Count]) -> str:
     """Return coverage by interval and number of samples, and the exceptions, as Markdown."""
     rows = list(counts)
-    lines = [
-        "| interval | runs or episodes | given | coverage | worst case | |",
-        "|---|---|---|---|---|---|",
-    ]
-    for interval in dict.fromkeys(row.interval for row in rows):
-        of_interval = [row for row in rows if row.interval == interval]
-        lines += [
-            _summary([row for row in of_interval if row.samples == samples])
-            for samples in dict.fromkeys(row.samples for row in of_interval)
-        ]
-    return "\n".join([*lines, "", *_exceptions(rows)])
+    groups: dict[tuple[str, int], list[Count]] = {}
+    for row in rows:
+        groups.setdefault((row.interval, row.samples), []).append(row)
+    order = list(dict.fromkeys(row.interval for row in rows))
+    summaries = [groups[key] for key in sorted(groups, key=lambda key: order.index(key[0]))]
+    heads = ["interval", "runs or episodes", "given", "coverage", "worst case |"]
+    told = markdown(heads, map(_summary, summaries))
+    return "\n".join([told, "", *_exceptions(rows)])
 
 
 def _exceptions(rows: list[Count]) -> list[str]:
@@ -384,15 +371,14 @@ def _is_known(row: Count) -> bool:
     return _has_truth(row) and row.given >= min(FEWEST_GIVEN, row.repetitions)
 
 
-def _summary(rows: list[Count]) -> str:
+def _summary(rows: list[Count]) -> list[str]:
     """Return a line of the table: mean coverage, and the case with the lowest one."""
     given = sum(row.given for row in rows) / sum(row.repetitions for row in rows)
     worst = min(filter(_is_known, rows), key=lambda row: _coverage([row]), default=None)
     cells = [rows[0].interval, str(rows[0].samples), f"{given:.0%}"]
     known = [row for row in rows if _has_truth(row)]
     cells += [f"{_coverage(known):.1%}" if sum(row.given for row in known) else ""]
-    cells += ["", ""] if worst is None else [f"{_coverage([worst]):.1%}", _case(worst)]
-    return f"| {' | '.join(cells)} |"
+    return [*cells, *(("", "") if worst is None else (f"{_coverage([worst]):.1%}", _case(worst)))]
 
 
 def _coverage(rows: list[Count]) -> float:

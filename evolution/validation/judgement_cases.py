@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from common import SAME_STEPS
+from common import SAME_STEPS, SMALL_RACE
 from course.synthetic_races import Draws, SyntheticRace, disengagement, play_episodes
 from judgement_races import KINDS, synthetic_races
 from judgement_toys import RACES
@@ -55,58 +55,32 @@ MOST_VALUES = 2_000_000
 """Above that, single episodes are not handed over, but their means and their number."""
 
 FROZEN, SHUFFLED = "learners that cannot learn", "opponents in random order"
-REAL = RaceSettings.of(
-    {
-        "world.rows": 10,
-        "world.cols": 10,
-        "world.n_pursuers": 3,
-        "world.n_evaders": 4,
-        "schedule.generations": 14,
-        "schedule.pursuer_epochs": 4,
-        "schedule.evader_epochs": 4,
-        **SAME_STEPS,
-        "learner.population": 8,
-        "train_steps": 40,
-        "world.max_steps": 60,
-    }
-)
-NO_LEARNING = REAL.changed(
-    {
-        "schedule.pursuer_epochs": 1,
-        "schedule.evader_epochs": 1,
-        "learner.population": 2,
-        "learner.sigma": 1e-6,
-        "learner.learning_rate": 1e-9,
-    }
-)
+REAL = RaceSettings.of({
+    **SMALL_RACE, **SAME_STEPS, "schedule.generations": 14, "schedule.pursuer_epochs": 4,
+    "schedule.evader_epochs": 4,
+})  # fmt: skip
+NO_LEARNING = REAL.changed({
+    "schedule.pursuer_epochs": 1, "schedule.evader_epochs": 1, "learner.population": 2,
+    "learner.sigma": 1e-6, "learner.learning_rate": 1e-9,
+})  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Case:
-    """Matches that a judgement gets to see, and what is true of them.
-
-    Parameters
-    ----------
-    scores : ndarray of float64, shape (n, n), (runs, n, n), or with a last axis of episodes
-        Capture rates.
-    per_episode : bool
-        Whether the last axis holds episodes.
-    episodes : int or None
-        Episodes behind each mean, if they are told.
-    truths : dict of str to dict
-        Window -> condition -> `Truth`.
-    setting : dict of str to str
-        How the race was played, for tables.
-    changes : dict of str to list
-        Window -> true change of the strength of pursuers and evaders; None where it is open.
-    """
+    """Matches that a judgement gets to see, and what is true of them."""
 
     scores: np.ndarray
+    """Capture rates, shape (n, n), (runs, n, n), or with a last axis of episodes."""
     per_episode: bool
+    """Whether the last axis holds episodes."""
     episodes: int | None
+    """Episodes behind each mean, if they are told."""
     truths: dict[str, Truths]
+    """By window and condition."""
     setting: dict[str, str]
+    """How the race was played, for tables."""
     changes: dict[str, list[float | None]]
+    """By window, the true change of the strength of both teams; None where it is open."""
 
 
 # ---- Sources -------------------------------------------------------------------------------------

@@ -101,22 +101,7 @@ def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
 
 
 def report(counts: Sequence[Row], settings: Sequence[Row], changes: Sequence[Row]) -> str:
-    """Return all tables.
-
-    Parameters
-    ----------
-    counts : sequence of dict
-        `count_verdicts`, or its file.
-    settings : sequence of dict
-        `count_by_setting`, or its file.
-    changes : sequence of dict
-        `count_changes`, or its file.
-
-    Returns
-    -------
-    str
-        Markdown.
-    """
+    """Return all tables from the rows of `count_verdicts`, `count_by_setting`, `count_changes`."""
     parts = [
         INTRODUCTION,
         "## By sample",
@@ -253,14 +238,7 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
 def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
     """Draw the share of "present" by size of effect, a line for each noise.
 
-    Parameters
-    ----------
-    rows : sequence of dict
-        `count_by_size`, or its file.
-    file : Path
-        Image to write.
-    least : int, optional
-        Races that a point stands for at least. The default is 5.
+    A point stands for `least` races or more.
     """
     import matplotlib
 

@@ -57,6 +57,7 @@ def test_a_measure_that_says_the_truth_correlates_and_its_opposite_does_not():
     assert ground_truth.between_races(rows, "evader", "elo", ground_truth.last_of) is None
 
 
+@pytest.mark.slow
 def test_intervals_of_correlations_over_races_hold_without_a_relation():
     """Of 100 samples of ten seeds without a relation, few intervals exclude 0."""
     missed = 0
@@ -87,7 +88,7 @@ def test_the_script_plays_solves_and_goes_on_where_it_stopped(tmp_path: Path):
     }
     assert printed.startswith(read(results / "measures.md"))
     run = open_run(tmp_path / "runs/ground_truth/generalist-generalist/seed-1")
-    last = ground_truth.last(run.teams["evader"])
+    last = run.last("evader")
     best = best_response(run.settings.world, last, "evader").value
     kept = tmp_path / "runs/ground_truth/numbers/generalist-generalist-1.json"
     assert json.loads(read(kept))["truth"]["evader"][-1] == pytest.approx(1 - best)

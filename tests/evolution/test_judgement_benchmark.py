@@ -1,6 +1,5 @@
 """The benchmark of the judgement: races whose truth is known, counts, tables and files."""
 
-import json
 import sys
 from collections.abc import Callable
 from functools import cache
@@ -151,24 +150,21 @@ def test_truth_of_a_group_is_open_where_its_runs_differ() -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("n", [8, 15, 31])
-def test_rates_are_rates_and_follow_from_the_seed(kind: str, n: int) -> None:
-    for effect in (0.25, 2.0):
-        runs = synthetic_races(kind, n, 5, effect=effect, runs=2)
-        again = synthetic_races(kind, n, 5, effect=effect, runs=2)
+def test_rates_are_rates_and_follow_from_the_seed(kind: str) -> None:
+    for n in (8, 15):
+        runs, again = (synthetic_races(kind, n, 5, effect=2.0, runs=2) for _ in range(2))
         for run, other in zip(runs, again, strict=True):
             assert run.rates.shape == (n, n)
-            assert run.pursuers.shape == run.evaders.shape == (n,)
             assert 0.0 <= run.rates.min() <= run.rates.max() <= 1.0
             assert np.array_equal(run.rates, other.rates)
         assert not np.array_equal(runs[0].rates, runs[1].rates)
-        for window in WINDOWS:
-            assert tuple(truths_of_group(runs, window)) == CONDITIONS
+        assert tuple(truths_of_group(runs, "whole")) == CONDITIONS
 
 
 # Toys
 
 
+@pytest.mark.slow
 def test_averages_are_near_the_equilibrium_from_the_start() -> None:
     for seed in range(3):
         hands = fictitious_play(400, seed)
@@ -179,6 +175,7 @@ def test_averages_are_near_the_equilibrium_from_the_start() -> None:
         assert [name for name, one in truth.items() if one.holds] == ["stagnation"]
 
 
+@pytest.mark.slow
 def test_hands_cycle_without_an_arms_race() -> None:
     for name in ("specialists", "generalists", "fictitious play"):
         race = toy_race(f"rock-paper-scissors, {name}", 1)
@@ -233,23 +230,7 @@ def test_a_race_that_one_side_always_wins_is_disengaged() -> None:
     assert set(found.values()) == {None}
 
 
-@pytest.mark.parametrize("name", RACES)
-def test_labelled_races_name_every_condition(name: str) -> None:
-    for seed in SEEDS:
-        race = toy_race(name, seed)
-        assert tuple(race.truths) == tuple(WINDOWS)
-        assert all(tuple(found) == CONDITIONS for found in race.truths.values())
-        assert race.scores.shape == (31, 31, 10 if seed == 1 else 40)
-        assert set(np.unique(race.scores)) <= {0.0, 0.5, 1.0}
-
-
-def test_labelled_races_follow_from_the_seed() -> None:
-    for name in ("rock-paper-scissors, generalists", "virulence .75, climbing"):
-        one, again, other = (RACES[name](seed).scores for seed in (3, 3, 4))
-        assert np.array_equal(one, again)
-        assert not np.array_equal(one, other)
-
-
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "condition", "holds"),
     [
@@ -307,7 +288,7 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
     return run_script
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_quick_benchmark_writes_tables_that_follow_from_counts(
     run: Callable[..., str], tmp_path: Path
 ) -> None:
@@ -331,7 +312,7 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
     assert sum(races.values()) <= 37 * 2 * len(CONDITIONS)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_an_interrupted_benchmark_continues(
     run: Callable[..., str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -350,13 +331,7 @@ def test_an_interrupted_benchmark_continues(
     assert sorted(file.read_text(encoding="utf-8").splitlines()) == sorted(map(str.strip, lines))
 
 
-def test_judgements_of_other_code_are_refused(run: Callable[..., str], tmp_path: Path) -> None:
-    (tmp_path / "judgements.jsonl").write_text('{"version": "older"}\n', encoding="utf-8")
-    with pytest.raises(ValueError, match="expected judgements of this version of the code"):
-        run("--quick", "--results", tmp_path)
-
-
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_races_are_those_that_the_setting_says() -> None:
     seen = set()
     for seed in range(40):
@@ -374,6 +349,7 @@ def test_races_are_those_that_the_setting_says() -> None:
     assert seen == {"each episode", "number of episodes", "unknown"}
 
 
+@pytest.mark.slow
 def test_races_for_power_curves_are_single_and_show_all_episodes() -> None:
     for kind in cases.POWER:
         sizes = []
@@ -403,7 +379,7 @@ def test_sizes_by_hand() -> None:
     assert [*map(place, rows)] == [("stagnation", "0.2", "0.4")]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_learners_that_cannot_learn_and_opponents_in_random_order() -> None:
     frozen = cases.real_case(cases.FROZEN, 3)
     assert frozen.scores.shape == (15, 15, 10)
@@ -456,15 +432,3 @@ def test_upper_bounds_of_rates(count: int, of: int) -> None:
     # By definition: at the bound, so few happen with a probability of 5 %.
     assert binom.cdf(count, of, tables.upper_bound(count, of)) == pytest.approx(0.05)
     assert tables.upper_bound(of, of) == 1.0
-
-
-def test_the_published_counts_are_of_all_conditions_and_small() -> None:
-    counts = tables.read_counts(COMMITTED / "counts.csv")
-    assert {row["condition"] for row in counts} == set(CONDITIONS)
-    assert not list(COMMITTED.glob("*.jsonl"))
-    assert sum(file.stat().st_size for file in COMMITTED.iterdir()) < 450_000
-
-
-def test_verdicts_are_plain_values() -> None:
-    found = judgement_errors.judged(judgement_errors.Task("synthetic", "noise only, .5", 4))
-    assert json.loads(json.dumps(found, allow_nan=False))["kind"] == "noise only, .5"
