@@ -49,28 +49,18 @@ EPISODES = 10
 
 @dataclass(frozen=True)
 class Game:
-    """A baseline of the paper.
-
-    Parameters
-    ----------
-    name : str
-        What learns against what.
-    team : {"pursuer", "evader"}
-        Team that learns.
-    against : str
-        Name of a script, or of the game whose team, trained by actor-critic, is met.
-    capture, spread : float
-        Published capture rate, and its standard deviation over ten episodes.
-    length : str, optional
-        Published length of an episode.
-    """
+    """A baseline of the paper."""
 
     name: str
+    """What learns against what."""
     team: Team
     against: str
+    """Name of a script, or of the game whose team, trained by actor-critic, is met."""
     capture: float
     spread: float
+    """Published capture rate, and its standard deviation over ten episodes."""
     length: str = ""
+    """Published length of an episode."""
 
     @property
     def worst(self) -> float:

@@ -17,7 +17,8 @@ data can tell.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from deap import base
@@ -33,26 +34,15 @@ DEFAULTS = coevolution.RaceSettings()
 OVERLAP_PENALTY = 0.2  # for evaders that share cells
 
 
-@dataclass(frozen=True)
-class Budget:
-    """World and length of a race.
-
-    Parameters
-    ----------
-    world : WorldConfig
-        World in training.
-    generations : int
-        Generations of the race.
-    epochs : dict of team to int
-        Epochs in which each team learns in a generation.
-    samples : int
-        Candidates of the evolution strategy in each epoch.
-    """
+class Budget(NamedTuple):
+    """World and length of a race."""
 
     world: mw.WorldConfig
     generations: int
     epochs: dict[Team, int]
+    """Epochs in which each team learns in a generation."""
     samples: int
+    """Candidates of the evolution strategy in each epoch."""
 
 
 FULL = Budget(mw.WorldConfig("O", max_steps=200), 30, {"pursuer": 60, "evader": 120}, 48)

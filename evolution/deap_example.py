@@ -27,7 +27,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from deap import algorithms, base, tools
@@ -42,35 +42,22 @@ OVERLAP_PENALTY = 0.2  # for evaders that share cells
 SIGMA = 0.1  # standard deviation of mutations and of the evolution strategy's samples
 
 
-@dataclass(frozen=True)
-class Budget:
-    """World and length of a race.
-
-    Parameters
-    ----------
-    world : WorldConfig
-        World of all matches.
-    turns : int
-        Turns of each team.
-    generations : int
-        Generations of DEAP's loop in a turn.
-    mu : int
-        Individuals of a population.
-    lambda_ : int
-        Children in a generation.
-    met : int
-        Opponents of each player, the newest champion included.
-    response : int
-        Epochs of a best response.
-    """
+class Budget(NamedTuple):
+    """World and length of a race."""
 
     world: mw.WorldConfig
     turns: int
+    """Turns of each team."""
     generations: int
+    """Generations of DEAP's loop in a turn."""
     mu: int
+    """Individuals of a population."""
     lambda_: int
+    """Children in a generation."""
     met: int
+    """Opponents of each player, the newest champion included."""
     response: int
+    """Epochs of a best response."""
 
 
 WORLD = mw.WorldConfig("O", rows=16, cols=16, n_pursuers=4, n_evaders=6, max_steps=100)
@@ -86,13 +73,7 @@ class Fitness(base.Fitness):
 
 
 class Player:
-    """A DEAP individual: any object with a fitness, here the weights of a network.
-
-    Parameters
-    ----------
-    genome : ndarray of float32, shape (genes,)
-        The weights.
-    """
+    """A DEAP individual: any object with a fitness, here the weights of a network."""
 
     def __init__(self, genome: np.ndarray) -> None:
         self.genome = genome

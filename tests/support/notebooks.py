@@ -5,8 +5,6 @@ from pathlib import Path
 
 TUTORIALS = Path(__file__).parents[2] / "tutorials"
 NOTEBOOKS = sorted(TUTORIALS.glob("[0-9]*.ipynb"))
-TEACHER = sorted(TUTORIALS.glob("teacher/*.ipynb"))
-"""The copies for teachers, with all outputs."""
 
 
 def cells(path: Path, kind: str = "") -> list[dict]:
