@@ -3,15 +3,13 @@
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
-from scipy.optimize import linprog, minimize
+from scipy.optimize import linprog
 
 from matrices import ROCK_PAPER_SCISSORS, payoffs
 from matrixworld import analysis
 from matrixworld.analysis.games import (
     META_SOLVERS,
     MetaSolver,
-    _projected,
     projected_replicator_dynamics,
     rectified_nash,
 )
@@ -31,7 +29,7 @@ def loss_limit(matrix: np.ndarray) -> float:
     return float(found.fun)
 
 
-@settings(max_examples=30)
+@settings(max_examples=15)
 @given(payoffs(parts=10))
 def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -> None:
     weights = META_SOLVERS["nash"](matrix)
@@ -41,7 +39,7 @@ def test_a_nash_meta_strategy_holds_every_row_to_the_value(matrix: np.ndarray) -
     np.testing.assert_allclose(swapped, analysis.nash_averaging(matrix).pursuers, atol=1e-6)
 
 
-@settings(max_examples=15)
+@settings(max_examples=6)
 @given(payoffs(parts=10))
 def test_mean_mixtures_of_replicators_approach_an_equilibrium(matrix: np.ndarray) -> None:
     p, q = projected_replicator_dynamics(matrix, steps=1000, rate=0.02)
@@ -53,23 +51,6 @@ def test_mean_mixtures_of_replicators_approach_an_equilibrium(matrix: np.ndarray
     assert analysis.exploitability(matrix, p, q).total < bound
 
 
-@given(st.integers(1, 6), st.integers(0, 100))
-def test_projection_is_the_nearest_mixture(size: int, seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    mixture = rng.dirichlet(np.ones(size) / 2)
-    mixture = mixture + 0.2 * (rng.dirichlet(np.ones(size)) - 1.0 / size)
-    least = 0.9 / size * float(rng.random())
-    nearest = minimize(
-        lambda x: ((x - mixture) ** 2).sum(),
-        np.full(size, 1.0 / size),
-        method="SLSQP",
-        bounds=[(least, 1.0)] * size,
-        constraints={"type": "eq", "fun": lambda x: x.sum() - 1.0},
-        options={"ftol": 1e-14},
-    ).x
-    np.testing.assert_allclose(_projected(mixture, least), nearest, atol=1e-5)
-
-
 def test_replicators_by_hand() -> None:
     # One step: row 0 gains .1 (.8 - .5) of its half; column 0 loses as much.
     p, q = projected_replicator_dynamics([[1.0, 0.6], [0.4, 0.0]], steps=1, rate=0.1)
@@ -77,17 +58,9 @@ def test_replicators_by_hand() -> None:
     np.testing.assert_allclose(q, [(0.5 + 0.49) / 2, (0.5 + 0.51) / 2])
     # The uniform mixture is a rest point of rock-paper-scissors.
     np.testing.assert_allclose(projected_replicator_dynamics(ROCK_PAPER_SCISSORS)[0], [1 / 3] * 3)
-    # Short steps follow the continuous dynamics.
-    game = [[0.8, 0.1], [0.3, 0.6]]
-    path = analysis.replicator_dynamics(game, time=20.0)
-    expected = np.trapezoid(path.pursuers, path.times, axis=0) / 20.0
-    mean, _ = projected_replicator_dynamics(game, steps=4000, rate=0.005)
-    np.testing.assert_allclose(mean, expected, atol=2e-3)
     # A dominated row falls to the smallest weight, from 1/2 along a logistic curve.
     p, _ = projected_replicator_dynamics([[1.0], [0.0]], steps=500, rate=0.02, least=0.1)
     assert p[1] == pytest.approx(0.1, abs=0.06)
-    with pytest.raises(ValueError, match=r"a smallest weight from 0 to 0\.5, got 0\.6"):
-        projected_replicator_dynamics([[1.0], [0.0]], least=0.6)
 
 
 def test_rectified_nash_by_hand() -> None:
@@ -127,13 +100,6 @@ def uniform(payoff: np.ndarray) -> np.ndarray:
     return np.full(payoff.shape[1], 1.0 / payoff.shape[1])
 
 
-def mean_prd(payoff: np.ndarray) -> np.ndarray:
-    return projected_replicator_dynamics(payoff, steps=500, rate=0.02)[1]
-
-
-SOLVERS = {"nash": META_SOLVERS["nash"], "prd": mean_prd, "uniform": uniform}
-
-
 def loop(game: np.ndarray, solver: MetaSolver, rounds: int) -> tuple[list[float], np.ndarray]:
     """Return the NashConv of the meta-strategies of each round, and the last one of the rows."""
     rows, columns, gaps = [0], [0], []
@@ -163,7 +129,7 @@ def ladder(levels: int) -> np.ndarray:
     return np.where(higher == 0, same, higher > 0)
 
 
-GAMES_TO_PLAY = {"rock": ROCK_PAPER_SCISSORS, "blotto": blotto(5, 3), "ladder": ladder(4)}
+GAMES_TO_PLAY = {"rock": ROCK_PAPER_SCISSORS, "blotto": blotto(3, 3), "ladder": ladder(4)}
 
 
 @pytest.mark.parametrize("name", GAMES_TO_PLAY)
@@ -194,40 +160,3 @@ def test_rectified_responses_miss_an_equilibrium() -> None:
     gaps, _ = loop(game, rectified_nash, 12)
     assert min(gaps) > 0.3
     assert loop(game, META_SOLVERS["nash"], 12)[0][-1] < 1e-6
-
-
-@pytest.mark.parametrize("method", SOLVERS)
-def test_the_loop_is_that_of_openspiel(method: str) -> None:
-    pyspiel = pytest.importorskip("pyspiel", reason="open_spiel is not installed")
-    pytest.importorskip("networkx", reason="open_spiel's psro_v2 needs it")
-    from open_spiel.python.algorithms.psro_v2 import best_response_oracle, psro_v2
-    from open_spiel.python.policy import TabularPolicy
-
-    matrix = np.random.default_rng(0).random((6, 5))
-    rounds = {"nash": 3, "prd": 6, "uniform": 6}[method]  # then equal responses repeat
-    game = pyspiel.convert_to_turn_based(
-        pyspiel.create_matrix_game(matrix.tolist(), (-matrix).tolist())
-    )
-    first = TabularPolicy(game)
-    first.action_probability_array[:] = np.eye(6)[0]
-    theirs = psro_v2.PSROSolver(
-        game,
-        best_response_oracle.BestResponseOracle(best_response_backend="py"),
-        sims_per_entry=1,
-        initial_policies=[first, first],
-        training_strategy_selector="probabilistic",
-        meta_strategy_method=method,
-        sample_from_marginals=True,
-        prd_iterations=500,
-        prd_dt=0.02,
-    )
-    for _ in range(rounds - 1):
-        theirs.iteration()
-    begin = game.new_initial_state()
-    weights = np.zeros(6)
-    for weight, policy in zip(
-        theirs.get_meta_strategies()[0], theirs.get_policies()[0], strict=True
-    ):
-        for action, probability in policy.action_probabilities(begin).items():
-            weights[action] += weight * probability
-    np.testing.assert_allclose(loop(matrix, SOLVERS[method], rounds)[1], weights, atol=1e-6)

@@ -53,22 +53,14 @@ def test_csv_files_of_runs_and_episodes(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("", "expected a table of capture rates, got no lines"),
-        ("a,b\n", "expected lines of capture rates, got a header only"),
         ("0,1\n0\n", "line 2: expected 2 cells as in the lines before, got 1"),
         ("0,1\n\n0,x\n", r"line 3: expected a capture rate in \[0, 1\], got 'x'"),
-        ("0,1\n0,1.5\n", r"line 2: expected a capture rate in \[0, 1\], got '1.5'"),
-        ("0,nan\n0,1\n", r"line 1: expected a capture rate in \[0, 1\], got 'nan'"),
-        ("pursuer,evader,capture_rate\n", "got a header only"),
-        ("pursuer,evader,capture_rate\n0,0\n", "line 2: expected 3 cells as in the header, got 2"),
         ("pursuer,evader,capture_rate\n0,a,0\n", "line 2: expected whole numbers, got '0', 'a'"),
         (
             "pursuer,evader,capture_rate\n0,0,1\n0,0,1\n",
-            "line 3: expected pursuer 0, evader 0 once, got it twice",
+            "line 3: expected pursuer 0, evader 0 once",
         ),
-        (
-            "pursuer,evader,capture_rate\n0,0,1\n1,1,1\n",
-            "expected a line for every combination, got none for pursuer 0, evader 1",
-        ),
+        ("pursuer,evader,capture_rate\n0,0,1\n1,1,1\n", "got none for pursuer 0, evader 1"),
     ],
 )
 def test_bad_csv_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
@@ -93,21 +85,15 @@ def test_npz_files(tmp_path: Path) -> None:
 def test_files_with_other_contents_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "payoff.npz"
     np.savez(path, one=MATRIX, two=MATRIX)
-    with pytest.raises(
-        ValueError, match=r"expected one array, or one named .*got \['one', 'two'\]"
-    ):
+    with pytest.raises(ValueError, match=r"one array, or one named .*got \['one', 'two'\]"):
         analysis.read_payoffs(path)
     np.savez(path, payoff=MATRIX + 1)
     with pytest.raises(ValueError, match=r"payoff.npz: .*\[0, 1\], got 1.25 at index \(0, 1\)"):
         analysis.read_payoffs(path)
-    np.savez(path, payoff=MATRIX + 1j)
-    with pytest.raises(TypeError, match=r"payoff.npz: .*real numbers, got dtype complex128"):
-        analysis.read_payoffs(path)
     with pytest.raises(ValueError, match="expected a .csv or an .npz file, got suffix '.txt'"):
         analysis.read_payoffs("payoff.txt")
-    for missing in ("none.csv", "none.npz"):
-        with pytest.raises(FileNotFoundError, match=missing):
-            analysis.read_payoffs(tmp_path / missing)
+    with pytest.raises(FileNotFoundError, match="none.csv"):
+        analysis.read_payoffs(tmp_path / "none.csv")
 
 
 def test_several_files_are_several_runs(tmp_path: Path) -> None:
@@ -118,12 +104,7 @@ def test_several_files_are_several_runs(tmp_path: Path) -> None:
     found = analysis.read_payoffs([one, str(two), csv])
     np.testing.assert_array_equal(found.matrices, [MATRIX, MATRIX / 2, MATRIX])
     np.savez(two, payoff=MATRIX.T)
-    with pytest.raises(
-        ValueError, match=r"two.npz: expected the shape of .*\(2, 3\), got \(3, 2\)"
-    ):
-        analysis.read_payoffs([one, two])
-    np.savez(two, payoff=np.stack([MATRIX, MATRIX]))
-    with pytest.raises(ValueError, match="two.npz: expected one run a file, got 2"):
+    with pytest.raises(ValueError, match="two.npz: expected the shape of"):
         analysis.read_payoffs([one, two])
 
 

@@ -26,13 +26,9 @@ def test_ciao_holds_the_two_triangles_with_the_diagonal() -> None:
         evaders.payoff, [[0.9, nan, nan], [0.8, 0.5, nan], [0.7, 0.4, 0.0]], atol=1e-15
     )
     np.testing.assert_allclose(pursuers.by_age, [1.6 / 3, 0.6, 0.7])
-
-
-def test_fading_compares_newer_with_older_ancestors() -> None:
-    pursuers, evaders = analysis.ciao(MATRIX)
+    # Fading compares newer with older ancestors.
     assert pursuers.fading == pytest.approx(((0.5 - 0.4) + (1.0 - 0.7)) / 2)
     assert evaders.fading == pytest.approx(((0.5 - 0.8) + (0.0 - 0.7)) / 2)
-    assert np.isnan(analysis.ciao([[0.5]]).pursuers.fading)
 
 
 @pytest.mark.parametrize("period", [3, 5])
@@ -85,8 +81,6 @@ def test_global_progress_is_against_other_runs_only() -> None:
             expected = 1 - np.mean([cross[s, r, :, h] for s in others])
             assert found.evaders.scores[r, h] == pytest.approx(expected)
     np.testing.assert_allclose(found.evaders.gains, np.diff(found.evaders.scores))
-    swapped = analysis.global_progress(1 - cross.transpose(1, 0, 3, 2))
-    np.testing.assert_allclose(swapped.pursuers.scores, found.evaders.scores)
 
 
 # ---- Dominance tournament ------------------------------------------------------------------------
@@ -109,9 +103,7 @@ def test_a_dominant_generation_beats_all_earlier_dominant_ones() -> None:
     means = np.array([0.5, 0.4, 0.6, 0.55, 0.6, 0.9])
     ladders = analysis.dominance_tournament(certain(np.stack([means, means], axis=1).tolist()))
     assert ladders.pursuers.generations == (0, 2, 5)
-    assert ladders.pursuers.p_values == (0.0, 0.0)
     assert ladders.evaders.generations == (0,)
-    assert len(ladders.pursuers) == 3
 
 
 def test_with_one_opponent_it_is_welchs_t_test() -> None:
@@ -129,9 +121,9 @@ def test_with_one_opponent_it_is_welchs_t_test() -> None:
 def test_noise_alone_rarely_gives_a_dominant_generation() -> None:
     rng = np.random.default_rng(1)
     false = [
-        len(analysis.dominance_tournament(rng.random((2, 5, 8))).pursuers) - 1 for _ in range(2000)
+        len(analysis.dominance_tournament(rng.random((2, 5, 8))).pursuers) - 1 for _ in range(600)
     ]
-    assert 0.035 < np.mean(false) < 0.065
+    assert 0.02 < np.mean(false) < 0.08
 
 
 @given(scores_of_races)
