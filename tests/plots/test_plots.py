@@ -1,6 +1,5 @@
 """Every figure can be saved without a display, shows the given numbers, or is refused."""
 
-import io
 import subprocess
 import sys
 from collections.abc import Callable
@@ -9,29 +8,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 from PIL import Image
 
 from matrices import ROCK_PAPER_SCISSORS, circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
-from matrixworld.analysis.intervals import generalization_over_episodes
+from matrixworld.analysis.intervals import Band, generalization_over_episodes
 from matrixworld.analysis.runs import race_bands
 from matrixworld.plots.style import DPI
 from slow import quickly
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
 SINGLE = np.random.default_rng(1).binomial(1, CYCLE[..., None], (31, 31, 6)).astype(float)
-
-
-def saved(figure: Figure) -> Image.Image:
-    file = io.BytesIO()
-    figure.savefig(file, format="png")
-    return Image.open(file)
 
 
 def hexes(artists: list[object]) -> list[str]:
@@ -42,27 +34,27 @@ def labels(axes: Axes) -> tuple[str, str]:
     return axes.get_xlabel(), axes.get_ylabel()
 
 
+def check_band(drawn: PolyCollection, band: Band) -> None:
+    heights = drawn.get_paths()[0].vertices[:, 1]
+    ends = np.nanmin(band.low), np.nanmax(band.high)
+    assert (heights.min(), heights.max()) == pytest.approx(ends)
+
+
 def legend_texts(figure: Figure) -> list[str]:
     return [text.get_text() for legend in figure.legends for text in legend.get_texts()]
 
 
 def test_heatmap_shows_the_matrix_with_pursuers_upwards() -> None:
-    figure = plots.payoff_heatmap(RACE, title="A race")
-    axes, colorbar = figure.axes
+    axes, _ = plots.payoff_heatmap(RACE).axes
     (image,) = axes.images
     np.testing.assert_array_equal(image.get_array(), RACE)
-    assert image.origin == "lower"
-    assert image.get_clim() == (0.0, 1.0)
-    assert axes.get_title() == "A race"
+    assert (image.origin, image.get_clim()) == ("lower", (0.0, 1.0))
     assert labels(axes) == ("evader generation", "pursuer generation")
-    assert colorbar.get_ylabel().startswith("capture rate")
     above, below = (line.get_xydata() for line in axes.lines)
     np.testing.assert_array_equal(above, below[:, ::-1])
     # Corners of cells only: no line crosses a cell of equal generations.
-    assert set(np.abs(above[:, 0] - above[:, 1])) == {0.0, 1.0}
-    assert (above[:, 1] - above[:, 0]).min() == 0
+    assert set(above[:, 1] - above[:, 0]) == {0.0, 1.0}
     np.testing.assert_array_equal(above % 1, 0.5)
-    assert saved(figure).size == tuple(round(DPI * s) for s in figure.get_size_inches())
 
 
 def test_generalization_curves_and_baselines() -> None:
@@ -79,57 +71,35 @@ def test_generalization_curves_and_baselines() -> None:
         colors.PURSUER, colors.EVADER, colors.PURSUER, colors.EVADER, colors.EVADER,
     ]  # fmt: skip
     assert len({str(line._dash_pattern) for line in axes.lines}) == 5  # in grey, too
-    assert labels(axes) == ("generation", "mean score")
     assert legend_texts(figure)[2:] == [
         "trained on random evaders", "trained on random pursuers", "on trained pursuers",
     ]  # fmt: skip
-    saved(figure)
-
-
-def episodes_of(payoff: np.ndarray, count: int = 6) -> np.ndarray:
-    """Return capture rates of single episodes around those of a matrix."""
-    noise = np.random.default_rng(0).normal(0, 0.2, (*payoff.shape, count))
-    return np.clip(payoff[..., None] + noise, 0, 1)
 
 
 def test_generalization_curves_show_the_interval_over_episodes() -> None:
-    scores = episodes_of(RACE)
-    figure = plots.generalization_curves(scores, per_episode=True)
-    (axes,) = figure.axes
-    expected = analysis.generalization(scores.mean(axis=2))
-    for line, curve in zip(axes.lines, expected, strict=True):
+    (axes,) = plots.generalization_curves(SINGLE, per_episode=True).axes
+    for line, curve in zip(axes.lines, analysis.generalization(SINGLE.mean(axis=2)), strict=True):
         np.testing.assert_allclose(line.get_ydata(), curve)
-    pursuers, evaders, _ = axes.collections
-    for drawn, band in zip((pursuers, evaders), generalization_over_episodes(scores), strict=True):
-        heights = drawn.get_paths()[0].vertices[:, 1]
-        assert heights.min() == pytest.approx(band.low.min())
-        assert heights.max() == pytest.approx(band.high.max())
-    assert legend_texts(figure)[-1] == "95% interval over episodes"
-    saved(figure)
+    for drawn, band in zip(axes.collections, generalization_over_episodes(SINGLE), strict=False):
+        check_band(drawn, band)
     # One episode says nothing of the spread.
-    single = plots.generalization_curves(scores[:, :, :1], per_episode=True)
-    assert not single.axes[0].collections
-    assert len(legend_texts(single)) == 2
+    (single,) = plots.generalization_curves(SINGLE[:, :, :1], per_episode=True).axes
+    assert not single.collections
 
 
 def test_lag_profile_is_solid_where_it_rests_on_enough_cells() -> None:
-    figure = plots.lag_profile_curve(RACE)
-    (axes,) = figure.axes
-    faint, solid, zero = axes.lines
+    (axes,) = plots.lag_profile_curve(RACE).axes
+    faint, solid, _ = axes.lines
     profile = analysis.lag_profile(RACE)
-    np.testing.assert_array_equal(faint.get_xdata(), profile.lags)
-    np.testing.assert_array_equal(faint.get_ydata(), profile.means)
+    np.testing.assert_array_equal(faint.get_xydata(), np.transpose([profile.lags, profile.means]))
     np.testing.assert_array_equal(solid.get_xdata(), np.arange(-26, 27))  # at least 5 cells each
-    assert list(zero.get_xdata()) == [0, 0]
-    assert labels(axes) == ("lag: pursuer minus evader generation", "mean capture rate")
-    saved(figure)
 
 
 def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     rates, learners = [0.5, 0.9, 0.2, 0.8], [0, 0, 1, 0]
     figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2], unit="team phase")
     (axes,) = figure.axes
-    shade, curve, points = axes.collections
+    shade, curve, _ = axes.collections
     # From half an epoch before the evaders' one to half an epoch after it.
     assert {*shade.get_paths()[0].vertices[:, 0]} <= {2.5, 3.0, 3.5}
     assert isinstance(curve, LineCollection)
@@ -139,68 +109,43 @@ def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     assert [to_hex(c).upper() for c in curve.get_colors()] == [
         colors.PURSUER, colors.EVADER, colors.PURSUER,
     ]  # fmt: skip
-    assert [to_hex(c).upper() for c in points.get_facecolors()] == [
-        colors.TEAMS[team] for team in learners
-    ]
-    assert labels(axes) == ("team phase", "capture rate")
     assert legend_texts(figure) == ["pursuers learn", "evaders learn"]
     (top,) = axes.child_axes
-    assert top.get_xlabel() == "generation"
     assert list(top.get_xticks()) == [1, 4]
     assert [tick.get_text() for tick in top.get_xticklabels()] == ["1", "2"]
-    saved(figure)
 
 
 def test_collisions_have_a_panel_a_team_and_a_line_a_kind() -> None:
     rates = np.arange(4 * 2 * 3, dtype=float).reshape(4, 2, 3)
     figure = plots.collision_rates(rates)
-    for team, (axes, name) in enumerate(zip(figure.axes, ("pursuers", "evaders"), strict=True)):
-        assert axes.get_title() == name
-        assert axes.get_xlabel() == "generation"
+    for team, axes in enumerate(figure.axes):
         assert hexes(axes.lines) == [color.upper() for color in colors.CONFLICTS]
         for kind, line in enumerate(axes.lines):
             np.testing.assert_array_equal(line.get_ydata(), rates[:, team, kind])
-    assert figure.axes[0].get_ylabel() == "collisions per 1000 agent-steps"
-    assert figure.axes[0].get_ylim()[0] == 0.0
     assert legend_texts(figure) == ["with obstacle", "with teammate", "with adversary"]
-    saved(figure)
 
 
-def test_comparison_puts_races_side_by_side() -> None:
+def test_comparison_puts_races_and_what_was_judged_side_by_side() -> None:
     races = {"specialists": CYCLE, "generalists": RACE}
-    figure = plots.comparison(races, title="Two races")
+    figure = plots.comparison(races, {"generalists": judged(RACE)})
     maps, lags, scores = np.array(figure.axes[:6]).reshape(3, 2)
     for column, (name, matrix) in enumerate(races.items()):
-        image = maps[column].images[0]
-        np.testing.assert_array_equal(image.get_array(), matrix)
-        assert image.get_clim() == (0.0, 1.0)
+        np.testing.assert_array_equal(maps[column].images[0].get_array(), matrix)
         assert maps[column].get_title() == name
         profile = analysis.lag_profile(matrix)
         np.testing.assert_array_equal(lags[column].lines[0].get_ydata(), profile.means)
         for line, curve in zip(scores[column].lines, analysis.generalization(matrix), strict=True):
             np.testing.assert_array_equal(line.get_ydata(), curve)
-    assert figure.get_suptitle() == "Two races"
-    assert len(legend_texts(figure)) == 3
-    saved(figure)
-
-
-def heads(figure: Figure, races: int) -> list[str]:
-    """Return the judgement and the numbers above each heat map."""
-    return [axes.texts[0].get_text().replace("\n", " ") for axes in figure.axes[:races]]
+    first, second = (axes.texts[0].get_text().replace("\n", " ") for axes in maps)
+    assert first.startswith("last half: transitive share 0.0")
+    assert second.startswith("ARMS RACE last half: transitive share 0.9")
 
 
 def judged(payoff: np.ndarray) -> analysis.Judgement:
     return analysis.judge(payoff, episodes=100)
 
 
-def test_comparison_says_what_was_judged_and_claims_nothing_else() -> None:
-    figure = plots.comparison({"a": CYCLE, "b": RACE}, {"b": judged(RACE)})
-    first, second = heads(figure, 2)
-    assert first.startswith("last half: transitive share 0.0")
-    assert second.startswith("ARMS RACE last half: transitive share 0.9")
-    assert second.endswith("checkerboards 0.0%")
-
-
+@pytest.mark.slow
 def test_plots_need_neither_pyplot_nor_a_display() -> None:
     code = (
         "import sys, io; from matrixworld import plots;"
@@ -231,18 +176,15 @@ def test_generalization_over_seeds_shows_means_and_intervals() -> None:
     )
     # A single run has no interval.
     assert len(two.collections) == 0
-    assert [axes.get_title() for axes in figure.axes] == ["one", "two"]
     assert "trained alone" in legend_texts(figure)
-    assert labels(one) == ("generation", "mean score (0 to 1)")
-    saved(figure)
 
 
 # ---- Several runs: the given numbers, at any number of groups and seeds --------------------------
 
 
 RNG = np.random.default_rng(0)
-EPISODES = RNG.binomial(1, 0.5, (11, 13, 13, 4)).astype(float)
-"""Scores of 11 runs of 13 generations."""
+EPISODES = RNG.binomial(1, 0.5, (4, 9, 9, 4)).astype(float)
+"""Scores of 4 runs of 9 generations."""
 MATRICES = EPISODES.mean(axis=3)
 
 
@@ -260,9 +202,10 @@ def thick(axes: Axes) -> list[np.ndarray]:
 
 
 def test_bands_show_means_and_intervals_over_seeds() -> None:
-    figure = plots.seed_bands({"one": MATRICES[:4], "two": MATRICES[4:6]}, {"one": judged_seeds(4)})
-    scores, other, strength, _, lags, _ = figure.axes
-    bands = race_bands(MATRICES[:4])
+    groups = {"one": MATRICES, "two": MATRICES[:1], "mixed": [MATRICES[0], MATRICES[1][:6, :6]]}
+    figure = plots.seed_bands(groups, {"one": judged_seeds(4)})
+    (scores, single, mixed), (strength, *_), (lags, *_) = np.reshape(figure.axes, (3, 3))
+    bands = race_bands(MATRICES)
     for axes, expected in (
         (scores, (bands["pursuer_generalization"], bands["evader_generalization"])),
         (strength, (bands["pursuer_ratings"], bands["evader_ratings"])),
@@ -271,31 +214,10 @@ def test_bands_show_means_and_intervals_over_seeds() -> None:
         # An empty band may follow, for the legend.
         for drawn, band, filled in zip(thick(axes), expected, axes.collections, strict=False):
             np.testing.assert_allclose(drawn, band.mean)
-            heights = filled.get_paths()[0].vertices[:, 1]
-            assert heights.min() == pytest.approx(band.low.min())
-            assert heights.max() == pytest.approx(band.high.max())
+            check_band(filled, band)
     assert scores.get_title() == f"one\n4 seeds\n{analysis.headline(judged_seeds(4))}"
-    assert other.get_title() == "two\n2 seeds"
-    assert [axes.get_ylabel() for axes in figure.axes[::2]] == [
-        "mean score", "Elo rating (points)", "mean capture rate",
-    ]  # fmt: skip
-    assert scores.get_xlabel() == "generation"
-    assert strength.get_ylim() == figure.axes[3].get_ylim()
-    saved(figure)
-
-
-def test_a_single_seed_has_no_band_and_runs_may_differ_in_length() -> None:
-    groups = {"alone": MATRICES[:1], "mixed": [MATRICES[0], MATRICES[1][:8, :8]]}
-    figure = plots.seed_bands(groups)
-    alone, mixed = figure.axes[:2]
-    assert not alone.collections
-    assert alone.get_title() == "alone\n1 seed: no band"
-    assert len(thick(mixed)[0]) == 13
-    saved(figure)
-
-
-def cells(axes: Axes) -> list[Rectangle]:
-    return [patch for patch in axes.patches if isinstance(patch, Rectangle)]
+    assert (single.get_title(), len(single.collections)) == ("two\n1 seed: no band", 0)
+    assert len(thick(mixed)[0]) == 9  # runs may differ in length
 
 
 def test_the_strip_has_a_cell_for_each_verdict() -> None:
@@ -304,7 +226,7 @@ def test_the_strip_has_a_cell_for_each_verdict() -> None:
     (axes,) = figure.axes
     findings = judgement.headline
     looks = {"present": colors.BLUE, "absent": colors.GRID, "cannot tell": colors.PAPER}
-    drawn = {(round(c.get_x()), round(c.get_y())): c for c in cells(axes)}
+    drawn = {(round(c.get_x()), round(c.get_y())): c for c in axes.patches}
     for column, run in ((0, 0), (1, 1), (3, 2)):
         for row, finding in enumerate(findings.values()):
             patch = drawn[column, row]
@@ -315,16 +237,13 @@ def test_the_strip_has_a_cell_for_each_verdict() -> None:
     assert names == ["2", "5", "7", "9", "all together"]
     words = [text.get_text() for text in axes.texts]
     assert words[-len(findings) :] == [finding.verdict for finding in findings.values()]
-    assert axes.get_title(loc="left") == f"a: {analysis.headline(judgement)}"
-    assert legend_texts(figure) == ["present", "absent", "cannot tell", "not finished"]
-    saved(figure)
 
 
 def test_scores_show_profiles_and_interquartile_means() -> None:
     scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
               "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
     figure = plots.seed_scores(scores)
-    profiles, middles, _, evaders = figure.axes
+    profiles, middles, *_ = figure.axes
     for line, of_group in zip(profiles.lines, scores.values(), strict=True):
         expected = analysis.performance_profile(of_group["pursuer"]).mean
         np.testing.assert_allclose(line.get_ydata(), expected)
@@ -340,9 +259,6 @@ def test_scores_show_profiles_and_interquartile_means() -> None:
     np.testing.assert_allclose(dots, scores["a"]["pursuer"].mean(axis=1))
     names = [tick.get_text() for tick in middles.get_yticklabels()]
     assert names == ["a (7 seeds)", "b (3 seeds)"]
-    assert profiles.get_xlabel() == "threshold of the capture rate"
-    assert evaders.get_xlabel() == "escape rate"
-    saved(figure)
 
 
 # ---- Dots, curves and CIAO plots -----------------------------------------------------------------
@@ -361,9 +277,6 @@ def test_dots_are_the_runs_and_the_diamond_is_their_mean() -> None:
         found = analysis.interval_over_runs(values)
         np.testing.assert_allclose(ends.get_xdata(), [found.low, found.high])
         np.testing.assert_allclose(mean.get_xdata(), [found.value])
-    assert [text.get_text() for text in axes.get_yticklabels()] == ["one", "two"]
-    assert axes.get_xlabel() == "score"
-    saved(figure)
 
 
 def test_curves_have_means_and_bands() -> None:
@@ -377,23 +290,18 @@ def test_curves_have_means_and_bands() -> None:
         (mean,) = [line for line in axes.lines if line.get_label() == name]
         np.testing.assert_allclose(mean.get_ydata(), band.mean)
         np.testing.assert_allclose(mean.get_xdata(), places)
-        assert filled.get_paths()[0].vertices[:, 1].max() == pytest.approx(band.high.max())
-    assert axes.get_xlabel() == "epoch"
-    saved(figure)
+        check_band(filled, band)
 
 
 def test_triangles_are_those_of_ciao() -> None:
     payoff = RNG.random((6, 6))
-    figure = plots.ciao_triangles(payoff, names=("hunters", "prey"))
-    found = analysis.ciao(payoff)
-    for axes, triangle, name in zip(figure.axes[:2], found, ("hunters", "prey"), strict=True):
+    figure = plots.ciao_triangles(payoff)
+    for axes, triangle in zip(figure.axes[:2], analysis.ciao(payoff), strict=True):
         drawn = np.ma.filled(axes.images[0].get_array(), np.nan)
         np.testing.assert_allclose(drawn, triangle.payoff.T)
-        assert axes.get_xlabel() == f"generation of {name}"
-    saved(figure)
 
 
-def test_trajectories_and_tops_are_those_of_the_analysis(tmp_path: Path) -> None:
+def test_trajectories_and_tops_are_those_of_the_analysis() -> None:
     starts = [([0.5, 0.3, 0.2], [0.1, 0.2, 0.7]), ([0.2, 0.2, 0.6], [0.3, 0.3, 0.4])]
     figure = plots.replicator_trajectories(ROCK_PAPER_SCISSORS, starts, time=30)
     path = analysis.replicator_dynamics(
@@ -406,7 +314,6 @@ def test_trajectories_and_tops_are_those_of_the_analysis(tmp_path: Path) -> None
     np.testing.assert_allclose(y, path.pursuers[:, 2] * 0.75**0.5)
     away = path.divergence([1 / 3] * 3, [1 / 3] * 3)
     np.testing.assert_allclose(distance.lines[1].get_ydata(), away)
-    saved(figure)
     tops, axes = analysis.spinning_top(SINGLE), plots.spinning_top(SINGLE).axes[0]
     for line, top, side in zip(axes.lines[::2], tops, (-1, 1), strict=True):
         np.testing.assert_allclose(line.get_xdata(), side * top.intransitivity)
@@ -441,8 +348,8 @@ PANELS = {
 }
 
 
-# Figures of many panels take seconds each.
-@quickly("name", tuple(PANELS), lambda name: name not in ("comparison", "over seeds", "bands"))
+# Two with square panels or a row for each group; the others take up to seconds each.
+@quickly("name", tuple(PANELS), lambda name: name in ("lags", "dots", "curves"))
 def test_a_figure_for_a_column_has_type_that_can_be_read(name: str, tmp_path: Path) -> None:
     with plots.at_width(3.35):
         figure = PANELS[name]()
@@ -482,10 +389,8 @@ def test_widths_that_texts_do_not_fit_are_refused() -> None:
 
 
 SQUARE = np.full((7, 7), 0.5)
-NO_RUNS = "expected at least one group of runs to draw, got none"
-NO_RACE = "expected at least one race to draw, got none"
-training, collisions = plots.training_curve, plots.collision_rates
-over_seeds = plots.generalization_over_seeds
+training, over_seeds = plots.training_curve, plots.generalization_over_seeds
+scores = analysis.judge([SQUARE] * 3)
 
 
 @pytest.mark.parametrize(
@@ -494,27 +399,11 @@ over_seeds = plots.generalization_over_seeds
         (lambda: training([0.5, 2.0], [0, 1]), r"values in \[0, 1\], got 2.0"),
         (lambda: training([0.5, 0.6], [0, 2]), r"shape \(2,\), 0 for pursuers.*values \[0, 2\]"),
         (lambda: training([0.5], [0], window=0), "window of at least 1 point, got 0"),
-        (
-            lambda: training([0.5, 0.5], [0, 1], generations=[1, 1, 1]),
-            r"generations of shape \(2,\), got \(3,\)",
-        ),
-        (lambda: collisions(np.zeros((4, 3))), r"shape \(G, 2, 3\), got \(4, 3\)"),
-        (lambda: collisions(np.full((1, 2, 3), -1.0)), r"at least 0, got \[-1.\]"),
-        (
-            lambda: plots.generalization_curves(SQUARE, evader_baselines={"far off": 1.2}),
-            r"baseline 'far off' with finite values.*got 1.2",
-        ),
-        (
-            lambda: over_seeds({"one": [SQUARE]}, pursuer_baselines={"two": {"x": [0.5]}}),
-            "baselines: expected names of one, got 'two'",
-        ),
-        (lambda: over_seeds({}), NO_RACE),
-        (lambda: plots.seed_bands({}), NO_RUNS),
-        (lambda: plots.run_curves({}, label="score"), NO_RUNS),
-        (
-            lambda: plots.verdict_strip({"a": analysis.judge([SQUARE] * 3)}, {"a": (0, 1)}),
-            "seeds: expected 3 of a, got 2",
-        ),
+        (lambda: training([0.5, 0.5], [0, 1], generations=[1]), r"generations of shape \(2,\)"),
+        (lambda: plots.collision_rates(np.zeros((4, 3))), r"shape \(G, 2, 3\), got \(4, 3\)"),
+        (lambda: over_seeds({"one": [SQUARE]}, pursuer_baselines={"two": {}}), "baselines: "),
+        (lambda: plots.seed_bands({}), "expected at least one group of runs to draw, got none"),
+        (lambda: plots.verdict_strip({"a": scores}, {"a": (0, 1)}), "seeds: expected 3 of a"),
         (lambda: plots.rules_table({}), "rules: expected at least one row, got none"),
     ],
 )

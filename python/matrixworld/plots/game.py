@@ -51,6 +51,7 @@ from matrixworld.world.rules import (
 from matrixworld.world.world import World
 
 Cell = tuple[int, int]
+Place = tuple[float, float]
 
 CELL, BELOW = 0.5, 0.42
 """Height of a cell and of the text below a world, in inches."""
@@ -69,9 +70,10 @@ class Situation:
     obstacles: tuple[Cell, ...] = ()
 
     @property
-    def agents(self) -> tuple[tuple[Cell, Action], ...]:
-        """All agents, pursuers first."""
-        return self.pursuers + self.evaders
+    def agents(self) -> dict[str, tuple[Cell, Action]]:
+        """All agents by their names, pursuers first."""
+        pursuers = {f"P{number}": agent for number, agent in enumerate(self.pursuers)}
+        return pursuers | {f"E{number}": agent for number, agent in enumerate(self.evaders)}
 
 
 N, E, S, W = Action.NORTH, Action.EAST, Action.SOUTH, Action.WEST
@@ -98,44 +100,11 @@ SITUATIONS = (
 """The rows of the figure: the forms of a conflict between teammates, then the other kinds."""
 
 
-@dataclass(frozen=True, eq=False)
-class Resolution:
-    """What the engine made of a situation under one outcome.
-
-    `cells`: where each agent is after the step; of a removed agent, where it disappeared. `held`:
-    the agents that had to stay. `text`: what the conflicts did, in the engine's words.
-    """
-
-    cells: list[Cell]
-    alive: list[bool]
-    held: set[int]
-    text: str
-
-
-def resolve(situation: Situation, outcome: Outcome) -> Resolution:
-    """Return what happens in one step if every kind of collision has one outcome."""
-    world, count = world_of(situation, outcome), len(situation.agents)
-    world.step(actions_in(world, situation), explain=True)
-    texts = [conflict.text.split(": ", 1)[1] for conflict in world.conflicts]
-    return Resolution(
-        [(row, col) for row, col in world.last_positions[:count].tolist()],
-        world.alive[:count].tolist(),
-        {agent for conflict in world.conflicts for agent in conflict.held},
-        "\n".join(texts) or "no conflict: all move",
-    )
-
-
-def actions_in(world: World, situation: Situation) -> list[int]:
-    """Return the actions of a situation; an agent that it does not name stays."""
-    actions: list[int] = [action for _, action in situation.agents]
-    return actions + [Action.STAY] * (world.config.n_agents - len(actions))
-
-
 def world_of(situation: Situation, outcome: Outcome) -> World:
-    """Return a world in a situation, whose agents come first.
+    """Return a world in a situation; every kind of collision has one outcome.
 
-    A world has agents of both teams. If no evader is in the situation, one waits behind a wall on
-    the right, outside of the drawing.
+    The agents of the situation come first. A world has agents of both teams: if no evader is in
+    the situation, one waits behind a wall on the right, outside of the drawing.
     """
     walled = situation.cols + 2
     obstacles = np.zeros((situation.rows, walled), bool)
@@ -157,6 +126,15 @@ def world_of(situation: Situation, outcome: Outcome) -> World:
     return world
 
 
+def resolve(situation: Situation, outcome: Outcome) -> World:
+    """Return the world after one step from a situation."""
+    world = world_of(situation, outcome)
+    actions = [action for _, action in situation.agents.values()]
+    waiting = [Action.STAY] * (world.config.n_agents - len(actions))
+    world.step(actions + waiting, explain=True)
+    return world
+
+
 _MARK: dict[str, Any] = {"linestyle": "", "color": colors.COLLISION, "markersize": 9}
 
 
@@ -169,13 +147,12 @@ def conflict_outcomes() -> Figure:
     heights = [CELL * situation.rows + BELOW for situation in SITUATIONS]
     figure = new_figure(8.0, 1.1 + sum(heights), shrinks=False)
     grid = figure.subplots(len(SITUATIONS), 4, height_ratios=heights)
-    for row, (situation, panels) in enumerate(zip(SITUATIONS, grid, strict=True)):
+    for situation, panels in zip(SITUATIONS, grid, strict=True):
         _draw_plan(panels[0], situation)
         for axes, outcome in zip(panels[1:], OUTCOME_TEXTS, strict=True):
             _draw_result(axes, situation, resolve(situation, outcome))
-            if not row:
-                axes.set_title(OUTCOME_TEXTS[outcome], fontweight="bold", pad=10)
-    grid[0, 0].set_title("planned moves", fontweight="bold", pad=10)
+    for axes, head in zip(grid[0], ("planned moves", *OUTCOME_TEXTS.values()), strict=True):
+        axes.set_title(head, fontweight="bold", pad=10)
     marks = {
         "removed": Line2D([], [], marker="x", markeredgewidth=2, **_MARK),
         "had to stay": Line2D([], [], marker="o", markerfacecolor="none", **_MARK),
@@ -186,9 +163,9 @@ def conflict_outcomes() -> Figure:
 
 
 def _draw_plan(axes: Axes, situation: Situation) -> None:
-    _draw_world(axes, situation)
-    for agent, (cell, action) in enumerate(situation.agents):
-        _draw_agent(axes, cell, _name(situation, agent))
+    _draw_cells(axes, situation)
+    for name, (cell, action) in situation.agents.items():
+        _draw_agent(axes, cell, name)
         _draw_move(axes, cell, action)
     label = f"$\\bf{{{situation.name}}}$\n{situation.text}"
     axes.annotate(
@@ -197,32 +174,38 @@ def _draw_plan(axes: Axes, situation: Situation) -> None:
     )  # fmt: skip
 
 
-def _draw_result(axes: Axes, situation: Situation, result: Resolution) -> None:
-    _draw_world(axes, situation)
-    living = [agent for agent, alive in enumerate(result.alive) if alive]
-    taken = {result.cells[agent] for agent in living}
-    for cell in {cell for cell, alive in zip(result.cells, result.alive, strict=True) if not alive}:
-        _draw_removed(axes, cell, occupied=cell in taken)
-    for agent in living:
-        cell = result.cells[agent]
-        beside = [other for other in living if result.cells[other] == cell]
-        _draw_agent(
-            axes, cell, _name(situation, agent), place=beside.index(agent), among=len(beside)
-        )
-        if agent in result.held:
-            _draw_held(axes, cell)
-    axes.set_xlabel(result.text, size="small", color=colors.MUTED, labelpad=3)
+def _draw_result(axes: Axes, situation: Situation, world: World) -> None:
+    """Draw the living and, where they disappeared, the others; below, the engine's words."""
+    _draw_cells(axes, situation)
+    cells = [(row, col) for row, col in world.last_positions.tolist()]
+    agents = list(zip(situation.agents, cells, world.alive, strict=False))
+    taken = [cell for _, cell, alive in agents if alive]
+    for row, col in {cell for _, cell, alive in agents if not alive}:
+        # In a corner if another agent is there.
+        aside, size = (0.33, 6) if (row, col) in taken else (0, 13)
+        axes.plot(
+            [col - aside], [row - aside], marker="x", markersize=size, markeredgewidth=size / 5,
+            color=colors.COLLISION, zorder=2,
+        )  # fmt: skip
+    held = {agent for conflict in world.conflicts for agent in conflict.held}
+    drawn: list[Cell] = []
+    for agent, (name, cell, alive) in enumerate(agents):
+        if alive:
+            _draw_agent(axes, cell, name, place=drawn.count(cell), among=taken.count(cell))
+            drawn.append(cell)
+            if agent in held:
+                look: dict[str, Any] = {"edgecolor": colors.COLLISION, "linewidth": 1.8}
+                axes.add_patch(Circle(cell[::-1], 0.46, fill=False, zorder=2, **look))
+    texts = [conflict.text.split(": ", 1)[1] for conflict in world.conflicts]
+    text = "\n".join(texts) or "no conflict: all move"
+    axes.set_xlabel(text, size="small", color=colors.MUTED, labelpad=3)
 
 
-def _draw_world(axes: Axes, situation: Situation) -> None:
+def _draw_cells(axes: Axes, situation: Situation) -> None:
     for row, col in np.ndindex(situation.rows, situation.cols):
         filled = colors.OBSTACLE if (row, col) in situation.obstacles else colors.PAPER
-        axes.add_patch(
-            Rectangle(
-                (col - 0.5, row - 0.5), 1, 1, facecolor=filled, edgecolor=colors.MUTED,
-                linewidth=0.8,
-            )
-        )  # fmt: skip
+        look: dict[str, Any] = {"facecolor": filled, "edgecolor": colors.MUTED, "linewidth": 0.8}
+        axes.add_patch(Rectangle((col - 0.5, row - 0.5), 1, 1, **look))
     # The same scale in all panels of the figure; row 0 is on top.
     middle = situation.cols / 2 - 0.5
     axes.set(xlim=(middle - 1.6, middle + 1.6), ylim=(situation.rows - 0.45, -0.55))
@@ -230,15 +213,7 @@ def _draw_world(axes: Axes, situation: Situation) -> None:
     axes.spines[:].set_visible(False)
 
 
-def _name(situation: Situation, agent: int) -> str:
-    count = len(situation.pursuers)
-    return f"P{agent}" if agent < count else f"E{agent - count}"
-
-
 # ---- Parts of a board, which look like the pictures of `matrixworld.episodes` --------------------
-
-RADIUS = 0.33
-"""Of an agent that is alone on its cell, in cells."""
 
 
 def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int = 1) -> None:
@@ -247,7 +222,7 @@ def _draw_agent(axes: Axes, cell: Cell, name: str, *, place: int = 0, among: int
     The cell is row and column; several agents on it have a place `among` so many.
     """
     row, col = cell
-    radius = RADIUS if among == 1 else 0.24
+    radius = 0.33 if among == 1 else 0.24  # in cells
     x, y = col + (place - (among - 1) / 2) * 0.46, float(row)
     pursuer = name.startswith("P")
     look: dict[str, Any] = {"facecolor": colors.TEAMS[not pursuer], "zorder": 3}
@@ -268,30 +243,25 @@ def _draw_move(axes: Axes, cell: Cell, action: Action) -> None:
     # On the left of the agent's way, so that the arrows of a swap are beside each other.
     aside = 0.34
     x, y = col + down * aside + right * 0.24, row - right * aside + down * 0.24
-    axes.add_patch(
-        FancyArrowPatch(
-            (x, y), (x + 0.52 * right, y + 0.52 * down), arrowstyle="-|>", mutation_scale=9,
-            linewidth=1.3, color=colors.INK, shrinkA=0, shrinkB=0, zorder=5,
-            path_effects=[withStroke(linewidth=3, foreground=colors.PAPER)],  # on obstacles
-        )
+    look: dict[str, Any] = {"linewidth": 1.3, "color": colors.INK, "shrinkA": 0, "shrinkB": 0}
+    on_obstacles = [withStroke(linewidth=3, foreground=colors.PAPER)]
+    _draw_arrow(
+        axes, (x, y), (x + 0.52 * right, y + 0.52 * down), mutation_scale=9, zorder=5,
+        path_effects=on_obstacles, **look,
     )  # fmt: skip
 
 
-def _draw_removed(axes: Axes, cell: Cell, *, occupied: bool = False) -> None:
-    """Draw a cross where an agent disappeared; in a corner if another agent is there."""
-    row, col = cell
-    aside, size = (0.33, 6) if occupied else (0, 13)
-    axes.plot(
-        [col - aside], [row - aside], marker="x", markersize=size, markeredgewidth=size / 5,
-        color=colors.COLLISION, zorder=2,
-    )  # fmt: skip
+def _draw_arrow(axes: Axes, begin: Place, end: Place, **look: Any) -> None:
+    axes.add_patch(FancyArrowPatch(begin, end, arrowstyle="-|>", **look))
 
 
-def _draw_held(axes: Axes, cell: Cell) -> None:
-    row, col = cell
-    axes.add_patch(
-        Circle((col, row), 0.46, fill=False, edgecolor=colors.COLLISION, linewidth=1.8, zorder=2)
-    )
+def _draw_box(axes: Axes, corner: Place, size: Place, rounding: float, **look: Any) -> None:
+    box = f"round,pad=0,rounding_size={rounding}"
+    axes.add_patch(FancyBboxPatch(corner, *size, boxstyle=box, **look))
+
+
+def _write(axes: Axes, x: float, y: float, text: str, **look: Any) -> None:
+    axes.text(x, y, text, **{"ha": "center", "va": "center", "size": "small", **look})
 
 
 # ---- Right of way --------------------------------------------------------------------------------
@@ -322,7 +292,7 @@ def right_of_way() -> Figure:
     figure = new_figure(8.0, 2.9, shrinks=False)
     panels = figure.subplots(1, len(CROSSINGS))
     for axes, (title, text, moves) in zip(panels, CROSSINGS, strict=True):
-        _draw_world(axes, Situation(title, text, 3, 3, ()))
+        _draw_cells(axes, Situation(title, text, 3, 3, ()))
         for agent, (move, goes) in enumerate(zip(moves, may_go(moves), strict=True)):
             down, right = MOVES[move]
             _draw_agent(axes, (1 - down, 1 - right), f"P{agent}")
@@ -384,14 +354,6 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
     axes = figure.add_subplot()
     axes.set(xlim=(0, WIDTH), ylim=(len(rules) - 0.5, -2.1))
     axes.set_axis_off()
-    _write_heads(axes)
-    for row, (name, each) in enumerate(rules.items()):
-        _write_row(axes, row, name, each)
-    axes.set_title("The rules of the variants" if rules is VARIANTS else "The rules")
-    return figure
-
-
-def _write_heads(axes: Axes) -> None:
     for head, place in COLUMNS.items():
         _write(axes, place, -1.0, head, fontweight="bold")
     for head, (first, last) in GROUPS.items():
@@ -399,6 +361,10 @@ def _write_heads(axes: Axes) -> None:
         _write(axes, (left + right) / 2, -1.85, head, color=colors.MUTED)
         axes.plot([left - 0.55, right + 0.55], [-1.45] * 2, color=colors.MUTED, linewidth=0.8)
     axes.plot([0, WIDTH], [-0.55] * 2, color=colors.INK, linewidth=1.0)
+    for row, (name, each) in enumerate(rules.items()):
+        _write_row(axes, row, name, each)
+    axes.set_title("The rules of the variants" if rules is VARIANTS else "The rules")
+    return figure
 
 
 def _write_row(axes: Axes, row: int, name: str, rules: Rules) -> None:
@@ -407,30 +373,17 @@ def _write_row(axes: Axes, row: int, name: str, rules: Rules) -> None:
     _write(axes, COLUMNS["variant"], row, f"-{name}" if name in VARIANTS else name, weight="bold")
     _write(axes, COLUMNS["agents move"], row, INTERACTION_TEXTS[rules.interaction])
     for field in ("obstacle", "teammate", "evader", "pursuer"):
-        _write_outcome(axes, COLUMNS[field], row, getattr(rules, field))
+        outcome, place = getattr(rules, field), COLUMNS[field]
+        ground, ink = FILLS[outcome]
+        _draw_box(axes, (place - 0.5, row - 0.3), (1.0, 0.6), 0.12, facecolor=ground, linewidth=0)
+        # The first word: reaches, bounces, disappears.
+        _write(axes, place, row, OUTCOME_TEXTS[outcome].split()[0], color=ink)
     _write(axes, COLUMNS["capture by"], row, CAPTURE_TEXTS[rules.capture])
     fate = ("disappear" if rules.removes_captured else "stay") if rules.captures else "none"
     _write(axes, COLUMNS["the captured"], row, fate)
 
 
-def _write_outcome(axes: Axes, place: float, row: int, outcome: Outcome) -> None:
-    ground, ink = FILLS[outcome]
-    axes.add_patch(
-        FancyBboxPatch(
-            (place - 0.5, row - 0.3), 1.0, 0.6, facecolor=ground, linewidth=0,
-            boxstyle="round,pad=0,rounding_size=0.12",
-        )
-    )  # fmt: skip
-    # The first word: reaches, bounces, disappears.
-    _write(axes, place, row, OUTCOME_TEXTS[outcome].split()[0], color=ink)
-
-
-def _write(axes: Axes, x: float, y: float, text: str, **look: Any) -> None:
-    axes.text(x, y, text, **{"ha": "center", "va": "center", "size": "small", **look})
-
-
 # ---- Interaction models --------------------------------------------------------------------------
-
 
 GAMES = {
     Interaction.SIMULTANEOUS: "stochastic (Markov)\ngame",
@@ -487,8 +440,10 @@ def _draw_round(axes: Axes, turns: list[range]) -> None:
     for agent in range(len(NAMES)):
         axes.plot([-0.3, length + 0.3], [agent] * 2, color=colors.GRID, linewidth=1, zorder=0)
     axes.plot([0, length], [STATE] * 2, color=colors.MUTED, linewidth=1, zorder=0)
-    for place in range(length + 1):
-        _draw_state(axes, place, place in (0, length))
+    for place in range(length + 1):  # the world at the begin and the end of the round, and between
+        filled = colors.INK if place in (0, length) else colors.PAPER
+        look: dict[str, Any] = {"facecolor": filled, "edgecolor": colors.INK, "zorder": 3}
+        _draw_box(axes, (place - 0.13, STATE - 0.2), (0.26, 0.4), 0.08, **look)
     for turn, agents in enumerate(turns):
         for agent in agents:
             _draw_action(axes, turn, agent)
@@ -497,33 +452,18 @@ def _draw_round(axes: Axes, turns: list[range]) -> None:
     axes.spines[:].set_visible(False)
 
 
-def _draw_state(axes: Axes, place: int, begins: bool) -> None:
-    """Draw a state of the world: strong at the begin and the end of the round."""
-    axes.add_patch(
-        FancyBboxPatch(
-            (place - 0.13, STATE - 0.2), 0.26, 0.4, boxstyle="round,pad=0,rounding_size=0.08",
-            facecolor=colors.INK if begins else colors.PAPER, edgecolor=colors.INK, zorder=3,
-        )
-    )  # fmt: skip
-
-
 def _draw_action(axes: Axes, turn: int, agent: int) -> None:
     """Draw how an agent observes the state before a turn, and changes that after it."""
-    middle = turn + 0.5
-    color = colors.TEAMS[agent >= PER_TEAM]
+    middle, team = turn + 0.5, int(agent >= PER_TEAM)
+    color = colors.TEAMS[team]
     arrows = (
         ((turn + 0.1, STATE - 0.22), (middle - 0.08, agent + 0.17), colors.MUTED, 0.9),
         ((middle + 0.08, agent + 0.17), (turn + 0.9, STATE - 0.22), color, 1.3),
     )
     for begin, end, ink, width in arrows:
-        axes.add_patch(
-            FancyArrowPatch(
-                begin, end, arrowstyle="-|>", mutation_scale=8, color=ink, linewidth=width,
-                shrinkA=0, shrinkB=0, zorder=2,
-            )
-        )  # fmt: skip
-    axes.plot([middle], [agent], marker="o" if agent >= PER_TEAM else "^", markersize=10,
-              color=color, zorder=4)  # fmt: skip
+        look: dict[str, Any] = {"color": ink, "linewidth": width, "shrinkA": 0, "shrinkB": 0}
+        _draw_arrow(axes, begin, end, mutation_scale=8, zorder=2, **look)
+    axes.plot([middle], [agent], marker="^o"[team], markersize=10, color=color, zorder=4)
 
 
 def _name_rows(axes: Axes) -> None:
@@ -573,8 +513,7 @@ def learning_concepts() -> Figure:
         ground: dict[str, Any] = {"facecolor": color, "alpha": alpha, "edgecolor": "none"}
         outline: dict[str, Any] = {"facecolor": "none", "linewidth": 1.2, "edgecolor": colors.INK}
         for look in (ground, outline):
-            box = "round,pad=0,rounding_size=0.18"
-            axes.add_patch(FancyBboxPatch((x, y), width, height, boxstyle=box, **look))
+            _draw_box(axes, (x, y), (width, height), 0.18, **look)
     name: dict[str, Any] = {"va": "center", "weight": "bold", "size": "large"}
     # The names of both are where the other one is not.
     axes.text(0.35, 5.62, "co-evolution", ha="left", **name)
@@ -587,8 +526,7 @@ def learning_concepts() -> Figure:
         axes.text(x, below, text, ha="center", va="top", size="small", linespacing=1.15)
     # Each side adapts to the other.
     for begin, end, y in ((4.25, 5.75, 3.03), (5.75, 4.25, 2.87)):
-        arrow: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 12, "color": colors.INK}
-        axes.add_patch(FancyArrowPatch((begin, y), (end, y), **arrow))
+        _draw_arrow(axes, (begin, y), (end, y), mutation_scale=12, color=colors.INK)
     axes.text(5.0, 3.28, "arms race", ha="center", va="center", weight="bold")
     axes.text(5.0, 2.6, "each adapts to the other", ha="center", va="center", size="small")
     axes.plot(4.0, 2.95, "^", color=colors.PURSUER, markersize=9)

@@ -234,7 +234,13 @@ def _numbers(matrix: Rates) -> str:
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     matrix = check_payoff(payoff)
     image = _draw_cells(axes, matrix)
-    _enclose_diagonal(axes, min(matrix.shape))
+    # A line above and a line below the cells of equal generations, which stay visible.
+    corners = np.arange(min(matrix.shape) + 1) - 0.5
+    early, late = np.repeat(corners, 2)[:-1], np.repeat(corners, 2)[1:]
+    width = min(0.7, 25 / min(matrix.shape))  # points; thinner where cells are small
+    outline = [Stroke(linewidth=1.9 * width, foreground=colors.INK), Normal()]
+    for x, y in ((early, late), (late, early)):
+        axes.plot(x, y, color=colors.PAPER, linewidth=width, path_effects=outline)
     axes.set(xlabel="evader generation", ylabel="pursuer generation")
     axes.set(xlim=(-0.5, matrix.shape[1] - 0.5), ylim=(-0.5, matrix.shape[0] - 0.5))
     return image
@@ -244,16 +250,6 @@ def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(style.whole_numbers())
     return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
-
-
-def _enclose_diagonal(axes: Axes, cells: int) -> None:
-    """Draw a line above and a line below the cells of equal generations, which stay visible."""
-    corners = np.arange(cells + 1) - 0.5
-    early, late = np.repeat(corners, 2)[:-1], np.repeat(corners, 2)[1:]
-    width = min(0.7, 25 / cells)  # points; thinner where cells are small
-    outline = [Stroke(linewidth=1.9 * width, foreground=colors.INK), Normal()]
-    for x, y in ((early, late), (late, early)):
-        axes.plot(x, y, color=colors.PAPER, linewidth=width, path_effects=outline)
 
 
 def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import plots
 from matrixworld.analysis import headline
@@ -19,7 +19,7 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import Against, HallOfFame, curve_window
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import TEAMS, Payoff, Team
+from matrixworld.coevolution.types import TEAMS, Team
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -108,11 +108,6 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
     )
 
 
-def _payoff(group: RunGroup, baselines: Baselines) -> Figure:
-    title = _title(group, headline(group.judgement))
-    return plots.payoff_heatmap(group.payoffs.matrices[0], title=title)
-
-
 def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
     scores = baseline_scores(group, baselines)
     return plots.generalization_curves(
@@ -124,44 +119,52 @@ def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
     )
 
 
-def _lag_profile(group: RunGroup, baselines: Baselines) -> Figure:
-    return plots.lag_profile_curve(group.payoffs.matrices[0], title=_title(group, "Lag profile"))
+def _matrix(group: RunGroup) -> ArrayLike:
+    matrix: ArrayLike = group.payoffs.matrices[0]
+    return matrix
 
 
-def _collisions(group: RunGroup, baselines: Baselines) -> Figure:
-    rates = collisions_per_1000(group.runs[0].payoff())
-    return plots.collision_rates(rates, title=_title(group, "Collisions per 1000 agent-steps"))
+def _rates(group: RunGroup) -> ArrayLike:
+    return group.runs[0].payoff().capture_rates
 
 
-def _dynamics(group: RunGroup, baselines: Baselines) -> Figure:
-    title = _title(group, "Replicator dynamics of all generations")
-    return plots.replicator_trajectories(group.payoffs.matrices[0], title=title)
-
-
-def _spinning_top(group: RunGroup, baselines: Baselines) -> Figure:
-    title = _title(group, "Strength and cycles of the generations")
-    return plots.spinning_top(group.runs[0].payoff().capture_rates, title=title)
-
-
-OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
-    "training": _training,
-    "payoff": _payoff,
-    "generalization": _generalization,
-    "lag_profile": _lag_profile,
-    "collisions": _collisions,
-    "dynamics": _dynamics,
-    "spinning_top": _spinning_top,
-}
-"""Figures of a race. A run of one team has the first one only."""
-
-
-def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:
+def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     """Return how often agents collide in 1000 agent-steps: (G, 2, 3), by generation, team, kind."""
+    payoff = group.runs[0].payoff()
     collisions, steps = payoff.collisions, payoff.agent_steps[..., np.newaxis]
     # A pursuer generation is a row of the payoff, an evader generation a column.
     pursuers = collisions[:, :, 0].sum(axis=1) / steps[:, :, 0].sum(axis=1)
     evaders = collisions[:, :, 1].sum(axis=0) / steps[:, :, 1].sum(axis=0)
     return 1000 * np.stack([pursuers, evaders], axis=1)
+
+
+def _drawn(
+    draw: Callable[..., Figure],
+    numbers: Callable[[RunGroup], ArrayLike],
+    shown: str,
+    group: RunGroup,
+    baselines: Baselines,
+) -> Figure:
+    """Draw numbers of a race, titled by what they are; without words by what was judged."""
+    return draw(numbers(group), title=_title(group, shown or headline(group.judgement)))
+
+
+OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
+    "training": _training,
+    "payoff": partial(_drawn, plots.payoff_heatmap, _matrix, ""),
+    "generalization": _generalization,
+    "lag_profile": partial(_drawn, plots.lag_profile_curve, _matrix, "Lag profile"),
+    "collisions": partial(
+        _drawn, plots.collision_rates, collisions_per_1000, "Collisions per 1000 agent-steps"
+    ),
+    "dynamics": partial(
+        _drawn, plots.replicator_trajectories, _matrix, "Replicator dynamics of all generations"
+    ),
+    "spinning_top": partial(
+        _drawn, plots.spinning_top, _rates, "Strength and cycles of the generations"
+    ),
+}
+"""Figures of a race. A run of one team has the first one only."""
 
 
 # ---- Of several runs, by the names of their groups ---------------------------------------------

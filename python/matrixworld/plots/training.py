@@ -18,8 +18,7 @@ from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
 _TEAMS = ("pursuers", "evaders")
-ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))
-"""Distances of ticks at round numbers."""
+ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
 _SHADE = "#EFEFEF"  # lighter than the lines of the grid
 _MARKED = 100  # curves with up to this many points have a marker at each
 
@@ -56,12 +55,16 @@ def training_curve(
     axes = figure.add_subplot()
     if window > 1:
         axes.add_collection(_in_pieces(values, shades, alpha=0.25, linewidth=0.6))
+    place = np.arange(1, len(values) + 1)
     if learners is not None:
-        _shade_evaders(axes, np.asarray(learners) == 1)
+        # In grey the curves of both teams have the same tone.
+        axes.fill_between(
+            place, 0, 1, where=np.asarray(learners) == 1, color=_SHADE, linewidth=0, zorder=0,
+            step="mid", transform=axes.get_xaxis_transform(),
+        )  # fmt: skip
     smooth = _moving_average(values, window)
     axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
     if len(values) <= _MARKED:
-        place = np.arange(1, len(values) + 1)
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
     axes.set_title(style.fitting(figure, title))
     axes.set(xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
@@ -82,13 +85,6 @@ def training_curve(
     if entries:
         style.legend_below(figure, entries, columns=4)
     return figure
-
-
-def _shade_evaders(axes: Axes, learn: NDArray[np.bool_]) -> None:
-    """Shade where the evaders learn: in grey the curves of both teams have the same tone."""
-    place = np.arange(1, len(learn) + 1)
-    look: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "step": "mid", "zorder": 0}
-    axes.fill_between(place, 0, 1, where=learn, color=_SHADE, linewidth=0, **look)
 
 
 def collision_rates(
@@ -115,7 +111,7 @@ def collision_rates(
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
     style.legend_below(figure, style.labelled(panels[0]), columns=3)
-    figure.suptitle(style.fitting(figure, title))
+    style.entitle(figure, title)
     return figure
 
 
