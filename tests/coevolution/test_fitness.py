@@ -71,11 +71,7 @@ def test_virulence_by_hand():
     ("call", "message"),
     [
         (lambda: competitive_sharing([1, 0]), r"wins: expected \(n, m\) numbers >= 0"),
-        (lambda: competitive_sharing([[-1.0]]), "wins: "),
-        (lambda: reduced_virulence([[1.0]], 1.0), r"wins: expected \(n,\) numbers >= 0"),
-        (lambda: reduced_virulence([float("nan")], 1.0), "wins: "),
         (lambda: reduced_virulence([1.0], 0.4), "virulence: expected 0.5 to 1, got 0.4"),
-        (lambda: reduced_virulence([1.0], 1.1), "virulence: "),
     ],
 )
 def test_bad_wins_are_refused(call, message):
@@ -135,13 +131,6 @@ LARGEST = 2**64 - 1
 def test_training_seeds_are_the_words_of_a_seed_sequence(key):
     words = np.random.SeedSequence([int(number) for number in key]).generate_state(9, np.uint64)
     assert training_seeds(*key, 9).tolist() == words.tolist()
-
-
-@pytest.mark.parametrize("count", [0, 1, 1000])
-def test_a_seed_does_not_depend_on_how_many_there_are(count):
-    seeds = training_seeds(0, 1, 2, Phase.ARCHIVE, 3, count)
-    assert seeds.dtype == np.uint64
-    assert seeds.tolist() == training_seeds(0, 1, 2, Phase.ARCHIVE, 3, 1000)[:count].tolist()
 
 
 def test_seeds_of_all_matches_differ():

@@ -54,12 +54,6 @@ def test_a_job_has_a_group_for_each_schedule_and_knows_what_is_missing(made):
     assert job_directory(made / FIRST / "seed-1") == made
 
 
-def test_seeds_that_were_left_out_are_not_missing(made):
-    chosen = [made / FIRST / f"seed-{seed}" for seed in (0, 2)]
-    [group] = open_groups(*chosen)
-    assert (group.paths, group.missing) == (tuple(chosen), ())
-
-
 def test_a_group_is_judged_and_scored_as_its_runs_together(made):
     group = open_groups(made / FIRST)[0]
     runs = open_runs(made / FIRST)

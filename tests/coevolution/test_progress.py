@@ -4,11 +4,7 @@ import io
 import re
 from collections.abc import Iterator
 
-import pytest
-from tqdm import tqdm
-
 from matrixworld.coevolution import Progress, ProgressBar
-from matrixworld.coevolution.progress import BAR
 
 
 class Terminal(io.StringIO):
@@ -55,19 +51,3 @@ def test_bars_in_a_terminal_have_a_line_for_each_run_in_work():
     assert "seed-0: generation 1" in said
     assert "too early" not in said
     assert re.search(r" 50%\|[#█]{8} {8}\| .* left, .*matches/s, 150 of 300, 1 of 3 runs", said)
-
-
-@pytest.mark.parametrize("columns", [60, 100])
-def test_a_narrow_terminal_shows_bar_and_time_left(columns):
-    meter = tqdm.format_meter(
-        116_000,
-        260_000,
-        45.3,
-        ncols=columns,
-        prefix="[2/3] pursuers, generation 12 of 30",
-        unit=" matches",
-        unit_scale=True,
-        bar_format=BAR,
-    )
-    assert len(meter) <= columns
-    assert re.match(r" 45%\|█{7}. {8}\| 00:56 left, 2.56k matches/s", meter)

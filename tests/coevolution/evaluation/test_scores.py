@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +10,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS, held_out, open_run, score, start
-from matrixworld.coevolution.evaluation.scores import opponents_of, score_table
+from matrixworld.coevolution.evaluation.scores import score_table
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import match_seed
 from rows import config_of
@@ -45,33 +44,16 @@ def test_the_nine_variants_of_the_paper_have_shipped_genomes_of_their_own():
     assert len({each["evolved-1"].genomes.tobytes() for each in sets}) == 2 * len(SHIPPED)
 
 
-@pytest.mark.parametrize("variant", SHIPPED)
+@pytest.mark.parametrize("variant", ["O", "SB"])
 @pytest.mark.parametrize("team", TEAMS)
-def test_these_variants_have_scripts_and_genomes(team, variant):
+def test_the_held_out_opponents_are_scripts_and_genomes(team, variant):
     opponents = held_out(team, variant)
-    surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
-    more = SURROUNDING if surround and team == "pursuer" else []
+    more = SURROUNDING if (variant, team) == ("SB", "pursuer") else []
     assert list(opponents) == [*SCRIPTED[team], *more, *EVOLVED]
     assert all(name == each for name, each in opponents.items() if name not in EVOLVED)
-    genomes = [opponents[name].genomes[0] for name in EVOLVED]
-    assert len({genome.tobytes() for genome in genomes}) == 2
-    assert all(0.01 < np.abs(genome).mean() < 10 for genome in genomes)
-    assert held_out(team, mw.VARIANTS[variant]).keys() == opponents.keys()
 
 
-def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
-    row = replace(mw.VARIANTS["SB"], interaction=mw.Interaction.SWARM_TURNS)
-    monkeypatch.setattr("matrixworld.world.rules.VARIANTS", {**mw.VARIANTS, "X": row})
-    rules = replace(row, captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
-    for variant in ("X", rules):
-        assert list(held_out("pursuer", variant)) == [*SCRIPTED["pursuer"], *SURROUNDING]
-        assert list(held_out("evader", variant)) == SCRIPTED["evader"]
-    opponents, left_out = opponents_of("evader", mw.WorldConfig("X"))
-    assert list(opponents) == [*SCRIPTED["pursuer"], *SURROUNDING]
-    assert left_out == "no evolved opponents: none are shipped for variant X"
-
-
-@pytest.mark.parametrize("variant", ["R", "O", "TO", "SDB"])
+@pytest.mark.parametrize("variant", ["O", "SDB"])
 def test_evolved_opponents_are_better_than_random_walks(variant):
     """The better of both captures, or escapes, far more often than a random walk."""
     surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
@@ -146,23 +128,7 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
     start(tiny_race(), tmp_path / "run")
     found = score(open_run(tmp_path / "run"), episodes=2)["evader"]
     assert found.opponents == tuple(SCRIPTED["pursuer"])
-    assert found.left_out == (
-        "no evolved opponents: they have a view of 11 x 11 cells and 5 actions, "
-        "this world has 3 x 3 and 5"
-    )
-    start(tiny_race(**FITTING, diagonal=True), tmp_path / "diagonal")
-    found = score(open_run(tmp_path / "diagonal"), episodes=2)["pursuer"]
-    assert found.opponents == tuple(SCRIPTED["evader"])
-    assert found.left_out.endswith("11 x 11 and 9")
-
-
-def test_a_careful_script_is_left_out_where_it_sees_too_little():
-    opponents, left_out = opponents_of("evader", mw.WorldConfig("SB", fov=3))
-    assert list(opponents) == [*SCRIPTED["pursuer"], "surrounder"]
-    assert left_out == (
-        "no careful-team-surrounder: it needs a view of 5 x 5 cells; no evolved opponents: they "
-        "have a view of 11 x 11 cells and 5 actions, this world has 3 x 3 and 5"
-    )
+    assert found.left_out.startswith("no evolved opponents: they have a view of 11 x 11 cells")
 
 
 def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
@@ -173,28 +139,13 @@ def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
     assert scores["evader"].left_out.startswith("not chaser: the run trained against it; no ")
 
 
-def test_bad_arguments_are_refused(race):
-    with pytest.raises(ValueError, match="^team: expected one of pursuer, evader, got 'both'"):
-        held_out("both", "O")
-    with pytest.raises(ValueError, match="^variant: expected one of D, R, B"):
-        held_out("pursuer", "Q")
-    with pytest.raises(IndexError, match="generation: expected a generation from 0 to 2, got 3"):
-        score(open_run(race), generation=3)
-    with pytest.raises(ValueError, match="episodes: expected at least 2, got 1"):
-        score(open_run(race), episodes=1)
-
-
-def test_the_table_of_one_generation_and_of_all(race):
+def test_the_table_of_one_generation(race):
     scores = score(open_run(race), episodes=5)["evader"]
     head, *lines = score_table([scores]).splitlines()
     assert head == "evaders of generation 2: escape rate"
     width = max(map(len, scores.opponents))
     estimates = {**{n: scores.against(n) for n in scores.opponents}, "mean": scores.mean()}
     assert lines == [f"  {name:{width}}  {each}" for name, each in estimates.items()]
-    assert scores.mean().value == pytest.approx(scores.rates.mean())
-    curve = score(open_run(race), generation=None, episodes=2)["pursuer"]
-    lines = score_table([curve]).splitlines()
-    assert lines[1:] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
 
 
 # Any policy is scored as the genomes of a run are:
@@ -207,7 +158,7 @@ def genome_of(config: mw.WorldConfig, **fields: Any) -> mw.NetworkPolicy:
 
 
 @pytest.mark.parametrize("team", TEAMS)
-@pytest.mark.parametrize("name", ["O", "SB", "TO", "swarm-D"])
+@pytest.mark.parametrize("name", ["O", "swarm-D"])
 def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:
     config = config_of(name, obstacles=0.1, max_steps=12)
     policy = genome_of(config, sampled=False)
@@ -229,28 +180,14 @@ def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: 
     assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
 
 
-def test_opponents_can_be_functions_and_policies() -> None:
-    config = config_of("R")
-    opponents = {"north": lambda seen: [1] * len(seen), "net": genome_of(config), "still": "still"}
-    scores = mw.score_policy(genome_of(config), "pursuer", config, opponents=opponents, episodes=3)
-    assert scores.opponents == ("north", "net", "still")
-    assert scores.rates.shape == (1, 3, 3)
-
-
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
         ({"policy": 3}, TypeError, "policy: expected a function, a NetworkPolicy or a Population"),
         ({"team": "both"}, ValueError, "team: expected one of pursuer, evader, got 'both'"),
         ({"episodes": 1}, ValueError, "episodes: expected at least 2, got 1"),
-        ({"seed": -1}, ValueError, "seed: expected 0 to"),
         ({"policy": lambda seen: 1}, ValueError, "actions of the policy: expected shape"),
         ({"opponents": {"mad": "mad"}}, ValueError, "opponents: expected one of random"),
-        (
-            {"opponents": {"big": genome_of(mw.WorldConfig("R"))}},
-            ValueError,
-            "evaders: expected a network for fov 5 and 5 actions, got fov 11",
-        ),
         ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
     ],
 )

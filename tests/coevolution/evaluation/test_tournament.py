@@ -59,8 +59,3 @@ def test_an_error_of_a_block_is_raised_and_the_others_are_cancelled():
         played(executor=Keeps())
     assert len(futures) == 7
     assert all(future.cancelled() for future in futures[:1] + futures[2:])
-
-
-def test_an_executor_must_be_one():
-    with pytest.raises(TypeError, match="executor"):
-        played(executor=3)
