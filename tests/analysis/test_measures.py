@@ -11,7 +11,6 @@ from scipy.stats import t
 
 from matrices import (
     ROCK_PAPER_SCISSORS,
-    additive,
     logistic,
     payoffs,
     quadruples,
@@ -28,12 +27,6 @@ PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
 # Rates in sixteenths: their differences and complements are exact, so counts cannot be rounded.
 sixteenths = st.integers(0, 16).map(lambda n: n / 16)
 margins = st.integers(0, 15).map(lambda n: n / 16)
-
-
-def test_the_last_half_of_an_odd_number_has_the_middle_one() -> None:
-    for shape, (g, h) in (((31, 31), (15, 15)), ((5, 8), (2, 4)), ((1, 1), (0, 0))):
-        matrix = additive(*shape)
-        np.testing.assert_array_equal(analysis.last_half(matrix), matrix[g:, h:])
 
 
 def test_generalization_is_row_means_and_one_minus_column_means() -> None:
