@@ -46,14 +46,23 @@ def _quiet() -> Any:
         yield
 
 
-@pytest.mark.parametrize("settings", SETTINGS.values(), ids=SETTINGS)
-@pytest.mark.parametrize("name", NAMES)
-def test_api_and_seeds(name: str, settings: dict[str, Any]) -> None:
-    config = config_of(name, obstacles=0.1)
-    api_test(mw.aec_env(config, **settings), num_cycles=60)
-    parallel_api_test(mw.parallel_env(config, **settings), num_cycles=60)
-    seed_test(lambda: mw.aec_env(config, **settings), num_cycles=20)
-    parallel_seed_test(lambda: mw.parallel_env(config, **settings), num_cycles=20)
+@pytest.mark.parametrize(
+    ("name", "settings"),
+    [
+        *((name, "plain") for name in NAMES),
+        *(
+            (name, each)
+            for name in ("SDB", "TO", "swarm-D", "agents-SD")
+            for each in [*SETTINGS][1:]
+        ),
+    ],
+)
+def test_api_and_seeds(name: str, settings: str) -> None:
+    config, given = config_of(name, obstacles=0.1), SETTINGS[settings]
+    api_test(mw.aec_env(config, **given), num_cycles=60)
+    parallel_api_test(mw.parallel_env(config, **given), num_cycles=60)
+    seed_test(lambda: mw.aec_env(config, **given), num_cycles=20)
+    parallel_seed_test(lambda: mw.parallel_env(config, **given), num_cycles=20)
 
 
 @pytest.mark.parametrize("name", mw.VARIANTS)

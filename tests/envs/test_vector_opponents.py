@@ -98,6 +98,11 @@ def test_a_league_changes_from_episode_to_episode() -> None:
     assert (infos["opponent"] == expected["opponent"])[ended].all()
     envs.reset(seed=4, options={"opponents": "fleer"})
     assert envs.opponents == ("fleer",)
+    # A reset of some worlds changes the opponents of these.
+    envs.reset(seed=4, options={"opponents": ["still", "random", "fleer"]})
+    kept, some = envs.infos["opponent"].copy(), np.arange(40) < 20
+    _, infos = envs.reset(options={"opponents": "random", "reset_mask": some})
+    assert (infos["opponent"] == np.where(some, 0, kept)).all()
 
 
 # ---- Agents as sub-environments ----------------------------------------------------------------

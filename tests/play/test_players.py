@@ -151,14 +151,10 @@ def test_ties_are_broken_evenly() -> None:
 
 
 def test_random_players_take_every_action_equally_often() -> None:
-    config = arena("S", diagonal=True, max_steps=400)
-    actions = mw.record(config, "random", "random", seed=1).actions
-    assert len(actions) == 400
-    for agent in range(config.n_agents):
-        counts = np.bincount(actions[:, agent], minlength=config.n_actions)
-        assert len(counts) == config.n_actions
-        # lower, because 7 agents are tested.
-        assert stats.chisquare(counts).pvalue > 1e-4
+    actions = mw.record(
+        arena("S", diagonal=True, max_steps=2000), "random", "random", seed=1
+    ).actions
+    assert stats.chisquare(np.bincount(actions.ravel(), minlength=9)).pvalue > 1e-3
 
 
 def lonely_strides(script: str, seed: int) -> np.ndarray:

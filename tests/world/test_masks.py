@@ -13,7 +13,6 @@ from matrixworld.world.arrays import array_specs, new_arrays
 from matrixworld.world.batch import Batch
 from matrixworld.world.masks import ActionMasks, action_masks, forbidding_cells
 from matrixworld.world.rules import VARIANTS
-from reference import MOVES
 from right_of_way import MASK, ROWS, forbidden_in_s, play
 from slow import quickly
 
@@ -55,18 +54,6 @@ def test_the_cells_are_those_of_an_independent_reading(team: Team, diagonal: boo
     assert len(seen) > 10
 
 
-def test_exactly_one_of_two_teammates_may_enter_a_cell() -> None:
-    for moves in (MOVES[1:5], MOVES[1:9]):
-        config = world_of("S", diagonal=len(moves) == 8, n_pursuers=2, n_evaders=1)
-        world, masks = mw.World(config), ActionMasks(MASK, config)
-        for (k, one), (j, two) in itertools.combinations(enumerate(moves, start=1), 2):
-            # Both stand a move away from (3, 3).
-            where = [(3 - one[0], 3 - one[1]), (3 - two[0], 3 - two[1])]
-            world.reset(pursuers=where, evaders=[(0, 0)])
-            allowed = masks.of(world.views())
-            assert allowed[0, k] + allowed[1, j] == 1
-
-
 KEEPERS = (("pursuer",), ("evader",), TEAMS)
 """Teams that keep to the right of way."""
 WALL = np.zeros((3, 3), bool)
@@ -98,8 +85,9 @@ def test_no_choice_of_four_agents_is_at_fault(rules: Any, keeps: tuple[Team, ...
     assert faults_of_all_choices(config, keeps, both(config)) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("team", TEAMS)
-@quickly("rules", ["S", "SB", "B", UNUSUAL[1]], lambda rules: rules == "B", others=pytest.mark.slow)
+@quickly("rules", ["S", "SB", "B", UNUSUAL[1]], lambda rules: rules == "SB")
 def test_the_mask_forbids_no_more_than_it_must(rules: Any, team: Team) -> None:
     # Without any one of its cells, some choice of two teammates and an adversary is at fault.
     sizes = {"n_pursuers": 2, "n_evaders": 1} if team == "pursuer" else {}
@@ -153,7 +141,7 @@ def faults_of_all_choices(
 
 @pytest.mark.parametrize("diagonal", [False, True])
 def test_careful_scripts_are_never_at_fault_in_any_row(diagonal: bool) -> None:
-    for number, rules in enumerate(ROWS[::2]):
+    for number, rules in enumerate(ROWS[::3]):
         config = world_of(rules, obstacles=0.1, diagonal=diagonal)
         players = ("careful-random", "careful-random", "random", "careful-clumsy-chaser")
         for pursuers, evaders in itertools.pairwise(players):

@@ -60,17 +60,6 @@ def test_agents_start_apart_and_know_nothing_of_each_other() -> None:
             assert is_uniform(first * 7 + rank, 56)
 
 
-def test_agents_start_on_free_cells_of_a_map() -> None:
-    ground = np.zeros((4, 4), bool)
-    ground[[0, 1, 3], [2, 1, 3]] = True
-    config = mw.WorldConfig(obstacles=ground, n_pursuers=1, n_evaders=1)
-    places = cells(config)
-    free = np.flatnonzero(~ground)
-    assert np.isin(places, free).all()
-    for agent in range(2):
-        assert is_uniform(np.searchsorted(free, places[:, agent]), len(free))
-
-
 def test_obstacles_of_a_density_lie_anywhere() -> None:
     config = mw.WorldConfig(rows=4, cols=5, n_pursuers=1, n_evaders=1, obstacles=0.25)
     arrays = starts(config, "positions", "state")

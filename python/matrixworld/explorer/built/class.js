@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 718f0ee9ab5f1e4c6a36353899b81194702e96100b330374803116736a749edd */
+/* built from web/ by "npm run build"; sources a44936d672aa81e4a90f6dc65ceb441870b4b7bbd076d61e8e9277e14dcf1090 */
 "use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,mn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

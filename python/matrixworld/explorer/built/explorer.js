@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 718f0ee9ab5f1e4c6a36353899b81194702e96100b330374803116736a749edd */
+/* built from web/ by "npm run build"; sources a44936d672aa81e4a90f6dc65ceb441870b4b7bbd076d61e8e9277e14dcf1090 */
 "use strict";(()=>{var Ma=Object.create;var yn=Object.defineProperty;var Aa=Object.getOwnPropertyDescriptor;var Ea=Object.getOwnPropertyNames;var Ta=Object.getPrototypeOf,Ca=Object.prototype.hasOwnProperty;var ka=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Ra=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ea(e))!Ca.call(t,o)&&o!==r&&yn(t,o,{get:()=>e[o],enumerable:!(n=Aa(e,o))||n.enumerable});
 return t};var _a=(t,e,r)=>(r=t!=null?Ma(Ta(t)):{},Ra(e||!t||!t.__esModule?yn(r,"default",{value:t,enumerable:!0}):r,t));var Qs=ka(un=>{var js=Object.defineProperty,Wl=t=>js(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var r in e)js(t,r,{get:e[r],enumerable:!0})};Wl(un);Hl(un,{GIFEncoder:()=>Js,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>rc,nearestColorIndex:()=>Ys,nearestColorIndexWithDistance:()=>Zs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});

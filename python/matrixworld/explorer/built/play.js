@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 718f0ee9ab5f1e4c6a36353899b81194702e96100b330374803116736a749edd */
+/* built from web/ by "npm run build"; sources a44936d672aa81e4a90f6dc65ceb441870b4b7bbd076d61e8e9277e14dcf1090 */
 "use strict";(()=>{var ar={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},ir={OCCUPATION:0,SURROUND:1},lr={FAULT:0,INVOLVED:1};var bt=["obstacle","teammate","adversary"],wt=["vertex","edge","chain"],ur=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xt=["p\
 ursuer_{number}","evader_{number}"],cr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Le={"both held":"both bounce","both doomed":"\
