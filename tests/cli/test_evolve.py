@@ -1,7 +1,6 @@
 """``matrixworld evolve``: options, jobs, interruptions, and progress."""
 
 import json
-import os
 import re
 import shlex
 import shutil
@@ -38,7 +37,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution import jobs as jobs_module
-from matrixworld.coevolution.sections import leaves
+from matrixworld.coevolution.sections import values_of
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -59,9 +58,9 @@ def test_the_help_of_all_settings_has_every_one_with_its_default():
         assert f" learner={kind}: " in shown
     for schedule in ("alternating", "hall-of-fame", "against"):
         settings = RaceSettings(schedule=schedule)
-        for leaf in leaves(settings):
-            if leaf.path not in ("learner", "schedule") and not leaf.path.endswith("s_meet"):
-                assert f"{leaf.path.replace('evaders_meet', 'pursuers_meet')} " in shown
+        for path in values_of(settings):
+            if path not in ("learner", "schedule") and not path.endswith("s_meet"):
+                assert f"{path.replace('evaders_meet', 'pursuers_meet')} " in shown
     population = "candidates per epoch [default: 48; hall-of-fame: 24; against: 128]"
     assert f"learner.population INTEGER {population}" in shown
     assert "6000; gradients: 1200; against pursuer: 6000; against evader: 4000]" in shown
@@ -122,8 +121,6 @@ def test_settings_from_a_file(undrawn, tmp_path):
     assert (race.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
 
     Path("race.toml").write_text('seed = 3\n[learner]\nkind = "ga"\n[world]\nrules = "Q"\n')
-    said = evolved("--config", os.devnull, code=1).stderr
-    assert said == f"Error: {os.devnull}: expected a file, got a device\n"  # it may have no end
     said = evolved("--config", "race.toml", code=2).stderr
     assert "--variant: expected one of" in said
     start(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run").run()

@@ -17,7 +17,7 @@ from typing import Any, get_args
 
 import click
 
-from matrixworld._util.files import DamagedFileError, check_regular, load_toml
+from matrixworld._util.files import DamagedFileError, load_toml
 from matrixworld.cli.console import say
 from matrixworld.cli.options import option_name
 from matrixworld.cli.runs import run_in
@@ -75,7 +75,6 @@ def _pairs(
 def _configured(ctx: click.Context, param: click.Parameter, path: Path | None) -> dict[str, Any]:
     if path is None:
         return {}
-    check_regular(path, path.stat().st_mode)  # a device may have no end
     try:
         is_toml = path.suffix == ".toml"
         values = load_toml(path) if is_toml else json.loads(path.read_text(encoding="utf-8"))
@@ -181,7 +180,7 @@ def _in_options(message: str) -> str:
 
 def _meant(path: str) -> str:
     """Return what may be meant by an unknown path: one of another kind, or with the same end."""
-    sections = dict(_help_sections()).items()
+    sections = _help_sections().items()
     every = [(row.split()[0], title) for title, rows in sections for row, _ in rows]
     titles = [title for each, title in every if each == path]
     if titles:
@@ -207,24 +206,22 @@ Rows = list[tuple[str, str]]
 
 def _help_sections(
     cls: type[Section] = RaceSettings, path: str = "", title: str = "settings"
-) -> Iterator[tuple[str, Rows]]:
-    """Yield all settings in a section, those of each kind under a title of their own.
-
-    The rows of a section are complete when all have been taken.
-    """
+) -> dict[str, Rows]:
+    """Return all settings in a section, those of each kind under a title of their own."""
     rows: Rows = []
-    yield title, rows
+    found = {title: rows}
     for item in fields(cls):
         hint, here = hints_of(cls)[item.name], f"{path}{item.name}"
         kinds = dict.fromkeys(sections_in(hint).values())
         if hint is WorldConfig:
-            yield here, [(f"{here}.{name}", text) for name, text in WORLD_HELP.items()]
+            found[here] = [(f"{here}.{name}", text) for name, text in WORLD_HELP.items()]
         elif not kinds:
             rows.append((f"{here} {_type(hint)}", _text(item)))
         elif here != "schedule.evaders_meet":  # it is as schedule.pursuers_meet
             for each in kinds:
-                kind = f"{here}={each.kind}" if each.kind else here
-                yield from _help_sections(each, f"{here}.", kind)
+                # The opponents of several schedules have the same sections.
+                found |= _help_sections(each, f"{here}.", f"{here}={each.kind}".rstrip("="))
+    return found
 
 
 def _type(hint: Any) -> str:
@@ -263,8 +260,7 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
         "All settings, for --set and for files. A kind, such as learner=ga, chooses among the "
         "sections of a name."
     )
-    # The opponents of several schedules have the same sections.
-    for title, rows in dict(_help_sections()).items():
+    for title, rows in _help_sections().items():
         with formatter.section(title):
             formatter.write_dl(rows)
     say(formatter.getvalue().rstrip())

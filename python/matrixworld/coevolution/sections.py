@@ -16,7 +16,7 @@ from dataclasses import Field, dataclass, field, fields
 from functools import cache
 from inspect import cleandoc
 from types import NoneType
-from typing import Any, ClassVar, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
+from typing import Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -321,35 +321,27 @@ def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
     return plain
 
 
-class Leaf(NamedTuple):
-    """A single setting: its path, its value as JSON holds it, and its help text.
+def leaves(section: Section, path: str = "") -> Iterator[tuple[str, Any, str]]:
+    """Yield path, value as JSON holds it, and help text of every setting, with those of sections.
 
-    The leaf of a section has the path of the section and its kind.
+    The kind of a section has the path of the section.
     """
-
-    path: str
-    value: Any
-    help: str
-
-
-def leaves(section: Section, path: str = "") -> Iterator[Leaf]:
-    """Yield every single setting of a section and of those in it, in order."""
     for item in fields(section):
         value, here, text = getattr(section, item.name), f"{path}{item.name}", item.metadata["help"]
         if isinstance(value, Section):
             if value.kind:
-                yield Leaf(here, value.kind, text)
+                yield here, value.kind, text
             yield from leaves(value, f"{here}.")
         elif isinstance(value, WorldConfig):
             for name, each in value.to_json().items():
-                yield Leaf(f"{here}.{name}", each, WORLD_HELP[name])
+                yield f"{here}.{name}", each, WORLD_HELP[name]
         else:
-            yield Leaf(here, list(value) if isinstance(value, tuple) else value, text)
+            yield here, list(value) if isinstance(value, tuple) else value, text
 
 
 def values_of(section: Section) -> dict[str, Any]:
     """Return every single setting of a section by its path."""
-    return {leaf.path: leaf.value for leaf in leaves(section)}
+    return {path: value for path, value, _ in leaves(section)}
 
 
 def different_settings(one: Section, other: Section) -> list[str]:

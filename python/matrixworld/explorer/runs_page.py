@@ -301,9 +301,9 @@ def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
     """Return path, value and meaning of each setting that differs from the default."""
     usual = values_of(_usual(settings))
     return [
-        {"name": leaf.path, "value": _shown(plain_values(leaf.value)), "help": leaf.help}
-        for leaf in leaves(settings)
-        if leaf.value != usual.get(leaf.path)
+        {"name": path, "value": _shown(plain_values(value)), "help": text}
+        for path, value, text in leaves(settings)
+        if value != usual.get(path)
     ]
 
 
