@@ -2,7 +2,6 @@
 
 import os
 import shutil
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -16,35 +15,18 @@ from matrixworld.cli import main, report
 from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.runs import check_own_code
-from tiny_race import results
 
-RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}
 PLACE = "alternating/seed-5"
-SMALL = {"policy.hidden": []}
 OWN = {
     "learner": "mine:Learner",
     "learner.settings.sigma": 0.2,
-    "learner.settings.shrink": 0.5,
     "pursuers_meet": "mine:Sampler",
     "schedule.pursuers_meet.settings.forget": 0.25,
 }
 MINE = """
-import os
-import signal
-
+from own_code import Fails
 from own_code import Hardest as Sampler
-from own_code import HillClimber
-
-told = 0
-
-
-class Learner(HillClimber):
-    def tell(self, fitness):
-        global told
-        told += 1
-        if told == int(os.environ.get("KILLED_AT", 0)):
-            os.kill(os.getpid(), signal.SIGKILL)
-        super().tell(fitness)
+from own_code import HillClimber as Learner
 """
 COMMAND = """
 from matrixworld.cli import main, report
@@ -73,54 +55,32 @@ def mine() -> Path:
     return path
 
 
-@pytest.fixture(scope="module")
-def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished race of the installed command, with a learner of the current folder."""
-    folder = tmp_path_factory.mktemp("straight")
-    (folder / "mine.py").write_text(MINE)
-    assert evolve(folder, "--out", "run", *words({**RUN_OPTIONS, **OWN})) == 0
-    return folder / "run" / PLACE
-
-
-def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
-    """Run ``matrixworld evolve`` in a process of its own; return its exit code."""
-    paths = [str(Path(__file__).parents[1] / "support")]
-    paths += filter(None, [os.environ.get("PYTHONPATH")])
-    # As pip installs it: Python looks for modules where this file lies. -m would look in `folder`.
-    command = folder / "bin" / "matrixworld"
-    command.parent.mkdir(exist_ok=True)
+def test_a_learner_of_the_current_folder(mine: Path) -> None:
+    # As pip installs it: Python looks for modules where this file lies. -m would look here.
+    command = Path("bin", "matrixworld")
+    command.parent.mkdir()
     command.write_text(COMMAND)
-    done = subprocess.run(
-        [sys.executable, command, "evolve", *map(str, args), "--threads", "1"],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths), "KILLED_AT": str(killed_at)},
+    options = words({**RACE, "schedule": "alternating", "opponents": 2, **OWN})
+    paths = [str(Path(__file__).parents[1] / "support"), os.environ.get("PYTHONPATH", "")]
+    subprocess.run(
+        [sys.executable, command, "evolve", "--out", "job", *options, "--threads", "1"],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
         capture_output=True,
-        check=False,
+        check=True,
     )
-    return done.returncode
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
-@pytest.mark.slow
-def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path):
-    options = words({**RUN_OPTIONS, **OWN})
-    assert evolve(tmp_path, "--out", "run", *options, killed_at=4) == -signal.SIGKILL
-    assert evolve(tmp_path, "--resume", "run") == 0
-    assert results(tmp_path / "run" / PLACE) == results(straight)
-
-
-def test_finished_runs_are_read_and_not_continued_without_the_code(straight):
-    shutil.copytree(straight, "RUN")
-    settings = open_run("RUN").settings
+    # A finished run is read, but not continued, without the code.
+    mine.unlink()
+    run = Path(shutil.copytree(Path("job") / PLACE, "run"))
+    settings = open_run(run).settings
     assert settings.learner.code == "mine:Learner"
-    assert settings.learner.settings == {"sigma": 0.2, "shrink": 0.5}
+    assert settings.learner.settings == {"sigma": 0.2}
     assert settings.schedule.pursuers_meet.settings == {"forget": 0.25}
-    before = {path: path.read_bytes() for path in Path("RUN").iterdir()}
-    for command in (["judge"], ["score", "--episodes", "2"]):
-        matrixworld_command(*command, "RUN")
+    before = {path: path.read_bytes() for path in run.iterdir()}
+    for words_of in (["judge"], ["score", "--episodes", "2"]):
+        matrixworld_command(*words_of, run)
     assert "mine" not in sys.modules
-    assert "learner: expected a module that" in evolved("--resume", "RUN", code=2).stderr
-    assert {path: path.read_bytes() for path in Path("RUN").iterdir()} == before
+    assert "learner: expected a module that" in evolved("--resume", run, code=2).stderr
+    assert {path: path.read_bytes() for path in run.iterdir()} == before
 
 
 def test_values_of_all_kinds(mine):
@@ -134,13 +94,16 @@ def test_values_of_all_kinds(mine):
     values = {"n": "3", "x": "-.5", "on": "true", "word": "fast"}
     sets = [(f"learner.settings.{name}", parsed(value)) for name, value in values.items()]
     [settings] = settings_of(
-        {"learner": "mine:Learner", "schedule": MAIN_JOB[:1], "sets": [*sets, *SMALL.items()]}
+        {
+            "learner": "mine:Learner",
+            "schedule": MAIN_JOB[:1],
+            "sets": [*sets, ("policy.hidden", [])],
+        }
     )
     check_own_code(settings)
 
 
 def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):
-    mine.write_text(f"{MINE}\nfrom own_code import Fails\n")
     options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Fails"})
     done = CliRunner().invoke(main, ["evolve", "--out", "out", *options])
     assert isinstance(done.exception, ZeroDivisionError)

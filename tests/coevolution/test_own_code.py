@@ -154,7 +154,6 @@ def climber(base=HillClimber, **methods):
     [
         ("own_code:HillClimber", {"sigma": 0.3, "shrink": 0.5}),
         (CmaEs, {"sigma": 0.1}),
-        (strategy, {}),
         (strategy, {"momentum": 0.9}),
         (lambda genome, samples, **own: HillClimber(genome, samples, **own), {"sigma": 1}),
         (algorithm, {"elites": 1}),
@@ -171,9 +170,7 @@ def test_a_learner_that_keeps_all_promises(learner, settings):
     ("sampler", "settings"),
     [
         ("own_code:Hardest", {"forget": 0.2}),
-        (opponents.Latest, {}),
         (opponents.Uniform, {}),
-        (opponents.RoundRobin, {}),
         (opponents.SharedSampling, {}),
         (opponents.Prioritized, {"decay": 0.9}),
         (lambda count: opponents.ArchiveSampler(opponents.IPCA(), count), {}),
