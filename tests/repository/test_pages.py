@@ -404,15 +404,11 @@ def test_a_recorded_episode(tmp_path: Path) -> None:
 
 
 def test_each_promise_of_the_security_page_has_a_test() -> None:
-    page = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
-    rows = [line for line in page.splitlines() if line.startswith("| ")]
+    rows = re.findall(r"^\| .+$", read("SECURITY.md"), re.M)
     promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
     assert promises
     for promise in promises:
         named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", promise)
         assert named, promise
         for file, test in named:
-            assert f"def {test or 'test_'}" in (ROOT / file).read_text(encoding="utf-8"), (
-                file,
-                test,
-            )
+            assert f"def {test or 'test_'}" in read(file), (file, test)

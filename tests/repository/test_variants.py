@@ -14,7 +14,6 @@ from PIL import Image
 
 import matrixworld as mw
 from matrixworld import envs
-from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
 from matrixworld.envs.variants import VARIANT_TEXTS
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -103,18 +102,6 @@ def test_pettingzoo_makes_it(variant: str) -> None:
     assert pettingzoo.make("aec", name).unwrapped.config.rules == mw.VARIANTS[variant]
 
 
-def test_what_all_variants_share() -> None:
-    text = envs.__doc__ or ""
-    arrays = re.findall(r"^ *(\w+) +\(", mw.array_specs.__doc__ or "", re.MULTILINE)
-    assert set(INFO_KEYS) <= {*re.findall(r"``(\w+)``", text), *arrays}
-    assert all(option in text for option in OPTIONS)
-    assert all(f'``"{mode}"``' in text for mode in RENDER_MODES)
-    rewards = mw.Rewards()
-    for name in ("capture", "neighbor", "collide", "step"):
-        pursuer, evader = (getattr(rewards, f"{team}_{name}") for team in ("pursuer", "evader"))
-        assert f"| {name} | {pursuer:+g} | {evader:+g} |" in text
-
-
 @pytest.fixture(scope="module")
 def make_pages() -> Any:
     spec = importlib.util.spec_from_file_location("make_pages", DOCS / "make_pages.py")
@@ -137,9 +124,3 @@ def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
         assert picture.size == (504, 410)  # of one size, so that the pages look alike
     games = (DOCS / "README.md").read_text(encoding="utf-8")
     assert f"](variants/{file.name})" in games, "docs/README.md, The nine games: add a row"
-
-
-def test_the_chosen_moments_are_in_their_games(make_pages: Any) -> None:
-    assert set(make_pages.MOMENTS) <= set(mw.VARIANTS)
-    for variant, moment in make_pages.MOMENTS.items():
-        assert moment.step <= moment.episode(variant).length
