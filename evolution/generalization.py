@@ -8,29 +8,25 @@ learn against random pursuers, and evaders that learn against random pursuers fo
 matches and then against trained pursuers. Each baseline plays as many matches as its team plays in
 the race. Then the race's teams and the baselines meet all generations of the race's opponents.
 
-The race's own teams have trained against these opponents; the baselines have not. Therefore a
-second race with the next seed provides opponents that are new to all teams.
+The race's own teams have trained against these opponents; the baselines have not. Therefore the
+races of the other seeds provide opponents that are new to all teams.
 
 Method: the comparison of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854.
 
 Look at the mean score, which is the generalization, and at the worst score, which is what remains
 against the most difficult opponent. Compare both with the score against the training opponents: it
-shows how much a baseline loses against new ones. A single race depends on its seed: try another
-``--seed``, or ``paper_claims.py``, which runs twenty seeds.
-
-Runs are kept in ``--runs``; an interrupted script continues where it stopped. A second schedule
-takes its own races only, since the baselines exist already.
+shows how much a baseline loses against new ones. Two seeds show little: try more ``--seeds`` (two
+at least), or ``paper_claims.py``, which runs twenty.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from pathlib import Path
+from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 
-import matrixworld as mw
-from common import SAME_STEPS, SMALL_STEPS, long_race, markdown, script_parser
+from common import SAME_STEPS, SMALL_STEPS, Numbers, Runs, experiment, long_race, markdown
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
@@ -45,27 +41,25 @@ QUICK = RaceSettings.of({
     "schedule.generations": 8, "schedule.pursuer_epochs": 10, "schedule.evader_epochs": 20,
 })  # fmt: skip
 
-CHASING, FLEEING = "pursuers-against-random", "evaders-against-random"
-HALFWAY, TAUGHT = "evaders-against-random-half", "evaders-against-trained"
-BASELINES: dict[Team, dict[str, tuple[str, ...]]] = {
-    "pursuer": {"against random evaders": (CHASING,)},
+RACE = "generalist-generalist"
+CHASING, FLEEING = "pursuers against random", "evaders against random"
+HALFWAY, TAUGHT = "evaders against random, half", "evaders against trained"
+TRAININGS: dict[Team, dict[str, tuple[str, ...]]] = {
+    "pursuer": {"in the race": (RACE,), "against random evaders": (CHASING,)},
     "evader": {
+        "in the race": (RACE,),
         "against random pursuers": (FLEEING,),
         "against trained pursuers": (HALFWAY, TAUGHT),
     },
 }
-"""The baselines of each team, and the consecutive runs of each baseline."""
+"""How each team is trained, and in which consecutive runs."""
 EPISODES = 50
 """Episodes of each pair in the comparison."""
 
 
-def another(race: RaceSettings) -> str:
-    """Return the name of the race whose opponents are new to all teams."""
-    return f"{race.schedule.name}-of-next-seed"
-
-
-def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings]:
-    """Return the settings of all runs by name; a run comes after the runs that it builds on."""
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of the race, and of the baselines that begin untrained."""
+    race = QUICK if quick else FULL
     # Baselines differ from the race in their opponents and in nothing else.
     chasing, fleeing = (
         RaceSettings.of(
@@ -77,120 +71,118 @@ def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings]:
                 "world": race.world,
                 "learner.population": race.learner.population,
                 "train_steps": race.train_steps,
-                "seed": race.seed,
             }
         )
         for team in coevolution.TEAMS
     )
     # A run of its own rather than a part of `fleeing`, since its learning rate falls sooner.
     halfway = fleeing.changed({"schedule.epochs": fleeing.schedule.epochs // 2})
-    teacher, pupil = str(root / CHASING), str(root / HALFWAY)
+    return {RACE: race, CHASING: chasing, FLEEING: fleeing, HALFWAY: halfway}
+
+
+def taught(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
+    """Return the settings of evaders that go on against trained pursuers."""
     # A constant learning rate, as in the race.
-    taught = halfway.changed(
-        {"schedule.opponent": teacher, "schedule.start": pupil, "learner.anneal": False}
-    )
     return {
-        race.schedule.name: race,
-        another(race): replace(race, seed=race.seed + 1),
-        CHASING: chasing,
-        FLEEING: fleeing,
-        HALFWAY: halfway,
-        TAUGHT: taught,
+        TAUGHT: [
+            pupil.settings.changed(
+                {
+                    "schedule.opponent": str(teacher.path),
+                    "schedule.start": str(pupil.path),
+                    "learner.anneal": False,
+                }
+            )
+            for teacher, pupil in zip(runs.get(CHASING, []), runs.get(HALFWAY, []), strict=False)
+        ]
     }
 
 
-def played(settings: RaceSettings, place: Path) -> SavedRun:
-    """Return the finished run at a place; start or continue it if necessary."""
-    with coevolution.ProgressBar() as bar:
-        return coevolution.finish(settings, place, report=bar)
+def matches(team: Team, run: SavedRun) -> int:
+    """Return the number of matches in which a team has learned in a run."""
+    return int(np.sum(run.log()["team"] == team)) * run.settings.learner.population
 
 
-def matches(team: Team, runs: list[SavedRun]) -> int:
-    """Return the number of matches in which a team has learned in these runs."""
-    epochs = (int(np.sum(run.log()["team"] == team)) for run in runs)
-    return sum(
-        count * run.settings.learner.population for count, run in zip(epochs, runs, strict=True)
-    )
+def of_last(payoff: coevolution.Payoff, team: Team) -> np.ndarray:
+    """Return the scores of the last generation of a team."""
+    rates = payoff.capture_rate
+    return rates[-1] if team == "pursuer" else 1 - rates[:, -1]
 
 
-@dataclass(frozen=True)
-class Standing:
-    """Scores of a team's last generation after one kind of training."""
+def together(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return matches and scores of the last generation of each team after each training.
 
-    team: Team
-    training: str
-    matches: int
-    """Training matches."""
-    in_training: float
-    """Mean score against the training opponents."""
-    scores: np.ndarray
-    """Score against each generation of the race's opponents, in [0, 1]."""
-    new: np.ndarray
-    """Score against each generation of another race's opponents."""
+    Scores against the training opponents (seeds,), against each generation of the race's opponents
+    and of those of the next seed (seeds, generations).
+    """
+    numbers: dict[str, Any] = {"payoff": runs[RACE][0].payoff().capture_rate}
+    for team, trainings in TRAININGS.items():
 
-    def cells(self) -> list[str]:
-        """Return a line of the table."""
-        ends = (
-            each for scores in (self.scores, self.new) for each in (scores.mean(), scores.min())
-        )
-        trained = [f"{self.team}s", self.training, f"{self.matches:,}", f"{self.in_training:.2f}"]
-        return [*trained, *(f"{end:.2f}" for end in ends)]
+        def scores(run: SavedRun, race: SavedRun, team: Team = team) -> np.ndarray:
+            own, rivals = run.last(team), race.teams[other(team)]
+            sides = (own, rivals) if team == "pursuer" else (rivals, own)
+            world, seed = race.settings.world, run.settings.seed
+            played = coevolution.tournament(world, *sides, seed=seed, episodes=EPISODES)
+            return of_last(played, team)
 
-
-def standings(team: Team, race: RaceSettings, runs: dict[str, SavedRun]) -> list[Standing]:
-    """Return the standing of a team after each kind of training, the race first."""
-    world = race.world
-
-    def of_last(payoff: coevolution.Payoff) -> np.ndarray:
-        rates = payoff.capture_rate
-        return rates[-1] if team == "pursuer" else 1 - rates[:, -1]
-
-    def scores(own: mw.Population, rivals: mw.Population) -> np.ndarray:
-        sides = (own, rivals) if team == "pursuer" else (rivals, own)
-        return of_last(coevolution.tournament(world, *sides, seed=race.seed, episodes=EPISODES))
-
-    found, races = [], (race.schedule.name, another(race))
-    for training, names in {"in the race": (race.schedule.name,), **BASELINES[team]}.items():
-        parts = [runs[name] for name in names]
-        last = parts[-1].last(team)
-        met = [scores(last, runs[name].teams[other(team)]) for name in races]
-        # The run's own payoff matrix: its last genome against its training opponents.
-        in_training = of_last(parts[-1].payoff()).mean()
-        found.append(Standing(team, training, matches(team, parts), float(in_training), *met))
-    return found
+        for training, parts in trainings.items():
+            trained = runs[parts[-1]]
+            races = runs[RACE]
+            name = f"{team}s, {training}"
+            numbers[f"{name} / matches"] = [
+                sum(matches(team, runs[part][seed]) for part in parts)
+                for seed in range(len(trained))
+            ]
+            # The run's own payoff matrix: its last genome against its training opponents.
+            numbers[f"{name} / training"] = [of_last(run.payoff(), team).mean() for run in trained]
+            pairs = list(zip(trained, races, [*races[1:], races[0]], strict=True))
+            numbers[f"{name} / race"] = [scores(run, race) for run, race, _ in pairs]
+            numbers[f"{name} / new"] = [scores(run, race) for run, _, race in pairs]
+    return numbers
 
 
-def main() -> None:
-    """Play missing runs; print and draw the standings."""
-    parser = script_parser(__doc__, quick="a small world and few epochs")
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument(
-        "--schedule", choices=coevolution.SCHEDULES, default="generalist-generalist"
-    )
-    parser.add_argument("--runs", type=Path, default=Path("runs/generalization"))
-    parser.add_argument("--figure", default="generalization.png", help="file to draw to")
-    args = parser.parse_args()
-    race = QUICK if args.quick else FULL.changed({"schedule": args.schedule, "seed": args.seed})
-    # Quick and full runs, and different seeds, never share a directory.
-    root = args.runs / f"{'quick' if args.quick else 'full'}-{args.seed}"
-    runs = {name: played(settings, root / name) for name, settings in plans(race, root).items()}
-
-    found = {team: standings(team, race, runs) for team in coevolution.TEAMS}
-    print("Mean score against the training opponents; mean and worst score against the race's")
-    print("opponents and against new opponents, those of another race.\n")
+def table(numbers: Numbers) -> str:
+    """Return the means of all seeds in Markdown."""
+    rows = []
+    for team, trainings in TRAININGS.items():
+        for training in trainings:
+            name = f"{team}s, {training}"
+            ends = [numbers[f"{name} / training"].mean()]
+            for opponents in ("race", "new"):
+                scores = numbers[f"{name} / {opponents}"]
+                ends += [scores.mean(), scores.min(axis=1).mean()]
+            count = f"{numbers[f'{name} / matches'].mean():,.0f}"
+            rows.append([f"{team}s", training, count, *(f"{end:.2f}" for end in ends)])
     heads = ["team", "trained", "matches", "training", "race", "worst", "new", "worst"]
-    print(markdown(heads, [each.cells() for of_team in found.values() for each in of_team]))
+    told = (
+        "Mean score against the training opponents; mean and worst score against the race's\n"
+        "opponents and against new opponents, those of another race. Means over seeds.\n\n"
+    )
+    return told + markdown(heads, rows)
+
+
+def figure(numbers: Numbers) -> Figure:
+    """Draw the scores in the race of the first seed, and the baselines as lines."""
     lines = {
         f"{team}_baselines": {
-            f"{team}s {each.training}": each.scores.mean() for each in standing[1:]
+            f"{team}s {training}": numbers[f"{team}s, {training} / race"][0].mean()
+            for training in trainings
+            if training != "in the race"
         }
-        for team, standing in found.items()
+        for team, trainings in TRAININGS.items()
     }
-    payoff = runs[race.schedule.name].payoff().capture_rate
-    title = f"Generalization: {race.schedule.name}, and baselines"
-    plots.generalization_curves(payoff, **lines, title=title).savefig(args.figure)
-    print(f"Drawn: {args.figure}. Runs: {root}")
+    title = f"Generalization: {RACE}, and baselines"
+    return plots.generalization_curves(numbers["payoff"], **lines, title=title)
 
 
 if __name__ == "__main__":
-    main()
+    experiment(
+        __file__,
+        __doc__,
+        kinds=kinds,
+        then=taught,
+        measure=lambda run, quick: {},
+        together=together,
+        table=table,
+        seeds=2,
+        figures={"generalization.png": figure},
+    )
