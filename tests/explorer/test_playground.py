@@ -12,7 +12,7 @@ import pytest
 import matrixworld as mw
 from browser import Browser
 from matrixworld.explorer import Playground
-from matrixworld.explorer.playground import GALLERY, Example, drawn_world, page_data, scene_link
+from matrixworld.explorer.playground import GALLERY, page_data, scene_link
 from matrixworld.world.policy import SCRIPTS
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -315,22 +315,6 @@ def play(page: PlaygroundPage, commands: list[int | str], *worlds: mw.World) -> 
     for world, shown in zip(worlds, page.play(commands, len(worlds)), strict=True):
         assert shown == state_of(world)
     return [each if isinstance(each, str) else 0 for each in commands]
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("example", GALLERY, ids=[example.title for example in GALLERY])
-def test_examples(page: PlaygroundPage, example: Example) -> None:
-    world = drawn_world(example.rules, example.drawing)
-    page.browser.js(
-        "[...document.querySelectorAll('.gallery button')]"
-        ".find((each) => each.textContent === arguments[0]).click()",
-        example.title,
-    )
-    others = [drawn_world(rules, example.drawing) for rules in [example.compare] if rules]
-    commands = example.commands
-    for _ in range(4):
-        if not world.terminated:
-            commands = play(page, commands, world, *others)
 
 
 OWN = mw.Rules(mw.Interaction.AGENT_TURNS, teammate=mw.Outcome.DISAPPEAR)

@@ -172,6 +172,10 @@ def test_environments_offer_the_mask_of_each_team(variant: str) -> None:
         actions = [[draw(mask) for mask in world] for world in infos["action_mask"]]
         *_, infos = envs.step(np.array(actions))
         assert not infos["fault"].any()
+    evaders = mw.VectorEnv(config, n_worlds=4, action_mask=MASK, pursuers="random")
+    seen, infos = evaders.reset(seed=1)
+    expected = action_masks(seen, forbidding_cells(config, MASK, "evader"))
+    np.testing.assert_array_equal(infos["action_mask"], expected)
     env = mw.parallel_env(config, action_mask=MASK)
     _, infos = env.reset(seed=1)
     while env.agents:
