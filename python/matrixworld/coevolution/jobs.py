@@ -486,8 +486,9 @@ def _progress_in(files: Mapping[str, Path]) -> dict[str, Progress]:
     """Return the progress of the runs that have begun."""
     found = {}
     for name, file in files.items():
-        with suppress(ValueError):  # empty, or just being written
-            found[name] = Progress(*json.loads(file.read_text(encoding="utf-8")))
+        if file.stat().st_size:
+            with suppress(ValueError):  # it is just being written
+                found[name] = Progress(*json.loads(file.read_text(encoding="utf-8")))
     return found
 
 

@@ -102,7 +102,7 @@ def find(code: Code, what: str) -> Callable[..., Any]:
             f"{what}: expected the name of an object in {module}, got {attribute!r}"
         ) from error
     # Before it is called: the files of a stranger's run must not name any function at all.
-    kind = get_type_hints(found).get("return") if inspect.isfunction(found) else found
+    kind = get_type_hints(found).get("return") if inspect.isroutine(found) else found
     if not inspect.isclass(kind) or not all(hasattr(kind, method) for method in METHODS[what]):
         raise ValueError(
             f"{what}: expected a class with {', '.join(METHODS[what])}, or a function whose return "
