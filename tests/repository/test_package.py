@@ -208,10 +208,11 @@ def parameters_of(found: Callable[..., Any]) -> set[str]:
 
 
 def documented_by(found: Callable[..., Any]) -> set[str]:
-    """Return the parameters and attributes that one docstring describes."""
-    entries = re.findall(r"^\S.*", "".join(SECTION.findall(inspect.getdoc(found) or "")), re.M)
+    """Return the parameters and attributes that one docstring describes, in a section or a text."""
+    text = inspect.getdoc(found) or ""
+    entries = re.findall(r"^\S.*", "".join(SECTION.findall(text)), re.M)
     names = ",".join(entry.partition(" :")[0] for entry in entries).split(",")
-    return {name.strip().lstrip("*") for name in names}
+    return {*(name.strip().lstrip("*") for name in names), *re.findall(r"`(\w+)`", text)}
 
 
 @pytest.mark.parametrize("found", list(public_objects()))
