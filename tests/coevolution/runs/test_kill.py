@@ -1,7 +1,6 @@
 """Runs that are killed or cannot write end, when resumed, as if nothing had happened."""
 
 import errno
-import random
 import signal
 import sys
 import time
@@ -20,7 +19,6 @@ from tiny_race import directory_in_memory, results
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals and forks")
 
 DEATHS = -signal.SIGKILL
-KILLS = 16  # of each kind of run
 
 
 @cache
@@ -29,41 +27,6 @@ def straight(kind):
     with directory_in_memory() as directory:
         start_or_resume(kind, directory / "run")
         return results(directory / "run")
-
-
-def seconds_of(kind, directory):
-    """Return the duration of a run that is never disturbed."""
-    began = time.monotonic()
-    child = process(start_or_resume, kind, directory)
-    child.join()
-    assert child.exitcode == 0
-    return time.monotonic() - began
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", RUNS)
-def test_killed_at_random(kind, tmp_path):
-    """The moments are spread over the whole life of a process: creation, training, the end.
-
-    The waits grow, so that a process finishes a stage even if the machine has become busy.
-    """
-    # Of two, because the first may wait for a busy machine.
-    lasts = min(seconds_of(kind, tmp_path / f"alone{i}") for i in range(2))
-    waits = random.Random(kind)
-    kills, runs = 0, 0
-    while kills < KILLS:
-        directory = tmp_path / f"run{runs}"
-        died = True
-        while died:
-            child = process(start_or_resume, kind, directory)
-            child.join(waits.uniform(0.0, lasts * (1 + kills / KILLS)))
-            child.kill()
-            child.join()
-            died = child.exitcode == DEATHS
-            assert died or child.exitcode == 0
-            kills += died  # a run that ended before its kill counts for nothing
-        assert results(directory) == straight(kind)
-        runs += 1
 
 
 def check_readable(directory):

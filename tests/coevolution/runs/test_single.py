@@ -127,8 +127,6 @@ def test_bad_opponents_and_starts_are_refused(tmp_path, other_run):
             SingleTeam(settings, run, start=start)
     with pytest.raises(ValueError, match="^start: "):  # a genome of another network
         SingleTeam(tiny_single(start=str(other_run.files.path)), run)
-    with pytest.raises(ValueError, match="^schedule: "):
-        SingleTeam(tiny_race(), run)
     assert not run.exists()
     SingleTeam(settings, run).run()
     with pytest.raises(ValueError, match="genomes of evaders"):
