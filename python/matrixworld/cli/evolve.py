@@ -47,7 +47,7 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import HallOfFame, RaceSettings, SavedRun
+from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.coevolution.groups import find_runs, place_in_job
 from matrixworld.coevolution.jobs import (
     BAD_FILES,
@@ -59,6 +59,7 @@ from matrixworld.coevolution.jobs import (
     open_job,
     play_job,
 )
+from matrixworld.coevolution.runs.training_matches import training_matches
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty
@@ -373,14 +374,8 @@ def _seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | N
 
 def _matches_of(race: RaceSettings) -> float:
     """Return how many matches a race plays; those of the evaluation are longer."""
-    schedule = race.schedule
-    # A match of two living individuals is one match, here of the pursuers.
-    living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
-    epochs = schedule.total_epochs("pursuer") * schedule.opponents_met
-    epochs += schedule.total_epochs("evader") * (schedule.opponents_met - living)
-    evaluated = schedule.entries**2 * race.evaluation_episodes
-    trained = epochs * race.learner.population * race.match_episodes
-    return trained + evaluated * race.world.max_steps / race.train_steps
+    evaluated = race.schedule.entries**2 * race.evaluation_episodes
+    return training_matches(race) + evaluated * race.world.max_steps / race.train_steps
 
 
 def _in_words(seconds: float) -> str:

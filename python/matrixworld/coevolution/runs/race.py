@@ -118,32 +118,6 @@ class Race(Run):
         """Return all archived generations of both teams."""
         return {team: (self.training.population(self.genomes(team)), 0) for team in TEAMS}
 
-    # How many episodes a race plays:
-
-    def total_matches(self) -> int:
-        """Return the episodes of training and payoff matrix; with archives, an upper bound."""
-        generations = range(1, self.schedule.generations + 1)
-        matches = sum(self.generation_matches(team, k) for k in generations for team in TEAMS)
-        cells = self.schedule.entries**2
-        settings = self.settings
-        return matches * settings.match_episodes + cells * settings.evaluation_episodes
-
-    def generation_matches(self, team: Team, k: int) -> int:
-        """Return the training matches by which `team` learns its generation `k`."""
-        schedule, learner, sampler = self.schedule, self.settings.learner, self.samplers[team]
-        # At the same time, a team meets the generations before this one, and living opponents.
-        archived = available(team, k) if self.stages_per_generation == len(TEAMS) else k
-        living = schedule.opponents_met - schedule.sampled_opponents
-        sampled = min(schedule.sampled_opponents, archived)
-        # A match of two living individuals counts for both teams, and here for the pursuers.
-        met = sampled + (living if team == "pursuer" else 0)
-        epochs = schedule.epochs(team) * met * learner.population
-        champion = learner.elite_matches * (sampled + living)
-        # Retention compares two genomes.
-        retention = 2 * archived * schedule.retention_episodes
-        pairs = sampler.max_pairs(k, archived) if isinstance(sampler, ArchiveSampler) else 0
-        return epochs + champion + retention + pairs * schedule.archive_episodes(team)
-
     # Disengagement:
 
     def end_stage(self) -> None:

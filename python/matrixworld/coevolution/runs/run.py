@@ -22,12 +22,12 @@ from typing import Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_memory, check_threads
-from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.progress import OnEpoch, Progress, Report, silent
-from matrixworld.coevolution.runs.training_matches import TrainingMatches
+from matrixworld.coevolution.runs.training_matches import TrainingMatches, training_matches
 from matrixworld.coevolution.schedules import Schedule
 from matrixworld.coevolution.sections import different_settings
 from matrixworld.coevolution.seeding import Purpose, keyed_generator, learning_phase, training_seeds
@@ -149,10 +149,6 @@ class Run(ABC):
     def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
         """Return who plays the evaluation for each team, and the generation of the first."""
 
-    @abstractmethod
-    def total_matches(self) -> int:
-        """Return the number of episodes in the whole run, including the evaluation."""
-
     # Each kind of run may replace the following methods:
 
     def first_population(self, team: Team) -> Genomes:
@@ -164,11 +160,20 @@ class Run(ABC):
         # Copies here and below: a learner of the user's own may change its genome in place.
         return {team: [self.learners[team].genome.copy()] for team in TEAMS}
 
+    def evaluated_pairs(self) -> int:
+        """Return how many pairs of genomes the evaluation plays: the cells of the payoff matrix."""
+        return self.schedule.entries**2
+
     def extra_config(self) -> dict[str, Any]:
         """Return the entries of config.json besides the settings."""
         return {}
 
     # The following methods are the same for all kinds:
+
+    def total_matches(self) -> int:
+        """Return the episodes of training and evaluation; with archives, an upper bound."""
+        training = training_matches(self.settings, self.samplers)
+        return training + self.evaluated_pairs() * self.settings.evaluation_episodes
 
     def archive_genome(self, team: Team) -> None:
         """Add the genome of a team's learner to its archive; DivergedError if it is not finite."""
@@ -329,7 +334,7 @@ class Run(ABC):
         self, team: Team, generation: int, opponents: TeamPolicy, epoch: int
     ) -> tuple[Indices, Seeds]:
         """Return the opponents (c,) of an epoch, and each candidate's seeds (n, c) against them."""
-        available = 1 if isinstance(opponents, str) else len(opponents.genomes)
+        available = team_size(opponents)
         rng = self.generator(Purpose.OPPONENTS, team, generation, epoch)
         met = self.samplers[team].sample(available, epoch, rng)
         # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import does_not_vary, t_ends
+from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
@@ -104,13 +105,9 @@ class SingleTeam(Run):
         self.improve(team, 1 + stage, self.opponents, epochs, activity)
         self.archive_genome(team)
 
-    def total_matches(self) -> int:
-        """Return the episodes of the training and of the evaluation."""
-        settings, learner = self.settings, self.settings.learner
-        opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
-        # One opponent an epoch.
-        matches = self.schedule.epochs * learner.population + self.n_stages * learner.elite_matches
-        return matches * settings.match_episodes + opponents * settings.evaluation_episodes
+    def evaluated_pairs(self) -> int:
+        """Return the number of opponents: one genome is evaluated."""
+        return team_size(self.opponents)
 
     def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
         """Return the last genome, and all opponents."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,8 @@ from matrixworld.coevolution.fitness import (
     mean_over_opponents,
     shared_fitness,
 )
+from matrixworld.coevolution.opponents import ArchiveSampler, OpponentSampler
+from matrixworld.coevolution.schedules import Against, HallOfFame, available
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import Row
@@ -248,3 +251,35 @@ class TrainingMatches:
             return np.asarray(values.reshape(n, c, episodes).mean(axis=2))
 
         return self.fitness(scores, team, table, shared=shared)
+
+
+def training_matches(
+    settings: RaceSettings, samplers: Mapping[Team, OpponentSampler] | None = None
+) -> int:
+    """Return the episodes of the training of a whole run.
+
+    With `samplers` that have an archive they are an upper bound; without `samplers` the matches by
+    which archives compare candidates are not counted.
+    """
+    schedule, learner = settings.schedule, settings.learner
+    if isinstance(schedule, Against):
+        # One opponent an epoch.
+        stages = schedule.entries - 1
+        matches = schedule.epochs * learner.population + stages * learner.elite_matches
+        return matches * settings.match_episodes
+    living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
+    matches = 0
+    for team, k in product(TEAMS, range(1, schedule.entries)):
+        archived = k if isinstance(schedule, HallOfFame) else available(team, k)
+        sampled = min(schedule.sampled_opponents, archived)
+        # A match of two living individuals counts for both teams, and here for the pursuers.
+        met = sampled + (living if team == "pursuer" else 0)
+        matches += schedule.epochs(team) * met * learner.population
+        matches += learner.elite_matches * (sampled + living)
+        # Retention compares two genomes.
+        matches += 2 * archived * schedule.retention_episodes
+        sampler = samplers and samplers[team]
+        if isinstance(sampler, ArchiveSampler):
+            pairs = sampler.max_pairs(k, archived)
+            matches += pairs * schedule.archive_episodes(team)
+    return matches * settings.match_episodes
