@@ -109,7 +109,6 @@ if __name__ == "__main__":
         __file__,
         __doc__,
         kinds=kinds,
-        measure=lambda run, quick: {},
         together=together,
         table=table,
         seeds=5,

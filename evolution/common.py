@@ -81,18 +81,23 @@ Play = Callable[..., Mapping[str, SavedRun]]
 """Plays runs as `finish_all` does, with the same arguments."""
 
 
+def nothing(runs: Any, quick: bool) -> dict[str, Any]:
+    """Return no numbers, and no further runs."""
+    return {}
+
+
 def experiment(
     script: str,
     doc: str | None,
     *,
     kinds: Callable[[bool], Mapping[str, RaceSettings]],
-    measure: Callable[[SavedRun, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
     seeds: int,
+    measure: Callable[[SavedRun, bool], Mapping[str, ArrayLike]] = nothing,
     quick_seeds: int = 2,
     fewer: Mapping[str, int] | None = None,
-    then: Callable[[Runs, bool], Mapping[str, list[RaceSettings]]] = lambda runs, quick: {},
-    together: Callable[[Runs, bool], Mapping[str, ArrayLike]] = lambda runs, quick: {},
+    then: Callable[[Runs, bool], Mapping[str, list[RaceSettings]]] = nothing,
+    together: Callable[[Runs, bool], Mapping[str, ArrayLike]] = nothing,
     figures: Mapping[str, Callable[[Numbers], Figure]] | None = None,
     files: Sequence[str] = ("numbers.npz", "table.md"),
     folder: str | None = None,
@@ -106,10 +111,10 @@ def experiment(
         ``__file__`` of the script, which names its directories, and ``__doc__``, for ``--help``.
     kinds : callable
         Whether ``--quick`` is given -> settings of each kind.
-    measure : callable
-        A run, and whether ``--quick`` is given -> its numbers.
     table : callable
         Numbers of all runs -> what they say, in Markdown.
+    measure : callable, optional
+        A run, and whether ``--quick`` is given -> its numbers.
     seeds, quick_seeds : int
         Runs of each kind, if ``--seeds`` does not say another number.
     fewer : mapping of str to int, optional

@@ -180,7 +180,6 @@ if __name__ == "__main__":
         __doc__,
         kinds=kinds,
         then=taught,
-        measure=lambda run, quick: {},
         together=together,
         table=table,
         seeds=2,

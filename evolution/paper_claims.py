@@ -563,7 +563,6 @@ if __name__ == "__main__":
         __file__,
         __doc__,
         kinds=kinds,
-        measure=lambda run, quick: {},
         together=measured,
         table=tables,
         seeds=20,

@@ -284,7 +284,6 @@ if __name__ == "__main__":
         __doc__,
         kinds=kinds,
         then=yoked,
-        measure=lambda run, quick: {},
         together=together,
         table=table,
         seeds=10,

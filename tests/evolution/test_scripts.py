@@ -103,7 +103,7 @@ def test_an_experiment_keeps_numbers_by_kind_and_seed(
     no_processes: None,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    played(monkeypatch, "--kinds", "races-2", then=lambda runs, quick: {})
+    played(monkeypatch, "--kinds", "races-2")
     assert capsys.readouterr().out.startswith("races, 2 epochs\n")
     file = tmp_path / "script/numbers.npz"
     first = dict(np.load(file))
