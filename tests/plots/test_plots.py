@@ -329,12 +329,9 @@ PANELS = {
     "lags": lambda: plots.lag_profile_curve(RACE),
     "ciao": lambda: plots.ciao_triangles(RACE),
     "dynamics": lambda: plots.replicator_trajectories(RACE),
-    "triangles": lambda: plots.replicator_trajectories(ROCK_PAPER_SCISSORS),
-    "top": lambda: plots.spinning_top(SINGLE),
     "comparison": lambda: plots.comparison(
         {f"specialists {n}": RACE for n in range(3)}, {"specialists 0": judged(RACE)}
     ),
-    "generalization": lambda: plots.generalization_curves(RACE),
     "over seeds": lambda: plots.generalization_over_seeds({"one": MATRICES, "two": MATRICES[:3]}),
     "training": lambda: plots.training_curve(
         RNG.random(620), np.arange(620) // 10 % 2, generations=1 + np.arange(620) // 20, window=5
@@ -348,7 +345,7 @@ PANELS = {
 }
 
 
-# Two with square panels or a row for each group; the others take up to seconds each.
+# The others take up to some seconds each.
 @quickly("name", tuple(PANELS), lambda name: name in ("lags", "dots", "curves"))
 def test_a_figure_for_a_column_has_type_that_can_be_read(name: str, tmp_path: Path) -> None:
     with plots.at_width(3.35):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution import best_responses, finish, open_run, start
+from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
     ActorCriticSettings,
@@ -248,3 +249,13 @@ def test_rates_fall_to_a_tenth(monkeypatch: pytest.MonkeyPatch) -> None:
         one._actor.updates = updates
         one.learn(played(one))
     np.testing.assert_allclose(shares[::2], [1.0, 0.775, 0.55, 0.1, 0.1])
+
+
+def test_minibatches_and_chunks_divide_the_transitions(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(actor_critic, "CHUNK", 50)
+    one = learner(minibatches=3, actor_updates=3)
+    seen = played(one)
+    numbers = np.arange(len(seen))
+    places = [numbers[place] for part in one._parts(seen.views) for _, place in part]
+    assert len(places) > 3
+    np.testing.assert_array_equal(np.sort(np.concatenate(places)), numbers)
