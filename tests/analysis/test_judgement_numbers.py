@@ -123,6 +123,18 @@ def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
     assert found.low > 0.2**2
 
 
+def test_noise_is_not_intransitive() -> None:
+    found = []
+    for seed in range(12):
+        scores = played(np.full((15, 15), 0.5), 4, seed)
+        noise = scores.var(axis=2, ddof=1) / 4
+        found.append(squared_intransitivity(scores.mean(axis=2), noise))
+    assert np.mean([one.value for one in found]) <= 0.0
+    assert sum(one.low > 0.0 for one in found) <= 1
+    # What sorting and fitting hide is allowed for.
+    assert np.mean([one.biased_high for one in found]) == pytest.approx(0.0, abs=0.005)
+
+
 def test_a_spinning_top_is_widest_in_the_middle() -> None:
     t, lag = np.arange(20) / 19, np.subtract.outer(np.arange(20), np.arange(20))
     middle = np.exp(-(((t - 0.5) / 0.15) ** 2))
