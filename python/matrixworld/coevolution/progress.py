@@ -141,8 +141,9 @@ class ProgressBar:
     def _draw_bar(self, name: str, what: str, progress: Progress) -> None:
         if name not in self._bars:
             self._bars[name] = tqdm(
-                initial=progress.done, leave=name == JOB, unit=f" {self._unit}", unit_scale=True,
-                dynamic_ncols=True, bar_format=STARTING, file=self._stream,
+                desc=what, total=progress.total, initial=progress.done, leave=name == JOB,
+                unit=f" {self._unit}", unit_scale=True, dynamic_ncols=True, bar_format=STARTING,
+                file=self._stream,
             )  # fmt: skip
         bar = self._bars[name]
         if name == JOB:
