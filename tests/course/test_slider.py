@@ -3,11 +3,13 @@
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import pytest
 
 from browser import Browser, browser  # noqa: F401  # a fixture
 from course import Slider
 
 
+@pytest.mark.slow
 def test_a_slider_shows_the_picture_of_its_value(tmp_path: Path, browser: Browser) -> None:  # noqa: F811
     figures = {n: (plt.figure(figsize=(n, 1)), f'<"{n}"> & more') for n in (1, 2, 5, 4)}
     shown = Slider("seeds </script>", figures)
