@@ -21,8 +21,7 @@ from typing import Any
 import click
 
 from matrixworld import Matches, Population, _core
-from matrixworld.cli.evolve import play_runs
-from matrixworld.cli.report import report
+from matrixworld.cli.evolve import play_runs, report
 from matrixworld.coevolution import (
     EvolutionStrategy,
     GeneticAlgorithm,

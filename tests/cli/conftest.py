@@ -8,7 +8,7 @@ from click.testing import Result
 
 from command_line import JOB, matrixworld_command, words
 from executors import jobs_in_threads
-from matrixworld.cli import report
+from matrixworld.cli import evolve
 
 
 @pytest.fixture(autouse=True)
@@ -25,7 +25,7 @@ def quick_jobs(no_processes: None) -> None:
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no figures and write no page, in tests of something else."""
-    monkeypatch.setattr(report, "draw", lambda groups, root: None)
+    monkeypatch.setattr(evolve, "draw", lambda groups, root: None)
 
 
 @pytest.fixture

@@ -7,8 +7,8 @@ import pytest
 
 from matrices import circular, logistic
 from matrixworld.analysis import CONDITIONS, Judgement, judge
-from matrixworld.cli.advice import ADVICE, advice
 from matrixworld.cli.evolve import evolve_command
+from matrixworld.cli.judge import ADVICE, advice
 from matrixworld.cli.options import given_options
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import RaceSettings

@@ -51,16 +51,6 @@ def test_a_class_of_genomes_and_the_secret_that_repeats_it(directory: Path) -> N
     assert other["lengths"] != values["lengths"]
 
 
-def test_a_directory_of_any_name_is_played(directory: Path, tmp_path: Path) -> None:
-    """One that is no UTF-8, and would give the terminal orders."""
-    odd = directory.rename(tmp_path / "a\x1b]0;b\x07\udcff")
-    told = class_command(odd, "--steps", 5)
-    assert r"a\x1b]0;b\x07\udcff.html" in run_together(told)
-    assert "\x1b" not in told
-    page = odd.with_name(f"{odd.name}.html").read_text(encoding="utf-8")
-    assert r"<title>a\x1b]0;b\x07\udcff - matrixworld</title>" in page
-
-
 def test_results_are_printed_though_the_page_cannot_be_written(
     directory: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

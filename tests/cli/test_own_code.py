@@ -11,7 +11,7 @@ import pytest
 from click.testing import CliRunner
 
 from command_line import MAIN_JOB, RACE, evolved, matrixworld_command, words
-from matrixworld.cli import main, report
+from matrixworld.cli import evolve, main
 from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.runs import check_own_code
@@ -29,9 +29,9 @@ from own_code import Hardest as Sampler
 from own_code import HillClimber as Learner
 """
 COMMAND = """
-from matrixworld.cli import main, report
+from matrixworld.cli import evolve, main
 
-report.draw = lambda groups, root: None
+evolve.draw = lambda groups, root: None
 main()
 """
 
@@ -42,7 +42,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
     sys.modules.pop("mine", None)
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(report, "draw", lambda groups, root: None)
+    monkeypatch.setattr(evolve, "draw", lambda groups, root: None)
     yield
     sys.modules.pop("mine", None)
 

@@ -12,7 +12,7 @@ from command_line import matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld._util.files import load_json
 from matrixworld.analysis.words import headline_numbers
-from matrixworld.cli.report import report
+from matrixworld.cli.evolve import report
 from matrixworld.coevolution import SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import job_of, save_job

@@ -44,30 +44,22 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     )
 
 
-def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
-    seen = {}
+def test_a_failed_run_is_named_and_the_others_are_reported(monkeypatch):
+    reported = []
 
-    def keep(job, results, root, failed, threads, **timed):
-        seeds = [each.settings.seed for each in results]
-        seen.update(seeds=seeds, asked=[*job], failed=failed)
+    def keep(job, runs, *where, **timed):
+        reported.append([run.path for run in runs])
 
     monkeypatch.setattr("matrixworld.cli.evolve.report", keep)
-    one = ["--schedule", MAIN_JOB[2], *words(ONE)]
-    evolved("--out", "out", "--seeds", "0-2", *one)
+    evolved("--out", "out", "--seeds", "0-2", "--schedule", MAIN_JOB[2], *words(ONE))
     runs = find_runs(Path("out"))
-    (runs[1] / "payoff.npz").write_bytes(b"PK")
+    for name in ("payoff.npz", "summary.json"):
+        (runs[1] / name).unlink()
+    (runs[1] / "stage-0001.npz").write_bytes(b"PK")
     said = evolved("--resume", "out", code=1)
     assert f"Error: 1 of 3 runs failed:\n  {runs[1]}: " in said.stderr
-    assert "payoff.npz: cut or altered" in said.stderr
     assert "To try them again:\n  matrixworld evolve --resume out\n" in said.stderr
-    assert seen["seeds"] == [0, 2]
-    assert seen["asked"] == [f"{MAIN_JOB[2]}/seed-{n}" for n in (0, 1, 2)]
-    assert list(seen["failed"]) == [runs[1]]
-    # Results follow from the other files: without the damaged one they are made again.
-    (runs[1] / "payoff.npz").unlink()
-    evolved("--resume", "out")
-    assert seen["seeds"] == [0, 1, 2]
-    assert not seen["failed"]
+    assert reported[-1] == [runs[0], runs[2]]
 
 
 def process_of(*args):

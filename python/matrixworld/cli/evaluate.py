@@ -226,14 +226,12 @@ def _play_one(
 
 
 def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
-    # `world` wants a limit of steps, which may differ between the runs: any number serves.
-    worlds = [replace(run.settings.world, max_steps=1).to_json() for run in (ours, theirs)]
-    different = [name for name in worlds[0] if worlds[0][name] != worlds[1][name]]
-    if different:
-        values = "; ".join(
-            f"{name} {worlds[0][name]!r} and {worlds[1][name]!r}" for name in different
-        )
-        raise click.UsageError(f"expected two runs in the same world, got {values}")
+    # The limit of steps may differ between the runs.
+    mine, other = (replace(run.settings.world, max_steps=1).to_json() for run in (ours, theirs))
+    for name, value in mine.items():
+        if other[name] != value:
+            got = f"{name} {value!r} and {other[name]!r}"
+            raise click.UsageError(f"expected two runs in the same world, got {got}")
 
 
 def _print_payoff(payoff: Payoff) -> None:

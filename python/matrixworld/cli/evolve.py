@@ -1,42 +1,40 @@
-"""``matrixworld evolve``: start the runs of a job, or continue them."""
+"""``matrixworld evolve``: start the runs of a job or continue them, and report their results."""
 
 from __future__ import annotations
 
-import shlex
+import textwrap
 import time
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
 import click
-import numpy as np
+from tqdm import tqdm
 
-from matrixworld._util.files import LockedError
+from matrixworld._util.files import LockedError, save_json
+from matrixworld.analysis import headline
+from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
+    WIDEST,
     command,
     note,
+    print_head,
     print_table,
+    print_wrapped,
     progress,
     say,
     warnings_as_notes,
 )
-from matrixworld.cli.options import (
-    FAILURES,
-    TYPED,
-    given_options,
-    one_of,
-    option_name,
-    options,
-)
-from matrixworld.cli.pages import first_seeds
-from matrixworld.cli.report import report
-from matrixworld.cli.runs import can_resume, resume_command
+from matrixworld.cli.options import FAILURES, given_options, one_of, option_name, options
+from matrixworld.cli.pages import first_seeds, write_explorer
+from matrixworld.cli.runs import can_resume, print_missing, resume_command, seeds_finished
 from matrixworld.cli.setting_options import (
     ALL,
     HINTS,
@@ -47,10 +45,10 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import RaceSettings, SavedRun
-from matrixworld.coevolution.groups import find_runs, place_in_job
+from matrixworld.coevolution import Progress, RaceSettings, SavedRun
+from matrixworld.coevolution.evaluation.scores import kept_scores
+from matrixworld.coevolution.groups import RunGroup, find_runs, grouped, place_in_job
 from matrixworld.coevolution.jobs import (
-    BAD_FILES,
     Job,
     check_job,
     described,
@@ -59,24 +57,16 @@ from matrixworld.coevolution.jobs import (
     open_job,
     play_job,
 )
-from matrixworld.coevolution.runs.training_matches import training_matches
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty
+from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
-from matrixworld.play.rollout import Matches, rollout
-from matrixworld.world.policy import Population
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
-SHOWN_SECONDS = 4.0
-"""About what scores and figures of the runs of a schedule take, beside their matches."""
-SAMPLED, LEARNED = 0.2, 1.25
-"""Seconds of matches from which the time of a job is estimated, and how much longer its matches
-take, on average, because teams learn to move."""
-
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
 Examples:
@@ -93,15 +83,7 @@ Examples:
 
 # The table of variants:
 
-VARIANT_HEADS = (
-    "variant",
-    "moves",
-    "obstacle",
-    "teammate",
-    "adversary: evader / pursuer",
-    "capture by",
-    "the captured",
-)
+HEADS = "variant", "moves", "obstacle", "teammate", "adversary: evader / pursuer", "capture by"
 OUTCOMES = {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()}
 VARIANT_LEGEND = """\
 Obstacle, teammate, adversary: what happens to an agent that collides with an obstacle or the
@@ -114,8 +96,9 @@ Other rules can be made in Python: matrixworld.Rules(...)."""
 
 def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     if value:
-        rows = [VARIANT_HEADS, *(_variant_row(name, rules) for name, rules in VARIANTS.items())]
-        print_table(rows, "<" * len(VARIANT_HEADS))
+        rows: list[tuple[str, ...]] = [(*HEADS, "the captured")]
+        rows += [_variant_row(name, rules) for name, rules in VARIANTS.items()]
+        print_table(rows, "<" * len(rows[0]))
         say(f"\n{VARIANT_LEGEND}")
         ctx.exit()
 
@@ -139,22 +122,7 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     )
 
 
-def _no_words(ctx: click.Context, param: click.Parameter, words: tuple[str, ...]) -> None:
-    """Refuse words that are no options, with the command that was meant."""
-    if not words:
-        return
-    word = words[0]
-    if word == "help":
-        meant = "matrixworld evolve --help"
-    elif word.lstrip("-").upper() in VARIANTS:
-        meant = f"matrixworld evolve --variant {word.upper()}"
-    else:
-        meant = f"{command('evolve --out', Path(word))} names the directory of the runs"
-    raise click.UsageError(f"expected options only, got {word!r}; {meant}")
-
-
 @click.command("evolve", epilog=EXAMPLES, short_help="Start races, or continue them.")
-@click.argument("stray", nargs=-1, metavar="", callback=_no_words, expose_value=False)
 @click.option(
     "--out",
     "-o",
@@ -249,14 +217,15 @@ def evolve_command(
         else:
             _refuse_settings(resumed, output, given)
             root, job = resumed, _found_job(resumed)
-        _check(job, root, threads, where)
-        note(_plan(job, root, threads, timed=resumed is None and where is None))
+        # Some settings can be checked only when opponents and start genomes have been read.
+        with usage_errors():
+            check_job(job, root, threads, elsewhere=where is not None)
+        note(_plan(job, root))
         began = time.monotonic()
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
             with on_cluster(where, threads) as executor:
                 results, failed = play_runs(job, root, threads, executor, new=resumed is None)
-            again = "" if resumed or "yoked" in given else _more_seeds()
-            report(job, results, root, failed, threads, began=began, again=again)
+            report(job, results, root, failed, threads, began=began)
             if page is not None and results:
                 page.finish(root / PAGE)
         if failed:
@@ -280,24 +249,9 @@ def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) 
         )
 
 
-def _check(job: Job, root: Path, threads: int | None, where: str | None) -> None:
-    """Refuse a job that cannot be played, before anything is written or a cluster looked for."""
-    if where is not None and len(job) == 1:
-        raise click.UsageError(
-            "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
-        )
-    # Some settings can be checked only when opponents and start genomes have been read; and the
-    # package of a learner of the user's own may be missing, or have changed.
-    with usage_errors():
-        check_job(job, root, threads, elsewhere=where is not None)
-
-
 @contextmanager
 def _resumable(root: Path) -> Iterator[None]:
-    """Tell the user how to continue after Ctrl-C, or an error such as a full disk.
-
-    An error in the code of the user's own learner keeps its traceback.
-    """
+    """Tell the user how to continue after Ctrl-C, or an error such as a full disk."""
     try:
         yield
     except (Exception, KeyboardInterrupt) as error:
@@ -336,66 +290,14 @@ def _check_new(root: Path) -> None:
 # What is announced:
 
 
-def _plan(job: Job, root: Path, threads: int | None, *, timed: bool) -> str:
-    """Return what is going to be played, where, and about how long it takes."""
+def _plan(job: Job, root: Path) -> str:
+    """Return what is going to be played, and where."""
     first, *_ = settings = [*job.values()]
-    world, races = first.world, all(each.is_race for each in settings)
-    what = "race" if races else "run"
-    matches = _seconds_of(settings, threads) if timed and races else None
-    shown = SHOWN_SECONDS * len({each.schedule.name for each in settings})
-    parts = [
-        f"-{first.variant}" if first.variant in VARIANTS else first.variant,
-        f"{world.n_pursuers} pursuers and {world.n_evaders} evaders",
-        f"{len(settings)} {what}{'s' * (len(settings) > 1)}",
-        *([] if matches is None else [f"about {_in_words(matches + shown)}"]),
-    ]
-    return f"{', '.join(parts)}, in {root}"
-
-
-def _seconds_of(races: Sequence[RaceSettings], threads: int | None) -> float | None:
-    """Estimate how long the matches of races take, from those of one epoch of untrained teams.
-
-    All races have the same network and world; they differ in the schedule. None if the time of the
-    learner, which is not measured, is the larger part.
-    """
-    first = races[0]
-    if first.learner.rounds_by_processor:
-        return None
-    size, network = first.learner.population, first.network
-    genomes = np.stack([network.initial(np.random.default_rng(n)) for n in range(size)])
-    teams = Population(genomes, network), Population(genomes[:1], network)
-    matches = Matches.of(np.arange(size), 0, np.arange(size))
-    calls, passed, began = 0, 0.0, time.perf_counter()
-    while passed < SAMPLED:
-        rollout(first.training_world, *teams, matches, threads=threads)
-        calls, passed = calls + 1, time.perf_counter() - began
-    return LEARNED * sum(map(_matches_of, races)) * passed / (calls * size)
-
-
-def _matches_of(race: RaceSettings) -> float:
-    """Return how many matches a race plays; those of the evaluation are longer."""
-    evaluated = race.schedule.entries**2 * race.evaluation_episodes
-    return training_matches(race) + evaluated * race.world.max_steps / race.train_steps
-
-
-def _in_words(seconds: float) -> str:
-    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
-    for unit, length in (("hours", 3600), ("minutes", 60), ("seconds", 1)):
-        if seconds >= 1.5 * length or unit == "seconds":
-            break
-    return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
-
-
-def _more_seeds() -> str:
-    """Return the command as it was typed, with ten seeds in place of its own."""
-    words = iter(click.get_current_context().meta.get(TYPED, ["evolve"]))
-    kept: list[str] = []
-    for word in words:
-        if word in ("--out", "-o", "--seed"):
-            next(words)
-        elif not word.startswith(("--out=", "-o", "--seed=")):
-            kept.append(word)
-    return shlex.join(["matrixworld", *kept, "--seeds", "0-9"])
+    world, what = first.world, "race" if all(each.is_race for each in settings) else "run"
+    variant = f"-{first.variant}" if first.variant in VARIANTS else first.variant
+    teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
+    count = f"{len(settings)} {what}{'s' * (len(settings) > 1)}"
+    return f"{variant}, {teams}, {count}, in {root}"
 
 
 # Jobs:
@@ -482,12 +384,123 @@ def play_runs(
         if not isinstance(error, FAILURES):  # such as of the user's own code
             note("".join(traceback.format_exception(error)))
     failed = {root / name: described(root / name, error) for name, error in errors.items()}
-    results = []
-    for path in (root / name for name in job if name not in errors):
-        try:
-            result = SavedRun(path)
-            _ = result.payoff(), result.summary()  # read now: damaged ones are named below
-            results.append(result)
-        except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown
-            failed[path] = described(path, error)
-    return results, failed
+    return [SavedRun(root / name) for name in job if name not in errors], failed
+
+
+# The report at the end: what a newcomer asks first. Tables and intervals are those of `judge`.
+
+SUMMARY = "summary.json"
+
+
+def report(
+    job: Job,
+    results: Sequence[SavedRun],
+    root: Path,
+    failed: Mapping[Path, str],
+    threads: int | None = None,
+    *,
+    began: float | None = None,
+) -> None:
+    """Score and judge the finished runs of a job, draw figures, and print the results.
+
+    `failed` says why the other runs of the job failed, by their directories; `began` is when the
+    job began, by `time.monotonic`.
+    """
+    runs = {root / name: settings for name, settings in job.items()}
+    groups = grouped(runs, finished=[run.path for run in results])
+    groups = [group.inside(root) for group in groups]
+    finished = [group for group in groups if group.runs]
+    races = [group for group in finished if group.is_race]
+    with progress() as bar:
+        kept_scores([run for g in races for run in g.runs], threads=threads, report=bar)
+    if finished:
+        draw(finished, root)
+    # The summary of a run that was started by itself lies in the same directory.
+    if root not in [run.path for run in results]:
+        _save(groups, root, failed)
+    what = "races" if len(races) == len(finished) else "runs"
+    done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
+    took = "" if began is None else f" in {tqdm.format_interval(time.monotonic() - began)}"
+    page = f" Open {root / PAGE}" if finished else ""
+    say(f"{done}{took}.{page}\n", bold=True)
+    _print_groups(groups)
+    if races:
+        print_head("Against opponents nobody trained on (1 = best)")
+        print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
+    for path, problem in failed.items():
+        print_wrapped(f"Failed: {path}: {problem}")
+    if finished:
+        for why, typed in _hints(finished, root):
+            say(f"\n{why}\n  {typed}")
+
+
+def draw(groups: Sequence[RunGroup], root: Path) -> None:
+    """Draw the figures and write the page; figures of an earlier report are replaced."""
+    from matrixworld import plots
+    from matrixworld.plots.saved import figures_of
+
+    files = figures_of(groups, root)
+    with progress("files") as bar:
+        for number, (file, figure) in enumerate(files.items()):
+            bar(Progress("figures, page", number, len(files) + 1))
+            plots.save_figure(figure(), file)
+        write_explorer(groups, root / PAGE)
+        bar(Progress("figures, page", len(files) + 1, len(files) + 1))
+
+
+# What is printed:
+
+
+def _print_groups(groups: Sequence[RunGroup]) -> None:
+    width = max(len(group.name) for group in groups)
+    beside = max(20, WIDEST - width - 2)
+    for group in groups:
+        lines = [part for line in _lines(group) for part in textwrap.wrap(line, beside)]
+        for name, line in zip_longest([group.name], lines, fillvalue=""):
+            say(f"{name:{width}}  {line}")
+        print_missing(group)
+
+
+def _lines(group: RunGroup) -> list[str]:
+    if not group.runs:
+        return [seeds_finished(group)]
+    if group.is_race:
+        return [headline(group.judgement), *headline_numbers(group.judgement)]
+    schedule, means = group.runs[0].settings.schedule, group.means()
+    assert isinstance(schedule, Against)  # one team evolved
+    return [
+        f"capture rate {means['capture_rate']}",
+        f"{schedule.team}s after {schedule.epochs:,} epochs against {schedule.opponent}",
+        f"an episode takes {means['length'].value:.0f} steps",
+    ]
+
+
+def _held_out_row(group: RunGroup) -> tuple[str, ...]:
+    return group.name, *(f"{group.held_out(team).mean():.2f}" for team in TEAMS)
+
+
+def _hints(groups: Sequence[RunGroup], root: Path) -> list[tuple[str, str]]:
+    """Return what to do next, and the command for it."""
+    last = groups[-1].runs[-1]
+    schedule = last.settings.schedule
+    path = root if sum(len(group.runs) for group in groups) == 1 else last.path
+    if isinstance(schedule, Against):
+        team = f"--set schedule.team={other(schedule.team)}"
+        opponent = command("evolve --schedule against", team, f"--set schedule.opponent={path}")
+        return [("Watch it:", command("replay", path)), ("Its opponent learns:", opponent)]
+    more = ("Verdict on each seed:", command("judge --each", root))
+    if not any(group.several for group in groups):
+        more = ("One seed proves little; with your other options:", command("evolve --seeds 0-9"))
+    return [more, ("Reasons and intervals:", command("judge --explain", root))]
+
+
+def _save(groups: Sequence[RunGroup], root: Path, failed: Mapping[Path, str]) -> None:
+    singles = [single for group in groups if group.runs for single in group.singles]
+    values = {
+        "groups": {group.name: group.to_json() for group in groups},
+        "runs": {
+            one.runs[0].path.relative_to(root).as_posix(): one.run_to_json() for one in singles
+        },
+        "failed": {path.relative_to(root).as_posix(): problem for path, problem in failed.items()},
+    }
+    save_json(root / SUMMARY, values)

@@ -1,22 +1,27 @@
-"""``matrixworld judge``: what happened in races, and what to try."""
+"""``matrixworld judge``: what happened in races, and what to try next."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import click
 
 from matrixworld.analysis import Judgement, explain, headline, judge, read_payoffs
-from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, RULES
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.analysis.words import all_results, judgement_cells, measure_table
-from matrixworld.cli.advice import advice
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
 from matrixworld.cli.options import check_outputs, integer, options, write_json
 from matrixworld.cli.runs import finished_groups, print_missing
-from matrixworld.cli.setting_options import usage_errors
+from matrixworld.cli.setting_options import option_of, usage_errors
+from matrixworld.coevolution import Alternating, RaceSettings
 from matrixworld.coevolution.groups import RunGroup, find_runs
+from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule, Yoked
+from matrixworld.coevolution.sections import values_of
+from matrixworld.coevolution.types import TEAMS
 
 FILES = (".csv", ".npz")
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
@@ -59,10 +64,9 @@ def judge_command(
 ) -> None:
     """Say what happened in races, and what to try.
 
-    Arms race, one-sided progress, rise, intransitivity, cycling, disengagement, forgetting,
-    stagnation: each is present or absent, or the intervals cannot tell. RUN is the directory of a
-    job or of a run. Runs that differ in their seed only are judged together, with the verdict on
-    each seed.
+    Each condition, such as an arms race or cycling, is present or absent, or the intervals cannot
+    tell. RUN is the directory of a job or of a run. Runs that differ in their seed only are judged
+    together, with the verdict on each seed.
 
     FILE is a payoff matrix of your own, .csv or .npz: pursuers in rows, evaders in columns, capture
     rates from 0 to 1; or one line for each pair, run and episode. Several files are judged
@@ -77,15 +81,22 @@ def judge_command(
         groups = finished_groups(runs) if runs else []
         if each:
             groups = [single for group in groups for single in group.singles]
-        _check_races(groups)
+        for one in groups:
+            if not one.is_race:
+                raise click.UsageError(f"{one.name}: expected a race, got a run of one team")
         judged: dict[str, tuple[Payoffs, RunGroup | None]] = {
             group.name: (group.payoffs, group) for group in groups
         }
-        judged |= {name: (payoffs, None) for name, payoffs in _of_files(files, each, episodes)}
+        # One file may hold several runs; a list is of files of one run each.
+        parts: list[Path | list[Path]] = [files] if len(files) > 1 and not each else [*files]
+        for part in parts:
+            name = ", ".join(map(str, part)) if isinstance(part, list) else str(part)
+            judged[name] = read_payoffs(part, episodes=episodes), None
     for payoffs, _ in judged.values():
         if everything and min(payoffs.shape) < 2:
+            rows, columns = payoffs.shape
             raise click.UsageError(
-                "--all: expected at least 2 x 2 generations, got {} x {}".format(*payoffs.shape)
+                f"--all: expected at least 2 x 2 generations, got {rows} x {columns}"
             )
     found = {}
     for name, (payoffs, group) in judged.items():
@@ -96,21 +107,6 @@ def judge_command(
             found[name] = {"judgement": found[name], **all_results(payoffs)}
     say(f"\n{TERMS}")
     write_json(json_file, {"groups": found})
-
-
-def _of_files(
-    files: Sequence[Path], each: bool, episodes: int | None
-) -> Iterator[tuple[str, Payoffs]]:
-    # One file may hold several runs, which a list of files may not.
-    for part in [[file] for file in files] if each or len(files) == 1 else [files][: len(files)]:
-        source = part[0] if len(part) == 1 else part
-        yield ", ".join(map(str, part)), read_payoffs(source, episodes=episodes)
-
-
-def _check_races(groups: Sequence[RunGroup]) -> None:
-    # The payoff of one team alone is a single cell.
-    for run in [run for group in groups for run in group.runs if not group.is_race]:
-        raise click.UsageError(f"{run.path}: expected a race, got a run in which one team evolved")
 
 
 def _print(
@@ -188,3 +184,129 @@ def print_strip(judgement: Judgement, seeds: Sequence[int], missing: Sequence[in
             numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
             rows.append((name, *signs, f"{finding.verdict} ({numbers})" if is_last else ""))
         print_table(rows, "<" + ">" * len(part) + "<")
+
+
+# What to try next, from what is present in a race and from its settings:
+
+TWICE = "twice"
+"""New value of a setting: twice the present one."""
+
+
+@dataclass(frozen=True)
+class Advice:
+    """A change of settings that may help if any of the conditions is present.
+
+    The row is for races in any of its `situations` (see `situations_of`). `changes` has the new
+    values by path, and `why` says what they do.
+    """
+
+    conditions: tuple[str, ...]
+    situations: tuple[str, ...]
+    changes: Mapping[str, Any]
+    why: str
+
+    def options(self, settings: RaceSettings) -> dict[str, Any]:
+        """Return the settings that change, with their new values."""
+        present = values_of(settings)
+        values = {
+            name: doubled(present.get(name)) if value == TWICE else value
+            for name, value in self.changes.items()
+        }
+        return {name: value for name, value in values.items() if value != present.get(name)}
+
+    def helps(self, settings: RaceSettings, present: Collection[str]) -> bool:
+        """Return whether the row applies, changes something, and a race can have the result."""
+        applies = not situations_of(settings).isdisjoint(self.situations)
+        if not (applies and any(name in present for name in self.conditions)):
+            return False
+        options = self.options(settings)
+        try:
+            settings.changed(options)
+        except ValueError:
+            # Such as a larger network with a learner that takes few genes only.
+            return False
+        return bool(options)
+
+    def line(self, settings: RaceSettings) -> str:
+        """Return the options to type, and why."""
+        typed = " ".join(option_of(*each) for each in self.options(settings).items())
+        return f"{typed}: {self.why}"
+
+
+def doubled(value: Any) -> Any:
+    """Return twice a number, or one hidden layer of twice the largest size."""
+    return [2 * max((16, *value))] if isinstance(value, list) else 2 * max(1, value)
+
+
+ANY, IN_TURNS, NEWEST_ONLY, PAST_ONES = "any", "in turns", "newest only", "past ones"
+ONE_GENOME, FULL_VIRULENCE = "samples around one genome in turns", "full virulence"
+
+
+def situations_of(settings: RaceSettings) -> set[str]:
+    """Return what advice depends on: the name of the schedule, and what the settings have."""
+    schedule, fitness = settings.schedule, settings.fitness
+    found = {ANY, schedule.name}
+    if isinstance(schedule, Alternating):
+        found |= {IN_TURNS} if settings.learner.keeps_population else {IN_TURNS, ONE_GENOME}
+    if isinstance(schedule, RaceSchedule) and schedule.name in (Alternating.kind, PSRO):
+        rules = [getattr(schedule.opponents_of(team), "rule", None) for team in TEAMS]
+        found.add(NEWEST_ONLY if "latest" in rules else PAST_ONES)
+    reduced = fitness.pursuer_virulence is not None or fitness.evader_virulence is not None
+    if not reduced and fitness.sharing == "none" and fitness.measure != "rewards":
+        found.add(FULL_VIRULENCE)
+    return found
+
+
+NEWEST = ("specialist-specialist", "generalist-specialist")
+CYCLES = ("intransitivity", "cycling", "forgetting")
+PURSUERS_MEET, EVADERS_MEET = "schedule.pursuers_meet", "schedule.evaders_meet"
+
+ADVICE = (
+    Advice(CYCLES, NEWEST, {"schedule": "generalist-generalist"},
+           "both teams meet opponents of all generations"),
+    Advice(CYCLES, NEWEST, {"schedule": HALL_OF_FAME},
+           "both teams meet living opponents and champions of all generations"),
+    Advice(CYCLES, ("generalist-generalist",), {"schedule.opponents": 4},
+           "candidates meet several opponents in each epoch"),
+    Advice(CYCLES, ("generalist-generalist",),
+           {PURSUERS_MEET: "maxsolve", EVADERS_MEET: "maxsolve"},
+           "an archive keeps the opponents that tell candidates apart"),
+    Advice(CYCLES, (NEWEST_ONLY,), {PURSUERS_MEET: "uniform", EVADERS_MEET: "uniform"},
+           "both teams meet opponents of all generations"),
+    Advice(CYCLES, (PAST_ONES,), {"schedule.opponents": TWICE},
+           "candidates meet more opponents in each epoch"),
+    Advice(CYCLES, (HALL_OF_FAME,), {"schedule.hall_sample": TWICE},
+           "candidates meet more members of the halls of fame"),
+    Advice(("disengagement",), (FULL_VIRULENCE,), {"fitness.pursuer_virulence": 0.75},
+           "if pursuers win everything: candidates that win everything have no advantage"),
+    Advice(("disengagement",), (FULL_VIRULENCE,), {"fitness.evader_virulence": 0.75},
+           "the same for evaders, if they win everything"),
+    Advice(("disengagement", "one-sided progress"), (IN_TURNS,), {"schedule.pursuer_epochs": TWICE},
+           "if pursuers are the weaker team or the one that does not gain"),
+    Advice(("disengagement", "one-sided progress"), (IN_TURNS,), {"schedule.evader_epochs": TWICE},
+           "if evaders are the weaker team or the one that does not gain"),
+    Advice(("one-sided progress",), (HALL_OF_FAME,), {"schedule.joint_epochs": TWICE},
+           "more time for the team that does not gain"),
+    Advice(("stagnation",), (ANY,), {"learner.population": TWICE},
+           "the fitness of more candidates is less noisy"),
+    Advice(("stagnation",), (ONE_GENOME,), {"learner": "ga"},
+           "a population of different genomes instead of samples around one"),
+    Advice(("stagnation",), (ANY,), {"policy.hidden": TWICE}, "a larger network"),
+    Advice(("arms race", "rise"), (ANY,), {"schedule.generations": TWICE},
+           "the race goes on; more generations show how long"),
+)  # fmt: skip
+"""What to try, in the order in which it is printed."""
+
+
+def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
+    """Return what to try next, a line each: options with their values, and a reason.
+
+    Nothing is advised that the race does already. Its settings are None if they are not known.
+    """
+    present = judgement.present()
+    if settings is not None and isinstance(settings.schedule, Yoked):
+        return []  # its settings are those of the race that it replays
+    if settings is None:
+        general = (RULES[name].advice for name in present)
+        return list(dict.fromkeys(filter(None, general)))
+    return [row.line(settings) for row in ADVICE if row.helps(settings, present)]

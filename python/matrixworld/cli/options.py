@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shlex
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import BrokenExecutor
 from pathlib import Path
@@ -35,11 +34,9 @@ from matrixworld.world.rules import VARIANTS
 Option = Callable[[Any], Any]
 """What adds an option to the function of a command."""
 
-TYPED = "matrixworld.typed"
-"""Key of the words after ``matrixworld`` in the group's context."""
 STDOUT = Path("-")
 MOST_SEEDS = 100_000
-"""Most seeds of a job. Each is a directory."""
+"""Most seeds that a range names. Each is a directory."""
 
 
 def option_name(field_name: str) -> str:
@@ -69,24 +66,18 @@ def seeds_of(
     """Return the seeds that a text such as 0-9 or 0,3,5-7 names, in its order."""
     if value is None:
         return None
-    if not re.fullmatch(r"(\d{1,19}(-\d{1,19})?(,|$))+", value) or value.endswith(","):
+    if not re.fullmatch(r"\d{1,19}(-\d{1,19})?(,\d{1,19}(-\d{1,19})?)*", value):
         raise click.BadParameter(f"expected seeds such as 0-9 or 0,3,5-7, got {value!r}")
     seeds: list[int] = []
     for part in value.split(","):
         first, _, last = part.partition("-")
         found = range(int(first), int(last or first) + 1)
-        if not found:
-            raise click.BadParameter(f"expected the lower seed first, got {part}")
-        if found[-1] > MOST_SEED:
-            raise click.BadParameter(f"expected seeds from 0 to {MOST_SEED}, got {found[-1]}")
         # Before a list is made: 0-9999999999 would fill the memory.
-        count = len(seeds) + found.stop - found.start
-        if count > MOST_SEEDS:
-            raise click.BadParameter(f"expected at most {MOST_SEEDS:,} seeds, got {count:,}")
+        if not 0 < found.stop - found.start <= MOST_SEEDS:
+            expected = f"1 to {MOST_SEEDS:,} seeds, the lower one first"
+            raise click.BadParameter(f"expected {expected}, got {part}")
         seeds += found
-    if len({*seeds}) < len(seeds):
-        raise click.BadParameter(f"expected each seed once, got {value}")
-    return tuple(seeds)
+    return tuple(dict.fromkeys(seeds))
 
 
 def _json(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
@@ -222,11 +213,10 @@ def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
 # Output files:
 
 
-def check_outputs(*files: Path | None, force: bool, redraws: bool = True) -> None:
+def check_outputs(*files: Path | None, force: bool) -> None:
     """Raise click.UsageError for the first output file that must not, or cannot, be written.
 
-    To be called before anything is played or written. Pages and pictures that this package has
-    drawn are drawn again without a question, if `redraws`.
+    To be called before anything is played or written.
     """
     for file in files:
         if file is None or file == STDOUT:
@@ -240,29 +230,8 @@ def check_outputs(*files: Path | None, force: bool, redraws: bool = True) -> Non
         except OSError as error:
             expected = f"a directory in which files can be made, got {str(file.parent)!r}"
             raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
-        if file.exists() and not (force or (redraws and _is_drawn(file))):
+        if file.exists() and not force:
             raise click.UsageError(f"{file}: exists; give --force to replace it")
-
-
-DRAWN = (
-    b'name="generator" content="matrixworld',
-    b"Software\0matrixworld",
-    b"/Creator (matrixworld",
-    b"<dc:title>matrixworld<",
-    b"!\xfe\x0bmatrixworld",  # comment of a GIF
-    b"data\0\0\0\1\0\0\0\0matrixworld",  # comment of an MP4
-)
-"""What this package writes into pages and pictures."""
-
-
-def _is_drawn(file: Path) -> bool:
-    # A film has its comment behind a table of its frames.
-    size, part = file.stat().st_size, 1 << 16
-    with file.open("rb") as stream:
-        ends = stream.read(part)
-        stream.seek(max(0, size - part))
-        ends += stream.read()
-    return any(mark in ends for mark in DRAWN)
 
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
@@ -291,17 +260,10 @@ FAILURES = (
 
 
 class Commands(click.Group):
-    """A group of commands; Ctrl-C says how to go on, and failures are messages."""
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command's name, the command, and its arguments, which are kept."""
-        ctx.meta[TYPED] = list(args)
-        return super().resolve_command(ctx, args)
+    """A group of commands whose failures are messages, and which Ctrl-C stops."""
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command; after Ctrl-C, print the command that starts it again."""
+        """Run the command."""
         try:
             return super().invoke(ctx)
         except click.ClickException as error:
@@ -316,6 +278,5 @@ class Commands(click.Group):
         except FAILURES as error:
             raise click.ClickException(printable(error)) from error
         except KeyboardInterrupt:
-            again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
-            note(f"\nStopped. No file is half written. To start again:\n  {again}")
+            note("\nStopped. No file is half written.")
             raise click.exceptions.Exit(INTERRUPTED) from None

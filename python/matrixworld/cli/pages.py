@@ -66,17 +66,14 @@ def _baselines(
         name, _, path = value.partition("=")
         if not (name and path):
             raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
-        if name in opened:
-            raise click.BadParameter(f"expected each name once, got {name!r} twice")
         try:
             opened[name] = open_runs(path)
             teams = {team for run in opened[name] for team in run.settings.learning_teams}
         except (FileNotFoundError, ValueError) as error:
             raise click.BadParameter(f"{name}: {error}") from error
         if len(teams) != 1:
-            got = "runs of both" if teams else "no finished run"
-            expected = "expected finished runs of one team"
-            raise click.BadParameter(f"{name}: {expected}, got {got} in {path}")
+            got = "both" if teams else "none"
+            raise click.BadParameter(f"{path}: expected finished runs of one team, got {got}")
     return opened
 
 
@@ -157,7 +154,8 @@ def explore_command(
     if not runs:
         raise click.UsageError("expected RUN...")
     page = out or common_directory(runs) / PAGE
-    check_outputs(page, force=force)
+    # The page of an earlier call, or of evolve, is replaced where no name is given.
+    check_outputs(page, force=force or out is None)
     write_explorer(groups, page)
     say(page)
     open_page(page, opens)
@@ -195,11 +193,9 @@ def _format(out: Path | None, suffix: str | None) -> str:
     if out is None:
         return suffix or "png"
     found = out.suffix.lower().removeprefix(".")
-    if found not in FORMATS:
-        names = ", ".join(f".{each}" for each in FORMATS)
+    if found not in FORMATS or suffix not in (None, found):
+        names = ", ".join(f".{each}" for each in ([suffix] if suffix else FORMATS))
         raise click.UsageError(f"--out: expected a name that ends in {names}, got {out}")
-    if suffix not in (None, found):
-        raise click.UsageError(f"--format {suffix}: expected the format of --out {out}")
     return found
 
 
@@ -238,7 +234,7 @@ def _draw(
             raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
         files = dict.fromkeys([out], *files.values())
     # All files are checked before the first is drawn.
-    check_outputs(*files, force=force)
+    check_outputs(*files, force=force or out is None)
     for file, figure in files.items():
         with usage_errors(), nullcontext() if width is None else plots.at_width(width):
             plots.save_figure(figure(), file)
@@ -249,19 +245,20 @@ def _draw(
 
 
 @click.command("playground", short_help="Play conflicts by hand on a page.")
-@out_option("the page", default=Path(playground.PAGE), show_default=True)
+@out_option(f"the page  [default: {playground.PAGE}]")
 @options("open", "force")
-def playground_command(out: Path, opens: bool, force: bool) -> None:
+def playground_command(out: Path | None, opens: bool, force: bool) -> None:
     """Write the playground, one page that plays conflicts by hand, and open it.
 
     Choose a variant or rules of your own, place agents and obstacles, give each agent a move or a
     script, and read every conflict of a step in words. The page is a single file that needs no
     network and no installation; it holds the engine.
     """
-    check_outputs(out, force=force)
-    write_page(out, playground.Playground().html())
-    say(out)
-    open_page(out, opens)
+    page = out or Path(playground.PAGE)
+    check_outputs(page, force=force or out is None)
+    write_page(page, playground.Playground().html())
+    say(page)
+    open_page(page, opens)
 
 
 def _player(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
@@ -297,7 +294,7 @@ def play_command(
         directory = run_in(source, race=race)
         title, players = f"{directory.absolute().name} - ", play_page.of_run(open_run(directory))
     page = out or directory / play_page.PAGE
-    check_outputs(page, force=force)
+    check_outputs(page, force=force or out is None)
     write_page(page, play_page.play_page(f"{title}matrixworld play", *players))
     say(page)
     open_page(page, opens)

@@ -73,30 +73,22 @@ def run_in(
 
     Of several runs `race` chooses the one below the directory of this name.
     """
-    runs = find_runs(Path(path))
-    if race is not None and runs == [Path(path)]:
-        raise click.UsageError(f"--race: expected a directory of several races, got the run {path}")
+    runs = {run.relative_to(path): run for run in find_runs(Path(path))}
     wanted = PurePath(race or "").parts
-    below = {run: run.relative_to(path) for run in runs}
+    size = len(wanted)
     chosen = [
-        run
-        for run, name in below.items()
-        if wanted in (name.parts[: len(wanted)], name.parts[-len(wanted) :])
+        run for name, run in runs.items() if wanted in (name.parts[:size], name.parts[-size:])
     ]
     if len(chosen) == 1:
         return chosen[0]
     if not runs:
         raise click.BadParameter(f"expected {expected}, got {str(path)!r}", param_hint=setting)
-    # The seed is left out where there is one only.
-    short = list(dict.fromkeys(name.parts[0] for name in below.values()))
-    names = short if len(short) == len(runs) else [*map(str, below.values())]
-    listed = ", ".join([*names[:MOST_NAMES], *["..."] * (len(names) > MOST_NAMES)])
+    listed = ", ".join([*map(str, runs)][:MOST_NAMES]) + ", ..." * (len(runs) > MOST_NAMES)
     if setting is not None:
         got = f"a directory of several: {listed}"
         raise click.BadParameter(f"expected one run, got {got}", param_hint=setting)
     raise click.UsageError(
-        f"{path}: expected one of its {len(runs)} races, got {race or 'none'}; --race NAME with "
-        f"{listed}"
+        f"{path}: expected --race with one of its races, {listed}, got {race or 'none'}"
     )
 
 
