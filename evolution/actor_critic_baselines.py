@@ -193,7 +193,7 @@ def timed(settings: RaceSettings, directory: Path) -> None:
 
 
 def play(
-    settings: Mapping[str, RaceSettings], root: Path, *, threads: int | None, where: str | None
+    settings: Mapping[str, RaceSettings], root: Path, *, threads: int | None, where: None
 ) -> dict[str, SavedRun]:
     """Play the runs that are missing side by side, each on one core; return all."""
     places = [root / name for name in settings]

@@ -130,10 +130,11 @@ def experiment(
     folder : str, optional
         Name of the directory of the results, if it is not that of the script.
     play : callable, optional
-        What plays the runs instead of `finish_all`.
+        What plays the runs instead of `finish_all`, without ``--cluster``.
     """
     name = Path(script).stem
-    parser = script_parser(doc, quick="a small world and few seeds, some seconds", cluster=True)
+    quick_help = "a small world and few seeds, some seconds"
+    parser = script_parser(doc, quick=quick_help, cluster=play is None)
     parser.add_argument("--kinds", nargs="+", metavar="KIND", help="beginnings of names")
     parser.add_argument("--seeds", type=int, help=f"runs of each kind; default: {seeds}")
     parser.add_argument("--runs", type=Path, default=Path("runs", name), help="their directory")
@@ -141,22 +142,25 @@ def experiment(
     parser.add_argument("--threads", type=int, help="for training; default: one for each core")
     parser.add_argument("--device", help="of networks that learn by PyTorch, such as cuda")
     args = parser.parse_args()
+    count = (quick_seeds if args.quick else seeds) if args.seeds is None else args.seeds
+    if count < 1:
+        parser.error(f"argument --seeds: expected at least 1, got {count}")
     planned = {}
     for kind, settings in _chosen(parser, kinds(args.quick), args.kinds).items():
-        if args.device is not None:
-            settings = settings.changed({"learner.device": args.device})
-        count = args.seeds or (quick_seeds if args.quick else seeds)
-        count = min(count, (fewer or {}).get(kind, count))
-        planned[kind] = [replace(settings, seed=seed) for seed in range(count)]
+        settings = on_device(settings, args.device)
+        most = (fewer or {}).get(kind, count)
+        planned[kind] = [replace(settings, seed=seed) for seed in range(min(count, most))]
     # Quick runs and full ones have directories of their own.
     runs_in, results = (
         each / "quick" if args.quick else each for each in (args.runs, args.results)
     )
-    finish = partial(
-        finish_kinds, root=runs_in, threads=args.threads, where=args.cluster, play=play
-    )
+    where = None if play else args.cluster
+    finish = partial(finish_kinds, root=runs_in, threads=args.threads, where=where, play=play)
     runs = finish(planned)
-    runs |= finish(then(runs, args.quick))
+    built_on = then(runs, args.quick)
+    runs |= finish(
+        {kind: [on_device(each, args.device) for each in some] for kind, some in built_on.items()}
+    )
     numbers: dict[str, ArrayLike] = {}
     for kind, of_kind in tqdm(runs.items(), unit=" kinds", desc="measured", disable=None):
         measured = [measure(run, args.quick) for run in of_kind]
@@ -164,6 +168,13 @@ def experiment(
             numbers[f"{kind} / {number}"] = np.stack([each[number] for each in measured])
     numbers |= together(runs, args.quick)
     write(results, numbers, table, figures or {}, files)
+
+
+def on_device(settings: RaceSettings, device: str | None) -> RaceSettings:
+    """Return settings whose learner computes on a device, if it is one of PyTorch."""
+    if device is None or not settings.learner.by_gradients:
+        return settings
+    return settings.changed({"learner.device": device})
 
 
 def _chosen(
@@ -260,12 +271,8 @@ def finish_all(
     FailedRunsError if runs failed, after all others have ended.
     """
     job = job_of(settings)
-    with (
-        on_cluster(where) as executor,
-        ProgressBar() as bar,
-    ):
-        share = None if executor is not None else threads
-        failures = play_job(job, root, keep=False, executor=executor, threads=share, report=bar)
+    with on_cluster(where, threads) as executor, ProgressBar() as bar:
+        failures = play_job(job, root, keep=False, executor=executor, threads=threads, report=bar)
     if failures:
         raise FailedRunsError({root / name: why for name, why in failures.items()})
     return {name: open_run(root / name) for name in settings}

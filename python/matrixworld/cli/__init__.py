@@ -1,4 +1,4 @@
-"""The command ``matrixworld``: a file for each command, and for what they share.
+"""The command ``matrixworld``: its commands, and what they share.
 
 Commands print what the library computes. Runs that differ in their seed only are told together, as
 a `matrixworld.coevolution.RunGroup`.

@@ -18,6 +18,7 @@ from matrixworld.cli.console import TERMS, print_head, print_wrapped, progress, 
 from matrixworld.cli.judge import counts, print_judgement
 from matrixworld.cli.options import check_outputs, options, out_option, write_json
 from matrixworld.cli.runs import (
+    dashed_name,
     finished_groups,
     print_missing,
     run_in,
@@ -187,7 +188,7 @@ def _play_one(
     theirs = rival or ours
     _check_worlds(ours, theirs)
     steps = steps or ours.settings.world.max_steps
-    against = f"-against-{rival.path.name}" if rival else ""
+    against = f"-against-{dashed_name(rival.path)}" if rival else ""
     name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
     target = out or ours.path / name
     # With another suffix the figure could have the payoff's own name.

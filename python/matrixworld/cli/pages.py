@@ -292,7 +292,8 @@ def play_command(
         directory, title, players = Path(), "", play_page.shipped(source)
     else:
         directory = run_in(source, race=race)
-        title, players = f"{directory.absolute().name} - ", play_page.of_run(open_run(directory))
+        run = open_run(directory)
+        title, players = f"{run.title} - ", play_page.of_run(run)
     page = out or directory / play_page.PAGE
     check_outputs(page, force=force or out is None)
     write_page(page, play_page.play_page(f"{title}matrixworld play", *players))

@@ -92,6 +92,12 @@ def run_in(
     )
 
 
+def dashed_name(run: Path) -> str:
+    """Return a name of a run for files: that of its job, and its own in the job."""
+    path, job = run.absolute(), (job_directory(run) or run).absolute()
+    return "-".join([job.name, *path.relative_to(job).parts])
+
+
 def can_resume(path: Path) -> bool:
     """Return whether a directory holds a run, or runs that have been asked for."""
     return bool(find_runs(path)) or (path / JOB).exists()

@@ -16,6 +16,8 @@ opponents of an epoch  run seed, `Purpose.OPPONENTS`, team, generation, epoch (b
 training matches       run seed, generation of the pursuers and of the evaders, `Phase`, epoch
 matches that choose a  run seed, generation twice, `Phase.ELITE` or `Phase.RETENTION`, team
 champion
+matches of an archive  run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`
+held-out matches       seed of the scores, team, number of the opponent, `Phase.HELD_OUT`
 evaluation matches     run seed, generation of the pursuers and of the evaders
 =====================  ===========================================================================
 

@@ -18,4 +18,4 @@ from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmS
 BuiltInLearner: TypeAlias = (
     EvolutionStrategySettings | GeneticAlgorithmSettings | CmaEsSettings | ActorCriticSettings
 )
-"""The learners of the package, by their settings; the first one is the default."""
+"""The learners of the package, by their settings."""

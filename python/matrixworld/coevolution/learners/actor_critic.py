@@ -212,7 +212,6 @@ class ActorCriticSettings(LearnerSettings):
 
     kind: ClassVar[str] = "actor-critic"
     by_gradients: ClassVar[bool] = True
-    rounds_by_processor: ClassVar[bool] = True
     keeps_fixed_genes: ClassVar[bool] = True
     steps: ClassVar[tuple[str, ...]] = ("actor_rate", "critic_rate")
 

@@ -160,7 +160,6 @@ class CmaEsSettings(LearnerSettings):
     """Settings of `CmaEs`."""
 
     kind: ClassVar[str] = "cma"
-    rounds_by_processor: ClassVar[bool] = True  # by way of the linear algebra
 
     sigma: float = setting(0.8, "standard deviation of the first samples", positive=True)
 

@@ -109,8 +109,6 @@ class LearnerSettings(Section):
     It then has a method `learn_from`, which a run calls after the matches of an epoch, and before
     `tell`, with the keyword arguments of `transitions.experience` that describe these matches.
     """
-    rounds_by_processor: ClassVar[bool] = False
-    """Whether results depend on the kind of processor, which workers of a cluster then share."""
     keeps_fixed_genes: ClassVar[bool] = False
     """Whether the learner leaves genes as they are, such as those of a mask."""
     keeps_population: ClassVar[bool] = False
