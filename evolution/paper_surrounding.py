@@ -222,7 +222,7 @@ def figure(numbers: Numbers) -> Figure:
         for axes, seeds in curves.items():
             epochs = WINDOW * (0.5 + np.arange(seeds.shape[1]))
             for number, seed in enumerate(seeds):
-                label = f"{kind}, {len(seeds)} seeds" if number == 0 else None
+                label = kind if number == 0 else None
                 axes.plot(epochs, seed, color=color, linewidth=1.2, label=label)
     panels[0].set(title="evaders captured in the last step", ylim=(-0.02, 1.02))
     panels[1].set(title="collisions of the pursuers in an episode")

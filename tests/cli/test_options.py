@@ -59,8 +59,8 @@ def test_every_command_that_names_an_output_file_has_force():
 OUTPUTS = {
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
     "tournament": (["tournament", "run", "--episodes", 2], "run/tournament-2x12-seed0.png"),
-    "a page": (["explore", "run", "--no-open", "-o", "page.html"], "page.html"),
-    "a figure": (["explore", "run", "--figure", "payoff", "-o", "old.svg"], "old.svg"),
+    "a page": (["explore", "run", "--no-open"], "run/explorer.html"),
+    "figures": (["explore", "run", "--figures"], "run/training.png"),
     "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
 }
 """Commands that write files, and one of these files."""
@@ -79,6 +79,15 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
     assert file.read_bytes() != b"precious"
     for kept in ("config.json", "pursuers.npy", "payoff.npz", "summary.json", "stage-0001.npz"):
         assert (run / kept).read_bytes() == before[run / kept]
+
+
+@pytest.mark.parametrize("suffix", ["gif", "png"])
+def test_a_picture_of_an_episode_is_drawn_again(suffix):
+    game = ["replay", "O", "--pursuer", "random", "--steps", 9, "--out", f"it.{suffix}"]
+    matrixworld_command(*game)
+    drawn = Path(f"it.{suffix}").read_bytes()
+    matrixworld_command(*game, "--seed", 1)
+    assert Path(f"it.{suffix}").read_bytes() != drawn
 
 
 def test_numbers_on_standard_output(run):

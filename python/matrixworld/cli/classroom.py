@@ -118,7 +118,8 @@ def play_command(
     steps.
     """
     page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
-    check_outputs(page, json_file, force=force)
+    # The page is the only record of a tournament whose files may have changed.
+    check_outputs(page, json_file, force=force, redraws=False)
     config, limits = _checked(game)
     if trust:
         note("Programs run with the rights of your own (--trust).")

@@ -213,10 +213,11 @@ def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
 # Output files:
 
 
-def check_outputs(*files: Path | None, force: bool) -> None:
+def check_outputs(*files: Path | None, force: bool, redraws: bool = True) -> None:
     """Raise click.UsageError for the first output file that must not, or cannot, be written.
 
-    To be called before anything is played or written.
+    To be called before anything is played or written. Pages and pictures that this package has
+    drawn are drawn again without a question, if `redraws`.
     """
     for file in files:
         if file is None or file == STDOUT:
@@ -230,8 +231,29 @@ def check_outputs(*files: Path | None, force: bool) -> None:
         except OSError as error:
             expected = f"a directory in which files can be made, got {str(file.parent)!r}"
             raise click.UsageError(f"{file}: expected {expected} ({error.strerror})") from error
-        if file.exists() and not force:
+        if file.exists() and not (force or (redraws and _is_drawn(file))):
             raise click.UsageError(f"{file}: exists; give --force to replace it")
+
+
+DRAWN = (
+    b'name="generator" content="matrixworld',
+    b"Software\0matrixworld",
+    b"/Creator (matrixworld",
+    b"<dc:title>matrixworld<",
+    b"!\xfe\x0bmatrixworld",  # comment of a GIF
+    b"data\0\0\0\1\0\0\0\0matrixworld",  # comment of an MP4
+)
+"""What this package writes into pages and pictures."""
+
+
+def _is_drawn(file: Path) -> bool:
+    # A film has its comment behind a table of its frames.
+    size, part = file.stat().st_size, 1 << 16
+    with file.open("rb") as stream:
+        ends = stream.read(part)
+        stream.seek(max(0, size - part))
+        ends += stream.read()
+    return any(mark in ends for mark in DRAWN)
 
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:

@@ -66,6 +66,8 @@ def _baselines(
         name, _, path = value.partition("=")
         if not (name and path):
             raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
+        if name in opened:
+            raise click.BadParameter(f"expected each name once, got {name!r} twice")
         try:
             opened[name] = open_runs(path)
             teams = {team for run in opened[name] for team in run.settings.learning_teams}
@@ -154,8 +156,7 @@ def explore_command(
     if not runs:
         raise click.UsageError("expected RUN...")
     page = out or common_directory(runs) / PAGE
-    # The page of an earlier call, or of evolve, is replaced where no name is given.
-    check_outputs(page, force=force or out is None)
+    check_outputs(page, force=force)
     write_explorer(groups, page)
     say(page)
     open_page(page, opens)
@@ -234,7 +235,7 @@ def _draw(
             raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
         files = dict.fromkeys([out], *files.values())
     # All files are checked before the first is drawn.
-    check_outputs(*files, force=force or out is None)
+    check_outputs(*files, force=force)
     for file, figure in files.items():
         with usage_errors(), nullcontext() if width is None else plots.at_width(width):
             plots.save_figure(figure(), file)
@@ -255,7 +256,7 @@ def playground_command(out: Path | None, opens: bool, force: bool) -> None:
     network and no installation; it holds the engine.
     """
     page = out or Path(playground.PAGE)
-    check_outputs(page, force=force or out is None)
+    check_outputs(page, force=force)
     write_page(page, playground.Playground().html())
     say(page)
     open_page(page, opens)
@@ -295,7 +296,7 @@ def play_command(
         run = open_run(directory)
         title, players = f"{run.title} - ", play_page.of_run(run)
     page = out or directory / play_page.PAGE
-    check_outputs(page, force=force or out is None)
+    check_outputs(page, force=force)
     write_page(page, play_page.play_page(f"{title}matrixworld play", *players))
     say(page)
     open_page(page, opens)
