@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
 from itertools import zip_longest
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import click
 
@@ -22,9 +22,6 @@ from matrixworld.explorer import play_page, playground
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
 from matrixworld.world.rules import Rules
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Run = TypeVar("Run")
 
@@ -202,7 +199,7 @@ def _format(out: Path | None, suffix: str | None) -> str:
 
 def _files(
     groups: Sequence[RunGroup], root: Path, name: str | None, chosen: Mapping[str, Any]
-) -> dict[Path, Callable[[], Figure]]:
+) -> dict[Path, Callable[[], Any]]:
     """Return the files of figures, of runs or of the game, with what draws them."""
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
@@ -221,7 +218,7 @@ def _files(
 
 
 def _draw(
-    files: Mapping[Path, Callable[[], Figure]],
+    files: Mapping[Path, Callable[[], Any]],
     name: str | None,
     out: Path | None,
     width: float | None,

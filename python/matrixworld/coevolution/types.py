@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar, Literal, Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
+from matrixworld.world.policy import TEAMS as TEAMS
+from matrixworld.world.policy import Team as Team
 
-Team = Literal["pursuer", "evader"]
-TEAMS: tuple[Team, Team] = ("pursuer", "evader")
 SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""
 

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.readable import Readable
 from matrixworld.solve.solution import Champion, best_response, solve
-from matrixworld.solve.states import TEAMS, States
+from matrixworld.solve.states import States
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution import Team
+from matrixworld.world.policy import TEAMS, Population, Team
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +10,7 @@ from numpy.typing import NDArray
 from matrixworld.solve.solution import Champion, Fixed, fixed_play, induct, values_after
 from matrixworld.solve.states import States
 from matrixworld.world.config import WorldConfig
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution import Team
+from matrixworld.world.policy import Team
 
 Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +20,9 @@ from matrixworld._util.checks import (
     shown,
 )
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.solve.states import TEAMS, States
+from matrixworld.solve.states import States
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, Script, TablePolicy
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution import Team
+from matrixworld.world.policy import TEAMS, Population, Script, TablePolicy, Team
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
 from math import comb, log10, prod
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +19,7 @@ from matrixworld._util.checks import (
     check_threads,
 )
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import TeamPolicy, check_team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution import Team
-
-TEAMS: tuple[Team, Team] = ("pursuer", "evader")
+from matrixworld.world.policy import Team, TeamPolicy, check_team
 
 _MOST_BYTES = 2**34
 """What is refused where nobody knows how much memory there is."""

@@ -12,7 +12,7 @@ from matrixworld import _core
 from matrixworld._util.checks import check_choice, shown
 from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CAREFUL, SCRIPTS
+from matrixworld.world.policy import CAREFUL, SCRIPTS, Team
 from matrixworld.world.rules import Action, Capture
 
 Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
@@ -45,9 +45,7 @@ def check_script(name: str, player: str, config: WorldConfig) -> None:
         )
 
 
-def forbidding_cells(
-    config: WorldConfig, mask: str, team: Literal["pursuer", "evader"]
-) -> NDArray[np.intp]:
+def forbidding_cells(config: WorldConfig, mask: str, team: Team) -> NDArray[np.intp]:
     """Return which numbers of a view forbid each move: indices (n_actions - 1, k) of a flat view.
 
     A move is forbidden where one of its k numbers is 1; a number may be named twice.

@@ -16,6 +16,10 @@ from matrixworld._util.checks import check_bool, check_choice, check_integer, ch
 from matrixworld._util.readable import Readable
 from matrixworld.world.config import WorldConfig
 
+Team: TypeAlias = Literal["pursuer", "evader"]
+
+TEAMS: tuple[Team, Team] = ("pursuer", "evader")
+
 Script: TypeAlias = Literal[
     "random",
     "still",
