@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -31,12 +32,12 @@ from class_submissions import (
 from matrixworld import Network, NetworkPolicy, World, WorldConfig, record_actions
 from matrixworld.classroom import Limits, play_class, save_genome
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
-from matrixworld.classroom.policy_server import MODULES, NOT_CONFINED
+from matrixworld.classroom.policy_server import FUNCTIONS, MODULES, NOT_CONFINED
 from matrixworld.classroom.results import ClassResult
 from matrixworld.classroom.round_robin import MatchPool, admit
 from matrixworld.classroom.sandbox import ALLOWED
 from matrixworld.classroom.submissions import Entry, Refusal, Submission
-from matrixworld.coevolution import TEAMS
+from matrixworld.coevolution import TEAMS, Progress, Team
 from matrixworld.play.rollout import match_seed
 from scripts import wait_until
 from slow import quickly
@@ -277,6 +278,20 @@ def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
     assert refused == {"endless", "writes", "forks", "memory", "kills"}
     assert mark.stat().st_size == 100
     assert processes_of_programs() == []
+
+
+def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
+    write_programs(tmp_path, honest_programs(4))
+
+    def interrupt(progress: Progress) -> None:
+        if progress.what == "round robin":
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        small(tmp_path, threads=2, progress=lambda unit: contextlib.nullcontext(interrupt))
+    wait_until(lambda: not processes_of_programs(), "end of all programs", 5.0)
+    with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads
+        assert pool.submit(int).result() == 0
 
 
 @pytest.mark.slow
@@ -531,3 +546,22 @@ def test_numbers_of_system_calls_are_those_of_linux(column: int) -> None:
     assert {name: int(numbers[name]) for name in ALLOWED} == {
         name: row[column] for name, row in ALLOWED.items()
     }
+
+
+def test_names_that_look_alike_are_students_of_their_own(tmp_path: Path) -> None:
+    names = ["Ann\x07", "Ann\x08", "Bo  Lee", "Bo Lee", "c\udcff", "d" * 70 + "1", "d" * 70 + "2"]
+    for name in names:
+        (tmp_path / name).mkdir()
+        write_genomes(tmp_path / name, 1)
+    result = small(tmp_path)
+    assert result.refusals == ()
+    shown = [each.name for each in result.entries["pursuer"] if each.file]
+    begins = [r"Ann\x07 #", r"Ann\x08 #", "Bo Lee #", "Bo Lee", r"c\udcff #", "d" * 60 + " #"]
+    assert all(map(str.startswith, shown, [*begins, begins[-1]]))
+    assert len(set(shown)) == len(names)
+
+
+@pytest.mark.parametrize("team", TEAMS)
+def test_a_program_for_one_team_enters_that_team_only(pool: MatchPool, team: Team) -> None:
+    [entry], refusals = admitted(pool, f"def {FUNCTIONS[team]}(view, rng):\n    return 0\n")
+    assert (entry.team, refusals) == (team, [])
