@@ -113,6 +113,11 @@ class Fails(HillClimber):
         super().tell(fitness)
 
 
+class Exits(HillClimber):
+    def ask(self, rng):
+        raise SystemExit
+
+
 class Crash(Fixed):
     """It fails in every call of sample."""
 

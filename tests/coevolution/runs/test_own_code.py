@@ -8,6 +8,7 @@ import pytest
 from matrixworld.coevolution import (
     TEAMS,
     OwnOpponents,
+    PluginError,
     resume,
     start,
 )
@@ -83,4 +84,11 @@ def test_an_error_in_a_learner_is_raised_as_it_is(tmp_path):
     if sys.version_info >= (3, 11):
         assert caught.value.__notes__ == [f"in stage 1 of the run {tmp_path / 'run'}"]
     # The files hold the last finished stage, as after any other error.
+    assert resume(tmp_path / "run").stage == 0
+
+
+def test_a_learner_that_exits_does_not_end_the_program(tmp_path):
+    run = start(tiny_race(learner="own_code:Exits"), tmp_path / "run", threads=1)
+    with pytest.raises(PluginError, match="called exit"):
+        run.run()
     assert resume(tmp_path / "run").stage == 0

@@ -26,6 +26,7 @@ from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
+from matrixworld.coevolution.own_code import PluginError
 from matrixworld.coevolution.progress import OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches, training_matches
 from matrixworld.coevolution.schedules import Schedule
@@ -208,6 +209,9 @@ class Run(ABC):
             while self.stage < self.n_stages:
                 try:
                     self.learn(self.stage)
+                except SystemExit as error:  # it would end the program without a word
+                    where = f"stage {self.stage + 1} of the run {self.files.path}"
+                    raise PluginError(f"{where}: code of your own called exit") from error
                 except Exception as error:
                     if sys.version_info >= (3, 11):
                         error.add_note(f"in stage {self.stage + 1} of the run {self.files.path}")
