@@ -100,7 +100,7 @@ ACCEPTED = {
     },
     **{
         (kind, f"{team}s_meet", "a dict"): "the default one"
-        for kind in ("Alternating", "HallOfFame")
+        for kind in ("Alternating", "Simultaneous")
         for team in ("pursuer", "evader")
     },
     ("Against", "opponent", "text with a null"): "read when the run starts",

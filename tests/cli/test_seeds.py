@@ -10,8 +10,8 @@ import pytest
 
 from command_line import MAIN_JOB, RACE, WORLD, evolved, words
 from matrixworld.coevolution import finish
-from matrixworld.coevolution.groups import find_runs
 from matrixworld.coevolution.jobs import open_job
+from matrixworld.coevolution.storage import find_runs
 from scripts import group_lives, wait_until
 from tiny_race import results, tiny_race
 

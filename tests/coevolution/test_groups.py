@@ -10,8 +10,9 @@ from matrixworld._util.files import json_digest, load_json, save_json
 from matrixworld.analysis import judge
 from matrixworld.coevolution import RaceSettings, SavedRun, finish, open_runs, score, start
 from matrixworld.coevolution.evaluation.scores import estimates_of, kept_scores
-from matrixworld.coevolution.groups import find_runs, job_directory, open_groups
+from matrixworld.coevolution.groups import job_directory, open_groups
 from matrixworld.coevolution.jobs import job_of, save_job
+from matrixworld.coevolution.storage import find_runs
 from tiny_race import StopAt, tiny_race, tiny_single
 
 FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")

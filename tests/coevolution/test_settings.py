@@ -11,9 +11,9 @@ import matrixworld as mw
 from matrixworld.coevolution import (
     Against,
     Alternating,
-    HallOfFame,
     PolicySettings,
     RaceSettings,
+    Simultaneous,
 )
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, DrawnOpponents, MetaOpponents
@@ -104,7 +104,7 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
 
 
 def test_a_text_stands_for_a_section():
-    assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=HallOfFame())
+    assert RaceSettings(schedule="hall-of-fame") == RaceSettings(schedule=Simultaneous())
     alternating = Alternating(pursuers_meet="latest", evaders_meet="round-robin")
     assert alternating.pursuers_meet == DrawnOpponents(rule="latest")
     assert RaceSettings(schedule="alternating").schedule.evaders_meet == DrawnOpponents()

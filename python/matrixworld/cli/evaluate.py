@@ -35,7 +35,8 @@ from matrixworld.coevolution.evaluation.scores import (
     score_table,
 )
 from matrixworld.coevolution.evaluation.tournament import team_size
-from matrixworld.coevolution.groups import RunGroup, find_runs
+from matrixworld.coevolution.groups import RunGroup
+from matrixworld.coevolution.storage import find_runs
 
 ALL = "all"
 LEGEND = (

@@ -47,7 +47,7 @@ from matrixworld.cli.setting_options import (
 )
 from matrixworld.coevolution import Progress, RaceSettings, SavedRun
 from matrixworld.coevolution.evaluation.scores import kept_scores
-from matrixworld.coevolution.groups import RunGroup, find_runs, grouped, place_in_job
+from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.jobs import (
     Job,
     check_job,
@@ -59,7 +59,7 @@ from matrixworld.coevolution.jobs import (
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
 from matrixworld.coevolution.sections import kinds_in
-from matrixworld.coevolution.storage import check_empty
+from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE

@@ -18,9 +18,10 @@ from matrixworld.cli.options import check_outputs, integer, options, write_json
 from matrixworld.cli.runs import finished_groups, print_missing
 from matrixworld.cli.setting_options import option_of, usage_errors
 from matrixworld.coevolution import Alternating, RaceSettings
-from matrixworld.coevolution.groups import RunGroup, find_runs
+from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import HALL_OF_FAME, PSRO, RaceSchedule, Yoked
 from matrixworld.coevolution.sections import values_of
+from matrixworld.coevolution.storage import find_runs
 from matrixworld.coevolution.types import TEAMS
 
 FILES = (".csv", ".npz")

@@ -16,8 +16,8 @@ from matrixworld.cli.options import check_outputs, given_options, option_name, o
 from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
-from matrixworld.coevolution.groups import find_runs
 from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.coevolution.storage import find_runs
 from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number

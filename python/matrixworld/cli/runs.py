@@ -11,14 +11,9 @@ import click
 
 from matrixworld.cli.console import command, note, print_wrapped
 from matrixworld.coevolution import SavedRun
-from matrixworld.coevolution.groups import (
-    RunGroup,
-    find_runs,
-    grouped,
-    job_directory,
-    open_groups,
-)
+from matrixworld.coevolution.groups import RunGroup, grouped, job_directory, open_groups
 from matrixworld.coevolution.jobs import JOB
+from matrixworld.coevolution.storage import find_runs
 
 MOST_NAMES = 5
 """Most runs that a message names."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -27,16 +26,10 @@ from matrixworld.analysis import (
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.jobs import JOB, open_job
-from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, PSRO, SCHEDULES
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.storage import SavedRun, run_directories
+from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
 from matrixworld.coevolution.types import TEAMS, Team
 
-# From the newest opponents only to those of all generations: the generalists are the last schedule.
-ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], PSRO, ALTERNATING]
-"""The order in which the runs of one job are played and shown."""
-SEED = re.compile(r"seed-(\d+)")
-"""Names of the directories of a job's runs."""
 OF_ONE_TEAM = ("capture_rate", "length")
 
 
@@ -229,27 +222,6 @@ def _inside(path: Path, root: Path) -> Path:
 
 
 # Directories of jobs:
-
-
-def find_runs(path: Path) -> list[Path]:
-    """Return `path` if it is a run directory, else the run directories one or two levels below.
-
-    They are in the order of their schedules and seeds.
-    """
-    found = run_directories(path)
-    return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
-
-
-def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
-    """Return a sort key for the runs of one job, by the names of their directories."""
-    return tuple(map(_place, PurePath(name).parts))
-
-
-def _place(name: str) -> tuple[int, int, str]:
-    # seed-2 comes before seed-10.
-    seed = SEED.fullmatch(name)
-    schedule = ORDER.index(name) if name in ORDER else len(ORDER)
-    return schedule, int(seed[1]) if seed else -1, name
 
 
 def job_directory(path: Path) -> Path | None:

@@ -326,7 +326,7 @@ class Yoked(Alternating):
 
 @documented
 @dataclass(frozen=True)
-class HallOfFame(RaceSchedule):
+class Simultaneous(RaceSchedule):
     """Both teams learn at the same time, from living opponents and a hall of fame."""
 
     kind: ClassVar[str] = "hall-of-fame"
@@ -417,7 +417,7 @@ SCHEDULES: dict[str, Alternating] = {
     for name, samplers in PAPER.items()
 }
 """The paper's schedules by name."""
-ALTERNATING, HALL_OF_FAME = Alternating.kind, HallOfFame.kind
+ALTERNATING, HALL_OF_FAME = Alternating.kind, Simultaneous.kind
 ALL_SCHEDULES = (*SCHEDULES, PSRO, ALTERNATING, HALL_OF_FAME)
 """Names of all schedules of races."""
 

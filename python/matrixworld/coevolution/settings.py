@@ -28,7 +28,7 @@ from matrixworld.coevolution.schedules import (
     SCHEDULES,
     Against,
     Alternating,
-    HallOfFame,
+    Simultaneous,
     Yoked,
 )
 from matrixworld.coevolution.sections import (
@@ -183,7 +183,7 @@ class RaceSettings(Section):
         EvolutionStrategySettings(),
         f"how teams learn: {', '.join(kinds_in(BuiltInLearner))} or module:object",
     )
-    schedule: Alternating | HallOfFame | Against | Yoked = setting(
+    schedule: Alternating | Simultaneous | Against | Yoked = setting(
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
@@ -386,7 +386,7 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     genome, teams = 4 * settings.network.genome_size, len(settings.learning_teams)
     archives = 2 if isinstance(schedule, Yoked) else 1
     # Both teams of a hall-of-fame race meet each other and their own samples of the archive.
-    extra = schedule.hall_sample if isinstance(schedule, HallOfFame) else 0
+    extra = schedule.hall_sample if isinstance(schedule, Simultaneous) else 0
     episodes = population * (schedule.opponents_met + extra) * settings.match_episodes
     pairs = schedule.entries**2 if settings.is_race else 1
     needed = {

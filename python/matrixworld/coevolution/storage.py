@@ -29,11 +29,12 @@ from __future__ import annotations
 import csv
 import io
 import os
+import re
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -54,7 +55,13 @@ from matrixworld._util.files import (
     save_arrays,
     save_json,
 )
-from matrixworld.coevolution.schedules import Against
+from matrixworld.coevolution.schedules import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    PSRO,
+    SCHEDULES,
+    Against,
+)
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, Team
@@ -70,6 +77,11 @@ FORMAT = 9
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 
+# From the newest opponents only to those of all generations: the generalists are the last schedule.
+ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], PSRO, ALTERNATING]
+"""The order in which the runs of one job are played and shown."""
+SEED = re.compile(r"seed-(\d+)")
+"""Names of the directories of a job's runs."""
 
 COLUMNS: dict[str, type] = {
     "stage": int,
@@ -401,19 +413,34 @@ def last_generation(directory: str | Path, team: Team) -> Population:
     return last
 
 
-def run_directories(path: Path) -> list[Path]:
-    """Return `path` if it is a run directory, else the run directories one or two levels below."""
+def find_runs(path: Path) -> list[Path]:
+    """Return `path` if it is a run directory, else the run directories one or two levels below.
+
+    They are in the order of their schedules and seeds.
+    """
     # config.json is the last file of a new run: without it the run was not completely created.
     if (path / CONFIG).is_file():
         return [path]
     found = [file.parent for file in path.glob(f"*/{CONFIG}")]
     # A response to a champion lies in its run, and is no run of the job.
-    nested = [file.parent for file in path.glob(f"*/*/{CONFIG}") if file.parents[1] not in found]
-    return [*found, *nested]
+    found += [file.parent for file in path.glob(f"*/*/{CONFIG}") if file.parents[1] not in found]
+    return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
+
+
+def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
+    """Return a sort key for the runs of one job, by the names of their directories."""
+    return tuple(map(_place, PurePath(name).parts))
+
+
+def _place(name: str) -> tuple[int, int, str]:
+    # seed-2 comes before seed-10.
+    seed = SEED.fullmatch(name)
+    schedule = ORDER.index(name) if name in ORDER else len(ORDER)
+    return schedule, int(seed[1]) if seed else -1, name
 
 
 def open_runs(directory: str | Path) -> list[SavedRun]:
-    """Return the finished runs of a job, or of any directory, by name and then by seed.
+    """Return the finished runs of a job, or of any directory, by schedule and seed.
 
     Parameters
     ----------
@@ -426,11 +453,10 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
     FileNotFoundError
         If the directory holds no run; other errors are those of `open_run`.
     """
-    paths = run_directories(Path(directory))
+    paths = find_runs(Path(directory))
     if not paths:
         raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
-    runs = [open_run(path) for path in paths if SavedRun(path).finished]
-    return sorted(runs, key=lambda run: (run.path.parent, run.settings.seed, run.path))
+    return [open_run(path) for path in paths if SavedRun(path).finished]
 
 
 # Writing:

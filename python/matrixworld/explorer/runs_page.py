@@ -28,7 +28,7 @@ from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.analysis.words import headline_numbers
-from matrixworld.coevolution.schedules import Against, HallOfFame, Yoked, curve_window
+from matrixworld.coevolution.schedules import Against, Simultaneous, Yoked, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -280,7 +280,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
     many ``epochs``; ``window`` has the points of a moving average.
     """
     learner = (log["team"] == "evader").astype(int)
-    if isinstance(settings.schedule, HallOfFame):
+    if isinstance(settings.schedule, Simultaneous):
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)

@@ -17,7 +17,7 @@ from matrixworld import plots
 from matrixworld.analysis import headline
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.schedules import Against, HallOfFame, curve_window
+from matrixworld.coevolution.schedules import Against, Simultaneous, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 
@@ -96,12 +96,12 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
     shown, kept = "pursuers and evaders learn in turn", np.ones(len(evaders), bool)
     if isinstance(schedule, Against):
         shown = f"{schedule.team}s learn"
-    elif isinstance(schedule, HallOfFame):
+    elif isinstance(schedule, Simultaneous):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         shown, kept = "both teams learn", ~evaders
     return plots.training_curve(
         log["capture_rate"][kept],
-        None if isinstance(schedule, HallOfFame) else evaders,
+        None if isinstance(schedule, Simultaneous) else evaders,
         generations=None if isinstance(schedule, Against) else log["generation"][kept],
         window=curve_window(schedule),
         title=_title(group, f"Capture rate while {shown}"),

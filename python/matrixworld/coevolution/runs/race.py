@@ -25,9 +25,9 @@ from matrixworld.coevolution.opponents import ArchiveSampler
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.schedules import (
     Alternating,
-    HallOfFame,
     RaceSchedule,
     Schedule,
+    Simultaneous,
     Yoked,
     available,
 )
@@ -257,8 +257,8 @@ class HallOfFameRace(Race):
     coevolution", Evolutionary Computation 5(1).
     """
 
-    schedule: HallOfFame
-    schedule_class: ClassVar[type[Schedule]] = HallOfFame
+    schedule: Simultaneous
+    schedule_class: ClassVar[type[Schedule]] = Simultaneous
     stages_per_generation: ClassVar[int] = 1
 
     def learn(self, stage: int) -> None:

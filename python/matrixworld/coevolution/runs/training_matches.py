@@ -22,7 +22,7 @@ from matrixworld.coevolution.fitness import (
     shared_fitness,
 )
 from matrixworld.coevolution.opponents import ArchiveSampler, OpponentSampler
-from matrixworld.coevolution.schedules import Against, HallOfFame, available
+from matrixworld.coevolution.schedules import Against, Simultaneous, available
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import Row
@@ -267,10 +267,10 @@ def training_matches(
         stages = schedule.entries - 1
         matches = schedule.epochs * learner.population + stages * learner.elite_matches
         return matches * settings.match_episodes
-    living = schedule.contemporaries if isinstance(schedule, HallOfFame) else 0
+    living = schedule.contemporaries if isinstance(schedule, Simultaneous) else 0
     matches = 0
     for team, k in product(TEAMS, range(1, schedule.entries)):
-        archived = k if isinstance(schedule, HallOfFame) else available(team, k)
+        archived = k if isinstance(schedule, Simultaneous) else available(team, k)
         sampled = min(schedule.sampled_opponents, archived)
         # A match of two living individuals counts for both teams, and here for the pursuers.
         met = sampled + (living if team == "pursuer" else 0)
