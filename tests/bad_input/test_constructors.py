@@ -31,9 +31,12 @@ MALFORMED = {
     "an object": object(),
     "text with a null": "\0",
     "a NumPy bool": np.True_,
+    "a set": {1},
+    "a masked array": np.ma.array([0.5, 1.0], mask=[False, True]),
 }
 
 TEAM = mw.Population(GENOME, NETWORK)
+NOISE = coevolution.NoiseTable(2, np.random.default_rng(0), sigma=0.1)
 MATCH = mw.Matches.of(0, 0, 0)
 EPISODE = random_walks(steps=3)
 MONITOR = mw.SafetyMonitor()
@@ -80,6 +83,22 @@ CALLS = [
     partial(coevolution.RaceSettings, **vars(tiny_race())),
     *(partial(type(each), **vars(each)) for each in SECTIONS if isinstance(each, Section)),
     partial(coevolution.start, settings=tiny_race(), directory="new", threads=1),
+    partial(coevolution.evolve, settings=tiny_race(), directory="new", threads=1),
+    partial(coevolution.check_learner, learner=coevolution.CmaEs, settings={"sigma": 0.1}),
+    partial(coevolution.check_sampler, sampler=coevolution.opponents.Uniform, count=1),
+    partial(coevolution.available, team="pursuer", k=1),
+    partial(coevolution.competitive_sharing, wins=[[1.0]]),
+    partial(coevolution.reduced_virulence, wins=[1.0], virulence=1.0),
+    partial(coevolution.NoiseTable, size=2, rng=np.random.default_rng(0), sigma=0.1),
+    partial(
+        coevolution.EvolutionStrategy, genome=[0.0, 0.0], noise=NOISE, samples=2,
+        learning_rate=0.1, relative_sigma=0.0,
+    ),
+    partial(
+        coevolution.GeneticAlgorithm, population=np.zeros((3, 2)), noise=NOISE, tournament=2,
+        truncation=0.5, elites=1, crossover=0.5,
+    ),
+    partial(coevolution.CmaEs, genome=[0.0, 0.0], sigma=0.1, samples=4),
     partial(coevolution.tournament, **TEAMS, seed=0, episodes=1, threads=1),
     partial(
         coevolution.score_policy, policy=TEAM, team="pursuer", config=CONFIG, episodes=2,
@@ -103,6 +122,7 @@ ACCEPTED = {
         for kind in ("Alternating", "Simultaneous")
         for team in ("pursuer", "evader")
     },
+    ("competitive_sharing", "wins", "an unhashable list"): "no opponents",
     ("Against", "opponent", "text with a null"): "read when the run starts",
     ("Against", "start", "text with a null"): "read when the run starts",
     ("ActorCriticSettings", "device", "text with a null"): "read when the run starts",

@@ -290,10 +290,16 @@ def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp
 
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
-    monkeypatch.setattr("matrixworld._util.checks.available_memory", lambda: 300_000_000)
-    monkeypatch.setattr(jobs, "run_memory", lambda settings: {"all": 10**8})
+    for module in ("_util.checks", "coevolution.settings"):
+        monkeypatch.setattr(f"matrixworld.{module}.available_memory", lambda: 300_000_000)
+    for module in ("jobs", "settings"):
+        place = f"matrixworld.coevolution.{module}.run_memory"
+        monkeypatch.setattr(place, lambda settings: {"candidates": 10**8})
     check_job(job_of(SETTINGS), tmp_path, 2)
-    with pytest.raises(ValueError, match="5 runs at one time: expected to need at most 0.3 GB"):
+    with pytest.raises(
+        ValueError,
+        match=r"^5 runs .* 0\.6 of this would fit, with less pol",
+    ):
         check_job(job_of(SETTINGS), tmp_path, 3)
     check_job(job_of(SETTINGS), tmp_path, None, elsewhere=True)
 

@@ -10,7 +10,7 @@ import inspect
 import operator
 import os
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Set
 from difflib import get_close_matches
 from functools import cache
 from math import ceil
@@ -50,6 +50,7 @@ def shown(value: object) -> str:
         text = repr(value.item() if isinstance(value, np.generic) else value)
     except ValueError:  # Python does not write integers of thousands of digits
         return f"a very large {type(value).__name__}"
+    text = re.sub(r"\n\s*", " ", text)  # arrays are written in several lines
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
@@ -95,12 +96,32 @@ def check_number(
     return number
 
 
-def check_floats(name: str, given: ArrayLike, dtype: type[np.floating[Any]]) -> NDArray[Any]:
-    """Return numbers as a new array of a float dtype; ValueError or TypeError if that fails."""
+def check_floats(
+    name: str, given: ArrayLike, dtype: type[np.floating[Any]] = np.float64
+) -> NDArray[Any]:
+    """Return real numbers as a new array of a float dtype.
+
+    TypeError or ValueError for text, complex numbers, rows of different lengths, masked cells, and
+    what has no order, such as a set.
+    """
+    expected = f"{name}: expected an array of numbers, got"
+    if isinstance(given, Set | Mapping):
+        raise TypeError(f"{expected} {shown(given)}")
     try:
-        return np.array(given, dtype)
+        array = np.asarray(given)
+        # What a mask hides is no number, and `asarray` returns it.
+        mask = False if array is given else np.ma.getmask(np.ma.asarray(given))
+        kept = np.array(array, dtype) if array.dtype.kind in "biufO" else None
     except OverflowError:
         raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{expected} {shown(given)}") from None
+    if np.any(mask):
+        where = ", ".join(map(str, np.argwhere(mask)[0]))
+        raise ValueError(f"{expected} a masked cell at ({where})")
+    if kept is None:
+        raise TypeError(f"{expected} {shown(given)}")
+    return kept
 
 
 def check_bool(name: str, value: Any) -> bool:
@@ -111,9 +132,18 @@ def check_bool(name: str, value: Any) -> bool:
 
 
 def check_instance(name: str, value: Any, kind: type) -> None:
-    """Raise TypeError unless an argument is an instance of a type that `matrixworld` exports."""
+    """Raise TypeError unless an argument is an instance of a type."""
     if not isinstance(value, kind):
-        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {shown(value)}")
+        # numpy.random.Generator is of numpy.random._generator, such as others.
+        place = re.sub(r"^(matrixworld)\b.*|\._.*", r"\1", kind.__module__)
+        raise TypeError(f"{name}: expected a {place}.{kind.__name__}, got {shown(value)}")
+
+
+def check_sequence(name: str, value: Any, of: str) -> tuple[Any, ...]:
+    """Return the items of an argument in their order; TypeError for a text, a mapping or a set."""
+    if not isinstance(value, Iterable) or isinstance(value, str | bytes | Mapping | Set):
+        raise TypeError(f"{name}: expected a sequence of {of}, got {shown(value)}")
+    return tuple(value)
 
 
 def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.checks import check_floats, check_number
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 
 if TYPE_CHECKING:
@@ -124,7 +125,7 @@ def competitive_sharing(wins: ArrayLike) -> FloatArray:
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
     # Not only zeros and ones: a mean over episodes is a share of a win.
-    matrix = np.asarray(wins, dtype=np.float64)
+    matrix = check_floats("wins", wins)
     if matrix.ndim != 2 or not ((matrix >= 0.0) & (matrix < np.inf)).all():
         raise ValueError(f"wins: expected (n, m) numbers >= 0, got shape {matrix.shape}: {matrix}")
     # An opponent that no individual beats is worth nothing, and would divide by zero.
@@ -152,11 +153,10 @@ def reduced_virulence(wins: ArrayLike, virulence: float) -> FloatArray:
     Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing parasite
     virulence", Evolutionary Computation 12(2).
     """
-    values = np.asarray(wins, dtype=np.float64)
+    values = check_floats("wins", wins)
+    check_number("virulence", virulence, least=LEAST_VIRULENCE, most=1.0)
     if values.ndim != 1 or not ((values >= 0.0) & (values < np.inf)).all():
         raise ValueError(f"wins: expected (n,) numbers >= 0, got shape {values.shape}: {values}")
-    if not LEAST_VIRULENCE <= virulence <= 1.0:
-        raise ValueError(f"virulence: expected {LEAST_VIRULENCE} to 1, got {virulence}")
     best = values.max(initial=0.0)
     share = (values / best if best > 0.0 else values) / virulence
     fitness: FloatArray = 2.0 * share - share * share

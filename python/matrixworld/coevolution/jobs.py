@@ -39,7 +39,7 @@ from pathlib import Path
 from typing import Any
 
 from matrixworld._util import HAS_PROCESSES
-from matrixworld._util.checks import check_instance, check_memory, check_threads, shown
+from matrixworld._util.checks import check_instance, check_threads, shown
 from matrixworld._util.files import DamagedFileError, locked, save_json
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
 from matrixworld.coevolution.runs import check_own_code, finish
@@ -47,7 +47,7 @@ from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_repl
 from matrixworld.coevolution.runs.run import check_same
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.schedules import Yoked
-from matrixworld.coevolution.settings import RaceSettings, run_memory
+from matrixworld.coevolution.settings import RaceSettings, check_run_memory, run_memory
 from matrixworld.coevolution.storage import (
     LOCK,
     OtherVersionError,
@@ -84,7 +84,10 @@ def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSe
     Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
     settings, or a name is not the path of a directory.
     """
-    given = [settings] if isinstance(settings, RaceSettings) else settings
+    given: Any = [settings] if isinstance(settings, RaceSettings) else settings
+    if not isinstance(given, Sequence | Mapping):  # a set has no order
+        expected = "RaceSettings, or a sequence or mapping of them"
+        raise TypeError(f"settings: expected {expected}, got {shown(given)}")
     each_named = given.items() if isinstance(given, Mapping) else [(None, each) for each in given]
     runs: dict[str, RaceSettings] = {}
     names: dict[RaceSettings, str] = {}
@@ -279,8 +282,8 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     """
     left = {n: each for n, each in job.items() if not _finished(root, n)}
     at_once = 1 if elsewhere else shares(len(left), threads)[0]
-    needs = sorted((sum(run_memory(each).values()) for each in left.values()), reverse=True)
-    check_memory(f"{at_once} runs at one time" if at_once > 1 else "run", runs=sum(needs[:at_once]))
+    largest = sorted(left.values(), key=lambda each: -sum(run_memory(each).values()))[:at_once]
+    check_run_memory(f"{at_once} runs at one time" if at_once > 1 else "run", largest)
     # Seeds make no difference here, and a job may have a thousand.
     for method in dict.fromkeys(each.method for each in left.values()):
         check_own_code(method)

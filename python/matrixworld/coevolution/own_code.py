@@ -25,7 +25,7 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from matrixworld._util.checks import shown
+from matrixworld._util.checks import check_integer, shown
 from matrixworld.coevolution.types import State
 
 PATH = re.compile(r"[^\W\d]\w*(\.[^\W\d]\w*)*:[^\W\d]\w*(\.[^\W\d]\w*)*")
@@ -79,6 +79,8 @@ def find(code: Code, what: str) -> Callable[..., Any]:
     Raises ValueError if there is no such module or object, PluginError if the module itself fails.
     """
     if not isinstance(code, str):
+        if not callable(code):
+            raise TypeError(f"{what}: expected a class or function, or its name, got {shown(code)}")
         return code
     module, _, attribute = code.partition(":")
     # An installed command looks for modules where it lies itself, not where the user is.
@@ -184,6 +186,7 @@ def check_learner(
     >>> coevolution.check_learner(coevolution.CmaEs, {"sigma": 0.1})
     """
     own = check_own_settings("settings", settings or {})
+    check_integer("samples", samples, 1)
     genomes, target = np.random.default_rng(0).normal(size=(2, samples, GENES)).astype(np.float32)
 
     def new() -> Any:
@@ -242,6 +245,7 @@ def check_sampler(
     >>> coevolution.check_sampler(coevolution.opponents.Prioritized, {"decay": 0.9})
     """
     own = check_own_settings("settings", settings or {})
+    check_integer("count", count, 1)
 
     def step(part: Any, epoch: int) -> list[np.ndarray[Any, Any]]:
         rng = np.random.default_rng([0, epoch])

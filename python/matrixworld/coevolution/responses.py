@@ -11,6 +11,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.checks import check_choice, check_instance, shown
 from matrixworld._util.files import save_json
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis import response_gain
@@ -22,7 +23,7 @@ from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.settings import PolicySettings, RaceSettings
 from matrixworld.coevolution.storage import SavedRun
-from matrixworld.coevolution.types import FloatArray, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Team, other
 from matrixworld.world.policy import Population
 from matrixworld.world.rules import Rewards
 
@@ -102,6 +103,8 @@ def best_responses(
         the directory holds runs of other settings or against another champion. Other errors are
         those of `evolve`.
     """
+    if not isinstance(runs, Mapping):
+        raise TypeError(f"runs: expected runs by name, got {shown(runs)}")
     settings = {n: response_settings(run, team, matches, **changes) for n, run in runs.items()}
     found = evolve(settings, directory, executor=executor, threads=threads, report=report)
     pairs = zip(runs.items(), found, strict=True)
@@ -137,6 +140,8 @@ def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -
     in matches allows. Training episodes are not longer than evaluation episodes. All other settings
     have their defaults, or the values in `changes`. Of a schedule only `archive_every` counts.
     """
+    check_choice("team", team, TEAMS)
+    check_instance("runs", run, SavedRun)
     path, policy = run.path, run.settings.policy
     if isinstance(run.teams[team], str):
         raise ValueError(f"team: expected one that learned in {path}, got {team!r}")

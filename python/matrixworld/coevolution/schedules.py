@@ -29,7 +29,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
-from matrixworld._util.checks import check_integer
+from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.opponents import OpponentSampler
@@ -439,6 +439,7 @@ def available(team: Team, k: int) -> int:
     k : int
         The generation that it learns, at least 1: generation 0 is untrained.
     """
-    check_integer("generation", k, 1)
+    check_choice("team", team, TEAMS)
+    check_integer("k", k, 1)
     # The pursuers learn first, so the evaders can play against generation k already.
     return k if team == "pursuer" else k + 1

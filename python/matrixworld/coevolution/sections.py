@@ -27,6 +27,7 @@ from matrixworld._util.checks import (
     check_instance,
     check_integer,
     check_number,
+    check_sequence,
     shown,
 )
 from matrixworld.coevolution.own_code import PATH, check_own_settings, name_of
@@ -184,9 +185,7 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
     if get_origin(hint) is tuple:
         if isinstance(value, int) and not isinstance(value, bool):
             value = (value,)  # a single layer
-        if not isinstance(value, Iterable) or isinstance(value, str | bytes | Mapping):
-            raise TypeError(f"{name}: expected a sequence of ints, got {shown(value)}")
-        return tuple(check_integer(name, size, 1) for size in value)
+        return tuple(check_integer(name, size, 1) for size in check_sequence(name, value, "ints"))
     if get_origin(hint) is Mapping:
         return check_own_settings(name, value)
     if bool in accepted:
@@ -308,6 +307,8 @@ def by_path(values: Mapping[str, Any]) -> dict[str, Any]:
 
     A text that stands for a whole section becomes its kind where parts of it are given, too.
     """
+    if not isinstance(values, Mapping) or not all(isinstance(path, str) for path in values):
+        raise TypeError(f"settings: expected values by name, got {shown(values)}")
     plain: dict[str, Any] = {}
     for path, value in values.items():
         *parents, name = path.split(".")

@@ -5,7 +5,8 @@ The number of threads is not a setting, because results do not depend on it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import Field, dataclass, fields, replace
 from functools import partial
 from inspect import signature
@@ -13,7 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld._util.checks import EPISODE_BYTES
+from matrixworld._util.checks import (
+    EPISODE_BYTES,
+    OutOfMemoryError,
+    available_memory,
+    check_memory,
+)
 from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
 from matrixworld.coevolution.learners import BuiltInLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
@@ -59,6 +65,13 @@ OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5
 alone and from untrained genomes."""
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
+REDUCED = {
+    "candidates": "policy.hidden or learner.population",
+    "archive": "policy.hidden or schedule.generations",
+    "episodes": "schedule.generations or evaluation_episodes",
+    "views": "train_steps or match_episodes",
+}
+"""Which settings make the largest array of a run smaller."""
 COPIES = 4
 """Of candidates: samples or parents and children of both teams. Of views: for actor and critic."""
 
@@ -378,6 +391,21 @@ class RaceSettings(Section):
         for each in values:
             given = merged(cls, given, by_path(each))
         return cls(**given)
+
+
+def check_run_memory(what: str, runs: Sequence[RaceSettings]) -> None:
+    """Raise OutOfMemoryError if runs that are played at one time need more than is available."""
+    parts: Counter[str] = Counter()
+    for each in runs:
+        parts.update(run_memory(each))
+    try:
+        check_memory(what, **parts)
+    except OutOfMemoryError as error:
+        largest = max(parts, key=parts.__getitem__)
+        share = (available_memory() or 0) / parts.total()
+        raise OutOfMemoryError(
+            f"{error}; about {share:.2g} of this would fit, with less {REDUCED[largest]}"
+        ) from error
 
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
@@ -12,7 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_bool, check_choice, check_integer, check_memory, shown
+from matrixworld._util.checks import (
+    check_bool,
+    check_choice,
+    check_integer,
+    check_memory,
+    check_sequence,
+    shown,
+)
 from matrixworld._util.readable import Readable
 from matrixworld.world.config import WorldConfig
 
@@ -156,9 +162,8 @@ class Network:
 
     def __post_init__(self) -> None:
         # Text, bytes and mappings can be iterated over, but hold no sizes.
-        if not isinstance(self.hidden, Iterable) or isinstance(self.hidden, str | bytes | Mapping):
-            raise TypeError(f"hidden: expected a sequence of ints, got {shown(self.hidden)}")
-        sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in self.hidden)
+        given = check_sequence("hidden", self.hidden, "ints")
+        sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in given)
         # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "hidden", sizes)
         object.__setattr__(self, "fov", check_integer("fov", self.fov, 1, _MAX_FOV))

@@ -22,7 +22,7 @@ from matrixworld.coevolution.learners.genetic_algorithm import (
     select_tournament,
     select_truncation,
 )
-from matrixworld.coevolution.learners.learner import Adam, Momentum
+from matrixworld.coevolution.learners.learner import Adam, DivergedError, Momentum
 
 SIZE = 20
 TARGET = np.linspace(-1.0, 1.0, SIZE)
@@ -324,3 +324,16 @@ def test_crowning_changes_the_champion_and_no_offspring():
         # The next epoch has its own champion.
         assert learner.genome == children[-1][-1]
     assert np.array_equal(*children)
+
+
+@pytest.mark.parametrize(("sigma", "advice"), [(1e-160, "larger"), (1e300, "smaller")])
+def test_cma_names_the_direction_of_a_better_sigma(sigma: float, advice: str) -> None:
+    learner = CmaEs(np.zeros(5), sigma=sigma, samples=8)
+
+    def learn() -> None:
+        for epoch in range(300):
+            learner.ask(np.random.default_rng(epoch))
+            learner.tell(np.arange(8.0))
+
+    with pytest.raises(DivergedError, match=f"{advice} sigma"):
+        learn()

@@ -21,6 +21,7 @@ from matrixworld._util.checks import (
     EPISODE_BYTES,
     SEED_MAX,
     check_choice,
+    check_instance,
     check_integer,
     check_memory,
     check_threads,
@@ -370,6 +371,7 @@ def score(
     The world is that of the run. A script that the run trained against is left out, and so are
     evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
+    check_instance("run", run, SavedRun)
     episodes = check_integer("episodes", episodes, 2)
     check_threads(threads)
     world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)

@@ -115,11 +115,7 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         with np.errstate(over="ignore"):
             candidates: Genomes = samples.astype(np.float32)
         if not np.isfinite(candidates).all():
-            raise DivergedError(
-                f"candidates: expected finite genes, got a step size of {self.sigma:g} "
-                f"and deviations along the axes from {self.diagD[0]:g} to "
-                f"{self.diagD[-1]:g}; start with a smaller sigma, or stop earlier"
-            )
+            raise self._diverged()
         # In float64: the covariance adapts to the samples as drawn, not as rounded for the match.
         self._samples = samples
         return candidates
@@ -133,8 +129,19 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
             sample.fitness = float(value)
         # The next `ask` reports a matrix that overflows or is no longer positive.
         with one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            self.update(population)
+            try:
+                self.update(population)
+            except np.linalg.LinAlgError as error:
+                raise self._diverged() from error
         self._samples = self._samples[:0]
+
+    def _diverged(self) -> DivergedError:
+        other = "larger" if self.sigma < 1.0 else "smaller"
+        return DivergedError(
+            f"candidates: expected finite genes, got a step size of {self.sigma:g} and deviations "
+            f"along the axes from {self.diagD[0]:g} to {self.diagD[-1]:g}; start with a {other} "
+            f"sigma, or stop earlier"
+        )
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`: C and B (genes, genes), and a few vectors."""

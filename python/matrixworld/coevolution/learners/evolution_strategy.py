@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_integer, check_number
+from matrixworld._util.checks import check_floats, check_instance, check_integer, check_number
 from matrixworld.coevolution.learners.learner import (
     Adam,
     LearnerSettings,
@@ -94,6 +94,7 @@ class EvolutionStrategy:
         check_number("relative_sigma", relative_sigma, least=0.0)
         if anneal_over is not None:
             check_integer("anneal_over", anneal_over, 1)
+        check_instance("noise", noise, NoiseTable)
         self.genome: Genome = check_floats("genome", genome, np.float32)
         if self.genome.shape != (noise.size,):
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")

@@ -14,7 +14,7 @@ import numpy as np
 from deap import base
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_integer, check_number
+from matrixworld._util.checks import check_floats, check_instance, check_integer, check_number
 from matrixworld.coevolution.learners.learner import (
     MUTATION,
     LearnerSettings,
@@ -139,6 +139,7 @@ class GeneticAlgorithm(Saved):
         check_integer("tournament", tournament, 1)
         check_integer("elites", elites, 0)
         check_number("crossover", crossover, least=0.0, most=1.0)
+        check_instance("noise", noise, NoiseTable)
         self.population: Genomes = check_floats("population", population, np.float32)
         if self.population.ndim != 2 or not 0 <= elites < len(self.population):
             raise ValueError(

@@ -9,7 +9,13 @@ from typing import ClassVar, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_integer, check_number, shown
+from matrixworld._util.checks import (
+    check_floats,
+    check_instance,
+    check_integer,
+    check_number,
+    shown,
+)
 from matrixworld.coevolution.sections import Section, setting
 from matrixworld.coevolution.types import (
     BoolArray,
@@ -179,7 +185,7 @@ def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     """
     if not n:
         raise RuntimeError("tell: expected a call of ask before it, got none")
-    values = np.asarray(fitness, dtype=np.float64)
+    values = check_floats("fitness", fitness)
     if values.shape != (n,):
         raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")
     # One NaN would spread to the whole genome, or be taken for the best.
@@ -225,6 +231,7 @@ class NoiseTable:
         self.size: int = check_integer("size", size, 1)
         self.sigma: float = check_number("sigma", sigma, least=0.0, positive=True)
         self.fixed: BoolArray | None = fixed
+        check_instance("rng", rng, np.random.Generator)
         numbers = size + min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
         self._numbers = rng.standard_normal(numbers, dtype=np.float32)
         with np.errstate(over="ignore"):

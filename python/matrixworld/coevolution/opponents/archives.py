@@ -14,7 +14,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_integer
+from matrixworld._util.checks import check_floats, check_integer
 from matrixworld.coevolution.opponents.samplers import Stateless, check_available
 from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, Members, Saved, State
 
@@ -43,7 +43,7 @@ def checked_payoffs(payoff: PayoffFunction, candidates: Members, tests: Members)
     shape = (len(candidates), len(tests))
     if 0 in shape:
         return np.zeros(shape)
-    values = np.asarray(payoff(candidates, tests), dtype=np.float64)
+    values = check_floats("payoff", payoff(candidates, tests))
     if values.shape != shape:
         raise ValueError(f"payoff: expected an array of shape {shape}, got {values.shape}")
     if not np.isfinite(values).all():

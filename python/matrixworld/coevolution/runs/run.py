@@ -21,7 +21,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from matrixworld._util.checks import check_memory, check_threads
+from matrixworld._util.checks import check_threads
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
@@ -32,7 +32,7 @@ from matrixworld.coevolution.runs.training_matches import TrainingMatches, train
 from matrixworld.coevolution.schedules import Schedule
 from matrixworld.coevolution.sections import different_settings
 from matrixworld.coevolution.seeding import Purpose, keyed_generator, learning_phase, training_seeds
-from matrixworld.coevolution.settings import RaceSettings, run_memory
+from matrixworld.coevolution.settings import RaceSettings, check_run_memory
 from matrixworld.coevolution.storage import SEVERAL, RunWriter, SavedRun
 from matrixworld.coevolution.types import (
     TEAMS,
@@ -108,7 +108,7 @@ class Run(ABC):
         # Everything that can be wrong is checked before the directory is made.
         self.check_settings(settings)
         check_threads(threads)
-        check_memory("run", **run_memory(settings))
+        check_run_memory("run", [settings])
         self.settings: RaceSettings = settings
         self.schedule: Schedule = settings.schedule
         self.files: RunWriter = RunWriter(directory)

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.checks import check_floats
 from matrixworld.analysis.intervals import does_not_vary, t_ends
 from matrixworld.coevolution.evaluation.tournament import team_size
 from matrixworld.coevolution.runs.run import Run
@@ -164,7 +165,7 @@ def check_sources(
         start = population.genomes[0]
     if start is None:
         return policy, None
-    genome, size = np.asarray(start, dtype=np.float32), network.genome_size
+    genome, size = check_floats("start", start, np.float32), network.genome_size
     if genome.shape != (size,) or not np.isfinite(genome).all():
         raise ValueError(f"start: expected {size} finite genes, got shape {genome.shape}")
     return policy, genome
