@@ -162,11 +162,11 @@ def parse_json(path: Path, text: str | bytes) -> dict[str, Any]:
 
 def read_npz(path: Path) -> Arrays:
     """Return the arrays of an npz file, with a checksum or without; DamagedFileError if damaged."""
-    return _parse_npz(path, read_content(path))
+    return parse_npz(path, read_content(path))
 
 
-def _parse_npz(path: Path, content: bytes) -> Arrays:
-    # From memory: the file may be replaced while it is read.
+def parse_npz(path: Path, content: bytes) -> Arrays:
+    """Return the arrays in the content of an npz file, as `read_npz`."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             return {
@@ -272,7 +272,7 @@ def load_arrays(path: Path, *, owner: str = "") -> Arrays:
         raise DamagedFileError(path, "cut or altered, its checksum is missing")
     if seal != _seal(body, owner):
         raise DamagedFileError(path, NO_MATCH)
-    return _parse_npz(path, content)
+    return parse_npz(path, content)
 
 
 def _sealed(archive: bytes, owner: str) -> bytes:

@@ -14,7 +14,7 @@ import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,7 @@ from matrixworld.classroom.policy_server import (
     LONGEST_ERROR,
     NUMBER,
     READY,
+    SETTINGS,
     VIEWS,
     MessageError,
     message,
@@ -67,22 +68,20 @@ class RefusedError(Exception):
         self.team = team
 
 
-class End(NamedTuple):
-    """How a program's process ended: its exit code (-n: by signal n), and its processor time."""
-
-    code: int
-    seconds: float
+class KilledError(RefusedError):
+    """A program's process was killed, perhaps from outside: the match is worth another try."""
 
 
 class PolicyServer:
-    """A process that makes the processes of programs, one after the other.
+    """A process that makes the processes of the two programs of a match.
 
-    Several may start at the same time: `ready` waits until this one is there.
+    Several may start at the same time: `ready` waits until this one is there. A server that was
+    killed is started anew for the next program.
     """
 
     def __init__(self, limits: Limits, trust: bool = False) -> None:
         self.limits, self._trust = limits, trust
-        self._closed = False
+        self._is_lost = self._is_closed = False
         self._start()
 
     def _start(self) -> None:
@@ -102,46 +101,51 @@ class PolicyServer:
         """Wait for the server; return why programs cannot be confined here, empty if they can."""
         try:
             problem: str = self._reply()["problem"]
-        except RefusedError:
+        except KilledError:
             return "the process that starts them has ended"
         return problem
 
     def _reply(self) -> dict[str, Any]:
         reply = self._commands.recv(LONGEST_COMMAND)
         if not reply:
-            raise RefusedError("the process that held the program was ended from outside")
+            raise KilledError("the process that held the program was killed")
         values: dict[str, Any] = json.loads(reply)
         return values
 
-    def connect(self, settings: Mapping[str, Any], seconds: float) -> socket.socket:
+    def _asked(self, command: Mapping[str, Any], *handles: int) -> dict[str, Any]:
+        """Return the reply to a command; KilledError if the server has ended."""
+        try:
+            socket.send_fds(self._commands, [json.dumps(command).encode()], handles)
+            return self._reply()
+        except (OSError, KilledError) as error:
+            self._is_lost = True
+            raise KilledError("the process that held the program was killed") from error
+
+    def connect(self, name: str, seconds: float) -> socket.socket:
         """Return the connection to a new process, which has so many seconds of processor time."""
+        if self._is_lost and not self._is_closed:
+            self._stop()
+            self._start()
+            self.ready()
+            self._is_lost = False
         ours, theirs = socket.socketpair()
         limits = {"seconds": max(1, math.ceil(seconds)), "memory": self.limits.memory}
-        command = json.dumps({"limits": limits, "settings": settings}).encode()
-        try:
-            with theirs:
-                socket.send_fds(self._commands, [command], [theirs.fileno()])
-        except OSError:  # the tournament was interrupted
-            ours.close()
-            raise
+        with theirs:
+            try:
+                self._asked({"name": name, "limits": limits}, theirs.fileno())
+            except KilledError:  # or the tournament was interrupted
+                ours.close()
+                raise
         return ours
 
-    def end(self) -> End:
-        """End the process and return how it ended."""
-        try:
-            self._commands.send(b"end")
-            return End(**self._reply())
-        except (OSError, RefusedError):
-            # The tournament was interrupted, or a trusted program has ended the server.
-            if not self._closed:
-                self._stop()
-                self._start()
-                self.ready()
-            return End(-signal.SIGKILL, 0.0)
+    def end(self, name: str) -> tuple[int, float]:
+        """End a process; return its exit code (-n: by signal n), and its processor time."""
+        end = self._asked({"name": name})
+        return end["code"], end["seconds"]
 
     def close(self) -> None:
         """End the server for good, and with it what it has made."""
-        self._closed = True
+        self._is_closed = True
         self._stop()
 
     def _stop(self) -> None:
@@ -185,10 +189,11 @@ class PolicyProcess:
         self._n_actions: int = settings["n_actions"]
         self.used = Used()
         self._processor, self._clock = rest(server.limits, before)
-        self._connection = server.connect(settings, self._processor.seconds)
-        self._open = True
+        self._connection = server.connect(self._team, self._processor.seconds)
+        self._is_open = True
+        told = message(SETTINGS, json.dumps(settings).encode()) + message(CODE, code)
         with self._ending_on_failure():
-            flags = self._answer(CODE, code, READY, 2)
+            flags = self._answer(told, READY, 2)
         self.functions = flags[0] == 1, flags[1] == 1
 
     def actions(self, numbers: NDArray[Any], views: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -197,8 +202,8 @@ class PolicyProcess:
         The number of an agent is the same in all steps of an episode. All actions are legal.
         """
         with self._ending_on_failure():
-            content = numbers.astype(NUMBER).tobytes() + views.tobytes()
-            chosen = np.frombuffer(self._answer(VIEWS, content, ACTIONS, len(numbers)), np.uint8)
+            asked = message(VIEWS, numbers.astype(NUMBER).tobytes() + views.tobytes())
+            chosen = np.frombuffer(self._answer(asked, ACTIONS, len(numbers)), np.uint8)
             # The program's process checks this, too; but that process is the program's.
             if (chosen >= self._n_actions).any():
                 raise MessageError(f"expected actions below {self._n_actions}")
@@ -210,26 +215,32 @@ class PolicyProcess:
         try:
             yield
         except (TimeoutError, MessageError, EOFError, ConnectionError) as error:
-            raise RefusedError(self._reason(error, self.end()), self._team) from error
+            raise self._refused(error) from error
         except BaseException:
-            self.end()
+            self.close()
             raise
 
-    def _reason(self, error: Exception, end: End) -> str:
-        """Return in words why a process ended that had not finished."""
+    def _refused(self, error: Exception) -> RefusedError:
+        """End a process that had not finished, and return in words why it failed."""
+        try:
+            code = self._end()
+        except KilledError as killed:
+            return KilledError(str(killed), self._team)
         if isinstance(error, TimeoutError):
-            if self.used.clock >= self._clock.seconds:
-                return self._clock.reason
-            return f"no answer within {self._server.limits.wait:g} seconds"
+            wait = f"no answer within {self._server.limits.wait:g} seconds"
+            is_over = self.used.clock >= self._clock.seconds
+            return RefusedError(self._clock.reason if is_over else wait, self._team)
         if isinstance(error, MessageError):
-            return "wrote into the connection of its process"
-        if end.code == -signal.SIGXCPU or end.seconds >= self._processor.seconds:
-            return self._processor.reason
-        if end.code < 0:
-            return f"its process crashed ({signal.Signals(-end.code).name})"
-        return f"ended its own process (exit code {end.code})"
+            return RefusedError("wrote into the connection of its process", self._team)
+        if code == -signal.SIGXCPU or self.used.processor >= self._processor.seconds:
+            return RefusedError(self._processor.reason, self._team)
+        if code == -signal.SIGKILL:
+            return KilledError("its process was killed", self._team)
+        if code < 0:
+            return RefusedError(f"its process crashed ({signal.Signals(-code).name})", self._team)
+        return RefusedError(f"ended its own process (exit code {code})", self._team)
 
-    def _answer(self, asked: bytes, about: bytes, kind: bytes, size: int) -> bytes:
+    def _answer(self, asked: bytes, kind: bytes, size: int) -> bytes:
         """Send a message and return its answer of an exact size; RefusedError with its error."""
         began = time.monotonic()
         wait = min(self._server.limits.wait, self._clock.seconds - self.used.clock)
@@ -241,27 +252,28 @@ class PolicyProcess:
 
         try:
             self._connection.settimeout(max(1e-3, wait))
-            self._connection.sendall(message(asked, about))
+            self._connection.sendall(asked)
             found, content = receive(read, {kind: size, ERROR: LONGEST_ERROR})
         finally:
             self.used = Used(0.0, self.used.clock + time.monotonic() - began)
         if found == ERROR:
-            line = one_line(content.decode(errors="replace"))
+            line = one_line(content.decode(errors="replace")) or "failed without a message"
             short = line if len(line) <= LONGEST_REASON else f"{line[:LONGEST_REASON]} ..."
             raise RefusedError(short, self._team)
         if len(content) != size:
             raise MessageError(f"expected {size} bytes, got {len(content)}")
         return content
 
-    def end(self) -> End:
-        """End the process of the program, and note its processor time."""
-        self._open = False
+    def _end(self) -> int:
+        """End the process of the program, and note its processor time; return its exit code."""
+        self._is_open = False
         self._connection.close()
-        end = self._server.end()
-        self.used = self.used._replace(processor=end.seconds)
-        return end
+        code, seconds = self._server.end(self._team)
+        self.used = self.used._replace(processor=seconds)
+        return code
 
     def close(self) -> None:
         """End the process of the program, if it has not ended."""
-        if self._open:
-            self.end()
+        if self._is_open:
+            with suppress(KilledError):  # the answers of the match are there
+                self._end()

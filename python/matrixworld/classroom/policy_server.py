@@ -2,9 +2,9 @@
 
 The server has imported NumPy, so a fork of it is ready in milliseconds. Of the package it has this
 file and what this file imports; worlds, engine and scripts are not in its memory. It never sees a
-program: that travels from the parent to the fork, after the fork has given up all rights.
-Commands come over a connection, which is the server's standard input. If it ends, because the
-parent has ended in whatever way, the fork is killed and the server ends.
+program nor its seed: these travel from the parent to the fork, after the fork has given up all
+rights. Commands come over a connection, which is the server's standard input. If it ends, because
+the parent has ended in whatever way, the forks are killed and the server ends.
 
 A fork plays one match of one program. It knows what the program's agents see, and nothing else of
 the world: no positions, no opponents, no seeds but its own, from which no other follows.
@@ -39,7 +39,7 @@ from matrixworld.classroom.sandbox import end_with_parent, filter_system_calls, 
 # knows which kinds may come and how long they may be; anything else ends the connection. Nothing is
 # unpickled or evaluated.
 
-CODE, VIEWS = b"C", b"V"  # to the program's process
+SETTINGS, CODE, VIEWS = b"S", b"C", b"V"  # to the program's process
 READY, ACTIONS, ERROR = b"R", b"A", b"E"  # from it
 
 HEAD = struct.Struct("<cI")
@@ -105,24 +105,31 @@ NOT_CONFINED = "files can still be opened in spite of the filter"
 
 
 def main() -> None:
-    """Make processes, one at a time, until the parent ends the connection."""
+    """Start and end processes, each under the name of a team, until the parent has ended."""
     trust = "--trust" in sys.argv
     for name in (*MODULES, *UNNAMED):
         __import__(name)
+    # For `from numpy import *`: the names that are missing here would be imported from files.
+    np.__all__ = [name for name in np.__all__ if name in vars(np)]
     commands = socket.socket(fileno=os.dup(0))
     commands.send(json.dumps({"problem": "" if trust else _problem()}).encode())
     gc.freeze()  # pages that no collection writes to are shared by all forks
+    children: dict[str, int] = {}
     while True:
         command, handles, _, _ = socket.recv_fds(commands, LONGEST_COMMAND, 1)
         if not command:
-            return
-        with socket.socket(fileno=handles[0]) as connection:
-            child = os.fork()
-            if not child:
-                _be_program(connection.fileno(), trust, **json.loads(command))
-        # The next word comes when the match is over; none comes if the parent has ended.
-        commands.recv(LONGEST_COMMAND)
-        commands.send(json.dumps(_ended(child)).encode())
+            break
+        given, reply = json.loads(command), {}
+        if handles:
+            with socket.socket(fileno=handles[0]) as connection:
+                children[given["name"]] = child = os.fork()
+                if not child:
+                    _be_program(connection.fileno(), trust, given["limits"])
+        else:
+            reply = _ended(children.pop(given["name"]))
+        commands.send(json.dumps(reply).encode())
+    for child in children.values():
+        _ended(child)
 
 
 def _ended(child: int) -> dict[str, Any]:
@@ -135,9 +142,7 @@ def _ended(child: int) -> dict[str, Any]:
     return {"code": os.waitstatus_to_exitcode(status), "seconds": used.ru_utime + used.ru_stime}
 
 
-def _be_program(
-    connection: int, trust: bool, limits: Mapping[str, int], settings: Mapping[str, Any]
-) -> None:
+def _be_program(connection: int, trust: bool, limits: Mapping[str, int]) -> None:
     """Give up all rights and play; this process does not return."""
     try:
         os.environ.clear()
@@ -153,7 +158,7 @@ def _be_program(
         set_limits(**limits, files=None if trust else CONNECTION + 1)
         if not trust:
             filter_system_calls()
-        _play(settings, trust)
+        _play(trust)
     finally:
         # Not sys.exit: nothing of the server may be done twice.
         os._exit(0)
@@ -190,9 +195,10 @@ class PolicyError(Exception):
     """A program did not give what it had to give; the text is for its author."""
 
 
-def _play(settings: Mapping[str, Any], trust: bool) -> None:
+def _play(trust: bool) -> None:
     """Load a program and let it play until the parent ends the connection."""
     try:
+        settings = json.loads(_receive(SETTINGS))
         names = _names(_receive(CODE), settings["seed"], __import__ if trust else _import)
         _send(READY, bytes(name in names for name in FUNCTIONS.values()))
         _answer_views(settings, names)
@@ -228,7 +234,10 @@ def _names(code: bytes, seed: int, importing: Callable[..., ModuleType]) -> dict
     # Programs that use the global generators are reproducible, too.
     random.seed(seed)
     np.random.seed(seed % 2**32)  # noqa: NPY002
-    names: dict[str, Any] = {"__name__": "submission", "__file__": FILE}
+    # As a module that is imported, which a dataclass looks for.
+    sys.modules["submission"] = module = ModuleType("submission")
+    names = vars(module)
+    names["__file__"] = FILE
     names["__builtins__"] = {**vars(builtins), "__import__": importing}
     exec(compile(code, FILE, "exec", dont_inherit=True), names)
     return names
@@ -268,23 +277,24 @@ def _callable(name: str, names: Mapping[str, Any], rng: np.random.Generator) -> 
     function = names.get(name)
     if not callable(function):
         raise PolicyError(f"expected a function {name}(view, rng), got none")
-    required = _required(function)
-    if len(required) == 2:
-        return lambda number, view: function(view, rng)
-    if len(required) == 3:
-        memories: dict[int, dict[Any, Any]] = {}
+    signature = inspect.signature(function)
+    memories: dict[int, dict[Any, Any]] = {}
+    plays_with_two = _takes(signature, 2)
+    if _takes(signature, 3) and ("memory" in signature.parameters or not plays_with_two):
         return lambda number, view: function(view, rng, memories.setdefault(number, {}))
+    if plays_with_two:
+        return lambda number, view: function(view, rng)
     expected = f"{name}(view, rng) or {name}(view, rng, memory)"
-    raise PolicyError(f"expected {expected}, got {name}({', '.join(required)})")
+    raise PolicyError(f"expected {expected}, got {name}{signature}")
 
 
-def _required(function: Callable[..., Any]) -> list[str]:
-    """Return the parameters of a function that have no default."""
+def _takes(signature: inspect.Signature, count: int) -> bool:
+    """Return whether a function can be called with so many arguments."""
     try:
-        parameters = inspect.signature(function).parameters.values()
-    except (TypeError, ValueError):  # functions of libraries may tell none
-        return ["view", "rng"]
-    return [each.name for each in parameters if each.default is each.empty]
+        signature.bind(*range(count))
+    except TypeError:
+        return False
+    return True
 
 
 def _action(name: str, value: Any, n_actions: int) -> int:

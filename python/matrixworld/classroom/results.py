@@ -16,7 +16,7 @@ from matrixworld._util.readable import Parts, Readable, Table, plain_values
 from matrixworld.analysis import Estimate
 from matrixworld.analysis.intervals import UNIT, difference_over_episodes, linear_over_episodes
 from matrixworld.classroom.submissions import Entry, Refusal, Votes
-from matrixworld.coevolution.types import SCORE, TEAMS, Team
+from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.explorer.page import render_page
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
@@ -33,26 +33,15 @@ Pair = tuple[int, int]
 class Standing:
     """The place of one entry among those of its team.
 
-    Parameters
-    ----------
-    entry : Entry
-        What played.
-    number : int
-        Its row of the matrix, or its column.
-    score : Estimate
-        Mean payoff against all opponents, with a 95 % interval over episodes: the capture rate of
-        pursuers, one minus it of evaders.
-    ranks : tuple of int, or None
-        The best and the worst rank that it may have among the students; None for a script.
-    best, worst : int
-        The opponents against which its payoff is highest and lowest.
+    The score is the mean payoff against all opponents, with a 95 % interval over episodes: the
+    capture rate of pursuers, one minus it of evaders.
     """
 
     entry: Entry
-    number: int
+    number: int  # its row of the matrix, or its column
     score: Estimate
-    ranks: tuple[int, int] | None
-    best: int
+    ranks: tuple[int, int] | None  # the best and the worst that it may have; None for a script
+    best: int  # the opponent against which its payoff is highest
     worst: int
 
     @property
@@ -94,9 +83,18 @@ class ClassResult(Readable):
     def _parts(self) -> Parts:
         parts: list[str | Table] = []
         for team, found in self.standings.items():
-            rows = ((each.rank or "-", each.entry.name, str(each.score)) for each in found)
-            parts += [f"The {team}s:", [("rank", "name", f"mean {SCORE[team]}"), *rows]]
-        return [*parts, f"Refused: {len(self.refusals)}"]
+            opponents = len(self.entries[other(team)])
+            rows = [
+                (row.rank or "-", row.entry.name, row.entry.kind, str(row.score)) for row in found
+            ]
+            parts += [
+                f"\nThe {team}s: mean {SCORE[team]} against all {opponents} opponents",
+                [("rank", "name", "", "mean and 95 % interval"), *rows],
+            ]
+        if self.refusals:
+            parts.append(f"\nRefused ({len(self.refusals)})")
+            parts += [f"  {each.file}: {each.reason}" for each in self.refusals]
+        return parts
 
 
 # ---- Standings -----------------------------------------------------------------------------------
@@ -136,23 +134,23 @@ def rank_ranges(payoffs: NDArray[np.float64]) -> list[tuple[int, int]]:
     """
     n = len(payoffs)
     worse_than, better_than = np.zeros(n, int), np.zeros(n, int)
-    for one, other in combinations(range(n), 2):
-        sign = _surely(payoffs[one], payoffs[other], 1.0 - ERROR / (n - 1))
+    for one, two in combinations(range(n), 2):
+        sign = _surely(payoffs[one], payoffs[two], 1.0 - ERROR / (n - 1))
         if sign:
-            better, worse = (one, other) if sign > 0 else (other, one)
+            better, worse = (one, two) if sign > 0 else (two, one)
             better_than[better] += 1
             worse_than[worse] += 1
     return [(1 + int(up), n - int(down)) for up, down in zip(worse_than, better_than, strict=True)]
 
 
-def _surely(one: NDArray[np.float64], other: NDArray[np.float64], level: float) -> int:
+def _surely(one: NDArray[np.float64], two: NDArray[np.float64], level: float) -> int:
     """Return 1 if one entry is surely better than another, -1 if worse, 0 if nobody can tell."""
     found = linear_over_episodes(
-        np.stack([one, other]), lambda means: float(means[0].mean() - means[1].mean()), level=level
+        np.stack([one, two]), lambda means: float(means[0].mean() - means[1].mean()), level=level
     )
     if found.low is None:
         # Equal differences in all episodes have no t interval; this one needs no variation.
-        found = difference_over_episodes(one.mean(axis=0), other.mean(axis=0), level=level)
+        found = difference_over_episodes(one.mean(axis=0), two.mean(axis=0), level=level)
     return found.sign
 
 
@@ -163,8 +161,8 @@ def class_json(result: ClassResult) -> dict[str, Any]:
     """Return a tournament as values that JSON can hold, with the results of all episodes."""
     return {
         **_summary(result),
-        "capture_rates": plain_values(result.capture_rates),
-        "lengths": plain_values(result.lengths),
+        "capture_rates": result.capture_rates.tolist(),
+        "lengths": result.lengths.tolist(),
     }
 
 

@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager, nullcontext
 from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,7 @@ from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld.classroom.policy_process import (
     CAN_FORK,
     NO_FORK,
+    KilledError,
     PolicyProcess,
     PolicyServer,
     RefusedError,
@@ -168,6 +169,10 @@ def _one_interruption() -> Iterator[None]:
         yield
 
 
+Pair = tuple[Entry, Entry]
+Result = TypeVar("Result")
+
+
 # ---- Matches -------------------------------------------------------------------------------------
 
 
@@ -180,7 +185,7 @@ class Played(NamedTuple):
 
 
 class MatchPool:
-    """Plays matches, several side by side, each with servers of its own.
+    """Plays matches, several side by side.
 
     All pairs play the same starts, those of the seed, so that differences between entries are
     differences in play. The threads of `executor` wait for programs and for the engine, which both
@@ -202,13 +207,12 @@ class MatchPool:
         self.match_seed = derived(seed, "worlds")
         self.executor = ThreadPoolExecutor(threads)
         self.used: defaultdict[Entry, list[Used]] = defaultdict(list)
-        teams = TEAMS if programs and CAN_FORK else ()
-        made = [{team: PolicyServer(limits, trust) for team in teams} for _ in range(threads)]
-        self._servers = [server for each in made for server in each.values()]
         # As many as threads, so that no thread waits.
-        self._free: queue.SimpleQueue[dict[Team, PolicyServer]] = queue.SimpleQueue()
-        for each in made:
-            self._free.put(each)
+        count = threads if programs and CAN_FORK else 0
+        self._servers = [PolicyServer(limits, trust) for _ in range(count)]
+        self._free: queue.SimpleQueue[PolicyServer] = queue.SimpleQueue()
+        for server in self._servers:
+            self._free.put(server)
         # All of them start at the same time, and find the same.
         found = "".join({server.ready() for server in self._servers})
         self.problem = found if CAN_FORK else NO_FORK
@@ -221,20 +225,23 @@ class MatchPool:
         self.executor.shutdown(cancel_futures=True)
 
     @contextmanager
-    def _own_servers(self) -> Iterator[dict[Team, PolicyServer]]:
-        servers = self._free.get()
+    def _server(self) -> Iterator[PolicyServer]:
+        server = self._free.get()
         try:
-            yield servers
+            yield server
         finally:
-            self._free.put(servers)
+            self._free.put(server)
 
     def functions(self, code: bytes) -> tuple[bool, bool]:
         """Return whether a program has a function for pursuers, and one for evaders.
 
         RefusedError if it fails while it is loaded.
         """
-        with self._own_servers() as servers:
-            program = PolicyProcess(servers["pursuer"], code, self._settings("pursuer"))
+        return _tried_twice(self._functions, code)
+
+    def _functions(self, code: bytes) -> tuple[bool, bool]:
+        with self._server() as server:
+            program = PolicyProcess(server, code, self._settings("pursuer"))
             program.close()
             return program.functions
 
@@ -243,6 +250,9 @@ class MatchPool:
 
         The result depends on entries, seed and world only, as long as programs do so, too.
         """
+        return _tried_twice(self._play, pursuers, evaders, episodes)
+
+    def _play(self, pursuers: Entry, evaders: Entry, episodes: int) -> Played:
         entries = pursuers, evaders
         lengths, steps = np.zeros(episodes, np.int64), []
         rests = [rest(self.limits, self.used[entry]) for entry in entries]
@@ -262,13 +272,14 @@ class MatchPool:
         programs: dict[Entry, PolicyProcess] = {}
         choosers: list[TeamPolicy | Chooser] = []
         with ExitStack() as stack:
-            servers = stack.enter_context(self._own_servers())
+            if any(entry.kind == "program" for entry in entries):
+                server = stack.enter_context(self._server())
             for team, entry in zip(TEAMS, entries, strict=True):
                 if not isinstance(entry.policy, bytes):
                     choosers.append(entry.policy)
                     continue
                 settings = self._settings(team, pursuers.key, evaders.key)
-                program = PolicyProcess(servers[team], entry.policy, settings, *self.used[entry])
+                program = PolicyProcess(server, entry.policy, settings, *self.used[entry])
                 stack.callback(program.close)
                 programs[entry] = program
                 choosers.append(_asking(program))
@@ -280,6 +291,13 @@ class MatchPool:
             self.used[entry].append(programs[entry].used if entry in programs else Used(seconds))
         return Played(rates, lengths, np.stack(steps))
 
+    def order(self, pair: Pair) -> int:
+        """Return the place of a pair in an order that only the secret tells.
+
+        Otherwise a program could tell its opponent from how much was played before.
+        """
+        return derived(self._seed, "order", *(entry.key for entry in pair))
+
     def _settings(self, team: Team, *keys: str) -> dict[str, object]:
         """Return what a program's process is told: its team, the form of views, its own seed."""
         return {
@@ -289,6 +307,14 @@ class MatchPool:
             # Of what plays, not of its place in the class: it stays the same if others join.
             "seed": derived(self._seed, "program", team, *keys),
         }
+
+
+def _tried_twice(work: Callable[..., Result], *given: Any) -> Result:
+    """Do work again if a process was killed: a program that did so itself does it again."""
+    try:
+        return work(*given)
+    except KilledError:
+        return work(*given)
 
 
 def _asking(program: PolicyProcess) -> Chooser:
@@ -356,8 +382,6 @@ def _reason(entry: Entry, error: RefusedError) -> str:
 
 # ---- All pairs -----------------------------------------------------------------------------------
 
-Pair = tuple[Entry, Entry]
-
 
 def _with_scripts(students: Sequence[Entry], team: Team) -> tuple[Entry, ...]:
     scripts = (Entry(name, team, "script", "", name) for name in SCRIPTS[team])
@@ -383,7 +407,7 @@ def _round_robin(
         except RefusedError as error:
             return error
 
-    pairs = list(product(teams["pursuer"], teams["evader"]))
+    pairs = sorted(product(teams["pursuer"], teams["evader"]), key=pool.order)
     # In the order of the pairs: the first failure of an entry is the same with any threads.
     results = zip(pairs, pool.executor.map(play, pairs), strict=True)
     for number, (pair, found) in enumerate(results, 1):

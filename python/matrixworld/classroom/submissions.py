@@ -22,10 +22,9 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
-from typing import IO, Any, Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
 from matrixworld._util.files import (
@@ -33,6 +32,7 @@ from matrixworld._util.files import (
     DamagedFileError,
     check_regular,
     one_line,
+    parse_npz,
     save_arrays,
 )
 from matrixworld.coevolution.types import TEAMS, Team
@@ -308,9 +308,17 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
     content is damaged, too large, or not of this form.
     """
     try:
-        arrays = _arrays(content)
+        _check_archive(content)
     except UNREADABLE as error:
         raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
+    arrays = parse_npz(path, content)
+    for name, (kinds, ndim) in GENOME_FORMS.items():
+        if name not in arrays:
+            raise DamagedFileError(path, f"expected an array {name!r}, got {', '.join(arrays)}")
+        if arrays[name].dtype.kind not in kinds or arrays[name].ndim != ndim:
+            expected = f"expected dtype of kind {kinds} and {ndim} dimensions"
+            got = f"dtype {arrays[name].dtype} and shape {arrays[name].shape}"
+            raise DamagedFileError(path, f"{name}: {expected}, got {got}")
     team, layers = str(arrays["team"]), len(arrays["hidden"])
     if layers > MOST_LAYERS:
         raise DamagedFileError(path, f"hidden: expected at most {MOST_LAYERS} layers, got {layers}")
@@ -329,48 +337,28 @@ def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
         raise DamagedFileError(path, str(error)) from error
 
 
-def _arrays(content: bytes) -> dict[str, NDArray[Any]]:
+def _check_archive(content: bytes) -> None:
+    """Raise ValueError for an archive that would expand to, or claims, more than a genome needs."""
     if content.count(_ENTRY) > MOST_MEMBERS:
         raise ValueError(f"expected at most {MOST_MEMBERS} arrays, got more")
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        members = archive.infolist()
         # The archive's directory tells the sizes, and zipfile expands no more than it tells.
-        size = sum(member.file_size for member in archive.infolist())
+        size = sum(member.file_size for member in members)
         if size > MOST_UNPACKED:
             raise ValueError(f"expected arrays of at most {MOST_UNPACKED:,} bytes, got {size:,}")
-        return {name: _array(archive, name, *form) for name, form in GENOME_FORMS.items()}
-
-
-def _array(archive: zipfile.ZipFile, name: str, kinds: str, ndim: int) -> NDArray[Any]:
-    """Return an array, whose header is checked first."""
-    if f"{name}.npy" not in archive.namelist():
-        there = ", ".join(each.removesuffix(".npy") for each in archive.namelist())
-        raise ValueError(f"expected an array {name!r}, got {there}")
-    member = archive.getinfo(f"{name}.npy")
-    if member.compress_type not in _COMPRESSIONS:
-        raise ValueError(f"{name}: expected deflate or no compression")
-    with archive.open(member) as file:
-        shape, dtype = _header(file)
-        if dtype.kind not in kinds or len(shape) != ndim:
-            expected = f"expected dtype of kind {kinds} and {ndim} dimensions"
-            raise ValueError(f"{name}: {expected}, got dtype {dtype} and shape {shape}")
-        # A header may claim any shape: NumPy would allocate it before it reads the numbers.
-        claimed, held = math.prod(shape) * dtype.itemsize, member.file_size - file.tell()
-        if claimed != held:
-            raise ValueError(f"{name}: expected {claimed:,} bytes, got {held:,}")
-        file.seek(0)
-        array: NDArray[Any] = np.lib.format.read_array(file, allow_pickle=False)
-        return array
-
-
-def _header(file: IO[bytes]) -> tuple[tuple[int, ...], np.dtype[Any]]:
-    version = np.lib.format.read_magic(file)
-    if version not in _HEADERS:
-        raise ValueError(f"expected an array of version 1.0 or 2.0, got {version}")
-    try:
-        shape, _, dtype = _HEADERS[version](file)
-    except MemoryError:  # of Python's parser, in which the header is deeper than its stack
-        raise ValueError("expected the header of an array, got deeper nested text") from None
-    return shape, dtype
+        for member in members:
+            if member.compress_type not in _COMPRESSIONS:
+                raise ValueError(f"{member.filename}: expected deflate or no compression")
+            with archive.open(member) as file:
+                shape, _, dtype = _HEADERS[np.lib.format.read_magic(file)](file)
+                held = member.file_size - file.tell()
+            # A header may claim any shape: NumPy would allocate it before it reads the numbers.
+            claimed = math.prod(shape) * dtype.itemsize
+            if dtype.hasobject or dtype.itemsize == 0 or claimed != held:
+                expected = f"expected {held:,} bytes of numbers or text"
+                got = f"dtype {dtype} and shape {shape}"
+                raise ValueError(f"{member.filename}: {expected}, got {got}")
 
 
 # ---- Predictions ---------------------------------------------------------------------------------

@@ -10,11 +10,11 @@ from typing import Any
 import click
 
 from matrixworld._util.files import one_line
-from matrixworld.classroom.results import ClassResult, class_json, class_page
+from matrixworld.classroom.results import class_json, class_page
 from matrixworld.classroom.round_robin import play_class
 from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.submissions import save_genome
-from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress, say
+from matrixworld.cli.console import TERMS, note, progress, say
 from matrixworld.cli.options import (
     check_outputs,
     checked_seed,
@@ -27,7 +27,7 @@ from matrixworld.cli.pages import open_page
 from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import write_page
 from matrixworld.world.config import WorldConfig
 
@@ -136,7 +136,9 @@ def play_command(
         )
     except ValueError as error:
         raise click.ClickException(str(error)) from error
-    _print(result)  # first: a page that cannot be written must not lose the results
+    say(result)  # first: a page that cannot be written must not lose the results
+    say(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
+    say(f"--seed {result.seed} plays this tournament again.")
     write_page(page, class_page(result, title=one_line(directory.absolute().name)))
     say(f"\nWritten: {page}")
     write_json(json_file, class_json(result))
@@ -153,24 +155,6 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
             settings.pop("variant"), max_steps=settings.pop("steps"), **settings
         )
         return config, Limits(**limits)
-
-
-def _print(result: ClassResult) -> None:
-    for team in TEAMS:
-        opponents = len(result.entries[other(team)])
-        say(f"\nThe {team}s: mean {SCORE[team]} against all {opponents} opponents")
-        rows = [("rank", "name", "", "mean and 95 % interval")]
-        rows += [
-            (each.rank or "-", each.entry.name, each.entry.kind, str(each.score))
-            for each in result.standings[team]
-        ]
-        print_table(rows, "><<<")
-    if result.refusals:
-        say(f"\nRefused ({len(result.refusals)})", bold=True)
-        for refusal in result.refusals:
-            print_wrapped(f"{refusal.file}: {refusal.reason}")
-    say(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
-    say(f"--seed {result.seed} plays this tournament again.")
 
 
 SUFFIX = ".npz"
