@@ -22,26 +22,22 @@ Seeds that all agree have an interval over all of their episodes.
 Look at the two rows of the evolution strategy in each game: gradients learn from far fewer steps,
 and the engine plays candidates so fast that the same time decides otherwise.
 
-A run that was interrupted is played anew, because its time is measured.
+The time of a run is that from its first to its last file, on one core of a machine that does
+nothing else: an interruption would count.
 """
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Mapping
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
-from time import process_time
 from typing import Any
 
 import numpy as np
 from scipy.stats import t
-from tqdm import tqdm
 
-from common import SMALL_STEPS, Numbers, Runs, experiment, markdown, written
+from common import SMALL_STEPS, Numbers, Runs, by_seed, experiment, markdown, pairs, written
 from matrixworld.analysis import Estimate, interval_over_runs, mean_over_episodes
-from matrixworld.coevolution import RaceSettings, SavedRun, Team, finish, open_run
+from matrixworld.coevolution import RaceSettings, SavedRun, Team
 
 EPISODES = 10
 """Episodes of a published number."""
@@ -55,7 +51,7 @@ class Game:
     """What learns against what."""
     team: Team
     against: str
-    """Name of a script, or of the game whose team, trained by actor-critic, is met."""
+    """The script that is met, at first."""
     capture: float
     spread: float
     """Published capture rate, and its standard deviation over ten episodes."""
@@ -86,12 +82,11 @@ GAMES = (
     Game(HUNT, "pursuer", "random", 1.0, 0.0, "117.2 +- 41.3"),
     Game(STATIC, "pursuer", "still", 0.990, 0.015, "264.6 +- 184.2"),
     Game(HIDE, "evader", "random", 0.0133, 0.0221),
-    Game(TAUGHT, "evader", HUNT, 0.060, 0.047),
+    Game(TAUGHT, "evader", "random", 0.060, 0.047),
 )
 GRADIENTS, STEPS, TIME = "actor-critic", "evolution, equal agent-steps", "evolution, equal time"
-
-
 LEARNERS = (GRADIENTS, STEPS, TIME)
+
 PPO = {
     "learner": "actor-critic", "learner.population": 4, "learner.actor_rate": 0.003,
     "learner.clip": 0.2, "learner.actor_updates": 5, "world.rewards": "published",
@@ -133,7 +128,7 @@ def settings_of(game: Game, learner: str, quick: bool) -> RaceSettings:
         {
             "schedule": "against",
             "schedule.team": game.team,
-            "schedule.opponent": game.against if game.name != TAUGHT else "random",
+            "schedule.opponent": game.against,
             "schedule.epochs": epochs,
             "schedule.archive_every": epochs,
             "policy.hidden": (32,),
@@ -170,48 +165,26 @@ def taught(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
                     "schedule.opponent": str(rival.path),
                 }
             )
-            for begun, rival in zip(
-                runs.get(f"{HIDE}; {learner}", []),
-                runs.get(f"{HUNT}; {GRADIENTS}", []),
-                strict=False,
-            )
+            for begun, rival in pairs(runs, f"{HIDE}; {learner}", f"{HUNT}; {GRADIENTS}")
         ]
         for learner in LEARNERS
     }
 
 
-def timed(settings: RaceSettings, directory: Path) -> None:
-    """Play a run that is missing, on one core, and write the seconds that it took beside it."""
-    written = directory.with_suffix(".seconds")
-    if written.exists():
-        finish(settings, directory)  # only refuses a run of other settings
-        return
-    shutil.rmtree(directory, ignore_errors=True)
-    before = process_time()
-    finish(settings, directory, threads=1)
-    written.write_text(f"{process_time() - before:.2f}\n", encoding="ascii")
-
-
-def play(
-    settings: Mapping[str, RaceSettings], root: Path, *, threads: int | None, where: None
-) -> dict[str, SavedRun]:
-    """Play the runs that are missing side by side, each on one core; return all."""
-    places = [root / name for name in settings]
-    with ProcessPoolExecutor(threads or 2) as executor:
-        begun = executor.map(timed, settings.values(), places)
-        for _ in tqdm(begun, total=len(places), unit=" runs", disable=None):
-            pass
-    return {name: open_run(root / name) for name in settings}
-
-
-def measured(run: SavedRun, quick: bool) -> dict[str, Any]:
+def measured(runs: Runs, quick: bool) -> Numbers:
     """Return captures and lengths of all test episodes, and the costs of training and test."""
-    payoff, path = run.payoff(), run.path
+    return by_seed(runs, numbers_of)
+
+
+def numbers_of(run: SavedRun) -> dict[str, Any]:
+    """Return the numbers of a run; its seconds are those between its first and its last file."""
+    payoff = run.payoff()
+    first, last = (run.path / name for name in ("config.json", "summary.json"))
     return {
         "captures": payoff.capture_rates[-1, -1].astype(np.float32),
         "lengths": payoff.lengths[-1, -1].astype(np.int32),
         "agent_steps": run.summary()["training_agent_steps"],
-        "seconds": float(path.with_suffix(".seconds").read_text(encoding="ascii")),
+        "seconds": last.stat().st_mtime - first.stat().st_mtime,
     }
 
 
@@ -252,15 +225,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        then=taught,
-        measure=measured,
-        table=table,
-        seeds=3,
-        folder="actor_critic",
-        files=("baselines.npz", "baselines.md"),
-        play=play,
-    )
+    experiment(__doc__, kinds=kinds, then=taught, measure=measured, table=table, seeds=3)

@@ -16,9 +16,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from common import Numbers, experiment, kinds_in, markdown, written
+from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, written
 from matrixworld import analysis
-from matrixworld.coevolution import RaceSettings, SavedRun
+from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.schedules import SCHEDULES
 
 FULL = RaceSettings.of({
@@ -42,9 +42,9 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     return {schedule: base.changed({"schedule": schedule}) for schedule in SCHEDULES}
 
 
-def measured(run: SavedRun, quick: bool) -> dict[str, np.ndarray]:
-    """Return the capture rates (n, n, episodes) of a race."""
-    return {"captured": run.payoff().capture_rates.astype(np.float32)}
+def measured(runs: Runs, quick: bool) -> Numbers:
+    """Return the capture rates (n, n, episodes) of each race."""
+    return by_seed(runs, lambda run: {"captured": run.payoff().capture_rates.astype(np.float32)})
 
 
 def table(numbers: Numbers) -> str:
@@ -61,13 +61,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=measured,
-        table=table,
-        seeds=5,
-        folder="actor_critic",
-        files=("races.npz", "races.md"),
-    )
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=5)

@@ -1,7 +1,7 @@
 """Which opponent sampler gives the best champions? All samplers at the same number of matches.
 
     python evolution/archives.py             five seeds of each sampler, about six minutes
-    python evolution/archives.py --quick     a small world and one seed, some seconds
+    python evolution/archives.py --quick     a small world and two seeds, some seconds
 
 Both teams learn in turns. Their opponents are sampled from all earlier generations or from an
 archive. Matches that an archive plays to compare candidates count towards the budget, so at the
@@ -78,7 +78,7 @@ def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return capture, escape
 
 
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     """Return the budget; for each sampler the generations within it, captures and escapes."""
     # The smallest total is a number of matches that every race has played.
     totals = (run.log()["matches"][-1] for of_name in runs.values() for run in of_name)
@@ -105,12 +105,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        together=together,
-        table=table,
-        seeds=5,
-        quick_seeds=1,
-    )
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=5)

@@ -28,12 +28,13 @@ from common import (
     SMALL_STEPS,
     Numbers,
     Runs,
+    by_seed,
     experiment,
     kinds_in,
     markdown,
+    mean,
 )
-from matrixworld.analysis import interval_over_runs
-from matrixworld.coevolution import RaceSettings, SavedRun
+from matrixworld.coevolution import RaceSettings
 
 SCRIPTED = ("chaser", "hunter")
 EVADERS = ("fleer", "dodger")
@@ -81,17 +82,14 @@ def captures(
     return np.array([[captured(each, size) for size in sizes or TEAMS[quick]] for each in EVADERS])
 
 
-def measured(run: SavedRun, quick: bool) -> dict[str, np.ndarray]:
-    """Return what the last pursuers capture."""
-    return {"captured": captures(run.last("pursuer"), quick, run.settings.world.fov)}
-
-
-def of_scripts(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return what scripted pursuers capture, and the sizes of the teams."""
-    return {
-        "sizes": TEAMS[quick],
-        **{f"captured by {name}": captures(name, quick) for name in SCRIPTED},
-    }
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return what the last pursuers of each run and scripts capture, and the sizes of the teams."""
+    trained = by_seed(
+        runs,
+        lambda run: {"captured": captures(run.last("pursuer"), quick, run.settings.world.fov)},
+    )
+    scripted = {f"captured by {name}": captures(name, quick) for name in SCRIPTED}
+    return {**trained, "sizes": TEAMS[quick], **scripted}
 
 
 def table(numbers: Numbers, trained: str = "trained against ") -> str:
@@ -103,20 +101,10 @@ def table(numbers: Numbers, trained: str = "trained against ") -> str:
     for kind in kinds_in(numbers):
         rates = numbers[f"{kind} / captured"]
         columns = rates.reshape(len(rates), -1).T
-        rows.append([f"{trained}{kind}", *map(shown, columns)])
+        rows.append([f"{trained}{kind}", *(mean(each, 2, bounds=(0.0, 1.0)) for each in columns)])
     heads = [f"{each}, {size} pursuers" for each in EVADERS for size in numbers["sizes"]]
     return markdown(["pursuers", *heads], rows)
 
 
-def shown(rates: np.ndarray) -> str:
-    """Return a mean, with its interval over seeds if there are several."""
-    found = interval_over_runs(rates, bounds=(0.0, 1.0))
-    if found.low is None:
-        return f"{found.value:.2f}"
-    return f"{found.value:.2f} [{found.low:.2f}, {found.high:.2f}]"
-
-
 if __name__ == "__main__":
-    experiment(
-        __file__, __doc__, kinds=kinds, measure=measured, together=of_scripts, table=table, seeds=3
-    )
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=3)

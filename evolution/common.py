@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +29,7 @@ from matrixworld.coevolution import (
     SavedRun,
     Team,
     open_run,
+    tournament,
 )
 from matrixworld.coevolution.jobs import job_of, play_job
 
@@ -77,97 +77,91 @@ Numbers = Mapping[str, NDArray[Any]]
 """By ``"<kind> / <number>"``, the first axis is that of the seeds; others by names of their own."""
 Runs = Mapping[str, list[SavedRun]]
 """Runs of each kind, by seed."""
-Play = Callable[..., Mapping[str, SavedRun]]
-"""Plays runs as `finish_all` does, with the same arguments."""
-
-
-def nothing(runs: Any, quick: bool) -> dict[str, Any]:
-    """Return no numbers, and no further runs."""
-    return {}
 
 
 def experiment(
-    script: str,
     doc: str | None,
     *,
     kinds: Callable[[bool], Mapping[str, RaceSettings]],
+    measure: Callable[[Runs, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
-    seeds: int,
-    measure: Callable[[SavedRun, bool], Mapping[str, ArrayLike]] = nothing,
-    quick_seeds: int = 2,
-    fewer: Mapping[str, int] | None = None,
-    then: Callable[[Runs, bool], Mapping[str, list[RaceSettings]]] = nothing,
-    together: Callable[[Runs, bool], Mapping[str, ArrayLike]] = nothing,
+    seeds: int | Mapping[str, int],
+    then: Callable[[Runs, bool], Mapping[str, list[RaceSettings]]] | None = None,
     figures: Mapping[str, Callable[[Numbers], Figure]] | None = None,
-    files: Sequence[str] = ("numbers.npz", "table.md"),
-    folder: str | None = None,
-    play: Play | None = None,
 ) -> None:
-    """Play runs of several kinds and seeds, measure them, and tell what the numbers say.
+    """Play runs of several kinds and seeds, measure them, and write what the numbers say.
+
+    Numbers, table and figures are written to a directory that is named like the script.
 
     Parameters
     ----------
-    script, doc : str
-        ``__file__`` of the script, which names its directories, and ``__doc__``, for ``--help``.
+    doc : str
+        ``__doc__`` of the script, for ``--help``.
     kinds : callable
         Whether ``--quick`` is given -> settings of each kind.
+    measure : callable
+        All runs, and whether ``--quick`` is given -> numbers, such as those of `by_seed`.
     table : callable
-        Numbers of all runs -> what they say, in Markdown.
-    measure : callable, optional
-        A run, and whether ``--quick`` is given -> its numbers.
-    seeds, quick_seeds : int
-        Runs of each kind, if ``--seeds`` does not say another number.
-    fewer : mapping of str to int, optional
-        Most runs of kinds that take long.
+        Numbers -> what they say, in Markdown.
+    seeds : int or mapping of str to int
+        Runs of each kind, if ``--seeds`` does not say another number; two with ``--quick``.
     then : callable, optional
         Runs of `kinds` -> settings by seed of further kinds, which build on them.
-    together : callable, optional
-        All runs -> numbers of several runs together.
     figures : mapping of str to callable, optional
         File -> figure of the numbers.
-    files : (str, str), optional
-        Names of the files of the numbers and of the table.
-    folder : str, optional
-        Name of the directory of the results, if it is not that of the script.
-    play : callable, optional
-        What plays the runs instead of `finish_all`, without ``--cluster``.
     """
-    name = Path(script).stem
-    quick_help = "a small world and few seeds, some seconds"
-    parser = script_parser(doc, quick=quick_help, cluster=play is None)
+    name = Path(sys.argv[0]).stem
+    quick_help = "a small world and two seeds, some seconds"
+    parser = script_parser(doc, quick=quick_help, cluster=True)
     parser.add_argument("--kinds", nargs="+", metavar="KIND", help="beginnings of names")
-    parser.add_argument("--seeds", type=int, help=f"runs of each kind; default: {seeds}")
+    parser.add_argument("--seeds", type=int, help="runs of each kind")
     parser.add_argument("--runs", type=Path, default=Path("runs", name), help="their directory")
-    parser.add_argument("--results", type=Path, default=Path(folder or name), help="where they go")
+    parser.add_argument("--results", type=Path, default=Path(name), help="where they go")
     parser.add_argument("--threads", type=int, help="for training; default: one for each core")
     parser.add_argument("--device", help="of networks that learn by PyTorch, such as cuda")
     args = parser.parse_args()
-    count = (quick_seeds if args.quick else seeds) if args.seeds is None else args.seeds
-    if count < 1:
-        parser.error(f"argument --seeds: expected at least 1, got {count}")
+    if args.seeds is not None and args.seeds < 1:
+        parser.error(f"argument --seeds: expected at least 1, got {args.seeds}")
     planned = {}
     for kind, settings in _chosen(parser, kinds(args.quick), args.kinds).items():
-        settings = on_device(settings, args.device)
-        most = (fewer or {}).get(kind, count)
-        planned[kind] = [replace(settings, seed=seed) for seed in range(min(count, most))]
+        usual = seeds if isinstance(seeds, int) else seeds[kind]
+        count = args.seeds or (2 if args.quick else usual)
+        planned[kind] = [replace(settings, seed=seed) for seed in range(count)]
     # Quick runs and full ones have directories of their own.
-    runs_in, results = (
-        each / "quick" if args.quick else each for each in (args.runs, args.results)
-    )
-    where = None if play else args.cluster
-    finish = partial(finish_kinds, root=runs_in, threads=args.threads, where=where, play=play)
-    runs = finish(planned)
-    built_on = then(runs, args.quick)
-    runs |= finish(
-        {kind: [on_device(each, args.device) for each in some] for kind, some in built_on.items()}
-    )
-    numbers: dict[str, ArrayLike] = {}
+    root, results = (each / "quick" if args.quick else each for each in (args.runs, args.results))
+
+    def finished(planned: Mapping[str, list[RaceSettings]]) -> dict[str, list[SavedRun]]:
+        settings = {
+            f"{slug(kind)}/{seed}": on_device(each, args.device)
+            for kind, of_kind in planned.items()
+            for seed, each in enumerate(of_kind)
+        }
+        runs = finish_all(settings, root, threads=args.threads, where=args.cluster)
+        return {
+            kind: [runs[f"{slug(kind)}/{seed}"] for seed in range(len(of_kind))]
+            for kind, of_kind in planned.items()
+            if of_kind
+        }
+
+    runs = finished(planned)
+    if then is not None:
+        runs |= finished(then(runs, args.quick))
+    write(results, measure(runs, args.quick), table, figures or {})
+
+
+def by_seed(runs: Runs, measure: Callable[[SavedRun], Mapping[str, ArrayLike]]) -> dict[str, Any]:
+    """Return the numbers of each run as ``"<kind> / <number>"``, stacked over the seeds."""
+    numbers = {}
     for kind, of_kind in tqdm(runs.items(), unit=" kinds", desc="measured", disable=None):
-        measured = [measure(run, args.quick) for run in of_kind]
+        measured = [measure(run) for run in of_kind]
         for number in measured[0]:
             numbers[f"{kind} / {number}"] = np.stack([each[number] for each in measured])
-    numbers |= together(runs, args.quick)
-    write(results, numbers, table, figures or {}, files)
+    return numbers
+
+
+def pairs(runs: Runs, *kinds: str) -> Iterator[tuple[SavedRun, ...]]:
+    """Return the runs of several kinds seed by seed; none if a kind has not been played."""
+    return zip(*(runs.get(kind, []) for kind in kinds), strict=False)
 
 
 def on_device(settings: RaceSettings, device: str | None) -> RaceSettings:
@@ -179,17 +173,15 @@ def on_device(settings: RaceSettings, device: str | None) -> RaceSettings:
 
 def _chosen(
     parser: argparse.ArgumentParser, kinds: Mapping[str, RaceSettings], names: list[str] | None
-) -> dict[str, RaceSettings]:
+) -> Mapping[str, RaceSettings]:
     """Return the kinds whose names begin as ``--kinds`` says."""
-    slugs = [slug(kind) for kind in kinds]
-    for name in names or ():
-        if not any(each.startswith(name) for each in slugs):
-            parser.error(f"--kinds: expected beginnings of {', '.join(slugs)}, got {name}")
-    return {
-        kind: settings
-        for kind, settings in kinds.items()
-        if names is None or slug(kind).startswith(tuple(names))
-    }
+    if names is None:
+        return kinds
+    for name in names:
+        if not any(slug(kind).startswith(name) for kind in kinds):
+            expected = ", ".join(map(slug, kinds))
+            parser.error(f"--kinds: expected beginnings of {expected}, got {name}")
+    return {kind: each for kind, each in kinds.items() if slug(kind).startswith(tuple(names))}
 
 
 def slug(kind: str) -> str:
@@ -202,10 +194,9 @@ def write(
     numbers: Mapping[str, ArrayLike],
     table: Callable[[Numbers], str],
     figures: Mapping[str, Callable[[Numbers], Figure]],
-    files: Sequence[str] = ("numbers.npz", "table.md"),
 ) -> None:
     """Write numbers beside others that are kept, and what all of them say; print the table."""
-    file, tabled = (results / each for each in files)
+    file = results / "numbers.npz"
     kept = dict(np.load(file)) if file.exists() else {}
     known = {**kept, **{name: np.asarray(values) for name, values in numbers.items()}}
     results.mkdir(parents=True, exist_ok=True)
@@ -215,41 +206,16 @@ def write(
     except KeyError as error:
         print(f"{file}: the table also needs {error}; --kinds plays other kinds")
         return
-    tabled.write_text(text + "\n", encoding="utf-8")
+    (results / "table.md").write_text(text + "\n", encoding="utf-8")
     print(text)
     for name, draw in figures.items():
         draw(known).savefig(results / name)
-    print(f"\nWritten: {', '.join([*files, *figures])} in {results}")
+    print(f"\nWritten: {', '.join(['numbers.npz', 'table.md', *figures])} in {results}")
 
 
 def kinds_in(numbers: Numbers) -> list[str]:
     """Return the kinds that have been measured, in their order."""
     return list(dict.fromkeys(name.split(" / ")[0] for name in numbers if " / " in name))
-
-
-def finish_kinds(
-    planned: Mapping[str, Sequence[RaceSettings]],
-    root: Path,
-    *,
-    threads: int | None = None,
-    where: str | None = None,
-    play: Play | None = None,
-) -> dict[str, list[SavedRun]]:
-    """Return the finished runs of each kind by seed; play the missing ones side by side."""
-    # All kinds of a seed, then the next seed: what is interrupted compares equals.
-    settings = {
-        f"{slug(kind)}/{seed}": of_kind[seed]
-        for seed in range(max(map(len, planned.values()), default=0))
-        for kind, of_kind in planned.items()
-        if seed < len(of_kind)
-    }
-    finish = play or finish_all
-    runs = finish(settings, root, threads=threads, where=where) if settings else {}
-    return {
-        kind: [runs[f"{slug(kind)}/{seed}"] for seed in range(len(of_kind))]
-        for kind, of_kind in planned.items()
-        if of_kind
-    }
 
 
 @contextmanager
@@ -270,6 +236,8 @@ def finish_all(
 
     FailedRunsError if runs failed, after all others have ended.
     """
+    if not settings:
+        return {}
     job = job_of(settings)
     with on_cluster(where, threads) as executor, ProgressBar() as bar:
         failures = play_job(job, root, keep=False, executor=executor, threads=threads, report=bar)
@@ -305,6 +273,24 @@ def play(
     if team == "pursuer":
         return mw.rollout(world, own, opponents, mw.Matches.of(each, opponent_genomes, seeds))
     return mw.rollout(world, opponents, own, mw.Matches.of(opponent_genomes, each, seeds))
+
+
+def scores_against(
+    world: mw.WorldConfig,
+    team: Team,
+    own: mw.Population,
+    opponents: mw.Population,
+    *,
+    seed: int,
+    episodes: int,
+) -> NDArray[np.float64]:
+    """Return the mean scores of a team's genomes (own, opponents) in a tournament.
+
+    The score is the capture rate of pursuers, and the escape rate of evaders.
+    """
+    sides = (own, opponents) if team == "pursuer" else (opponents, own)
+    rates = tournament(world, *sides, seed=seed, episodes=episodes).capture_rate
+    return rates if team == "pursuer" else 1.0 - rates.T
 
 
 SIGNIFICANCE = 0.05

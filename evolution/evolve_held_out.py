@@ -22,7 +22,6 @@ against all scripts. A useful opponent is better than a random walk and not the 
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -119,37 +118,36 @@ def captured(team: Team, world: mw.WorldConfig | str, own: Any, rival: Any, epis
     return rate if team == "pursuer" else 1 - rate
 
 
-def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) -> Iterator[str]:
-    """Yield tables: capture or escape rates against random opponents and all scripts."""
+def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) -> str:
+    """Return tables: capture or escape rates against random opponents and all scripts."""
+    tables = []
     for team in coevolution.TEAMS:
-        # Variants differ in their scripts; a dictionary keeps the order and drops repeats.
-        names = dict.fromkeys(name for v in variants for name in held_out_scripts(team, v))
-        rows = [
-            [name, *(cell(genomes, team, name, variant, episodes) for variant in variants)]
-            for name in (*names, "evolved-1", "evolved-2")
-        ]
-        yield "\n" + markdown([f"{team}s", *variants], rows)
+        rows: dict[str, dict[str, str]] = {}
+        for variant in variants:
+            players: dict[str, Any] = {name: name for name in held_out_scripts(team, variant)}
+            for number, genome in enumerate(genomes[f"{variant}.{team}s"].astype(np.float32), 1):
+                players[f"evolved-{number}"] = mw.Population(genome, NETWORK)
+            scripts = held_out_scripts(other(team), variant)
+            for name, player in players.items():
+                rates = [captured(team, variant, player, script, episodes) for script in scripts]
+                cells = rows.setdefault(name, {})
+                cells[variant] = f"{rates[0]:.2f}, {np.mean(rates):.2f}"
+        # Variants differ in their scripts; the evolved ones come last.
+        names = sorted(rows, key=lambda name: name.startswith("evolved"))
+        lines = [[name, *(rows[name].get(each, "") for each in variants)] for name in names]
+        tables.append(markdown([f"{team}s", *variants], lines))
+    return "\n\n".join(tables)
 
 
-def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, episodes: int) -> str:
-    """Return the rate against random opponents and the mean rate against all scripts, as text."""
-    player: Any = name
-    if name.startswith("evolved"):
-        number = int(name.removeprefix("evolved-")) - 1
-        player = mw.Population(genomes[f"{variant}.{team}s"][number].astype(np.float32), NETWORK)
-    elif name not in held_out_scripts(team, variant):
-        return ""
-    scripts = held_out_scripts(other(team), variant)
-    rates = [captured(team, variant, player, script, episodes) for script in scripts]
-    return f"{rates[0]:.2f}, {np.mean(rates):.2f}"
-
-
-def difficulty(episodes: int) -> Iterator[tuple[str, str, float]]:
-    """Yield what chasers capture of evaders, and fleers escape from pursuers, by opponent."""
+def difficulty(episodes: int) -> str:
+    """Return what chasers capture of evaders, and fleers escape from pursuers, by opponent."""
     config = mw.WorldConfig("O", rows=10, cols=10, n_pursuers=4, n_evaders=4, max_steps=50)
+    rows = []
     for team, script in (("pursuer", "fleer"), ("evader", "chaser")):
         for name, player in coevolution.held_out(team, config.rules).items():
-            yield team, name, captured(other(team), config, script, player, episodes)
+            score = captured(other(team), config, script, player, episodes)
+            rows.append([team, name, f"{score:.2f}"])
+    return markdown(["team", "opponent", "score against it"], rows)
 
 
 def main() -> None:
@@ -161,13 +159,12 @@ def main() -> None:
     parser.add_argument("--table", type=Path, metavar="FILE", help="print this file's table only")
     parser.add_argument("--difficulty", action="store_true", help="print only how hard they are")
     args = parser.parse_args()
-    if args.difficulty:
-        found = difficulty(20 if args.quick else 4000)
-        rows = [[team, name, f"{score:.2f}"] for team, name, score in found]
-        print(markdown(["team", "opponent", "score against it"], rows))
-        return
     variants = ["O", "SB"] if args.quick else list(mw.VARIANTS)
-    if args.table is None:
+    if args.difficulty:
+        print(difficulty(20 if args.quick else 4000))
+    elif args.table is not None:
+        print(table(load_arrays(args.table), variants, 2 if args.quick else EPISODES))
+    else:
         epochs = QUICK_EPOCHS if args.quick else None
         teach = partial(curriculum, epochs=epochs, seed=args.seed)
         genomes = {}
@@ -179,9 +176,6 @@ def main() -> None:
                 print(f"{variant} done", flush=True)
         save_arrays(args.output, genomes)
         print(f"Written: {args.output}, {args.output.stat().st_size:,} bytes")
-        return
-    episodes = 2 if args.quick else EPISODES
-    print(*table(load_arrays(args.table), variants, episodes), sep="\n")
 
 
 if __name__ == "__main__":

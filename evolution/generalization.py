@@ -26,7 +26,17 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from common import SAME_STEPS, SMALL_STEPS, Numbers, Runs, experiment, long_race, markdown
+from common import (
+    SAME_STEPS,
+    SMALL_STEPS,
+    Numbers,
+    Runs,
+    experiment,
+    long_race,
+    markdown,
+    pairs,
+    scores_against,
+)
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
@@ -92,7 +102,7 @@ def taught(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
                     "learner.anneal": False,
                 }
             )
-            for teacher, pupil in zip(runs.get(CHASING, []), runs.get(HALFWAY, []), strict=False)
+            for teacher, pupil in pairs(runs, CHASING, HALFWAY)
         ]
     }
 
@@ -102,41 +112,43 @@ def matches(team: Team, run: SavedRun) -> int:
     return int(np.sum(run.log()["team"] == team)) * run.settings.learner.population
 
 
-def of_last(payoff: coevolution.Payoff, team: Team) -> np.ndarray:
-    """Return the scores of the last generation of a team."""
-    rates = payoff.capture_rate
-    return rates[-1] if team == "pursuer" else 1 - rates[:, -1]
+def scores(team: Team, run: SavedRun, race: SavedRun) -> np.ndarray:
+    """Return the scores of the last generation of a team against a race's other team."""
+    own, rivals, world = run.last(team), race.teams[other(team)], race.settings.world
+    [found] = scores_against(world, team, own, rivals, seed=run.settings.seed, episodes=EPISODES)
+    return found
 
 
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
+def in_training(team: Team, run: SavedRun) -> float:
+    """Return the mean score of the last generation against its training opponents."""
+    rates = run.payoff().capture_rate
+    return float(rates[-1].mean() if team == "pursuer" else 1 - rates[:, -1].mean())
+
+
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     """Return matches and scores of the last generation of each team after each training.
 
     Scores against the training opponents (seeds,), against each generation of the race's opponents
     and of those of the next seed (seeds, generations).
     """
-    numbers: dict[str, Any] = {"payoff": runs[RACE][0].payoff().capture_rate}
+    races = runs[RACE]
+    numbers: dict[str, Any] = {"payoff": races[0].payoff().capture_rate}
     for team, trainings in TRAININGS.items():
-
-        def scores(run: SavedRun, race: SavedRun, team: Team = team) -> np.ndarray:
-            own, rivals = run.last(team), race.teams[other(team)]
-            sides = (own, rivals) if team == "pursuer" else (rivals, own)
-            world, seed = race.settings.world, run.settings.seed
-            played = coevolution.tournament(world, *sides, seed=seed, episodes=EPISODES)
-            return of_last(played, team)
-
         for training, parts in trainings.items():
-            trained = runs[parts[-1]]
-            races = runs[RACE]
-            name = f"{team}s, {training}"
-            numbers[f"{name} / matches"] = [
-                sum(matches(team, runs[part][seed]) for part in parts)
-                for seed in range(len(trained))
-            ]
-            # The run's own payoff matrix: its last genome against its training opponents.
-            numbers[f"{name} / training"] = [of_last(run.payoff(), team).mean() for run in trained]
-            pairs = list(zip(trained, races, [*races[1:], races[0]], strict=True))
-            numbers[f"{name} / race"] = [scores(run, race) for run, race, _ in pairs]
-            numbers[f"{name} / new"] = [scores(run, race) for run, _, race in pairs]
+            name, trained = f"{team}s, {training}", runs[parts[-1]]
+            numbers |= {
+                f"{name} / matches": [
+                    sum(matches(team, run) for run in of_seed) for of_seed in pairs(runs, *parts)
+                ],
+                f"{name} / training": [in_training(team, run) for run in trained],
+                f"{name} / race": [
+                    scores(team, run, race) for run, race in zip(trained, races, strict=True)
+                ],
+                f"{name} / new": [
+                    scores(team, run, race)
+                    for run, race in zip(trained, [*races[1:], races[0]], strict=True)
+                ],
+            }
     return numbers
 
 
@@ -176,11 +188,10 @@ def figure(numbers: Numbers) -> Figure:
 
 if __name__ == "__main__":
     experiment(
-        __file__,
         __doc__,
         kinds=kinds,
         then=taught,
-        together=together,
+        measure=measured,
         table=table,
         seeds=2,
         figures={"generalization.png": figure},

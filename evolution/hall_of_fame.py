@@ -27,7 +27,9 @@ from common import (
     SIGNIFICANCE,
     SMALL_RACE,
     Numbers,
+    Runs,
     adjusted,
+    by_seed,
     experiment,
     long_race,
     markdown,
@@ -66,7 +68,12 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     }
 
 
-def numbers_of(run: SavedRun, quick: bool) -> dict[str, Any]:
+def measured(runs: Runs, quick: bool) -> Numbers:
+    """Return the numbers of `numbers_of` of all races."""
+    return by_seed(runs, numbers_of)
+
+
+def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return the numbers of `MEASURES` and the capture rates of one finished race."""
     matrix, scores = run.payoff().capture_rate, score(run)
     return {
@@ -115,13 +122,5 @@ def figure(numbers: Numbers) -> Figure:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=numbers_of,
-        table=table,
-        seeds=10,
-        figures={"seed_0.png": figure},
-        files=("numbers.npz", "comparison.md"),
-    )
+    figures = {"seed_0.png": figure}
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures)

@@ -33,8 +33,8 @@ from numpy.typing import NDArray
 from scipy import optimize
 
 import catching_fleers
-from catching_fleers import EVADERS, SCRIPTED, captures, shown
-from common import SMALL_RACE, Numbers, Runs, experiment, kinds_in, markdown, mean
+from catching_fleers import EVADERS, SCRIPTED, captures
+from common import SMALL_RACE, Numbers, Runs, by_seed, experiment, kinds_in, markdown, mean
 from course import chapter_10
 from course.chapter_10 import CELLS, STEPS
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
@@ -121,20 +121,20 @@ def without_memory(cells: int = CELLS, steps: int = STEPS) -> float:
 # ---- Numbers and tables --------------------------------------------------------------------------
 
 
-def measured(run: SavedRun, quick: bool) -> dict[str, Any]:
-    """Return what the last pursuers capture in new episodes, or the scores of a race."""
-    if run.settings.schedule.name in SCHEDULES:
-        scores = score(run)
-        return {team: scores[team].means[-1] for team in TEAMS}
-    if run.settings.world == catching_fleers.BASES[quick].world:
-        return {"captured": captures(run.last("pursuer"), quick, sizes=SIZES[quick])}
-    return {"captured": float(run.summary()["capture_rate"])}
-
-
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return what scripts capture, and what is known exactly."""
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return what the last pursuers and scripts capture, scores of races, and what is known."""
     sizes = SIZES[quick]
-    numbers = {f"captured by {name}": captures(name, quick, sizes=sizes) for name in SCRIPTED}
+
+    def numbers_of(run: SavedRun) -> dict[str, Any]:
+        if run.settings.schedule.name in SCHEDULES:
+            scores = score(run)
+            return {team: scores[team].means[-1] for team in TEAMS}
+        if run.settings.world == catching_fleers.BASES[quick].world:
+            return {"captured": captures(run.last("pursuer"), quick, sizes=sizes)}
+        return {"captured": float(run.summary()["capture_rate"])}
+
+    numbers = by_seed(runs, numbers_of)
+    numbers |= {f"captured by {name}": captures(name, quick, sizes=sizes) for name in SCRIPTED}
     states = States(BOARD.world)
     for name in SCRIPTED:
         numbers[f"{name} on the board"] = [expected_payoff(states, name, each) for each in EVADERS]
@@ -148,7 +148,7 @@ def corridor(numbers: Numbers) -> str:
     for memory in GATES:
         rates = numbers[f"corridor, {memory} / captured"]
         each = ", ".join(f"{rate:.3f}" for rate in rates)
-        rows.append([f"memory: {memory}", shown(rates), each])
+        rows.append([f"memory: {memory}", share(rates), each])
     rows.append(["the best without memory, exactly", f"{numbers['without memory']:.3f} |"])
     return markdown(["corridor", "capture rate", "of each seed"], rows)
 
@@ -158,9 +158,14 @@ def board(numbers: Numbers) -> str:
     rows = [[name, *exactly(numbers[f"{name} on the board"])] for name in SCRIPTED]
     for memory in GATES:
         rates = (numbers[f"board, {evaders}, {memory} / captured"] for evaders in EVADERS)
-        rows.append([f"trained, memory: {memory}", *map(shown, rates)])
+        rows.append([f"trained, memory: {memory}", *map(share, rates)])
     rows.append(["the best, exactly", *exactly(numbers["best"])])
     return markdown(["pursuers", *EVADERS], rows)
+
+
+def share(rates: NDArray[np.float64]) -> str:
+    """Return the mean of rates with its interval as text."""
+    return mean(rates, 2, bounds=(0.0, 1.0))
 
 
 def exactly(rates: NDArray[np.float64]) -> list[str]:
@@ -188,9 +193,7 @@ def races(numbers: Numbers) -> str:
             if memory != "none":
                 pairs = zip(scores, plain, strict=True)
                 changes = [mean(each - before, 2, "+") for each, before in pairs]
-            rows.append(
-                [schedule, memory, *(mean(each, 2, bounds=(0.0, 1.0)) for each in scores), *changes]
-            )
+            rows.append([schedule, memory, *map(share, scores), *changes])
     heads = ["memory", *(f"{team}s" for team in TEAMS), *(f"difference, {team}s" for team in TEAMS)]
     return markdown(["schedule", *heads], rows)
 
@@ -203,14 +206,5 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=measured,
-        together=together,
-        table=table,
-        seeds=SEEDS,
-        quick_seeds=1,
-        fewer={f"races, {each}, {memory}": RACE_SEEDS for each in SCHEDULES for memory in GATES},
-    )
+    seeds = {kind: RACE_SEEDS if kind.startswith("races") else SEEDS for kind in kinds(False)}
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=seeds)

@@ -72,8 +72,9 @@ AT_ITS_SIZE = Path(__file__).parent / "results" / "paper_surrounding" / "numbers
 ASSURANCE = """Rewards do not make pursuers safe in -S, and the paper asks for assurance. These
 learned at the paper's size by policy gradients, as `paper_surrounding.py` plays it."""
 
-ByColumn = Mapping[str, np.ndarray]
-"""One number for each seed, shape (seeds,), by the column of the table."""
+PARTS = ("whole", "first half", "last half")
+OPPONENTS = ("all generations", "early generations", "late generations", "held-out opponents")
+"""Opponents of the candidates; generations are those of races of other seeds."""
 
 
 @dataclass(frozen=True)
@@ -83,8 +84,9 @@ class Claim:
     says: str
     measured: str
     """Name of the number."""
-    values: ByColumn
-    """By a part of the race, for example; NaN where the number is not defined."""
+    values: np.ndarray
+    """In each column of the table, such as a part of the race: (columns, seeds), or (seeds,); NaN
+    where the number is not defined."""
     side: str
     """On which side of the threshold it lies if the statement is true: "above" or "below"."""
     than: float = 0.0
@@ -99,43 +101,49 @@ class Claim:
     def tested(self) -> str:
         """Return statement, number, threshold and seeds as a cell in two lines."""
         than = self.than**0.5 if self.squared else self.than
-        seeds = len(next(iter(self.values.values())))
         published = f"; published: {self.published}" if self.published else ""
+        seeds = self.values.shape[-1]
         return f"{self.says}<br>*{self.measured} {self.side} {than:g}{published}; {seeds} seeds*"
 
-    def p_value(self, column: str) -> float:
-        """Return the p-value of the number in a column, not adjusted."""
-        values = self.values[column]
-        return 1.0 if np.isnan(values).any() else p_value(values, self.than)
+    @property
+    def columns(self) -> np.ndarray:
+        """The values, shape (columns, seeds)."""
+        return np.atleast_2d(self.values).astype(np.float64)
 
-    def verdict(self, column: str, p: float) -> str:
-        """Return the verdict by an adjusted p-value: reproduced, not reproduced or cannot tell."""
+    def p_values(self) -> list[float]:
+        """Return the p-value of each column, not adjusted; none if it is not tested."""
         if not self.comparable:
-            return "not comparable"
-        if p > SIGNIFICANCE:
-            return "cannot tell"
-        above = self.values[column].mean() > self.than
-        return "reproduced" if above == (self.side == "above") else "not reproduced"
+            return []
+        return [1.0 if np.isnan(each).any() else p_value(each, self.than) for each in self.columns]
 
-    def shown(self, column: str) -> str:
+    def shown(self, values: np.ndarray) -> str:
         """Return mean and interval over seeds as text."""
-        if np.isnan(self.values[column]).any():
+        if np.isnan(values).any():
             return "not defined"
-        found = analysis.interval_over_runs(self.values[column])
+        found = analysis.interval_over_runs(values)
         if self.squared:
             # Noise is subtracted from a square, so it may be negative.
             ends = (end and max(0.0, end) ** 0.5 for end in (found.value, found.low, found.high))
             found = analysis.Estimate(*ends)  # type: ignore[arg-type]  # the value is a number
         return written(found, digits=0 if abs(found.value) > 1000 else 3)
 
+    def cell(self, values: np.ndarray, p: float) -> str:
+        """Return verdict, mean, interval and adjusted p-value of a column."""
+        if not self.comparable:
+            return f"**not comparable**<br>{self.shown(values)}"
+        agrees = (values.mean() > self.than) == (self.side == "above")
+        verdict = "reproduced" if agrees else "not reproduced"
+        verdict = "cannot tell" if p > SIGNIFICANCE else verdict
+        return f"**{verdict}**<br>{self.shown(values)}<br>{shown_p(p)}"
+
 
 # Races, in parts of them:
 
 
-def in_parts(captured: np.ndarray, number: Callable[[Payoffs, str], float]) -> ByColumn:
-    """Return a number of each race (seeds, n, n, episodes) in the whole race and in its halves."""
+def in_parts(captured: np.ndarray, number: Callable[[Payoffs, str], float]) -> np.ndarray:
+    """Return a number (parts, seeds) of races (seeds, n, n, episodes) in each of `PARTS`."""
     races = [read_payoffs(scores, per_episode=True) for scores in captured]
-    return {part: np.array([number(race, part) for race in races]) for part in races[0].windows}
+    return np.array([[number(race, part) for race in races] for part in PARTS])
 
 
 def measure(name: str, race: Payoffs, part: str) -> float:
@@ -157,18 +165,9 @@ def phase(team: Team, race: Payoffs, part: str) -> float:
     return float(changes.mean())
 
 
-def difference(one: ByColumn, other: ByColumn) -> ByColumn:
-    """Return the difference of two numbers of the same seeds."""
-    return {column: one[column] - other[column] for column in one}
-
-
-def captured_by(numbers: Numbers) -> dict[str, np.ndarray]:
-    """Return the capture rates (seeds, n, n, episodes) of all kinds of races, by name."""
-    return {
-        name.removeprefix("captured "): captured / float(numbers["evaders"])
-        for name, captured in numbers.items()
-        if name.startswith("captured ")
-    }
+def captured_by(numbers: Numbers, kind: str) -> np.ndarray:
+    """Return the capture rates (seeds, n, n, episodes) of a kind of races."""
+    return numbers[f"captured {kind}"] / float(numbers["evaders"])
 
 
 PAIRINGS = {
@@ -179,22 +178,22 @@ PAIRINGS = {
 
 
 def _on_races(numbers: Numbers) -> list[Claim]:
-    races = captured_by(numbers)
-    cyclic, drops = (
-        {race: in_parts(races[race], number) for race in RACES}
-        for number in (partial(measure, "squared_intransitivity"), forgetting)
-    )
+    races = {race: captured_by(numbers, race) for race in RACES}
+
+    def of(race: str, name: str) -> np.ndarray:
+        return in_parts(races[race], partial(measure, name))
+
+    def over_schedules(team: Team) -> np.ndarray:
+        return np.mean([in_parts(each, partial(phase, team)) for each in races.values()], axis=0)
+
+    cyclic = {race: of(race, "squared_intransitivity") for race in RACES}
+    drops = {race: in_parts(races[race], forgetting) for race in (SPECIALISTS, GENERALISTS)}
     amplitude, least = "intransitivity", LEAST_INTRANSITIVITY**2
-
-    def over_schedules(team: Team) -> ByColumn:
-        each = [in_parts(races[race], partial(phase, team)) for race in RACES]
-        return {part: np.mean([one[part] for one in each], axis=0) for part in each[0]}
-
     return [
         *(
             Claim(
                 f"The {team}s improve ({PAIRINGS[race]})", "linear change of the mean payoff",
-                in_parts(races[race], partial(measure, f"{team}_change")), "above",
+                of(race, f"{team}_change"), "above",
             )
             for race in RACES for team in TEAMS
         ),
@@ -213,20 +212,19 @@ def _on_races(numbers: Numbers) -> list[Claim]:
         *(
             Claim(
                 f"Skills of specialist {team}s return periodically", "recurrence in time",
-                in_parts(races[SPECIALISTS], partial(measure, f"{team}_recurrence")),
-                "above", LEAST_RECURRENCE,
+                of(SPECIALISTS, f"{team}_recurrence"), "above", LEAST_RECURRENCE,
             )
             for team in TEAMS
         ),
         Claim(
             "Cycles give diverse policies of similar complexity (specialists)",
             "share of the variance that strength explains",
-            in_parts(races[SPECIALISTS], partial(measure, "transitive_share")), "below", 0.5,
+            of(SPECIALISTS, "transitive_share"), "below", 0.5,
         ),
         Claim(
             "Generalist pursuers against specialists cycle less",
             f"squared {amplitude}, difference to specialists",
-            difference(cyclic[MIXED], cyclic[SPECIALISTS]), "below",
+            cyclic[MIXED] - cyclic[SPECIALISTS], "below",
         ),
         Claim(
             "Generalists against generalists do not cycle", amplitude,
@@ -234,13 +232,13 @@ def _on_races(numbers: Numbers) -> list[Claim]:
         ),
         Claim(
             "Generalists forget less than specialists", "forgetting, difference to specialists",
-            difference(drops[GENERALISTS], drops[SPECIALISTS]), "below",
+            drops[GENERALISTS] - drops[SPECIALISTS], "below",
         ),
     ]  # fmt: skip
 
 
 def _on_few_epochs(numbers: Numbers) -> list[Claim]:
-    race = captured_by(numbers)[FEW_EPOCHS]
+    race = captured_by(numbers, FEW_EPOCHS)
     return [
         Claim(
             f"With too few epochs (1/{FEWER}) in a generation, {team}s cannot learn",
@@ -254,11 +252,6 @@ def _on_few_epochs(numbers: Numbers) -> list[Claim]:
 # Single numbers:
 
 
-def one(values: np.ndarray) -> ByColumn:
-    """Return a number that has a single column."""
-    return {"": np.asarray(values, dtype=np.float64)}
-
-
 def swing_between(phases: np.ndarray, first: int, last: int) -> np.ndarray:
     """Return the mean difference between team phases (seeds, generations, 2), shape (seeds,)."""
     # Row k - 1 belongs to generation k.
@@ -267,10 +260,9 @@ def swing_between(phases: np.ndarray, first: int, last: int) -> np.ndarray:
 
 
 def _on_swings(numbers: Numbers) -> list[Claim]:
-    races = captured_by(numbers)
+    matrices = [captured_by(numbers, race).mean(axis=3) for race in RACES]
     rates = [
-        np.array([analysis.team_phase_rates(each) for each in races[race].mean(axis=3)])
-        for race in RACES
+        np.array([analysis.team_phase_rates(each) for each in of_kind]) for of_kind in matrices
     ]
     last = rates[0].shape[1]
     third = max(1, last // 3)
@@ -281,14 +273,14 @@ def _on_swings(numbers: Numbers) -> list[Claim]:
     return [
         Claim(
             "The variation by adaptation converges within 30 generations",
-            "swing, last third minus first third", one(late - early), "below",
+            "swing, last third minus first third", late - early, "below",
         )
     ]  # fmt: skip
 
 
 def _on_long_races(numbers: Numbers) -> list[Claim]:
     longer = [numbers[f"phases {race}"].astype(np.float64) for race in (SPECIALISTS, GENERALISTS)]
-    end, last = longer[0].shape[1], captured_by(numbers)[GENERALISTS].shape[1] - 1
+    end, last = longer[0].shape[1], captured_by(numbers, GENERALISTS).shape[1] - 1
     some = max(1, last // 3)
     late, early = (
         np.mean([swing_between(each, *part) for each in longer], axis=0)
@@ -298,7 +290,7 @@ def _on_long_races(numbers: Numbers) -> list[Claim]:
         Claim(
             f"With {end} generations it diverges again",
             f"swing, last {some} generations minus the {some} before {last + 1}",
-            one(late - early), "above",
+            late - early, "above",
         )
     ]  # fmt: skip
 
@@ -312,12 +304,12 @@ def _on_plateau(numbers: Numbers) -> list[Claim]:
             Claim(
                 "Evaders alone, against random pursuers, improve at first",
                 f"escape rate against {name}, half of the epochs minus untrained",
-                one(rates[:, half] - rates[:, 0]), "above",
+                rates[:, half] - rates[:, 0], "above",
             ),
             Claim(
                 "... and then hardly any more",
                 f"escape rate against {name}, last minus half of the epochs",
-                one(rates[:, -1] - rates[:, half]), "below", CLEARLY,
+                rates[:, -1] - rates[:, half], "below", CLEARLY,
             ),
         ]  # fmt: skip
     return found
@@ -327,25 +319,26 @@ def _on_surrounding(numbers: Numbers) -> list[Claim]:
     collided = "collisions with teammates per 1000 agent-steps"
     found = []
     for name in SURROUNDING.values():
-        captured = numbers[f"{name}: captured"].astype(np.float64)
-        collisions = numbers[f"{name}: collisions"].astype(np.float64)
+        captured, collisions = (
+            numbers[f"{name}: {what}"].astype(np.float64) for what in ("captured", "collisions")
+        )
         found += [
             Claim(
                 f"{name}: capture improves", "capture rate, last minus untrained",
-                one(captured[:, -1] - captured[:, 0]), "above",
+                captured[:, -1] - captured[:, 0], "above",
             ),
             Claim(
                 f"{name}: capture reaches half of what was published", "capture rate, last",
-                one(captured[:, -1]), "above", PUBLISHED_SURROUNDING / 2,
-                f"{PUBLISHED_SURROUNDING}", comparable=False,
+                captured[:, -1], "above", PUBLISHED_SURROUNDING / 2, f"{PUBLISHED_SURROUNDING}",
+                comparable=False,
             ),
             Claim(
                 f"{name}: collisions of teammates remain", collided,
-                one(collisions[:, -1]), "above", LEAST_COLLISIONS,
+                collisions[:, -1], "above", LEAST_COLLISIONS,
             ),
             Claim(
                 f"{name}: collisions increase", f"{collided}, last minus untrained",
-                one(collisions[:, -1] - collisions[:, 0]), "above",
+                collisions[:, -1] - collisions[:, 0], "above",
             ),
         ]  # fmt: skip
     return found
@@ -361,16 +354,16 @@ def _on_safety(numbers: Numbers) -> list[Claim]:
         found += [
             Claim(
                 f"{name}: rewards improve", "return of the team in tests, last minus untrained",
-                one(rewards[:, 1] - rewards[:, 0]), "above",
+                rewards[:, 1] - rewards[:, 0], "above",
             ),
             Claim(
                 f"{name}: teammates collide in most episodes", "share of the test episodes",
-                one(colliding), "above", 0.5, "0.6",
+                colliding, "above", 0.5, "0.6",
             ),
             Claim(
                 f"{name}: collisions are worse in tests than in training",
                 "at fault per 1000 agent-steps, tests minus last tenth of the training",
-                one(faults[:, 1] - faults[:, 0]), "above",
+                faults[:, 1] - faults[:, 0], "above",
             ),
         ]  # fmt: skip
     return found
@@ -378,23 +371,20 @@ def _on_safety(numbers: Numbers) -> list[Claim]:
 
 # Candidates against opponents of other runs:
 
-OPPONENTS = ("all generations", "early generations", "late generations", "held-out opponents")
-"""Opponents of the candidates; generations are those of races of other seeds."""
-
 
 def standings(numbers: Numbers, team: Team) -> dict[str, dict[str, np.ndarray]]:
     """Return the mean payoff (seeds,) of each kind of candidates against each of `OPPONENTS`."""
     payoff = numbers[f"cross-play of {team}s"].astype(np.float64)
     third = max(1, payoff.shape[-1] // 3)
-    found = {
-        "all generations": against_other_seeds(payoff),
-        "early generations": against_other_seeds(payoff[..., :third]),
-        "late generations": against_other_seeds(payoff[..., -third:]),
-        "held-out opponents": numbers[f"held-out of {team}s"].astype(np.float64),
-    }
+    found = (
+        against_other_seeds(payoff),
+        against_other_seeds(payoff[..., :third]),
+        against_other_seeds(payoff[..., -third:]),
+        numbers[f"held-out of {team}s"].astype(np.float64),
+    )
     return {
         opponents: dict(zip(CANDIDATES[team], values, strict=True))
-        for opponents, values in found.items()
+        for opponents, values in zip(OPPONENTS, found, strict=True)
     }
 
 
@@ -435,43 +425,43 @@ def _on_generalization(numbers: Numbers) -> list[Claim]:
     scores = {team: standings(numbers, team) for team in CANDIDATES}
     payoff = {"pursuer": "capture", "evader": "escape"}
 
-    def gains(team: Team, better: str, worse: str) -> ByColumn:
-        return {name: each[better] - each[worse] for name, each in scores[team].items()}
+    def gains(team: Team, better: str, worse: str) -> np.ndarray:
+        return np.array([each[better] - each[worse] for each in scores[team].values()])
 
-    found = [
-        Claim(
-            says, f"difference of {payoff[team]} rates", gains(team, better, worse),
-            side, than, published,
-        )
-        for says, team, better, worse, side, than, published in COMPARED
-    ]  # fmt: skip
     evaders = gains("evader", GENERALISTS, EVADERS_ALONE)
     pursuers = gains("pursuer", GENERALISTS, PURSUERS_ALONE)
-    found.append(
+    return [
+        *(
+            Claim(
+                says, f"difference of {payoff[team]} rates", gains(team, better, worse),
+                side, than, published,
+            )
+            for says, team, better, worse, side, than, published in COMPARED
+        ),
         Claim(
             "Who learns passively gains more from co-evolution",
             "co-evolved minus alone (against random), evaders minus pursuers",
-            difference(evaders, pursuers),
-            "above",
-        )
-    )
-    return found
+            evaders - pursuers, "above",
+        ),
+    ]  # fmt: skip
 
 
 # The tables:
 
-CROSS_PLAY = "cross-play of evaders"
-CLAIMS: tuple[tuple[tuple[str, ...], Callable[[Numbers], list[Claim]]], ...] = (
-    ((f"captured {SPECIALISTS}",), _on_races),
-    ((f"captured {FEW_EPOCHS}",), _on_few_epochs),
-    ((CROSS_PLAY,), _on_generalization),
-    ((f"captured {SPECIALISTS}",), _on_swings),
-    ((f"captured {SPECIALISTS}", f"phases {SPECIALISTS}"), _on_long_races),
-    (("plateau: random",), _on_plateau),
-    ((f"{SURROUNDING['rewards']}: captured",), _on_surrounding),
-    ((f"{SURROUNDING['rewards']}: faults",), _on_safety),
-)
-"""Some of the numbers that claims take, and the claims."""
+CROSS_PLAY, CAPTURED = "cross-play of evaders", f"captured {SPECIALISTS}"
+SURROUNDED = SURROUNDING["rewards"]
+CLAIMS: Mapping[tuple[str, ...], Mapping[Callable[[Numbers], list[Claim]], tuple[str, ...]]] = {
+    PARTS: {_on_races: (CAPTURED,), _on_few_epochs: (f"captured {FEW_EPOCHS}",)},
+    OPPONENTS: {_on_generalization: (CROSS_PLAY,)},
+    ("found",): {
+        _on_swings: (CAPTURED,),
+        _on_long_races: (CAPTURED, f"phases {SPECIALISTS}"),
+        _on_plateau: ("plateau: random",),
+        _on_surrounding: (f"{SURROUNDED}: captured",),
+        _on_safety: (f"{SURROUNDED}: faults",),
+    },
+}
+"""Columns of each table, its claims, and some of the numbers that they take."""
 
 
 HEAD = """# Claims of the paper
@@ -480,59 +470,47 @@ A cell holds the verdict, the mean over the seeds with its 95 % interval, and th
 for all tests of the same table. The last table holds the scores of all candidates."""
 
 
-def claims(numbers: Numbers) -> list[Claim]:
-    """Return the claims whose numbers are measured."""
-    return [
-        claim
-        for names, found in CLAIMS
-        if all(name in numbers for name in names)
-        for claim in found(numbers)
-    ]
-
-
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
-    by_columns: dict[tuple[str, ...], list[Claim]] = {}
-    for claim in claims(numbers):
-        by_columns.setdefault(tuple(claim.values), []).append(claim)
-    parts = [HEAD, *(table(columns, of_table) for columns, of_table in by_columns.items())]
-    missing = {name: None for names, _ in CLAIMS for name in names if name not in numbers}
+    parts, missing = [HEAD], []
+    for columns, found in CLAIMS.items():
+        claims: list[Claim] = []
+        for claims_on, names in found.items():
+            lacking = [name for name in names if name not in numbers]
+            missing += lacking
+            claims += [] if lacking else claims_on(numbers)
+        if claims:
+            parts.append(table(columns, claims))
     if missing:
-        parts.append(f"Not measured: {', '.join(missing)} (`--kinds`).")
-    if f"captured {SPECIALISTS}" in numbers:
+        parts.append(f"Not measured: {', '.join(dict.fromkeys(missing))} (`--kinds`).")
+    if CAPTURED in numbers:
         parts.append(returns(numbers))
     if CROSS_PLAY in numbers:
         parts.append(scores(numbers))
-    if f"{SURROUNDING['rewards']}: captured" in numbers and AT_ITS_SIZE.exists():
+    if f"{SURROUNDED}: captured" in numbers and AT_ITS_SIZE.exists():
         parts += [ASSURANCE, paper_surrounding.ends(dict(np.load(AT_ITS_SIZE)))]
     return "\n\n".join(parts)
 
 
-def table(columns: Sequence[str], of_table: Sequence[Claim]) -> str:
+def table(columns: Sequence[str], claims: Sequence[Claim]) -> str:
     """Return claims with the same columns as a table in Markdown, with p-values adjusted in it."""
-    tested = [(k, col) for k, claim in enumerate(of_table) if claim.comparable for col in columns]
-    found = holm([of_table[k].p_value(column) for k, column in tested])
-    p_values = dict(zip(tested, found, strict=True))
+    p_values = iter(holm([p for claim in claims for p in claim.p_values()]))
     rows = [
         [
             claim.tested(),
-            *(cell(claim, column, p_values.get((k, column), 1.0)) for column in columns),
+            *(
+                claim.cell(each, next(p_values) if claim.comparable else 1.0)
+                for each in claim.columns
+            ),
         ]
-        for k, claim in enumerate(of_table)
+        for claim in claims
     ]
-    heads = [each or "found" for each in columns]
-    return markdown(["the paper's claim, and the number that tests it", *heads], rows)
-
-
-def cell(claim: Claim, column: str, p: float) -> str:
-    """Return verdict, mean, interval and adjusted p-value of a claim in a column."""
-    told = f"**{claim.verdict(column, p)}**<br>{claim.shown(column)}"
-    return f"{told}<br>{shown_p(p)}" if claim.comparable else told
+    return markdown(["the paper's claim, and the number that tests it", *columns], rows)
 
 
 def returns(numbers: Numbers) -> str:
     """Return in how many seeds, each by itself, skills of specialists return, in a sentence."""
-    races = [read_payoffs(each, per_episode=True) for each in captured_by(numbers)[SPECIALISTS]]
+    races = [read_payoffs(each, per_episode=True) for each in captured_by(numbers, SPECIALISTS)]
     counts = []
     for team in TEAMS:
         of = MEASURES[f"{team}_recurrence"].of
@@ -559,13 +537,5 @@ def scores(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        together=measured,
-        table=tables,
-        seeds=20,
-        fewer=dict.fromkeys(LONG.values(), 5),
-        files=("numbers.npz", "claims.md"),
-    )
+    seeds = {kind: 5 if kind in LONG.values() else 20 for kind in kinds(False)}
+    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=seeds)

@@ -5,14 +5,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 import matrixworld as mw
-from common import SAME_STEPS, SMALL_STEPS, Runs, long_race, slug
+from common import SAME_STEPS, SMALL_STEPS, Runs, long_race, pairs, scores_against, slug
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution import (
     Against,
@@ -23,7 +23,6 @@ from matrixworld.coevolution import (
     open_run,
     resume,
     score_policy,
-    tournament,
 )
 from matrixworld.coevolution.types import other
 
@@ -143,7 +142,7 @@ def alone(race: RaceSettings, team: Team) -> RaceSettings:
 def teach(runs: Runs) -> list[SavedRun]:
     """Return evaders after half of their baseline, then trained against trained pursuers."""
     found = []
-    for begun, rival in zip(runs[EVADERS_ALONE], runs[PURSUERS_ALONE], strict=True):
+    for begun, rival in pairs(runs, EVADERS_ALONE, PURSUERS_ALONE):
         directory = begun.path.parents[1] / slug(EVADERS_TAUGHT) / str(begun.settings.seed)
         if not (directory / "config.json").exists():
             half = begun.settings.schedule.archive_every
@@ -169,33 +168,13 @@ def cross_play(sizes: Sizes, team: Team, runs: Runs) -> np.ndarray:
     """
     rivals = [run.teams[other(team)] for race in RACES for run in runs[race]]
     # One population of all candidates and one of all opponents: a single tournament.
-    candidates = last_of(team, runs)
     opponents = np.concatenate([each.genomes[:: sizes.every] for each in rivals])
     met = mw.Population(opponents, rivals[0].network)
-    pursuers, evaders = (candidates, met) if team == "pursuer" else (met, candidates)
-    played = tournament(
-        sizes.world, pursuers, evaders, seed=0, episodes=sizes.episodes
-    ).capture_rate
-    payoff = played if team == "pursuer" else 1.0 - played.T
+    payoff = scores_against(
+        sizes.world, team, last_of(team, runs), met, seed=0, episodes=sizes.episodes
+    )
     seeds = len(runs[RACES[0]])
     return payoff.reshape(len(CANDIDATES[team]), seeds, len(RACES), seeds, -1)
-
-
-def surrounding(runs: Sequence[SavedRun]) -> tuple[np.ndarray, np.ndarray]:
-    """Return capture rate, and collisions between pursuers per 1000 of their agent-steps.
-
-    Both have the shape (seeds, entries of the archive); 100 episodes each.
-    """
-    captured, collisions = [], []
-    for run in runs:
-        pursuers = run.teams["pursuer"]
-        each = np.arange(len(pursuers.genomes))
-        matches = mw.Matches.of(each, 0, each)
-        scores = mw.rollout(run.settings.world, pursuers, "random", matches, episodes=100)
-        captured.append(scores.capture_rate.mean(axis=1))
-        steps = scores.agent_steps[:, :, 0].sum(axis=1)
-        collisions.append(1000 * scores.collisions[:, :, 0, 1].sum(axis=1) / steps)
-    return np.array(captured), np.array(collisions)
 
 
 # What is measured of the runs, in the dtypes in which it is written:
@@ -238,12 +217,24 @@ def _generalization(sizes: Sizes, runs: Runs) -> Numbers:
 
 
 def _surrounding(sizes: Sizes, runs: Runs) -> Numbers:
-    """Return for each fitness of `SURROUNDING` ``captured`` and ``collisions``."""
+    """Return capture rates and collisions of archived surrounding teams, 100 episodes each.
+
+    For each fitness of `SURROUNDING` ``captured``, and ``collisions`` between pursuers per 1000 of
+    their agent-steps, both (seeds, entries of the archive).
+    """
     numbers = {}
     for name in SURROUNDING.values():
-        both = surrounding(runs[name])
-        for what, values in zip(("captured", "collisions"), both, strict=True):
-            numbers[f"{name}: {what}"] = values.astype(np.float32)
+        captured, collisions = [], []
+        for run in runs[name]:
+            pursuers = run.teams["pursuer"]
+            each = np.arange(len(pursuers.genomes))
+            matches = mw.Matches.of(each, 0, each)
+            scores = mw.rollout(run.settings.world, pursuers, "random", matches, episodes=100)
+            captured.append(scores.capture_rate.mean(axis=1))
+            steps = scores.agent_steps[:, :, 0].sum(axis=1)
+            collisions.append(1000 * scores.collisions[:, :, 0, 1].sum(axis=1) / steps)
+        numbers[f"{name}: captured"] = np.array(captured, np.float32)
+        numbers[f"{name}: collisions"] = np.array(collisions, np.float32)
     return numbers
 
 

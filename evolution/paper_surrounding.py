@@ -32,7 +32,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from common import Numbers, experiment, kinds_in, markdown, mean
+from common import Numbers, Runs, by_seed, experiment, kinds_in, markdown, mean
 from matrixworld._util import colors
 from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.world.rules import COLLISION_KINDS
@@ -84,7 +84,12 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     return {kind: BASE.changed({**changes, **small}) for kind, changes in KINDS.items()}
 
 
-def of_run(run: SavedRun, quick: bool) -> Numbers:
+def measured(runs: Runs, quick: bool) -> Numbers:
+    """Return the numbers of `of_run` of all runs."""
+    return by_seed(runs, of_run)
+
+
+def of_run(run: SavedRun) -> Numbers:
     """Return the numbers of a run.
 
     Over epochs of training ``captured`` (in the last step) and ``fault`` (agent-steps of the
@@ -116,9 +121,13 @@ def of_run(run: SavedRun, quick: bool) -> Numbers:
 
 
 def published_log() -> dict[str, NDArray[np.float64]]:
-    """Return the columns of the authors' log: `epoch`, `reward`, `captured` and the collisions."""
-    names = LOG.read_text(encoding="utf-8").splitlines()[0].split(",")
-    return dict(zip(names, np.loadtxt(LOG, delimiter=",", skiprows=1).T, strict=True))
+    """Return `epoch`, `captured`, `collisions` and `reward` of the authors' log, by windows."""
+    log = np.genfromtxt(LOG, delimiter=",", names=True)
+    collisions = sum(log[kind] for kind in COLLISION_KINDS)
+    columns = {name: log[name] for name in ("epoch", "captured", "reward")}
+    # The log has every tenth epoch.
+    every = {**columns, "collisions": collisions}
+    return {name: windows(each, WINDOW // 10) for name, each in every.items()}
 
 
 def windows(values: NDArray[Any], length: int = WINDOW) -> NDArray[np.float64]:
@@ -130,9 +139,7 @@ def windows(values: NDArray[Any], length: int = WINDOW) -> NDArray[np.float64]:
 
 def tables(numbers: Numbers) -> str:
     """Return the ends of all runs, and the course of the published training, in Markdown."""
-    missing = [kind for kind in KINDS if kind not in in_order(numbers)]
-    told = [f"Not measured: {', '.join(missing)} (`--kinds`)."] if missing else []
-    return "\n\n".join([ends(numbers), course(numbers), *told])
+    return f"{ends(numbers)}\n\n{course(numbers)}"
 
 
 def in_order(numbers: Numbers) -> list[str]:
@@ -170,11 +177,7 @@ def ends(numbers: Numbers) -> str:
 def course(numbers: Numbers) -> str:
     """Return the published training beside its log, by windows of epochs, in Markdown."""
     log = published_log()
-    theirs = windows(
-        np.stack([log["reward"], log["captured"], sum(log[kind] for kind in COLLISION_KINDS)]),
-        WINDOW // 10,
-    )
-    columns = [*theirs[[1, 2, 0]]]
+    columns = [log[name] for name in ("captured", "collisions", "reward")]
     if "published" in in_order(numbers):
         captured, faults = (windows(numbers[f"published / {key}"]) for key in ("captured", "fault"))
         rewards = numbers["published / reward"][:, 1:]  # the first generation is untrained
@@ -189,7 +192,7 @@ def course(numbers: Numbers) -> str:
         "end of the window.\n\n"
     )
     rows = []
-    for w in range(theirs.shape[1]):
+    for w in range(len(log["epoch"])):
         if w >= 10 and w % 5 != 4:  # later windows change slowly
             continue
         cells = [
@@ -204,26 +207,19 @@ def figure(numbers: Numbers) -> Figure:
     """Draw reward, captures and collisions over epochs of all runs and of the authors' log."""
     drawn = Figure(figsize=(13.0, 4.2), dpi=130, layout="constrained")
     log, panels = published_log(), drawn.subplots(1, 3)
-    collided = sum(log[kind] for kind in COLLISION_KINDS)
-    middles = windows(log["epoch"], WINDOW // 10)
-    for axes, values in zip(panels, (log["captured"], collided, log["reward"]), strict=True):
-        line = windows(values, WINDOW // 10)
-        axes.plot(middles, line, color=colors.INK, linestyle="--", label="the authors' log")
+    for axes, name in zip(panels, ("captured", "collisions", "reward"), strict=True):
+        style = {"color": colors.INK, "linestyle": "--", "label": "the authors' log"}
+        axes.plot(log["epoch"], log[name], **style)
         axes.set_xlabel("epoch")
         axes.grid(color=colors.GRID)
     for kind in in_order(numbers):
-        color = DRAWN[kind]
-        curves = {
-            panels[0]: windows(numbers[f"{kind} / captured"]),
-            panels[1]: windows(numbers[f"{kind} / fault"]),
-        }
+        curves = [windows(numbers[f"{kind} / {name}"]) for name in ("captured", "fault")]
         if kind == "published":  # the other kinds have other rewards
-            curves[panels[2]] = numbers[f"{kind} / reward"][:, 1:]
-        for axes, seeds in curves.items():
+            curves.append(numbers[f"{kind} / reward"][:, 1:])
+        for axes, seeds in zip(panels, curves, strict=False):
             epochs = WINDOW * (0.5 + np.arange(seeds.shape[1]))
-            for number, seed in enumerate(seeds):
-                label = kind if number == 0 else None
-                axes.plot(epochs, seed, color=color, linewidth=1.2, label=label)
+            labels = [kind] + [None] * (len(seeds) - 1)
+            axes.plot(epochs, seeds.T, color=DRAWN[kind], linewidth=1.2, label=labels)
     panels[0].set(title="evaders captured in the last step", ylim=(-0.02, 1.02))
     panels[1].set(title="collisions of the pursuers in an episode")
     panels[1].set_yscale("symlog", linthresh=10.0)
@@ -235,13 +231,5 @@ def figure(numbers: Numbers) -> Figure:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=of_run,
-        table=tables,
-        seeds=max(SEEDS.values()),
-        fewer=SEEDS,
-        figures={"training.png": figure},
-    )
+    figures = {"training.png": figure}
+    experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=SEEDS, figures=figures)

@@ -44,6 +44,7 @@ from common import (
     Numbers,
     Runs,
     adjusted,
+    by_seed,
     experiment,
     kept,
     kinds_in,
@@ -69,25 +70,22 @@ QUICK = {
 META = {f"schedule.{team}s_meet.episodes": 2 for team in TEAMS}
 
 
-def meeting(sampler: str, **others: Any) -> dict[str, Any]:
-    """Return changes by which both teams meet opponents of a sampler."""
-    return {**{f"schedule.{team}s_meet": sampler for team in TEAMS}, **others}
+def meeting(sampler: str) -> dict[str, Any]:
+    """Return changes by which both teams, in turns, meet opponents of a sampler."""
+    return {"schedule": "alternating", **{f"schedule.{team}s_meet": sampler for team in TEAMS}}
 
 
-PSRO = {
-    "PSRO, Nash": {"schedule": "alternating", **meeting("nash"), **META},
-    "PSRO, replicators": {"schedule": "alternating", **meeting("prd"), **META},
-    "PSRO, rectified": {"schedule": "alternating", **meeting("rectified"), **META},
-}
-GENERALISTS = "generalists"
-OTHERS = {
+GENERALISTS, HALLS = "generalists", "halls of fame"
+KINDS = {
     GENERALISTS: {"schedule": "generalist-generalist"},
-    "random past opponents": {"schedule": "alternating", **meeting("uniform")},
-    "halls of fame": {"schedule": "hall-of-fame"},
-    "MaxSolve": {"schedule": "alternating", **meeting("maxsolve")},
-    "LAPCA": {"schedule": "alternating", **meeting("lapca")},
+    "random past opponents": meeting("uniform"),
+    HALLS: {"schedule": "hall-of-fame"},
+    "MaxSolve": meeting("maxsolve"),
+    "LAPCA": meeting("lapca"),
+    "PSRO, Nash": {**meeting("nash"), **META},
+    "PSRO, replicators": {**meeting("prd"), **META},
+    "PSRO, rectified": {**meeting("rectified"), **META},
 }
-KINDS = {**OTHERS, **PSRO}
 
 CURVES = {
     "newest": "NashConv of the newest generations",
@@ -106,16 +104,14 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 
 def races(base: RaceSettings, kinds: Mapping[str, Mapping[str, Any]]) -> dict[str, RaceSettings]:
     """Return what the kinds change in races of a base."""
-    schedule, found = base.schedule, {}
+    schedule = base.schedule
     # With two contemporaries and one of the hall, an epoch of both teams is two of each.
-    joint = (schedule.pursuer_epochs + schedule.evader_epochs) // 4
-    for kind, changes in kinds.items():
-        sizes = {
-            "schedule.generations": schedule.generations,
-            "schedule.joint_epochs": max(1, joint),
-        }
-        found[kind] = base.changed({**changes, **(sizes if kind == "halls of fame" else {})})
-    return found
+    joint = max(1, (schedule.pursuer_epochs + schedule.evader_epochs) // 4)
+    sizes = {"schedule.generations": schedule.generations, "schedule.joint_epochs": joint}
+    return {
+        kind: base.changed({**changes, **(sizes if kind == HALLS else {})})
+        for kind, changes in kinds.items()
+    }
 
 
 # Numbers of a race
@@ -134,16 +130,26 @@ def states_of(world: mw.WorldConfig) -> States:
     return States(world)
 
 
-def numbers_of(run: SavedRun, quick: bool) -> dict[str, Any]:
-    """Return numbers of one finished race for each generation from 1, and steps a match.
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return the numbers of all races, the value, and `enclosure` of those of the first seed.
 
-    A file beside the race keeps them for the next call.
+    A file beside a run keeps its numbers for the next call.
     """
-    return kept(run.path.with_suffix(".json"), lambda: measured(run))
+    every = [run for each in runs.values() for run in each]
+    states = states_of(every[0].settings.world)
+    budget = min(int(run.log()["matches"].max()) for run in every)
+    return {
+        **by_seed(runs, lambda run: kept(run.path.with_suffix(".json"), lambda: numbers_of(run))),
+        "value": solve(states).value,
+        **{
+            f"least of {kind}": enclosure(each[0], states, each[0].generation_at("evader", budget))
+            for kind, each in runs.items()
+        },
+    }
 
 
-def measured(run: SavedRun) -> dict[str, Any]:
-    """Return what `numbers_of` keeps."""
+def numbers_of(run: SavedRun) -> dict[str, Any]:
+    """Return numbers of a race for each generation from 1, and agent-steps a match."""
     matrix, log = run.payoff().capture_rate, run.log()
     short = guarantees(states_of(run.settings.world), run.teams).exploitability
     generations = range(1, len(matrix))
@@ -159,17 +165,6 @@ def measured(run: SavedRun) -> dict[str, Any]:
         "population": [analysis.exploitability(matrix, *of_k).total for of_k in weights],
         "agent_steps": run.summary()["training_agent_steps"] / matches[-1],
     }
-
-
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return the value, and the least NashConv of the mixtures of the first seed of each kind."""
-    states = states_of(next(iter(runs.values()))[0].settings.world)
-    budget = min(int(run.log()["matches"].max()) for each in runs.values() for run in each)
-    least = {
-        f"least of {kind}": enclosure(each[0], states, each[0].generation_at("evader", budget))
-        for kind, each in runs.items()
-    }
-    return {"value": solve(states).value, **least}
 
 
 def enclosure(run: SavedRun, states: States, k: int) -> float:
@@ -208,29 +203,23 @@ def at_budget(numbers: Numbers) -> tuple[int, Reached]:
     return budget, found
 
 
-def verdict(p: float, difference: float) -> str:
-    """Return whether a difference from generalists is told, by its adjusted p-value."""
-    return "cannot tell" if p > SIGNIFICANCE else "lower" if difference < 0.0 else "higher"
-
-
 def differences(reached: Reached, labels: Mapping[str, str]) -> str:
     """Return the differences of all kinds from generalists as a table in Markdown."""
-    others = [kind for kind in reached if kind != GENERALISTS]
     # Pairs of the same seed: both races start with the same genomes.
     found = {
-        (kind, name): reached[kind][name] - reached[GENERALISTS][name]
-        for kind in others
+        (kind, name): each[name] - reached[GENERALISTS][name]
+        for kind, each in reached.items()
         for name in labels
+        if kind != GENERALISTS
     }
-    p_values = adjusted(found)
-
-    def cells(kind: str, name: str) -> list[str]:
-        difference, p = found[kind, name], p_values[kind, name]
-        return [mean(difference, sign="+"), f"{shown_p(p)}, {verdict(p, difference.mean())}"]
-
+    rows: dict[str, list[str]] = {}
+    for (kind, name), p in adjusted(found).items():
+        lower = found[kind, name].mean() < 0.0
+        verdict = "cannot tell" if p > SIGNIFICANCE else "lower" if lower else "higher"
+        cells = [mean(found[kind, name], sign="+"), f"{shown_p(p)}, {verdict}"]
+        rows.setdefault(kind, [kind]).extend(cells)
     heads = ["race", *(head for label in labels.values() for head in (label, "Holm"))]
-    rows = [[kind, *(cell for name in labels for cell in cells(kind, name))] for kind in others]
-    return "Differences from generalists of the same seed:\n\n" + markdown(heads, rows)
+    return f"Differences from generalists of the same seed:\n\n{markdown(heads, rows.values())}"
 
 
 def table(numbers: Numbers) -> str:
@@ -262,7 +251,7 @@ def table(numbers: Numbers) -> str:
 
 DASHES = {
     "random past opponents": "--",
-    "halls of fame": ":",
+    HALLS: ":",
     "MaxSolve": "-.",
     "LAPCA": (0, (6, 1, 1, 1, 1, 1)),
 }
@@ -301,13 +290,5 @@ def figure(numbers: Numbers) -> Figure:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=numbers_of,
-        together=together,
-        table=table,
-        seeds=10,
-        figures={"curves.png": figure},
-    )
+    figures = {"curves.png": figure}
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures)

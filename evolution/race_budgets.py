@@ -23,15 +23,22 @@ from typing import Any
 import numpy as np
 
 import hall_of_fame
-from common import SMALL_RACE, Numbers, Runs, experiment, kinds_in, long_race, markdown, mean
+from common import (
+    SMALL_RACE,
+    Numbers,
+    Runs,
+    by_seed,
+    experiment,
+    kinds_in,
+    long_race,
+    markdown,
+    mean,
+)
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 
-SPECIALISTS, GENERALISTS, HALL = (
-    "specialist-specialist",
-    "generalist-generalist",
-    "hall-of-fame",
-)
+SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
+HALL = "hall-of-fame"
 SCHEDULES = (SPECIALISTS, GENERALISTS, HALL)
 KEPT = Path(__file__).parent / "results"
 LONG, DEFAULT = "long", "default"
@@ -58,7 +65,7 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     return found
 
 
-def measured(run: SavedRun, quick: bool) -> dict[str, float]:
+def scores_of(run: SavedRun) -> dict[str, float]:
     """Return the scores of both last generations against held-out opponents."""
     scores = score(run)
     return {team: float(scores[team].means[-1]) for team in TEAMS}
@@ -69,9 +76,9 @@ def found_in(payoffs: Any) -> list[str]:
     return [*analysis.judge(payoffs, per_episode=True).present()]
 
 
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return the matches of each kind and what is found in it, and the numbers of long races."""
-    numbers = {} if quick else kept()
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return scores, matches and what is found of each kind, and the numbers of long races."""
+    numbers = by_seed(runs, scores_of) | ({} if quick else kept())
     for kind, each in runs.items():
         every = np.stack([run.payoff().capture_rates for run in each])
         numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
@@ -120,12 +127,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=measured,
-        together=together,
-        table=table,
-        seeds=SEEDS,
-    )
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=SEEDS)

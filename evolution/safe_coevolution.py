@@ -1,42 +1,39 @@
-"""What does it cost both teams to avoid collisions? Races with a price on them, or with a mask.
+"""What does it cost both teams to avoid collisions? Races with a price on them.
 
-    python evolution/safe_coevolution.py             prices and masks: half an hour of two cores
+    python evolution/safe_coevolution.py             four prices, some minutes of one core
     python evolution/safe_coevolution.py --quick     a small world: some seconds
 
-**Prices.** In variant B an agent that runs into a border or a teammate bounces; there is no other
+In variant B an agent that runs into a border or a teammate bounces; there is no other
 consequence. In each race the fitness of a team is
 
     capture (pursuers) or escape (evaders)  -  price * own collisions at fault per agent-step
 
 Afterwards each team plays against all opponents of all races, so that prices are compared on the
 same opponents. The script prints and draws the score of each team and how often it is at fault.
-
-**Masks.** Default races of generalists, and the same with right of way for both teams
-(`policy.mask=right-of-way`), ten seeds each: scores against held-out opponents, and collisions.
+(`safe_races.py` asks the same of a mask, with which no agent is at fault.)
 
 Method: evolution strategies (Salimans et al., 2017) against random opponents of the past. The price
 is the fixed weight of a constraint; see Altman (1999), "Constrained Markov decision processes".
 
 Look at three things. How many collisions are there at price 0? Running into a wall is as good as
 standing still there, so selection does not remove it. Does a small price lower the capture rate or
-raise it? At which price does a team prefer not to move, so that it cannot collide? In the second
-table, look at the differences: an interval around 0 says how much the mask may cost.
+raise it? At which price does a team prefer not to move, so that it cannot collide?
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 from tqdm import tqdm
 
 import matrixworld as mw
-from common import SMALL_RACE, Numbers, Runs, experiment, markdown, mean, play, written
-from matrixworld import analysis, coevolution
+from common import markdown, mean, play, script_parser
+from matrixworld import coevolution
 from matrixworld._util import colors
-from matrixworld.coevolution import EvolutionStrategy, NoiseTable, RaceSettings, SavedRun, Team
+from matrixworld.coevolution import EvolutionStrategy, NoiseTable, Team
 from matrixworld.coevolution.types import other
 
 SIGMA = 0.1  # standard deviation of the evolution strategy's samples
@@ -124,24 +121,25 @@ def evaluate(champions: Mapping[Team, np.ndarray], budget: Budget) -> dict[Team,
     matches = mw.Matches.of(*pairs, np.arange(n * n))
     played = mw.rollout(budget.world, pursuers, evaders, matches, episodes=budget.episodes)
 
-    def champion(t: int, player: int) -> tuple[float, np.ndarray]:
-        own, monitor = pairs[t] == player, mw.SafetyMonitor()
-        fields = (played.collisions, played.faults, played.agent_steps, played.capture_rate)
-        monitor.add(*(each[own] for each in fields))
-        summary = monitor.summary()
-        score = (summary.capture_rate, 1 - summary.capture_rate)[t]
-        return score, np.array([*summary.fault_rate[t, :2], summary.involved_rate[t, 2]])
-
+    # By pursuers and evaders, in place of matches.
+    faults, contacts, steps, captured = (
+        each.reshape(n, n, *each.shape[1:])
+        for each in (played.faults, played.collisions, played.agent_steps, played.capture_rate)
+    )
     # Champions are ordered by price, then seed.
     grid = (len(budget.prices), budget.seeds)
     evaluations = {}
     for t, team in enumerate(coevolution.TEAMS):
-        score, rates = zip(*(champion(t, player) for player in range(n)), strict=True)
-        evaluations[team] = Evaluation(np.reshape(score, grid), np.reshape(rates, (*grid, 3)))
+        rest = (1 - t, 2)  # opponents and episodes
+        score = captured.mean(axis=rest)
+        counts = [*faults[..., t, :2].sum(axis=rest).T, contacts[..., t, 2].sum(axis=rest)]
+        rates = 1000 * np.stack(counts, axis=1) / steps[..., t].sum(axis=rest)[:, np.newaxis]
+        score = score if team == "pursuer" else 1 - score
+        evaluations[team] = Evaluation(score.reshape(grid), rates.reshape(*grid, 3))
     return evaluations
 
 
-def price_table(evaluations: Mapping[Team, Evaluation], numbers: Numbers) -> str:
+def table(evaluations: Mapping[Team, Evaluation], budget: Budget) -> str:
     """Return the evaluations in Markdown: means over seeds, with intervals over seeds."""
     told = (
         "Score: capture rate of pursuers, escape rate of evaders. Obstacles, teammates: steps at\n"
@@ -149,45 +147,22 @@ def price_table(evaluations: Mapping[Team, Evaluation], numbers: Numbers) -> str
     )
     rows = []
     for team, evaluation in evaluations.items():
-        for price, score, rates in zip(numbers["prices"], *evaluation, strict=True):
+        for price, score, rates in zip(budget.prices, *evaluation, strict=True):
             means = (mean(rate, 0, bounds=(0.0, np.inf)) for rate in rates.T)
             score_mean = mean(score, 2, bounds=(0.0, np.inf))
-            matches = f"{numbers['matches']:,}"
-            rows.append([f"{team}s", f"{price:g}", score_mean, *means, matches])
+            rows.append([f"{team}s", f"{price:g}", score_mean, *means, f"{budget.matches:,}"])
     heads = ["team", "price", "score", "obstacles", "teammates", "adversaries", "matches"]
     return told + markdown(heads, rows)
 
 
-def evaluations_in(numbers: Numbers) -> dict[Team, Evaluation]:
-    """Return the evaluations that are kept."""
-    return {
-        team: Evaluation(numbers[f"{team} score"], numbers[f"{team} collisions"])
-        for team in coevolution.TEAMS
-    }
-
-
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Run a race for each price and seed; return the evaluation of their champions."""
-    budget = QUICK if quick else FULL
-    races = [(price, seed) for price in budget.prices for seed in range(budget.seeds)]
-    bar = tqdm(races, desc="races", disable=None)
-    last = [race(price, budget, seed) for price, seed in bar]
-    champions = {team: np.stack([each[team] for each in last]) for team in coevolution.TEAMS}
-    numbers: dict[str, Any] = {"prices": budget.prices, "matches": budget.matches}
-    for team, evaluation in evaluate(champions, budget).items():
-        numbers |= {f"{team} score": evaluation.score, f"{team} collisions": evaluation.collisions}
-    return numbers
-
-
-def figure(numbers: Numbers) -> Figure:
+def figure(evaluations: Mapping[Team, Evaluation], budget: Budget) -> Figure:
     """Draw score over collisions at fault: small marks are seeds, large ones are means."""
-    evaluations, prices = evaluations_in(numbers), numbers["prices"]
     drawn = Figure(figsize=(9.0, 4.4), dpi=150, layout="constrained")
     panels = drawn.subplots(1, 2, sharex=True, sharey=True)
     teams = zip(evaluations.items(), panels, colors.TEAMS, ("capture", "escape"), strict=True)
     for (team, (score, collisions)), axes, color, aim in teams:
         at_fault = collisions[:, :, :2].sum(axis=2)
-        for price, x, y, mark in zip(prices, at_fault, score, MARKERS, strict=False):
+        for price, x, y, mark in zip(budget.prices, at_fault, score, MARKERS, strict=False):
             axes.plot(x, y, mark, color=color, markersize=4, alpha=0.6)
             ring = {"color": color, "markersize": 11, "fillstyle": "none"}
             axes.plot(x.mean(), y.mean(), mark, label=f"price {price:g}", **ring)
@@ -198,71 +173,21 @@ def figure(numbers: Numbers) -> Figure:
     return drawn
 
 
-MASKS = ("none", "right-of-way")
-QUICK_RACE = {
-    **SMALL_RACE, "schedule.generations": 4, "schedule.pursuer_epochs": 2,
-    "schedule.evader_epochs": 2,
-}  # fmt: skip
-
-
-def kinds(quick: bool) -> dict[str, RaceSettings]:
-    """Return default races with each of `MASKS`."""
-    base = RaceSettings.of(QUICK_RACE if quick else {})
-    return {mask: base.changed({"policy.mask": mask}) for mask in MASKS}
-
-
-def of_race(run: SavedRun, quick: bool) -> dict[str, list[float]]:
-    """Return scores of both teams and collisions: late ones of both teams, and all of training."""
-    scores, log = coevolution.score(run), run.log()
-    late = log["generation"] == log["generation"].max()
-    episodes = np.diff(log["matches"], prepend=0)
-    collisions = [log[f"{team}_faults"] for team in coevolution.TEAMS]
-    return {
-        "scores": [float(scores[team].means[-1]) for team in coevolution.TEAMS],
-        "late": [float(each[late].mean()) for each in collisions],
-        "all": [float(sum(each @ episodes for each in collisions))],
-    }
-
-
-def mask_table(numbers: Numbers) -> str:
-    """Return what the masks change, in Markdown: means over seeds, and differences of seeds."""
-    found = {
-        mask: np.hstack([numbers[f"{mask} / {name}"] for name in ("scores", "late", "all")])
-        for mask in MASKS
-    }
-    found["right of way, minus none"] = np.subtract(*(found[mask] for mask in MASKS[::-1]))
-    rows = []
-    for label, columns in found.items():
-        sign = "+" if "minus" in label else ""
-        means = [analysis.interval_over_runs(column) for column in columns.T]
-        digits = (2, 2, 1, 1)
-        cells = [written(each, n, sign) for each, n in zip(means, digits, strict=False)]
-        rows.append([label, *cells, format(means[4].value, f"{sign},.0f")])
-    heads = [
-        "mask", "score, pursuers", "score, evaders", "collisions, pursuers", "evaders",
-        "in all of training",
-    ]  # fmt: skip
-    told = (
-        "Scores of the last generations against held-out opponents; collisions: agent-steps at "
-        "fault in an episode\nof the last generation's training, and in all of training. "
-        "[95% over seeds]\n\n"
-    )
-    return told + markdown(heads, rows)
-
-
-def table(numbers: Numbers) -> str:
-    """Return both tables."""
-    return f"{price_table(evaluations_in(numbers), numbers)}\n\n{mask_table(numbers)}"
+def main() -> None:
+    """Run a race for each price and seed; print, write and draw what their champions do."""
+    parser = script_parser(__doc__, quick="a small world, two prices and two seeds")
+    parser.add_argument("--figure", default="safe_coevolution.png", help="file to draw to")
+    args = parser.parse_args()
+    budget = QUICK if args.quick else FULL
+    races = [(price, seed) for price in budget.prices for seed in range(budget.seeds)]
+    bar = tqdm(races, desc="races", disable=None)
+    last = [race(price, budget, seed) for price, seed in bar]
+    champions = {team: np.stack([each[team] for each in last]) for team in coevolution.TEAMS}
+    evaluations = evaluate(champions, budget)
+    print(table(evaluations, budget))
+    figure(evaluations, budget).savefig(args.figure)
+    print(f"\nDrawn: {args.figure}")
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=of_race,
-        together=together,
-        table=table,
-        seeds=10,
-        figures={"prices.png": figure},
-    )
+    main()

@@ -31,6 +31,7 @@ from common import (
     Numbers,
     Runs,
     adjusted,
+    by_seed,
     experiment,
     kinds_in,
     markdown,
@@ -40,7 +41,7 @@ from common import (
 from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.world.rules import COLLISION_KINDS
-from safe_runs import FEW_SEEDS, LIMIT, METHODS, VARIANTS, budget, kinds, long_test, of_run
+from safe_runs import FEW_SEEDS, LIMIT, budget, kinds, long_test, of_run, seeds
 
 EVOLVED = " evolution: "
 LONG_TEST = 1e7
@@ -105,27 +106,26 @@ def within(numbers: Numbers, variant: str) -> list[str]:
 def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[Any]]:
     """Return the numbers of a method at its last generation within a budget, (seeds,) each."""
     steps = numbers[f"{name} / agent-steps"]
-    last = (steps <= budget).sum(axis=1) - 1
-    seeds = np.arange(len(steps))
-    faults = numbers[f"{name} / fault"][seeds, last]
+    last = np.arange(len(steps)), (steps <= budget).sum(axis=1) - 1
+    faults = numbers[f"{name} / fault"][last]
     return {
-        "capture rate": numbers[f"{name} / capture rate"][seeds, last],
-        "length": numbers[f"{name} / length"][seeds, last],
+        "capture rate": numbers[f"{name} / capture rate"][last],
+        "length": numbers[f"{name} / length"][last],
         "all": faults.sum(axis=1),
-        **{kind: faults[:, k] for k, kind in enumerate(COLLISION_KINDS)},
-        "training": 1000 * numbers[f"{name} / collisions"][seeds, last] / steps[seeds, last],
-        "agent-steps": steps[seeds, last] / 1e6,
+        **dict(zip(COLLISION_KINDS, faults.T, strict=True)),
+        "training": 1000 * numbers[f"{name} / collisions"][last] / steps[last],
+        "agent-steps": steps[last] / 1e6,
     }
 
 
 def table(numbers: Numbers) -> str:
     """Return the comparison of the methods as a table in Markdown for each variant."""
     budget = float(numbers["budget"])
-    seeds = len(numbers[f"{kinds_in(numbers)[0]} / capture rate"])
+    count = len(numbers[f"{kinds_in(numbers)[0]} / capture rate"])
     parts = [
         f"Collisions at fault per 1000 agent-steps of the pursuers: in the test, by kind, and in "
         f"training so far.\nAll methods after at most {budget / 1e6:.4g} million agent-steps of "
-        f"training; evolution at its end as well.\nMean over {seeds} seeds, at most {FEW_SEEDS} "
+        f"training; evolution at its end as well.\nMean over {count} seeds, at most {FEW_SEEDS} "
         "with a penalty, a limit or 16 times the matches [95% interval]."
     ]
     for variant in variants_of(numbers):
@@ -148,26 +148,18 @@ def table(numbers: Numbers) -> str:
 def comparisons(numbers: Numbers) -> str:
     """Return the differences of `COMPARED` in each variant as a table in Markdown."""
     budget, variants = float(numbers["budget"]), variants_of(numbers)
-
-    def difference(variant: str, number: str, one: str, other: str) -> NDArray[Any]:
-        # Pairs of the same seed: both teams start with the same genome.
-        first, second = (
-            judged(numbers, f"{variant} {each}", budget=budget) for each in (one, other)
-        )
-        both = min(len(first[number]), len(second[number]))
-        return np.asarray(first[number][:both] - second[number][:both])
-
-    found = {
-        (row, variant): difference(variant, *row)
-        for row in COMPARED
-        for variant in variants
-        if {f"{variant} {method}" for method in row[1:]} <= {*kinds_in(numbers)}
-    }
+    found = {}
+    for row in COMPARED:
+        number, *methods = row
+        for variant in variants:
+            names = (f"{variant} {method}" for method in methods)
+            # Pairs of the same seed: both teams start with the same genome.
+            one, other = (judged(numbers, name, budget=budget)[number] for name in names)
+            both = min(len(one), len(other))
+            found[row, variant] = one[:both] - other[:both]
     p_values = adjusted(found)
 
     def cell(row: tuple[str, str, str], variant: str) -> str:
-        if (row, variant) not in found:
-            return ""
         p, digits = p_values[row, variant], 2 if row[0] == "capture rate" else 1
         unknown = "; **cannot tell**" if p > SIGNIFICANCE else ""
         return f"{mean(found[row, variant], digits, '+')}; {shown_p(p)}{unknown}"
@@ -267,28 +259,21 @@ def curve(
     axes.fill_between(grid, low, high, color=style["color"], alpha=0.12, linewidth=0)
 
 
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return the budget, and the ``long test``: steps of masked pursuers, and those at fault."""
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return numbers of all runs, the budget, and the ``long test``.
+
+    It has the steps of masked pursuers, and how many of them were at fault.
+    """
     masked = [run for name, each in runs.items() if name.endswith("right of way") for run in each]
     share = (1e4 if quick else LONG_TEST) / max(1, len(masked))
     tests = [long_test(run, share) for run in masked]
-    return {"budget": budget(quick), "long test": np.sum(tests or [(0, 0)], axis=0)}
+    return {
+        **by_seed(runs, lambda run: of_run(run, quick)),
+        "budget": budget(quick),
+        "long test": np.sum(tests or [(0, 0)], axis=0),
+    }
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        measure=of_run,
-        together=together,
-        table=table,
-        seeds=10,
-        fewer={
-            f"{variant} {name}": FEW_SEEDS
-            for variant in VARIANTS[False]
-            for name, method in METHODS.items()
-            if method.slow
-        },
-        figures={"training.png": training_figure, "methods.png": methods_figure},
-    )
+    figures = {"training.png": training_figure, "methods.png": methods_figure}
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=seeds(), figures=figures)

@@ -19,10 +19,10 @@ pursuers at fault. ``--results`` receives the numbers and the table.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from time import process_time
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from tqdm import tqdm
@@ -93,10 +93,9 @@ def play(kind: Kind, size: tuple[int, int], episodes: int) -> Row:
         max_steps=STEPS, obstacles=kind.obstacles,
     )  # fmt: skip
     begun = process_time()
-    matches = mw.Matches.of(0, 0, FIRST_SEED + np.arange(episodes))
-    if isinstance(kind.pursuers, mw.Population):
-        each = np.arange(episodes) % len(kind.pursuers.genomes)
-        matches = mw.Matches.of(each, 0, FIRST_SEED + np.arange(episodes))
+    teams = len(kind.pursuers.genomes) if isinstance(kind.pursuers, mw.Population) else 1
+    numbers = np.arange(episodes)
+    matches = mw.Matches.of(numbers % teams, 0, FIRST_SEED + numbers)
     played = mw.rollout(config, kind.pursuers, kind.evaders, matches, threads=1)
     return Row(
         np.round(played.capture_rate[:, 0].astype(float), 6).tolist(),
@@ -131,11 +130,10 @@ def authors_row(kind: Kind, size: tuple[int, int], episodes: int) -> Row:
     return Row(captured, steps, faults, round((process_time() - begun) / episodes, 4))
 
 
-def sides(positions: np.ndarray, n_pursuers: int) -> Iterator[list[int]]:
-    """Yield the moves of each evader that lead to a free cell."""
+def sides(positions: np.ndarray, n_pursuers: int) -> list[list[int]]:
+    """Return the moves of each evader that lead to a free cell."""
     taken = set(map(tuple, positions.tolist()))
-    for row, col in positions[n_pursuers:].tolist():
-        yield free_moves(taken, row, col)
+    return [free_moves(taken, row, col) for row, col in positions[n_pursuers:].tolist()]
 
 
 def free_moves(taken: set[tuple[int, ...]], row: int, col: int) -> list[int]:
@@ -195,33 +193,31 @@ def networks_in(directory: Path) -> mw.Population:
     return mw.Population(np.concatenate([team.genomes for team in last]), last[0].network)
 
 
-def rows_of(kinds: Iterable[Kind], sizes: Iterable[tuple[int, int]], share: float) -> Any:
+def rows_of(kinds: Iterable[Kind], quick: bool) -> dict[str, list[Row | None]]:
     """Return the rows of kinds by name; None for a size that is not played."""
     found: dict[str, list[Row | None]] = {}
-    played = list(sizes)
-    for kind in tqdm(list(kinds), desc="kinds", disable=None):
-        # The script that they replace takes minutes for an episode's crowd, and says no more.
-        largest = played if kind.pursuers in (BEST,) else [s for s in played if s[0] < MANY]
-        found[kind.name] = [
-            play(kind, size, max(2, int(share * (FEW_EPISODES if size[0] >= MANY else EPISODES))))
-            if size in largest
-            else None
-            for size in SIZES
-        ]
+    for kind in tqdm(kinds, desc="kinds", disable=None):
+        rows: list[Row | None] = []
+        for size in SIZES:
+            # The scripts that it replaces take minutes for an episode's crowd, and say no more.
+            left_out = size[0] >= MANY and kind.pursuers != BEST
+            episodes = FEW_EPISODES if size[0] >= MANY else EPISODES
+            left_out |= quick and size not in SIZES[:2]
+            rows.append(None if left_out else play(kind, size, 2 if quick else episodes))
+        found[kind.name] = rows
     return found
 
 
 def main() -> None:
     """Play all rows; print and write them."""
     parser = script_parser(__doc__, quick="the smallest rows, two episodes each")
-    parser.add_argument("--networks", type=Path, help="directory of runs, for example by paper_su"
-                        "rrounding: the last pursuers of all of them play as well")  # fmt: skip
+    parser.add_argument("--networks", type=Path, help="a directory of runs: their last pursuers")
     parser.add_argument("--results", type=Path, default=Path("scripted_pursuit"))
     args = parser.parse_args()
     kinds = list(KINDS)
     if args.networks is not None:
         kinds.append(Kind("-SB, networks with right of way", networks_in(args.networks)))
-    rows = rows_of(kinds, SIZES[:2] if args.quick else SIZES, 0.02 if args.quick else 1.0)
+    rows = rows_of(kinds, args.quick)
     text = table(rows)
     print(text)
     args.results.mkdir(parents=True, exist_ok=True)

@@ -41,6 +41,7 @@ from common import (
     experiment,
     kinds_in,
     markdown,
+    scores_against,
     shown_p,
     written,
 )
@@ -136,10 +137,11 @@ def yoked(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
     return found
 
 
-def together(runs: Runs, quick: bool) -> dict[str, Any]:
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     """Return the numbers of `NAMES` of each kind of race by seed, and its ``judgement``."""
     numbers: dict[str, Any] = {}
     for kind, each in runs.items():
+        world = kind.split(",")[0]
         races = runs[kind.removesuffix(YOKED).removesuffix(RACE) + RACE]
         rates = np.stack([run.payoff().capture_rates for run in each])
         judged = analysis.judge(rates, per_episode=True).windows["whole"]
@@ -149,17 +151,15 @@ def together(runs: Runs, quick: bool) -> dict[str, Any]:
             numbers[f"{kind} / {name}"] = np.array(present, float)
         met = [*races[1:], races[0]] if kind.endswith(YOKED) else races
         for team in TEAMS:
-            rows = [
-                {
-                    "gain": gain(rates[seed], team),
-                    "met": gain_against_met(team, run, met[seed]),
-                    "common": against_common(team, seed, run, races),
-                    **(exactly(team, run) if kind.split(",")[0] in EXACT else {}),
-                }
-                for seed, run in enumerate(each)
-            ]
-            for name in rows[0]:
-                numbers[f"{kind} / {team}_{name}"] = [row[name] for row in rows]
+            of_team = {
+                "gain": [gain(each, team) for each in rates],
+                "met": [gain_against_met(team, *pair) for pair in zip(each, met, strict=True)],
+                "common": [against_common(team, seed, run, races) for seed, run in enumerate(each)],
+            }
+            if world in EXACT:
+                rises = np.array([exact_rises(team, run) for run in each])
+                of_team |= {"perfect": rises[:, 0], "guaranteed": rises[:, 1]}
+            numbers |= {f"{kind} / {team}_{name}": of_team[name] for name in of_team}
     return numbers
 
 
@@ -171,15 +171,10 @@ def gain(rates: NDArray[np.float32], team: Team) -> float:
 
 def gain_against_met(team: Team, run: SavedRun, met: SavedRun) -> float:
     """Return a team's gain against the other team of the race that it met in training."""
-    teams = {team: run.teams[team], other(team): met.teams[other(team)]}
-    rates = tournament(
-        run.settings.world,
-        teams["pursuer"],
-        teams["evader"],
-        seed=run.settings.seed,
-        episodes=run.settings.evaluation_episodes,
-    ).capture_rates
-    return gain(rates, team)
+    settings, teams = run.settings, {team: run.teams[team], other(team): met.teams[other(team)]}
+    sides, episodes = (teams["pursuer"], teams["evader"]), settings.evaluation_episodes
+    payoff = tournament(settings.world, *sides, seed=settings.seed, episodes=episodes)
+    return gain(payoff.capture_rates, team)
 
 
 def late(run: SavedRun, team: Team) -> slice:
@@ -197,20 +192,11 @@ def against_common(team: Team, seed: int, run: SavedRun, races: Sequence[SavedRu
     strange = [race for number, race in enumerate(races) if (number - seed) % len(races) > 1]
     pools = [race.teams[other(team)].genomes[::EVERY] for race in strange or races]
     own = run.teams[team]
-    kept = np.concatenate([own.genomes[:1], own.genomes[late(run, team)]])
-    met = {
-        team: mw.Population(kept, own.network),
-        other(team): mw.Population(np.concatenate(pools), own.network),
-    }
-    payoff = tournament(
-        run.settings.world,
-        met["pursuer"],
-        met["evader"],
-        seed=seed,
-        episodes=EPISODES,
-    ).capture_rate
-    scores = payoff.mean(axis=1) if team == "pursuer" else 1 - payoff.mean(axis=0)
-    return float(scores[1:].mean() - scores[0])
+    chosen = np.concatenate([own.genomes[:1], own.genomes[late(run, team)]])
+    teams = (mw.Population(each, own.network) for each in (chosen, np.concatenate(pools)))
+    scores = scores_against(run.settings.world, team, *teams, seed=seed, episodes=EPISODES)
+    first, *last = scores.mean(axis=1)
+    return float(np.mean(last) - first)
 
 
 @cache
@@ -219,8 +205,8 @@ def solved(world: mw.WorldConfig) -> Solution:
     return solve(world)
 
 
-def exactly(team: Team, run: SavedRun) -> dict[str, float]:
-    """Return how much a team's last fifth is better than generation 0, exactly.
+def exact_rises(team: Team, run: SavedRun) -> NDArray[np.float64]:
+    """Return how much a team's last fifth is better than generation 0, exactly (2,).
 
     Against perfect play, and against the best response to each generation: what it guarantees.
     """
@@ -232,8 +218,8 @@ def exactly(team: Team, run: SavedRun) -> dict[str, float]:
         responded = best_response(solution.states, champion, team).value
         rates.append((expected_payoff(solution.states, *pair), responded))
     # Captures are what pursuers want, and evaders do not.
-    rises = (np.mean(rates[1:], axis=0) - rates[0]) * (1 if team == "pursuer" else -1)
-    return {"perfect": float(rises[0]), "guaranteed": float(rises[1])}
+    rises = np.mean(rates[1:], axis=0) - rates[0]
+    return rises if team == "pursuer" else -rises
 
 
 def verdict(p: float, difference: analysis.Estimate) -> str:
@@ -279,13 +265,4 @@ def of_world(numbers: Numbers, world: str) -> str:
 
 
 if __name__ == "__main__":
-    experiment(
-        __file__,
-        __doc__,
-        kinds=kinds,
-        then=yoked,
-        together=together,
-        table=table,
-        seeds=10,
-        files=("numbers.npz", "comparison.md"),
-    )
+    experiment(__doc__, kinds=kinds, then=yoked, measure=measured, table=table, seeds=10)

@@ -34,22 +34,22 @@ from matrixworld.analysis.judge import RULES
 NUMBER = r"-?\d+\.\d+"
 
 
-def of(table: Callable[[common.Numbers], str], file: str = "numbers.npz") -> Callable[[Path], str]:
+def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
     """Return how a table is made from the numbers in its directory."""
-    return lambda at: table(dict(np.load(at / file)))
+    return lambda at: table(dict(np.load(at / "numbers.npz")))
 
 
 TABLES: dict[str, Callable[[Path], str]] = {
-    "actor_critic/baselines.md": of(baselines.table, "baselines.npz"),
-    "actor_critic/races.md": of(actor_critic_races.table, "races.npz"),
+    "actor_critic_baselines/table.md": of(baselines.table),
+    "actor_critic_races/table.md": of(actor_critic_races.table),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "ground_truth/measures.md": lambda at: ground_truth.report(
         json.loads(read(at / "races.json")), RESULTS / "judgement"
     ),
-    "hall_of_fame/comparison.md": of(hall_of_fame.table),
+    "hall_of_fame/table.md": of(hall_of_fame.table),
     "judgement/errors.md": judgement_tables.report_of,
     "learned_exploitability/table.md": of(learned.table),
-    "paper_claims/claims.md": of(paper_claims.tables),
+    "paper_claims/table.md": of(paper_claims.tables),
     "paper_surrounding/table.md": of(paper_surrounding.tables),
     "psro/table.md": of(psro.table),
     "race_budgets/table.md": of(race_budgets.table),
@@ -60,16 +60,16 @@ TABLES: dict[str, Callable[[Path], str]] = {
             for name, rows in json.loads(read(at / "numbers.json")).items()
         }
     ),
-    "yoked_races/comparison.md": of(yoked_races.table),
+    "yoked_races/table.md": of(yoked_races.table),
 }
 """Published tables, and how they are made from the other files of their directory."""
-ROUNDED = {"ground_truth/measures.md", "paper_claims/claims.md"}
+ROUNDED = {"ground_truth/measures.md", "paper_claims/table.md"}
 """Tables with numbers that another processor or SciPy may round otherwise."""
 LONG = {
     "coverage/coverage.md",
     "ground_truth/measures.md",
     "judgement/errors.md",
-    "paper_claims/claims.md",
+    "paper_claims/table.md",
 }
 """Tables that take seconds."""
 
@@ -92,8 +92,8 @@ def test_a_published_table_follows_from_published_numbers(name: str) -> None:
 @pytest.mark.parametrize(
     ("table", "page"),
     [
-        ("actor_critic/baselines.md", "actor_critic.md"),
-        ("actor_critic/races.md", "actor_critic.md"),
+        ("actor_critic_baselines/table.md", "actor_critic.md"),
+        ("actor_critic_races/table.md", "actor_critic.md"),
         ("scripted_pursuit/table.md", "scripted_pursuit.md"),
     ],
 )
@@ -200,8 +200,9 @@ def test_learned_exploitability_is_what_responses_gain() -> None:
     ],
 )
 def test_verdict_on_a_claim(values: list[float], side: str, verdict: str) -> None:
-    claim = paper_claims.Claim("it is so", "a number", {"": np.array(values)}, side)
-    assert claim.verdict("", claim.p_value("")) == verdict
+    claim = paper_claims.Claim("it is so", "a number", np.array(values), side)
+    [p], [only] = claim.p_values(), claim.columns
+    assert claim.cell(only, p).startswith(f"**{verdict}**")
 
 
 def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
@@ -210,7 +211,7 @@ def test_phases_of_a_race_are_changes_while_one_team_learns() -> None:
     rates = 0.5 + (0.05 * k[:, None] - 0.08 * k)[None, :, :, None] * np.ones(4)
     for team, change in (("pursuer", 0.05), ("evader", -0.08)):
         found = paper_claims.in_parts(rates, partial(paper_claims.phase, team))
-        np.testing.assert_allclose([found["whole"], found["last half"]], change)
+        np.testing.assert_allclose(found, np.full((len(paper_claims.PARTS), 1), change))
 
 
 def test_who_learns_passively_is_a_difference_of_differences() -> None:
@@ -223,7 +224,8 @@ def test_who_learns_passively_is_a_difference_of_differences() -> None:
     }
     thesis = paper_claims._on_generalization(numbers)
     values = next(each.values for each in thesis if each.says.startswith("Who learns passively"))
-    np.testing.assert_allclose(values["held-out opponents"], gains["evader"] - gains["pursuer"])
+    place = paper_claims.OPPONENTS.index("held-out opponents")
+    np.testing.assert_allclose(values[place], gains["evader"] - gains["pursuer"])
 
 
 # Coverage of intervals

@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from tiny_race import tiny_race
 LIBRARIES = {"common", "paper_runs", "safe_runs"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
 WITH_TORCH = {"actor_critic_baselines", "actor_critic_races", "paper_surrounding", "safe_learning"}
-ONCE = {"actor_critic_baselines", "arms_race", "evolve_held_out", "scripted_pursuit"}
+ONCE = {"arms_race", "evolve_held_out", "safe_coevolution", "scripted_pursuit"}
 """Scripts that tell the time that they took, or keep no runs."""
 
 
@@ -31,7 +32,7 @@ def test_a_script_says_the_same_again_from_what_it_keeps(name: str, tmp_path: Pa
     if name in WITH_TORCH:
         pytest.importorskip("torch")
     told = run_quickly(name, tmp_path)
-    for file in [*tmp_path.rglob("table.md"), *tmp_path.rglob("comparison.md")]:
+    for file in tmp_path.rglob("table.md"):
         assert told.startswith(read(file))
     runs = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("runs/**/payoff.npz")}
     if name not in ONCE:
@@ -72,27 +73,25 @@ def epochs(n: int) -> dict[str, int]:
 
 
 def later(runs: common.Runs, quick: bool) -> dict[str, list[RaceSettings]]:
-    return {
-        "later": [
-            run.settings.changed({"seed": run.settings.seed + 5}) for run in runs["races, 1 epochs"]
-        ]
-    }
+    begun = runs["races, 1 epochs"]
+    return {"later": [run.settings.changed({"seed": run.settings.seed + 5}) for run in begun]}
 
 
-def measure(run: SavedRun, quick: bool) -> dict[str, object]:
-    return {"seed": run.settings.seed, "rates": run.payoff().capture_rate}
+def measure(runs: common.Runs, quick: bool) -> dict[str, object]:
+    def of_run(run: SavedRun) -> dict[str, object]:
+        return {"seed": run.settings.seed, "rates": run.payoff().capture_rate}
+
+    return {**common.by_seed(runs, of_run), "count": len(runs)}
 
 
-def played(monkeypatch: pytest.MonkeyPatch, *options: str, **others: object) -> None:
-    monkeypatch.setattr(sys, "argv", ["script.py", "--threads", "1", *options])
+def played(monkeypatch: pytest.MonkeyPatch, *options: str, **others: Any) -> None:
+    monkeypatch.setattr(sys, "argv", ["place/script.py", "--threads", "1", *options])
     common.experiment(
-        "place/script.py",
         "What is asked?",
         kinds=kinds,
         measure=measure,
         table=lambda numbers: ", ".join(common.kinds_in(numbers)),
-        seeds=2,
-        **others,
+        **{"seeds": 2, **others},
     )
 
 
@@ -106,13 +105,10 @@ def test_an_experiment_keeps_numbers_by_kind_and_seed(
     played(monkeypatch, "--kinds", "races-2")
     assert capsys.readouterr().out.startswith("races, 2 epochs\n")
     file = tmp_path / "script/numbers.npz"
-    first = dict(np.load(file))
-    assert list(first["races, 2 epochs / seed"]) == [0, 1]
+    assert list(np.load(file)["races, 2 epochs / seed"]) == [0, 1]
     # Numbers of other kinds stay, and runs are not played again.
     ended = (tmp_path / "runs/script/races-2-epochs/1/payoff.npz").stat().st_mtime_ns
-    fewer = {"races, 2 epochs": 1}
-    together = {"count": np.array(3)}
-    played(monkeypatch, then=later, fewer=fewer, together=lambda runs, quick: together)
+    played(monkeypatch, then=later, seeds={"races, 1 epochs": 2, "races, 2 epochs": 1})
     assert capsys.readouterr().out.startswith("races, 2 epochs, races, 1 epochs, later\n")
     numbers = dict(np.load(file))
     assert list(numbers["races, 2 epochs / seed"]) == [0]
@@ -131,10 +127,7 @@ def test_an_unknown_kind_is_refused(
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit):
         played(monkeypatch, "--kinds", "race-3")
-    assert (
-        "expected beginnings of races-1-epochs, races-2-epochs, got race-3"
-        in capsys.readouterr().err
-    )
+    assert "races-1-epochs, races-2-epochs, got race-3" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 
