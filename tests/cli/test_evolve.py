@@ -141,6 +141,7 @@ def test_a_map_file_and_no_hidden_layer():
     [
         ({"seeds": (0, 1), "schedule": ("against",)}, "O-pursuer-against-random-seeds0-1"),
         ({"variant": "SB", "seeds": (4,)}, "SB-seed4"),
+        ({"seeds": (0, 3, 9)}, "O-seeds0,3,9"),
         ({"schedule": ("alternating",), "seed": 3}, "O-seed3"),
     ],
 )
@@ -153,7 +154,7 @@ BAD = [
     (["--n-pursuers", "30", *words(WORLD)[:4]], "Error: world: more agents than free cells: "),
     (["--set", "learner.population=7"], "learner.population: expected an even number for es, got"),
     (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB"),
-    (["--set", "world.obstacles=no.map"], "No such file or directory: 'no.map'"),
+    (["--set", "world.obstacles=no.map"], "no.map: no such file or directory"),
     (["--set", "learner.sigma"], "'--set': expected PATH=VALUE, such as learner.sigma=0.1, got 'l"),
     (["--set", "learner.sigmma=1"], "; did you mean learner.sigma?"),
     (["--learner", "gaa"], "learner: expected one of es, ga, cma, actor-critic, or module:object"),
@@ -163,10 +164,13 @@ BAD = [
     ([*ALONE, "--generations", "3"], "--generations: expected one of the settings te"),
     (
         [*ALONE, "--set", "schedule.opponent=nobody"],
-        "schedule.opponent: expected random, still, chaser, fleer, clumsy-chaser, hunter, ",
+        "schedule.opponent: nobody: no such file or directory; expected random, still, chaser, ",
     ),
-    ([*ALONE, "--set", "schedule.start=nobody"], "schedule.start: expected a directory that holds"),
-    (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
+    (
+        [*ALONE, "--set", "schedule.start=nobody"],
+        "schedule.start: nobody: no such file or directory; expected a dir",
+    ),
+    (["--resume", "nothing"], "nothing: no such file or directory"),
     (["--seeds", "0-3", "--seed", "1"], "--seeds: expected it without --seed, got both"),
     (["SB"], "unexpected extra argument (SB)"),
 ]

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import click
 import pytest
-from click.shell_completion import ShellComplete
 
 import matrixworld
 from command_line import matrixworld_command
@@ -104,20 +103,6 @@ def test_the_package_is_a_command_and_needs_no_docstrings():
         command, env=os.environ | environment, capture_output=True, text=True, check=True
     )
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
-
-
-@pytest.mark.parametrize(
-    ("typed", "offered"),
-    [
-        (["evolve", "--variant", "s"], ["S", "SB", "SD", "SDB"]),
-        (["evolve", "--learner", "c"], ["cma"]),
-        (["evolve", "--schedule", "h"], ["hall-of-fame"]),
-    ],
-)
-def test_a_shell_completes_names(typed, offered):
-    *words, incomplete = typed
-    found = ShellComplete(main, {}, "matrixworld", "").get_completions(words, incomplete)
-    assert [item.value for item in found] == offered
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,10 @@
 """The sentences that users meet first: what commands refuse, before anything is written."""
 
+import os
+import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +15,6 @@ from matrices import circular
 from matrixworld.classroom import save_genome
 from matrixworld.coevolution import finish, open_run, start
 from matrixworld.coevolution.settings import MOST_SEED
-from matrixworld.world.rules import VARIANTS
 from rows import random_walks
 from tiny_race import StopAt, tiny_race, tiny_single
 
@@ -29,7 +32,7 @@ JUDGE = [
     (["damaged"], 1, "payoff.npz: cut or altered"),
 ]
 REPLAY = [
-    (["nothing"], 2, f"or a variant ({', '.join(VARIANTS)}), got 'nothing'"),
+    (["nothing"], 2, "nothing: no such file or directory; expected the directory of a run"),
     (["several"], 2, "expected --race with one of its races, 1, 2, got none"),
     (["race", "--race", "x"], 2, "race: expected --race with one of its races, ., got x"),
     (["race", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
@@ -63,7 +66,7 @@ EXPLORE = [
     (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
     (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),
-    (["race", "--figures", "--baseline", "x=no"], 2, "no: expected a directory that holds runs"),
+    (["race", "--figures", "--baseline", "x=no"], 2, "no: no such file or directory"),
 ]
 OTHERS = [
     (["score", "race", "--generation", "x"], 2, "expected a generation or all, got 'x'"),
@@ -74,7 +77,7 @@ OTHERS = [
     (["tournament", "race", "--out", "payoff.png"], 2, "--out: expected a name that ends in .npz"),
     (["solve", "--rows", 30, "--cols", 30], 2, "cells would fit"),
     (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
-    (["solve", "--pursuers", 0], 2, "--pursuers"),
+    (["solve", "--n-pursuers", 0], 2, "--n-pursuers"),
     (["exploit", "race", "--champion", "evader", "--exact", "--matches", 9], 2, "no --matches"),
     (["play", "walks.npz"], 2, "expected the directory of a run, or a variant, got a file"),
     (["playground", "--out", "bad.csv"], 2, "bad.csv: exists; give --force to replace it"),
@@ -118,6 +121,35 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     random_walks().save(root / "walks.npz")
     save_genome(root / "pursuer.npz", "pursuer", open_run(race).policy("pursuer"))
     return root
+
+
+MISSING = [
+    *("judge no.csv", "explore no", "replay no.npz", "score no", "tournament no", "class no"),
+    *("exploit no --champion evader", "class export no --team evader -o x.npz", "play no"),
+    *("evolve --resume no", "evolve --yoked no", "evolve --config no", "evolve --cluster no"),
+    *("replay O --pursuer no.npz", "solve --obstacles no.map", "tournament race no"),
+    "evolve --set world.obstacles=no.map",
+]
+
+
+@pytest.mark.parametrize("words", MISSING)
+def test_a_missing_file_is_no_such_file(place, monkeypatch, words):
+    monkeypatch.chdir(place)
+    told = run_together(matrixworld_command(*words.split(), code=2).stderr)
+    assert re.search(r"\bno(\.\w+)?: no such file or directory", told)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is full")
+@pytest.mark.parametrize("words", ["--version", "evolve --variants", "solve --rows 3 --cols 3"])
+def test_output_that_cannot_be_written_is_an_error(words):
+    command = [sys.executable, "-m", "matrixworld", *words.split()]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            command, env=environment, stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert done.returncode == 1
+    assert re.fullmatch(r"Error: (standard output: )?no space left on device\n", done.stderr)
 
 
 @pytest.mark.parametrize(

@@ -52,14 +52,13 @@ def test_the_end_has_headlines_and_held_out_scores_in_few_columns(job, capsys, u
     report(JOB, results(job), job, {}, threads=1)
     said = capsys.readouterr().out
     assert max(map(len, said.splitlines())) <= 80
-    assert len(said.splitlines()) <= 20  # seen at once
+    assert len(said.splitlines()) <= 24  # seen at once
     table = said.partition("(1 = best)\n")[2]
     summary = load_json(job / "summary.json")
     groups: dict[str, RunGroup] = {each.inside(job).name: each for each in open_groups(job)}
     assert [*groups] == [*SCHEDULES]
     for name, group in groups.items():
         told = run_together(said[said.index(f"\n{name}") :])
-        # The headline is wrapped beside the name.
         assert told.startswith(f"{name} {analysis.headline(group.judgement)}")
         assert all(numbers in said for numbers in headline_numbers(group.judgement))
         scores = {team: group.held_out(team) for team in TEAMS}
@@ -88,7 +87,7 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     assert kept == {f"{FIRST}/seed-1": "payoff.npz: cut or altered"}
     Path("none").mkdir()
     report(asked, [], Path("none"), {})
-    assert f"{FIRST}  0 of 4 seeds finished" in capsys.readouterr().out
+    assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
 
 
 def test_seeds_of_one_team_have_their_mean(capsys, undrawn):
@@ -98,7 +97,7 @@ def test_seeds_of_one_team_have_their_mean(capsys, undrawn):
         finish(settings, Path("alone") / place, threads=1)
     report(alone, results(Path("alone")), Path("alone"), {}, threads=1)
     rates = [run.summary()["capture_rate"] for run in results(Path("alone"))]
-    assert f"{name}  capture rate {np.mean(rates):.3f} (" in capsys.readouterr().out
+    assert f"{name}\n  capture rate {np.mean(rates):.3f} (" in capsys.readouterr().out
     summary = load_json(Path("alone/summary.json"))
     assert summary["groups"][name]["measures"]["capture_rate"]["value"] == np.mean(rates)
 

@@ -10,7 +10,7 @@ from matrixworld.coevolution import evolve
 from matrixworld.solve import States, expected_payoff, guarantees
 from tiny_race import settings_of
 
-SMALL = ("--rows", 4, "--cols", 4, "--evaders", 1)
+SMALL = ("--rows", 4, "--cols", 4, "--n-evaders", 1)
 
 
 @pytest.mark.parametrize(
@@ -19,7 +19,7 @@ SMALL = ("--rows", 4, "--cols", 4, "--evaders", 1)
 )
 def test_the_numbers_of_a_small_world(game, value, time):
     variant, pursuers = game
-    words = ("--variant", variant, "--pursuers", pursuers, "--steps", 5)
+    words = ("--variant", variant, "--n-pursuers", pursuers, "--steps", 5)
     result = matrixworld_command("solve", *SMALL, *words, "--json", "-")
     found, said = json.loads(result.stdout), result.stderr
     assert found["value"] == found["value_by_step"][-1]

@@ -38,7 +38,7 @@ def test_each_seed_replays_the_race_of_the_next_one(real: Path) -> None:
 def test_all_seeds_of_a_job_are_the_default(real: Path) -> None:
     job = _new_job({"yoked": real / "generalist-generalist"})
     assert [*job] == [f"{NAME}/seed-{seed}" for seed in (1, 4, 9)]
-    assert _default_directory(job) == Path(f"runs/O-{NAME}-seeds1-9")
+    assert _default_directory(job) == Path(f"runs/O-{NAME}-seeds1,4,9")
 
 
 @pytest.mark.parametrize(

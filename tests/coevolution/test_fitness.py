@@ -71,7 +71,10 @@ def test_virulence_by_hand():
     ("call", "message"),
     [
         (lambda: competitive_sharing([1, 0]), r"wins: expected \(n, m\) numbers >= 0"),
-        (lambda: reduced_virulence([1.0], 0.4), "virulence: expected a number at least 0.5 and at most 1, got 0.4"),
+        (
+            lambda: reduced_virulence([1.0], 0.4),
+            "virulence: expected a number at least 0.5 and at most 1, got 0.4",
+        ),
     ],
 )
 def test_bad_wins_are_refused(call, message):

@@ -111,6 +111,14 @@ def one_line(text: object) -> str:
     return line if len(line) <= LONGEST else f"{line[:LONGEST]} ..."
 
 
+def told(error: BaseException) -> str:
+    """Return the sentence of an error; that of the system begins with the file."""
+    if not (isinstance(error, OSError) and error.strerror):
+        return str(error)
+    file = "" if error.filename is None else f"{os.fsdecode(error.filename)}: "
+    return f"{file}{error.strerror[0].lower()}{error.strerror[1:]}"
+
+
 def printable(text: object) -> str:
     """Return text in which escapes stand for what a terminal would obey or cannot show."""
     return "".join(
@@ -214,7 +222,7 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     except OSError as error:
         # System errors may lack the name, such as that of a full disk.
         if error.errno is not None and error.filename in (None, str(temporary)):
-            error.filename, error.filename2 = str(path), None
+            raise OSError(error.errno, error.strerror, str(path)) from error
         raise
     finally:
         with suppress(OSError):

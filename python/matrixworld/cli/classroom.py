@@ -16,6 +16,7 @@ from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.submissions import save_genome
 from matrixworld.cli.console import TERMS, note, progress, say
 from matrixworld.cli.options import (
+    Existing,
     check_outputs,
     checked_seed,
     integer,
@@ -68,9 +69,7 @@ def class_command() -> None:
 
 
 @class_command.command("play")
-@click.argument(
-    "directory", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
-)
+@click.argument("directory", metavar="DIR", type=Existing(file_okay=False))
 @integer("--episodes", "episodes of each pair; all pairs play the same starts", least=2, default=10)
 @click.option(
     "--seed",

@@ -89,7 +89,8 @@ def _address_in(file: Path) -> str:
 def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     if value not in (None, AUTO) and "://" not in value and not Path(value).is_file():
         expected = f"{AUTO}, an address such as tcp://HOST:8786 or a scheduler file"
-        raise click.BadParameter(f"expected {expected}, got {value!r}")
+        got = repr(value) if Path(value).exists() else f"{value}: no such file or directory"
+        raise click.BadParameter(f"expected {expected}, got {got}")
     return value
 
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
-from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +20,6 @@ from matrixworld.analysis.words import headline_numbers
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
-    WIDEST,
     command,
     note,
     print_head,
@@ -32,9 +29,22 @@ from matrixworld.cli.console import (
     say,
     warnings_as_notes,
 )
-from matrixworld.cli.options import FAILURES, given_options, one_of, option_name, options
+from matrixworld.cli.options import (
+    FAILURES,
+    Existing,
+    check_exists,
+    given_options,
+    option_name,
+    options,
+)
 from matrixworld.cli.pages import first_seeds, write_explorer
-from matrixworld.cli.runs import can_resume, print_missing, resume_command, seeds_finished
+from matrixworld.cli.runs import (
+    MOST_NAMES,
+    can_resume,
+    print_missing,
+    resume_command,
+    seeds_finished,
+)
 from matrixworld.cli.setting_options import (
     ALL,
     HINTS,
@@ -83,7 +93,10 @@ Examples:
 
 # The table of variants:
 
-HEADS = "variant", "moves", "obstacle", "teammate", "adversary: evader / pursuer", "capture by"
+HEADS = (
+    "variant", "moves", "obstacle", "teammate", "adversary: evader / pursuer", "capture by",
+    "the captured",
+)  # fmt: skip
 OUTCOMES = {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()}
 VARIANT_LEGEND = """\
 Obstacle, teammate, adversary: what happens to an agent that collides with an obstacle or the
@@ -96,9 +109,8 @@ Other rules can be made in Python: matrixworld.Rules(...)."""
 
 def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     if value:
-        rows: list[tuple[str, ...]] = [(*HEADS, "the captured")]
-        rows += [_variant_row(name, rules) for name, rules in VARIANTS.items()]
-        print_table(rows, "<" * len(rows[0]))
+        rows = [HEADS, *(_variant_row(name, rules) for name, rules in VARIANTS.items())]
+        print_table(rows, "<" * len(HEADS))
         say(f"\n{VARIANT_LEGEND}")
         ctx.exit()
 
@@ -142,7 +154,6 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 )
 @click.option(
     "--learner",
-    shell_complete=one_of(kinds_in(HINTS["learner"])),
     metavar="NAME",
     help=f"{', '.join(kinds_in(HINTS['learner']))}, or one of your own, as module:object  "
     "[default: es]",
@@ -155,7 +166,7 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 )
 @click.option(
     "--yoked",
-    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    type=Existing(file_okay=False),
     metavar="RUN",
     help="replay opponents from finished races in turns of this job or run, each from the next "
     "seed's race, with its settings",
@@ -237,6 +248,7 @@ def evolve_command(
 
 
 def _refuse_settings(resumed: Path, output: Path | None, given: dict[str, Any]) -> None:
+    check_exists(resumed)
     if not can_resume(resumed):
         raise click.UsageError(
             f"--resume: expected a directory that holds a run, got {str(resumed)!r}"
@@ -304,13 +316,16 @@ def _plan(job: Job, root: Path) -> str:
 
 
 def _default_directory(job: Job) -> Path:
-    """Return the directory named after a job's variant and seeds, such as ``runs/O-seed0``."""
+    """Return the directory named after a job's variant and seeds, such as ``runs/O-seeds0-9``."""
     settings = next(iter(job.values()))
-    seeds = [each.seed for each in job.values()]
-    named = f"seeds{seeds[0]}-{seeds[-1]}" if len({*seeds}) > 1 else f"seed{seeds[0]}"
+    seeds = [*dict.fromkeys(each.seed for each in job.values())]
+    named = f"{seeds[0]}-{seeds[-1]}"
+    if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
+        named = ",".join(map(str, seeds[:MOST_NAMES])) + ",..." * (len(seeds) > MOST_NAMES)
+    seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
     is_named = isinstance(settings.schedule, Against | Yoked)
     what = f"-{settings.schedule.name}" if is_named else ""
-    return RUNS / f"{settings.variant}{what}-{named}"
+    return RUNS / f"{settings.variant}{what}-{seed}"
 
 
 def _new_job(given: dict[str, Any]) -> Job:
@@ -422,8 +437,11 @@ def report(
     done = f"1 {what[:-1]} done" if len(results) == 1 else f"{len(results)} {what} done"
     took = "" if began is None else f" in {tqdm.format_interval(time.monotonic() - began)}"
     page = f" Open {root / PAGE}" if finished else ""
-    say(f"{done}{took}.{page}\n", bold=True)
-    _print_groups(groups)
+    say(f"{done}{took}.{page}", bold=True)
+    for group in groups:
+        print_head(group.name)
+        print_wrapped("\n".join(_lines(group)))
+        print_missing(group)
     if races:
         print_head("Against opponents nobody trained on (1 = best)")
         print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
@@ -449,16 +467,6 @@ def draw(groups: Sequence[RunGroup], root: Path) -> None:
 
 
 # What is printed:
-
-
-def _print_groups(groups: Sequence[RunGroup]) -> None:
-    width = max(len(group.name) for group in groups)
-    beside = max(20, WIDEST - width - 2)
-    for group in groups:
-        lines = [part for line in _lines(group) for part in textwrap.wrap(line, beside)]
-        for name, line in zip_longest([group.name], lines, fillvalue=""):
-            say(f"{name:{width}}  {line}")
-        print_missing(group)
 
 
 def _lines(group: RunGroup) -> list[str]:

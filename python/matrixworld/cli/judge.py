@@ -14,7 +14,7 @@ from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, RULES
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
 from matrixworld.analysis.words import all_results, judgement_cells, measure_table
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
-from matrixworld.cli.options import check_outputs, integer, options, write_json
+from matrixworld.cli.options import check_exists, check_outputs, integer, options, write_json
 from matrixworld.cli.runs import finished_groups, print_missing
 from matrixworld.cli.setting_options import option_of, usage_errors
 from matrixworld.coevolution import Alternating, RaceSettings
@@ -37,6 +37,7 @@ STRIP_LEGEND = (
 def _sources(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
     paths = [*dict.fromkeys(map(Path, values))]
     for path in paths:
+        check_exists(path)
         if not _is_payoff_file(path) and not find_runs(path):
             expected = f"run directories, or {' or '.join(FILES)} files"
             raise click.BadParameter(f"expected {expected}, got {str(path)!r}")

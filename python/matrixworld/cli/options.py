@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 import re
-from collections.abc import Callable, Iterable, Mapping
+import sys
+from collections.abc import Callable, Mapping
 from concurrent.futures import BrokenExecutor
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Any
@@ -20,6 +23,7 @@ from matrixworld._util.files import (
     check_replaceable,
     printable,
     save_json,
+    told,
 )
 from matrixworld.cli.cluster import cluster_option
 from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
@@ -44,9 +48,23 @@ def option_name(field_name: str) -> str:
     return "--" + field_name.replace("_", "-")
 
 
-def one_of(names: Iterable[str]) -> Callable[[Any, Any, str], list[str]]:
-    """Return what completes these names in a shell, for options that take other words, too."""
-    return lambda ctx, param, typed: [n for n in names if n.lower().startswith(typed.lower())]
+class Existing(click.Path):
+    """The path of something that exists."""
+
+    def __init__(self, **attributes: Any) -> None:
+        super().__init__(exists=True, path_type=Path, **attributes)
+
+    def convert(self, value: Any, param: Any, ctx: Any) -> Any:
+        """Return the path."""
+        check_exists(value)
+        return super().convert(value, param, ctx)
+
+
+def check_exists(path: str | Path, expected: str = "", setting: str | None = None) -> None:
+    """Refuse the path of nothing; `expected` says what its text could mean besides."""
+    if not os.path.exists(path):
+        told = f"{path}: no such file or directory{expected}"
+        raise click.BadParameter(told, param_hint=setting)
 
 
 # Values of options:
@@ -93,9 +111,8 @@ def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) ->
     try:
         return float(value)
     except ValueError:
-        if Path(value).is_file():
-            return value
-    raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
+        check_exists(value, "; expected a density in [0, 1) or a .map file")
+        return value
 
 
 # The options:
@@ -164,7 +181,6 @@ SHARED: dict[str, Option] = {
     "variant": click.option(
         "--variant",
         type=click.types.FuncParamType(str.upper),
-        shell_complete=one_of(VARIANTS),
         metavar="NAME",
         help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
     ),
@@ -298,7 +314,20 @@ class Commands(click.Group):
             problem = "this machine has too little memory for these sizes"
             raise click.ClickException(problem) from error
         except FAILURES as error:
-            raise click.ClickException(printable(error)) from error
+            raise click.ClickException(printable(told(error))) from error
         except KeyboardInterrupt:
             note("\nStopped. No file is half written.")
             raise click.exceptions.Exit(INTERRUPTED) from None
+
+    def main(self, *args: Any, **options: Any) -> Any:
+        """Run the command, and fail if standard output cannot take all that was printed."""
+        try:
+            try:
+                return super().main(*args, **options)
+            finally:
+                sys.stdout.flush()
+        except OSError as error:
+            with suppress(OSError):  # or Python would try once more at its end
+                sys.stdout.close()
+            click.echo(f"Error: standard output: {told(error)}", err=True)
+            sys.exit(1)

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import click
 
 from matrixworld.cli.console import note, print_wrapped, say
-from matrixworld.cli.options import check_outputs, options, out_option
+from matrixworld.cli.options import check_exists, check_outputs, options, out_option
 from matrixworld.cli.replay import source_of
 from matrixworld.cli.runs import common_directory, finished_groups, run_in, runs_argument
 from matrixworld.cli.setting_options import usage_errors
@@ -65,6 +65,7 @@ def _baselines(
             raise click.BadParameter(f"expected NAME=RUN, got {value!r}")
         if name in opened:
             raise click.BadParameter(f"expected each name once, got {name!r} twice")
+        check_exists(path)
         try:
             opened[name] = open_runs(path)
             teams = {team for run in opened[name] for team in run.settings.learning_teams}

@@ -12,7 +12,7 @@ from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld._util.files import read_content
 from matrixworld.classroom.submissions import read_genome
 from matrixworld.cli.console import say
-from matrixworld.cli.options import check_outputs, given_options, option_name, options
+from matrixworld.cli.options import check_exists, check_outputs, given_options, option_name, options
 from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
@@ -60,10 +60,10 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     try:
         return rules_of(value)
     except ValueError:
-        raise click.BadParameter(
-            f"expected the directory of a run, the file of an episode, or a variant "
-            f"({', '.join(VARIANTS)}), got {value!r}"
-        ) from None
+        expected = "expected the directory of a run, the file of an episode, or a variant"
+        variants = f"({', '.join(VARIANTS)})"
+        check_exists(value, f"; {expected} {variants}")
+        raise click.BadParameter(f"{expected} {variants}, got {value!r}") from None
 
 
 @click.command("replay", epilog=EXAMPLES, short_help="Watch an episode, or write it to files.")

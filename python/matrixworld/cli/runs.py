@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from matrixworld.cli.console import command, note, print_wrapped
+from matrixworld.cli.options import check_exists
 from matrixworld.coevolution import SavedRun
 from matrixworld.coevolution.groups import RunGroup, grouped, job_directory, open_groups
 from matrixworld.coevolution.jobs import JOB
@@ -24,6 +25,7 @@ def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
 
     def found(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
         for value in values:
+            check_exists(value)
             if not find_runs(Path(value)):
                 raise click.BadParameter(f"expected run directories, got {value!r}")
         return [*dict.fromkeys(map(Path, values))]
@@ -77,6 +79,7 @@ def run_in(
     if len(chosen) == 1:
         return chosen[0]
     if not runs:
+        check_exists(path, f"; expected {expected}", setting)
         raise click.BadParameter(f"expected {expected}, got {str(path)!r}", param_hint=setting)
     listed = ", ".join([*map(str, runs)][:MOST_NAMES]) + ", ..." * (len(runs) > MOST_NAMES)
     if setting is not None:

@@ -17,9 +17,9 @@ from typing import Any, get_args
 
 import click
 
-from matrixworld._util.files import DamagedFileError, load_toml
+from matrixworld._util.files import DamagedFileError, load_toml, told
 from matrixworld.cli.console import say
-from matrixworld.cli.options import option_name
+from matrixworld.cli.options import Existing, option_name
 from matrixworld.cli.runs import run_in
 from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
 from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
@@ -98,7 +98,7 @@ set_option = click.option(
 )
 config_option = click.option(
     "--config",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    type=Existing(dir_okay=False),
     callback=_configured,
     metavar="FILE",
     help="settings from a .toml file, or the config.json of a run; options replace them",
@@ -161,7 +161,7 @@ def usage_errors() -> Iterator[None]:
         # ValueErrors, too, but the fault of a file and not of an argument: see `failures`.
         raise
     except (FileNotFoundError, IndexError, TypeError, ValueError) as error:
-        raise click.UsageError(_in_options(str(error))) from error
+        raise click.UsageError(_in_options(told(error))) from error
 
 
 def _in_options(message: str) -> str:
