@@ -1,9 +1,12 @@
 """The page of runs that go on: what it shows, that nothing else is served, and how it ends."""
 
 import http.client
+import os
+import socket
 import time
 import urllib.request
 from collections.abc import Iterator
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -13,7 +16,7 @@ import pytest
 from browser import DESKTOP, READY, Browser
 from matrixworld.coevolution import TEAMS, SavedRun, evolve, open_run, start
 from matrixworld.explorer import explore
-from matrixworld.explorer.live import EPISODES, HOST, LivePage, extended
+from matrixworld.explorer.live import EPISODES, HOST, MOST_CONNECTIONS, LivePage, extended
 from matrixworld.world.policy import Population
 from tiny_race import tiny_race, tiny_single
 
@@ -70,6 +73,20 @@ def test_only_the_page_is_served_and_only_to_this_machine(live: LivePage, job: P
     assert {get(live.url, method) for method in ("POST", "PUT", "DELETE", "OPTIONS")} == {501}
     with LivePage(job, [*JOB]) as other:
         assert urlsplit(other.url).path != token
+
+
+def test_connections_that_ask_nothing_take_no_files_from_the_run(live: LivePage) -> None:
+    """Nor do slow ones, and the page is still there for others."""
+    until_shown(live)
+    port, before = urlsplit(live.url).port, len(os.listdir("/proc/self/fd"))
+    with ExitStack() as stack:
+        for _ in range(100):
+            idle = stack.enter_context(socket.create_connection((HOST, port), 5))
+            with suppress(ConnectionError):
+                idle.send(b"G")
+        assert get(live.url) == 200
+        served = len(os.listdir("/proc/self/fd")) - 100 - before
+        assert served <= MOST_CONNECTIONS + 1
 
 
 def bytes_of(root: Path) -> dict[Path, bytes]:

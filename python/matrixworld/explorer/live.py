@@ -8,8 +8,10 @@ episodes of the evaluation of all generations that there are, and plays on when 
 from __future__ import annotations
 
 import secrets
+import socket
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
@@ -33,6 +35,7 @@ SECONDS = 1.0
 """Time between two looks at the files; the page asks as often."""
 LEFT = 5.0
 """Seconds for which a browser that has just asked may load the finished page."""
+MOST_CONNECTIONS = 16
 NOTE = (
     f"The runs go on. Each cell has {EPISODES} episodes so far; new generations appear when the "
     "match that is shown has ended. The judgement comes at the end."
@@ -58,7 +61,7 @@ class LivePage:
         self._asked = -LEFT
         self._taken, self._closed = threading.Event(), threading.Event()
         self._place = f"/{secrets.token_urlsafe(16)}/"
-        self._server = ThreadingHTTPServer((HOST, 0), partial(_Handler, self))
+        self._server = _Server((HOST, 0), partial(_Handler, self))
         self.url: str = f"http://{HOST}:{self._server.server_port}{self._place}"
         self._threads = [
             threading.Thread(target=work, daemon=True)
@@ -112,7 +115,8 @@ class LivePage:
     def _follow(self) -> None:
         while not self._closed.wait(SECONDS):
             for name in self._names:
-                self._look(name)
+                with suppress(OSError):  # such as too many open files: the next look may succeed
+                    self._look(name)
 
     def _look(self, name: str) -> None:
         """Play what a run has added since the last look."""
@@ -164,8 +168,40 @@ def _part(team: TeamPolicy, first: int, last: int | None = None) -> TeamPolicy:
     return team if isinstance(team, str) else Population(team.genomes[first:last], team.network)
 
 
+class _Server(ThreadingHTTPServer):
+    """A server with a few connections: a new one ends the oldest, as the run needs its files, too.
+
+    Any user of this machine can connect, with the token or without.
+    """
+
+    request_queue_size = MOST_CONNECTIONS
+
+    def __init__(self, *given: Any) -> None:
+        self._open: deque[socket.socket] = deque()
+        super().__init__(*given)
+
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Answer in a thread of its own."""
+        self._open.append(request)
+        while len(self._open) > MOST_CONNECTIONS:
+            with suppress(OSError):  # it is closed already
+                self._open.popleft().shutdown(socket.SHUT_RDWR)
+        super().process_request(request, client_address)
+
+    def shutdown_request(self, request: Any) -> None:
+        """Close a connection."""
+        with suppress(ValueError, IndexError):  # another thread has removed one
+            self._open.remove(request)
+        super().shutdown_request(request)
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Print nothing: a page that fails is no error of the run."""
+
+
 class _Handler(BaseHTTPRequestHandler):
     """Answers the addresses of the page, to browsers that name this machine; nothing else."""
+
+    timeout = LEFT
 
     def __init__(self, page: LivePage, *connection: Any) -> None:
         self._page = page
