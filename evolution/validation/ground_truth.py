@@ -1,6 +1,6 @@
 """Which measure tells the truth? Races in a world whose perfect play is known.
 
-    python evolution/validation/ground_truth.py           ten seeds of each schedule, 15 minutes
+    python evolution/validation/ground_truth.py           ten seeds of each schedule, half an hour
     python evolution/validation/ground_truth.py --quick   two seeds of tiny races, some seconds
 
 The world is that of ``small_world.toml``. The truth about a generation is what it *guarantees*: its
@@ -26,30 +26,39 @@ none does. Stagnation: no team changes by more than ``STAYS``; false if one chan
 The thresholds were set when one race of each schedule had been seen. The judgement is about scores
 against the opponents of the race, so an error here is an error of the reader who takes it for more.
 
-With ``--responses`` best responses to champions are learned, too, and compared with the exact ones.
-
-Runs are kept in ``--runs``; an interrupted script continues there, and takes further schedules and
-seeds. ``--results`` receives the numbers of each race, tables and a figure.
+Best responses to the champions of generalists are learned, too, and compared with the exact ones.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.figure import Figure
 from scipy import stats
-from tqdm import tqdm
 
 import _paths  # noqa: F401
 import matrixworld as mw
-from common import SMALL_STEPS, finish_all, kept, long_race, mean, script_parser, written
-from judgement_counts import count_verdicts, read_counts
-from judgement_tables import RATE_HEADS, errors_of, table
+from common import (
+    SMALL_STEPS,
+    Numbers,
+    Runs,
+    by_seed,
+    experiment,
+    kept,
+    kinds_in,
+    long_race,
+    markdown,
+    mean,
+    scores_against,
+    written,
+)
+from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
 from judgement_truths import WINDOWS
 from matrixworld import analysis
 from matrixworld._util.files import load_toml
@@ -59,8 +68,8 @@ from matrixworld.coevolution import (
     SavedRun,
     Team,
     best_responses,
+    open_run,
     score,
-    tournament,
 )
 from matrixworld.coevolution.types import FloatArray, other
 from matrixworld.solve import States, expected_payoff, guarantees
@@ -94,27 +103,24 @@ MEASURES = {
     "others": "champions of other seeds",
     "response": "learned response",
 }
-"""What a generation is scored against."""
-
-Row = dict[str, Any]
-"""Numbers of one race."""
+"""What a generation is scored against; numbers (seeds, teams, generations), as ``truth``."""
+JUDGED = ("arms race", "one-sided progress", "rise", "stagnation")
+"""Conditions whose truth is known; ``verdicts`` (seeds, windows, conditions) are those on them."""
 
 
 # ---- Races and their numbers ---------------------------------------------------------------------
 
 
-def settings_of(schedule: str, seed: int, quick: bool) -> RaceSettings:
-    """Return the settings of a race."""
-    base = RaceSettings.of(SMALL | long_race(schedule)).changed(SHORT | {"seed": seed})
-    epochs = {"pursuer_epochs": 2, "evader_epochs": 2}
-    epochs = {"joint_epochs": 2} if schedule == "hall-of-fame" else epochs
-    few = {f"schedule.{name}": number for name, number in epochs.items()}
-    return base.changed(QUICK | few) if quick else base
-
-
-def place(schedule: str, seed: int) -> str:
-    """Return the path of a race in the directory of all runs."""
-    return f"{schedule}/seed-{seed}"
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of a race of each schedule."""
+    found = {}
+    for schedule in SCHEDULES:
+        found[schedule] = RaceSettings.of(SMALL | long_race(schedule)).changed(SHORT)
+        if quick:
+            epochs = [name for name in vars(found[schedule].schedule) if name.endswith("_epochs")]
+            few = {f"schedule.{name}": 2 for name in epochs}
+            found[schedule] = found[schedule].changed(QUICK | few)
+    return found
 
 
 @cache
@@ -123,169 +129,145 @@ def states_of(world: mw.WorldConfig) -> States:
     return States(world)
 
 
-def numbers_of(run: SavedRun) -> Row:
+def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return truth, measures and verdicts of a race that need no other race."""
-    truth = guarantees(states_of(run.settings.world), run.teams)
-    payoff = run.payoff()
+    truth, payoff = guarantees(states_of(run.settings.world), run.teams), run.payoff()
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
-    rates = {team: each.rates.mean(axis=(1, 2)) for team, each in held_out.items()}
-    judgement = analysis.judge(payoff.capture_rates, per_episode=True)
-    verdicts = {
-        window: {name: finding.verdict for name, finding in findings.items()}
-        for window, findings in judgement.windows.items()
-    }
+    windows = analysis.judge(payoff.capture_rates, per_episode=True).windows
+    each = [measures_of(payoff.capture_rate, team) for team in TEAMS]
     return {
+        "truth": [truth.pursuers.tolist(), (1 - truth.evaders).tolist()],
+        **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
+        "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
+        "verdicts": [
+            # A race may be too short for a window.
+            [windows[name][c].verdict if name in windows else "cannot tell" for c in JUDGED]
+            for name in WINDOWS
+        ],
         "value": truth.value,
-        "truth": {"pursuer": truth.pursuers.tolist(), "evader": (1 - truth.evaders).tolist()},
-        "measures": {
-            team: measures_of(payoff.capture_rate, team) | {"held_out": rates[team].tolist()}
-            for team in TEAMS
-        },
-        "headline": judgement.window,
-        "verdicts": verdicts,
     }
 
 
-def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, list[float]]:
+def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, FloatArray]:
     """Return the measures of each generation of a team that follow from the payoff matrix."""
     own = capture_rate if team == "pursuer" else 1 - capture_rate.T
-    nash, ratings = analysis.nash_averaging(capture_rate), analysis.elo(capture_rate)
-    found = {
+    return {
         "current": np.diag(own),
         "ancestors": np.array([row[: k + 1].mean() for k, row in enumerate(own)]),
         "all": own.mean(axis=1),
         "worst": own.min(axis=1),
-        "nash": getattr(nash, f"{team}_averages"),
-        "elo": getattr(ratings, f"{team}s"),
+        "nash": np.asarray(getattr(analysis.nash_averaging(capture_rate), f"{team}_averages")),
+        "elo": np.asarray(getattr(analysis.elo(capture_rate), f"{team}s")),
     }
-    return {name: np.asarray(each).tolist() for name, each in found.items()}
 
 
-def against_others(runs: Mapping[tuple[str, int], SavedRun], key: tuple[str, int]) -> Row:
+def against_others(runs: Runs, run: SavedRun) -> list[FloatArray]:
     """Return the scores of each generation of a race against champions of all other seeds."""
-    run = runs[key]
-    strangers = [each for (_, seed), each in runs.items() if seed != key[1]]
-    found = {}
+    world, seed = run.settings.world, run.settings.seed
+    by_seeds = zip(*runs.values(), strict=True)
+    strangers = [each for n, of_seed in enumerate(by_seeds) for each in of_seed if n != seed]
+    found = []
     for team in TEAMS:
         met = [each.teams[other(team)] for each in strangers]
         champions = mw.Population(np.stack([p.genomes[-1] for p in met]), met[0].network)
-        sides = {team: run.teams[team], other(team): champions}
-        rates = tournament(
-            run.settings.world, sides["pursuer"], sides["evader"], episodes=10, seed=key[1]
-        ).capture_rate
-        own = rates if team == "pursuer" else 1 - rates.T
-        found[team] = own.mean(axis=1).tolist()
+        rates = scores_against(world, team, run.teams[team], champions, seed=seed, episodes=10)
+        found.append(rates.mean(axis=1))
     return found
 
 
-def responses_of(
-    runs: Mapping[str, SavedRun], budgets: Sequence[int], root: Path
-) -> dict[str, Row]:
-    """Return exact scores of learned responses to the champions of races: team -> budget -> score.
+def responses(runs: Sequence[SavedRun], budgets: Sequence[int]) -> FloatArray:
+    """Return exact scores of responses to the champions of races (seeds, teams, 1 + budgets).
 
-    `met` is the score of the champion's last opponent, `best` that of a best response.
+    First that of the champion's last opponent; then those of learned responses, by matches.
     """
-    found: dict[str, Row] = {name: {} for name in runs}
-    for team in TEAMS:
-        for budget in budgets:
+    found = np.zeros((len(runs), len(TEAMS), 1 + len(budgets)))
+    champions = {f"seed-{run.settings.seed}": run for run in runs}
+    states, root = states_of(runs[0].settings.world), runs[0].path.parents[1] / "responses"
+    for t, team in enumerate(TEAMS):
+        met = [{each: run.last(each) for each in TEAMS} for run in runs]
+        found[:, t, 0] = [exact(states, teams, team) for teams in met]
+        steps = SMALL_STEPS[other(team)]
+        learner = RaceSettings.of({"learner.population": 48, **steps}).learner
+        for b, budget in enumerate(budgets, 1):
             where = root / f"responses-to-{team}s-{budget}"
-            learner = RaceSettings.of(
-                {"learner.population": 48, **SMALL_STEPS[other(team)]}
-            ).learner
-            responses = best_responses(runs, team, budget, where, learner=learner, threads=1)
-            for name, each in responses.items():
-                states = states_of(runs[name].settings.world)
-                teams = {t: runs[name].last(t) for t in TEAMS}
-                learned = mw.coevolution.open_run(each.directory).last(other(team))
-                row = found[name].setdefault(team, {"met": exact(states, teams, team)})
-                row[str(budget)] = exact(states, teams | {other(team): learned}, team)
+            learned = best_responses(champions, team, budget, where, learner=learner, threads=1)
+            for seed, each in enumerate(learned.values()):
+                last = open_run(each.directory).last(other(team))
+                found[seed, t, b] = exact(states, met[seed] | {other(team): last}, team)
     return found
 
 
-def exact(states: States, teams: Mapping[Team, mw.Population], champion: Team) -> float:
+def exact(states: States, teams: dict[Team, mw.Population], champion: Team) -> float:
     """Return the exact score of a champion's opponent."""
     captured = expected_payoff(states, teams["pursuer"], teams["evader"])
     return captured if champion == "evader" else 1 - captured
 
 
-def numbers_of_all(
-    runs: Mapping[tuple[str, int], SavedRun], root: Path, budgets: Sequence[int]
-) -> list[Row]:
-    """Return the numbers of all races; those that need no other race are kept beside the runs."""
-    found = []
-    for (schedule, seed), run in tqdm(runs.items(), unit=" races", disable=None):
-        file = root / "numbers" / f"{schedule}-{seed}.json"
-        row = {"schedule": schedule, "seed": seed, **kept(file, partial(numbers_of, run))}
-        for team, scores in against_others(runs, (schedule, seed)).items():
-            row["measures"][team]["others"] = scores
-        found.append(row)
-    rows = [row for row in found if budgets and row["schedule"] == RESPONSES_TO]
-    champions = {f"seed-{row['seed']}": runs[RESPONSES_TO, row["seed"]] for row in rows}
-    learned = responses_of(champions, budgets, root / "responses") if rows else {}
-    for row, each in zip(rows, learned.values(), strict=True):
-        row["responses"] = each
-        for team in TEAMS:
-            # Of the last generation only; as of the other measures, higher is better.
-            row["measures"][team]["response"] = [1 - each[team][str(budgets[-1])]]
-    return found
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return truth, `MEASURES` and verdicts of all races, and what responses get.
+
+    Files beside the runs keep what needs no other race.
+    """
+    numbers = by_seed(
+        runs, lambda run: kept(run.path.with_suffix(".json"), partial(numbers_of, run))
+    )
+    numbers |= by_seed(runs, lambda run: {"others": against_others(runs, run)})
+    if RESPONSES_TO in runs:
+        budgets = BUDGETS[: 1 if quick else None]
+        learned = responses(runs[RESPONSES_TO], budgets)
+        numbers |= {"budgets": budgets, "responses": learned}
+        # Of the last generation only; as of the other measures, higher is better.
+        numbers[f"{RESPONSES_TO} / response"] = 1 - learned[:, :, -1:]
+    return {
+        name: each if np.asarray(each).dtype.kind in "UTi" else np.round(each, 4)
+        for name, each in numbers.items()
+    }
 
 
-def rounded(value: Any) -> Any:
-    """Return numbers inside lists and mappings with four digits."""
-    if isinstance(value, dict):
-        return {key: rounded(each) for key, each in value.items()}
-    if isinstance(value, list):
-        return [rounded(each) for each in value]
-    return round(value, 4) if isinstance(value, float) else value
+def of_schedules(numbers: Numbers, name: str) -> dict[str, FloatArray]:
+    """Return a number of the races of all schedules that have it."""
+    names = {schedule: f"{schedule} / {name}" for schedule in kinds_in(numbers)}
+    return {schedule: numbers[key] for schedule, key in names.items() if key in numbers}
 
 
 # ---- Which measure tells the truth? --------------------------------------------------------------
 
 
-def linear_change(scores: Sequence[float]) -> float:
-    """Return the least-squares slope of scores, times the length."""
-    return float(np.polyfit(np.arange(len(scores)), scores, 1)[0] * (len(scores) - 1))
+def linear_change(scores: FloatArray) -> FloatArray:
+    """Return the least-squares slope of scores (..., generations), times the length."""
+    generations = np.arange(scores.shape[-1])
+    slope = np.apply_along_axis(lambda each: np.polyfit(generations, each, 1)[0], -1, scores)
+    return np.asarray(slope * generations[-1])
 
 
-def correlation(one: Sequence[float], other: Sequence[float]) -> float:
+def correlation(one: FloatArray, other: FloatArray) -> float:
     """Return Spearman's correlation; nan if one of both is constant."""
     if np.ptp(one) < 1e-9 or np.ptp(other) < 1e-9:
         return float("nan")
-    return float(stats.spearmanr(one, other).statistic)
+    return float(stats.spearmanr(one, other, axis=None).statistic)
 
 
-def within_races(rows: Sequence[Row], team: Team, measure: str) -> analysis.Estimate | None:
-    """Return how well a measure orders the generations of the races in which these differ."""
-    by_seed: dict[int, list[float]] = {}
-    for row in rows:
-        said = row["measures"][team].get(measure, ())
-        if len(said) == len(row["truth"][team]):
-            by_seed.setdefault(row["seed"], []).append(correlation(said, row["truth"][team]))
-    means = [np.nanmean(each) for each in by_seed.values() if not np.isnan(each).all()]
+def within_races(said: FloatArray, truth: FloatArray) -> analysis.Estimate | None:
+    """Return how well a measure (schedules, seeds, generations) orders the generations of a race.
+
+    Races whose generations do not differ do not count.
+    """
+    found = np.full(said.shape[:2], np.nan)
+    for race in np.ndindex(found.shape):
+        found[race] = correlation(said[race], truth[race])
+    means = [np.nanmean(each) for each in found.T if not np.isnan(each).all()]
     return analysis.interval_over_runs(means, bounds=(-1.0, 1.0)) if len(means) > 1 else None
 
 
-def between_races(
-    rows: Sequence[Row], team: Team, measure: str, number: Any
-) -> analysis.Estimate | None:
-    """Return how well a number of a measure orders races by the same number of the truth."""
-    pairs = [
-        (row["seed"], number(row["measures"][team][measure]), number(row["truth"][team]))
-        for row in rows
-        if measure in row["measures"][team]
-        and (number is last_of or len(row["measures"][team][measure]) > 1)
-    ]
-    seeds = sorted({seed for seed, _, _ in pairs})
-    if len(seeds) < 3:
+def between_races(said: FloatArray, truth: FloatArray) -> analysis.Estimate | None:
+    """Return how well a number of a measure (schedules, seeds) orders races by the truth."""
+    n = said.shape[1]
+    if n < 3:
         return None
-
-    def of(kept: Iterable[int]) -> float:
-        inside = set(kept)
-        said, true = zip(*[(m, t) for seed, m, t in pairs if seed in inside], strict=True)
-        return correlation(said, true)
-
-    n, whole = len(seeds), of(seeds)
-    without = np.array([of(each for each in seeds if each != seed) for seed in seeds])
+    whole = correlation(said, truth)
+    without = np.array(
+        [correlation(np.delete(said, k, axis=1), np.delete(truth, k, axis=1)) for k in range(n)]
+    )
     # Pseudo-values of the jackknife (Tukey 1958).
     estimate = analysis.interval_over_runs(n * whole - (n - 1) * without)
     if estimate.low is None or estimate.high is None:
@@ -294,224 +276,173 @@ def between_races(
     return replace(estimate, value=whole, low=max(whole - half, -1.0), high=min(whole + half, 1.0))
 
 
-def last_of(scores: Sequence[float]) -> float:
-    """Return the score of the last generation."""
-    return scores[-1]
-
-
-def table_of_measures(rows: Sequence[Row]) -> str:
+def table_of_measures(numbers: Numbers) -> str:
     """Return the correlations of all measures with the truth."""
     heads = ["score against"]
     heads += [f"{q}: {t}s" for q in ("generations", "champions", "changes") for t in TEAMS]
-    cells = []
-    known = {name for row in rows for team in TEAMS for name in row["measures"][team]}
+    rows = []
     for measure, label in MEASURES.items():
-        if measure not in known:
-            continue
-        found = [within_races(rows, team, measure) for team in TEAMS]
-        found += [between_races(rows, team, measure, last_of) for team in TEAMS]
-        found += [between_races(rows, team, measure, linear_change) for team in TEAMS]
-        cells.append([label, *("-" if each is None else written(each, 2) for each in found)])
-    return table(heads, cells)
+        if measured := of_schedules(numbers, measure):
+            said = np.stack(list(measured.values()))  # (schedules, seeds, teams, generations)
+            truth = np.stack([numbers[f"{schedule} / truth"] for schedule in measured])
+            teams = [(said[:, :, t], truth[:, :, t]) for t in range(len(TEAMS))]
+            # A learned response is one to the last generation.
+            curves = teams if said.shape == truth.shape else []
+            found = [
+                *([within_races(*pair) for pair in curves] or [None, None]),
+                *(between_races(each[..., -1], true[..., -1]) for each, true in teams),
+                *([between_races(*map(linear_change, pair)) for pair in curves] or [None, None]),
+            ]
+            rows.append([label, *("-" if each is None else written(each, 2) for each in found)])
+    return markdown(heads, rows)
 
 
-def table_of_truth(rows: Sequence[Row]) -> str:
+def table_of_truth(numbers: Numbers) -> str:
     """Return where the teams of each schedule begin and end, and the NashConv of the last pair."""
     heads = ["schedule", *(f"{team}s: {when}" for team in TEAMS for when in ("first", "last"))]
-    cells = []
-    for schedule, several in by_schedule(rows).items():
-        ends = [[row["truth"][team][when] for row in several] for team in TEAMS for when in (0, -1)]
-        conv = [1 - sum(row["truth"][team][-1] for team in TEAMS) for row in several]
-        cells.append([schedule, *(mean(each, bounds=(0.0, 1.0)) for each in (*ends, conv))])
-    return table([*heads, "NashConv: last"], cells)
+    rows = []
+    for schedule, truth in of_schedules(numbers, "truth").items():
+        ends = [truth[:, t, when] for t in range(len(TEAMS)) for when in (0, -1)]
+        ends.append(1 - truth[:, :, -1].sum(axis=1))
+        rows.append([schedule, *(mean(each, bounds=(0.0, 1.0)) for each in ends)])
+    return markdown([*heads, "NashConv: last"], rows)
 
 
-def by_schedule(rows: Sequence[Row]) -> dict[str, list[Row]]:
-    """Return the races of each schedule."""
-    names = dict.fromkeys(row["schedule"] for row in rows)
-    return {name: [row for row in rows if row["schedule"] == name] for name in names}
-
-
-def table_of_responses(rows: Sequence[Row]) -> str:
+def table_of_responses(numbers: Numbers) -> str:
     """Return how much of the gain of a best response the learned ones find, by matches."""
-    learned = [row for row in rows if "responses" in row]
-    budgets = [key for key in learned[0]["responses"]["pursuer"] if key != "met"]
-    cells = []
-    for budget in budgets:
-        line = [f"{int(budget):,}"]
-        for team in TEAMS:
-            gains, best = np.array([gains_of(row, team, budget) for row in learned]).T
-            line += [mean(gains, 2), mean(gains / best, 2)]
-        cells.append(line)
+    met, *learned = np.moveaxis(numbers["responses"], 2, 0)  # (seeds, teams) each
+    best = 1 - numbers[f"{RESPONSES_TO} / truth"][:, :, -1] - met
+    rows = []
+    for budget, each in zip(numbers["budgets"], learned, strict=True):
+        gains = each - met
+        columns = [
+            column for t in range(len(TEAMS)) for column in (gains[:, t], (gains / best)[:, t])
+        ]
+        rows.append([f"{budget:,}", *(mean(column, 2) for column in columns)])
     heads = [f"{team}s: {what}" for team in TEAMS for what in ("gain", "share of the true gain")]
-    return table(["matches", *heads], cells)
-
-
-def gains_of(row: Row, team: Team, budget: str) -> tuple[float, float]:
-    """Return what a learned response gains over the champion's last opponent, and the best one."""
-    found = row["responses"][team]
-    return found[budget] - found["met"], 1 - row["truth"][team][-1] - found["met"]
+    return markdown(["matches", *heads], rows)
 
 
 # ---- The judgement -------------------------------------------------------------------------------
 
 
-def truths_of(row: Row, window: str) -> dict[str, tuple[bool | None, float]]:
-    """Return what is true of a window of a race, by the thresholds above, and sizes."""
-    n = len(row["truth"]["pursuer"])
-    span = slice(*(int(share * n) for share in WINDOWS[window]))
-    changes = [linear_change(row["truth"][team][span]) for team in TEAMS]
+def truths_of(truth: FloatArray, window: str) -> dict[str, tuple[bool | None, float]]:
+    """Return what is true of a window of a race (teams, generations), by the thresholds above."""
+    n = truth.shape[1]
+    changes = linear_change(
+        truth[:, slice(*(int(share * n) for share in WINDOWS[window]))]
+    ).tolist()
     rises = [True if c >= RISES else False if c <= STAYS else None for c in changes]
     known = None not in rises
     most = max(map(abs, changes))
-    return {
-        "arms race": (False if False in rises else True if known else None, min(changes)),
-        "one-sided progress": (rises[0] is not rises[1] if known else None, max(changes)),
-        "rise": (True if True in rises else False if known else None, max(changes)),
-        "stagnation": (True if most <= STAYS else False if most >= RISES else None, most),
-    }
-
-
-def judgements_of(rows: Sequence[Row]) -> list[Row]:
-    """Return verdicts and truths in the form of `judgement_errors.judged`."""
-    return [
-        {
-            "source": HERE,
-            "kind": row["schedule"],
-            "seed": row["seed"],
-            "found": [
-                [window, name, holds, size, row["verdicts"][window][name]]
-                for window in WINDOWS
-                if window in row["verdicts"]
-                for name, (holds, size) in truths_of(row, window).items()
-            ],
-        }
-        for row in rows
-    ]
+    found = (
+        (False if False in rises else True if known else None, min(changes)),
+        (rises[0] is not rises[1] if known else None, max(changes)),
+        (True if True in rises else False if known else None, max(changes)),
+        (True if most <= STAYS else False if most >= RISES else None, most),
+    )
+    return dict(zip(JUDGED, found, strict=True))
 
 
 HERE = "races of the small world"
 OTHERS = ("held back", "toy game", "real race")
+TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 
 
-def table_of_errors(rows: Sequence[Row], toys: Path) -> str:
+def table_of_errors(numbers: Numbers) -> str:
     """Return the errors of the judgement here, beside those of synthetic races and toys."""
-    counts = count_verdicts(judgements_of(rows)) + read_counts(toys / "counts.csv")
-    cells = [
+    judged = []  # in the form of `judgement_errors.judged`
+    for schedule, verdicts in of_schedules(numbers, "verdicts").items():
+        for truth, of_seed in zip(numbers[f"{schedule} / truth"], verdicts, strict=True):
+            found = [
+                [window, name, holds, size, verdict]
+                for window, said in zip(WINDOWS, of_seed, strict=True)
+                for (name, (holds, size)), verdict in zip(
+                    truths_of(truth, window).items(), said, strict=True
+                )
+            ]
+            judged.append({"source": HERE, "kind": schedule, "found": found})
+    counts = count_verdicts(judged) + read_counts(TOYS)
+    rows = [
         [name, sample, *errors_of(counts, condition=name, sample=sample)]
-        for name in ("arms race", "one-sided progress", "rise", "stagnation")
+        for name in JUDGED
         for sample in (HERE, *OTHERS)
     ]
-    return table(("condition", "sample", *RATE_HEADS), cells)
+    return markdown(("condition", "sample", *RATE_HEADS), rows)
 
 
-def table_of_changes(rows: Sequence[Row]) -> str:
+def table_of_changes(numbers: Numbers) -> str:
     """Return true changes and gains of both teams by schedule."""
-    cells = []
-    for schedule, several in by_schedule(rows).items():
-        line = [schedule]
-        for team in TEAMS:
-            gains = [linear_change(row["measures"][team]["all"]) for row in several]
-            guarantees = [linear_change(row["truth"][team]) for row in several]
-            line += [mean(each, 3, "+") for each in (gains, guarantees)]
-        said = [row["verdicts"]["whole"]["arms race"] for row in several]
-        line.append(f"{said.count('present')} of {len(said)}")
-        cells.append(line)
+    rows = []
+    for schedule, truth in of_schedules(numbers, "truth").items():
+        gains, guaranteed = map(linear_change, (numbers[f"{schedule} / all"], truth))
+        columns = [each[:, t] for t in range(len(TEAMS)) for each in (gains, guaranteed)]
+        said = numbers[f"{schedule} / verdicts"][:, 0, JUDGED.index("arms race")]
+        counted = f"{(said == 'present').sum()} of {len(said)}"
+        rows.append([schedule, *(mean(column, 3, "+") for column in columns), counted])
     heads = [f"{team}s: {what}" for team in TEAMS for what in ("gain", "guarantee")]
-    return table(["schedule", *heads, "arms race present"], cells)
+    return markdown(["schedule", *heads, "arms race present"], rows)
 
 
 # ---- Files ---------------------------------------------------------------------------------------
 
 
-def report(rows: Sequence[Row], toys: Path) -> str:
+def table(numbers: Numbers) -> str:
     """Return all tables."""
-    seeds = len({row["seed"] for row in rows})
+    truth = of_schedules(numbers, "truth")
+    races, seeds = sum(map(len, truth.values())), max(map(len, truth.values()))
     parts = [
         "# Which measure tells the truth?",
-        f"{len(rows)} races of {seeds} seeds; perfect play captures {rows[0]['value']:.3f}. "
+        f"{races} races of {seeds} seeds; perfect play captures {value_of(numbers):.3f}. "
         "Definitions: the docstring of `evolution/validation/ground_truth.py`. In brackets: 95 % "
         "intervals over seeds.",
         "## What the teams guarantee",
-        table_of_truth(rows),
+        table_of_truth(numbers),
         "## Correlations with the truth",
-        table_of_measures(rows),
+        table_of_measures(numbers),
         "## Changes over a race",
-        table_of_changes(rows),
+        table_of_changes(numbers),
         "## Errors of the judgement",
-        table_of_errors(rows, toys),
+        table_of_errors(numbers),
     ]
-    if any("responses" in row for row in rows):
+    if "responses" in numbers:
         parts += [
             "## Learned responses to the last generations",
             f"Champions: those of {RESPONSES_TO}. Gain: exact score of the response minus that of "
             "the champion's last opponent.",
-            table_of_responses(rows),
+            table_of_responses(numbers),
         ]
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join(parts)
 
 
-def draw(rows: Sequence[Row], file: Path) -> None:
+def value_of(numbers: Numbers) -> float:
+    """Return what perfect play captures, the same in all races."""
+    return float(next(iter(of_schedules(numbers, "value").values()))[0])
+
+
+def figure(numbers: Numbers) -> Figure:
     """Draw the truth beside two measures, by generation: means and intervals over seeds."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
-
     panels = {"all": "Score in the race", "held_out": "Held-out score", "truth": "Guaranteed score"}
-    figure, axes = plt.subplots(2, 3, figsize=(11, 6), sharex=True, layout="constrained")
-    for team, line in zip(TEAMS, axes, strict=True):
+    drawn, axes = plt.subplots(2, 3, figsize=(11, 6), sharex=True, layout="constrained", dpi=90)
+    for t, (team, line) in enumerate(zip(TEAMS, axes, strict=True)):
         for (name, title), axis in zip(panels.items(), line, strict=True):
-            for schedule, several in by_schedule(rows).items():
-                of = [(r["truth"] if name == "truth" else r["measures"][team]) for r in several]
-                curves = np.array([each[team if name == "truth" else name] for each in of])
-                ends = [analysis.interval_over_runs(each, bounds=(0.0, 1.0)) for each in curves.T]
-                middle = curves.mean(axis=0)
-                low = [m if e.low is None else e.low for m, e in zip(middle, ends, strict=True)]
-                high = [m if e.high is None else e.high for m, e in zip(middle, ends, strict=True)]
-                at = np.arange(len(middle))
-                [drawn] = axis.plot(at, middle, label=schedule)
-                axis.fill_between(at, low, high, color=drawn.get_color(), alpha=0.2)
+            for schedule, curves in of_schedules(numbers, name).items():
+                band = analysis.band_over_runs(curves[:, t], bounds=(0.0, 1.0))
+                [drawn_line] = axis.plot(band.mean, label=schedule)
+                if band.low is not None:
+                    at, color = np.arange(len(band.mean)), drawn_line.get_color()
+                    axis.fill_between(at, band.low, band.high, color=color, alpha=0.2)
             axis.set_title(title if team == "pursuer" else "")
         line[0].set_ylabel(f"{team}s")
-        value = rows[0]["value"] if team == "pursuer" else 1 - rows[0]["value"]
-        line[2].text(0.03, 0.95, f"perfect play: {value:.2f}", transform=line[2].transAxes,
-                     ha="left", va="top")  # fmt: skip
+        value = value_of(numbers) if team == "pursuer" else 1 - value_of(numbers)
+        told = f"perfect play: {value:.2f}"
+        line[2].text(0.03, 0.95, told, transform=line[2].transAxes, ha="left", va="top")
     for axis in axes[1]:
         axis.set_xlabel("generation")
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), ncols=5, loc="outside lower center")
-    figure.savefig(file, dpi=90)
-    plt.close(figure)
-
-
-def main() -> None:
-    """Play missing races, and write numbers, tables and the figure."""
-    parser = script_parser(__doc__, quick="two seeds of tiny races")
-    parser.add_argument("--schedules", nargs="+", choices=SCHEDULES, default=list(SCHEDULES))
-    parser.add_argument("--seeds", type=int, help="races of each schedule; default 10, or 2")
-    parser.add_argument("--responses", action="store_true", help="learn responses, too")
-    parser.add_argument("--runs", type=Path, default=Path("runs/ground_truth"))
-    parser.add_argument("--results", type=Path, default=Path("ground_truth"))
-    parser.add_argument("--threads", type=int, help="default: one for each core")
-    args = parser.parse_args()
-    # All schedules of a seed, then the next seed: an interrupted comparison is one of equals.
-    keys = [
-        (s, seed) for seed in range(args.seeds or (2 if args.quick else 10)) for s in args.schedules
-    ]
-    settings = {place(*key): settings_of(*key, args.quick) for key in keys}
-    played = finish_all(settings, args.runs, threads=args.threads)
-    runs = {key: played[place(*key)] for key in keys}
-    budgets = BUDGETS[: 1 if args.quick else None] if args.responses else ()
-    rows = rounded(numbers_of_all(runs, args.runs, budgets))
-    args.results.mkdir(parents=True, exist_ok=True)
-    lines = ",\n".join(map(json.dumps, rows))
-    (args.results / "races.json").write_text(f"[{lines}]\n", encoding="utf-8")
-    text = report(rows, Path(__file__).parents[1] / "results" / "judgement")
-    (args.results / "measures.md").write_text(text, encoding="utf-8")
-    draw(rows, args.results / "measures.png")
-    print(text)
-    print(f"Written: races.json, measures.md and measures.png in {args.results}")
+    drawn.legend(*axes[0, 0].get_legend_handles_labels(), ncols=5, loc="outside lower center")
+    return drawn
 
 
 if __name__ == "__main__":
-    main()
+    figures = {"measures.png": figure}
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures)

@@ -13,9 +13,9 @@ Three sources of races, none of which uses the judgement:
 - small real races with a known manipulation: learners that cannot learn, and finished races whose
   opponents are put in random order.
 
-`judgement_cases.py` plays the races, `judgement_truths.py` says what is true of them,
-`judgement_counts.py` counts the verdicts, and
-`judgement_tables.py` writes tables and draws hits by size of the effect, on races of their own.
+`judgement_cases.py` plays the races, `judgement_truths.py` says what is true of them, and
+`judgement_tables.py` counts verdicts, writes tables and draws hits by size of the effect, on races
+of their own.
 
 Look at false alarms first (a condition is called present and is not), by kind and window; then at
 hits, and at "cannot tell". Judgements are appended to ``judgements.jsonl`` in ``--results``; an

@@ -16,10 +16,9 @@ import numpy as np
 from tqdm import tqdm
 
 import _paths  # noqa: F401
-from common import script_parser
+from common import markdown, script_parser
 from course.synthetic_races import play_episodes
 from judgement_races import synthetic_races
-from judgement_tables import table
 from matrixworld import analysis
 
 FIRST_SEED = 500_000
@@ -81,7 +80,7 @@ def circles(races: int) -> str:
         for n in GENERATIONS
     ]
     text = f"# Races that are said to cycle\n\n{races} single races of each kind, over all of it."
-    return f"{text}\n\n{table(heads, rows)}\n"
+    return f"{text}\n\n{markdown(heads, rows)}\n"
 
 
 def main() -> None:
@@ -103,7 +102,7 @@ def main() -> None:
     ]
     heads = ("truth", "kind", "effect", "generations", *(f"runs: {runs}" for runs in RUNS))
     text = f"# Teams that are said to gain\n\n{__doc__.split(chr(10) * 2)[2]}\n\n"
-    text += f"{groups} groups, {2 * groups} teams, in each cell.\n\n{table(heads, rows)}\n"
+    text += f"{groups} groups, {2 * groups} teams, in each cell.\n\n{markdown(heads, rows)}\n"
     text += f"\n{circles(3 if args.quick else RACES)}"
     args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "gains.md").write_text(text, encoding="utf-8")

@@ -43,9 +43,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "actor_critic_baselines/table.md": of(baselines.table),
     "actor_critic_races/table.md": of(actor_critic_races.table),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
-    "ground_truth/measures.md": lambda at: ground_truth.report(
-        json.loads(read(at / "races.json")), RESULTS / "judgement"
-    ),
+    "ground_truth/table.md": of(ground_truth.table),
     "hall_of_fame/table.md": of(hall_of_fame.table),
     "judgement/errors.md": judgement_tables.report_of,
     "learned_exploitability/table.md": of(learned.table),
@@ -63,11 +61,12 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "yoked_races/table.md": of(yoked_races.table),
 }
 """Published tables, and how they are made from the other files of their directory."""
-ROUNDED = {"ground_truth/measures.md", "paper_claims/table.md"}
+ROUNDED = {"ground_truth/table.md", "paper_claims/table.md"}
 """Tables with numbers that another processor or SciPy may round otherwise."""
 LONG = {
+    "actor_critic_races/table.md",
     "coverage/coverage.md",
-    "ground_truth/measures.md",
+    "ground_truth/table.md",
     "judgement/errors.md",
     "paper_claims/table.md",
 }

@@ -2,7 +2,7 @@
 
     python tutorials/make/chapter_10.py
 
-Reads ``evolution/results/ground_truth/races.json``, which
+Reads ``evolution/results/ground_truth/numbers.npz``, which
 ``evolution/validation/ground_truth.py`` makes, and writes ``tutorials/course/data/chapter_10.npz``
 in a second. Run it again when these results change, and then the notebook (``python
 tutorials/run.py 10``).
@@ -10,7 +10,6 @@ tutorials/run.py 10``).
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -18,28 +17,21 @@ import numpy as np
 from matrixworld._util.files import save_arrays
 
 DATA = Path(__file__).parents[1] / "course" / "data"
-RACES = Path(__file__).parents[2] / "evolution" / "results" / "ground_truth" / "races.json"
+RACES = Path(__file__).parents[2] / "evolution" / "results" / "ground_truth" / "numbers.npz"
 MEASURES = ("current", "ancestors", "all", "worst", "nash", "elo", "held_out")
 
 
 def derived() -> dict[str, np.ndarray]:
     """Return what each generation guarantees and scores: (schedules, seeds, generations)."""
-    races = json.loads(RACES.read_text("utf-8"))
-    schedules = list(dict.fromkeys(race["schedule"] for race in races))
-    arrays = {"schedules": np.array(schedules), "value": np.array(races[0]["value"])}
-    for team in ("pursuer", "evader"):
+    with np.load(RACES) as file:
+        races = dict(file)
+    schedules = [name.removesuffix(" / truth") for name in races if name.endswith(" / truth")]
+    arrays = {"schedules": np.array(schedules), "value": races[f"{schedules[0]} / value"][0]}
+    for t, team in enumerate(("pursuer", "evader")):
         for name in ("truth", *MEASURES):
-            arrays[f"{team}: {name}"] = np.array(
-                [
-                    [_numbers(race, team, name) for race in races if race["schedule"] == schedule]
-                    for schedule in schedules
-                ]
-            )
+            each = [races[f"{schedule} / {name}"][:, t] for schedule in schedules]
+            arrays[f"{team}: {name}"] = np.stack(each)
     return arrays
-
-
-def _numbers(race: dict, team: str, name: str) -> list[float]:
-    return race["truth"][team] if name == "truth" else race["measures"][team][name]
 
 
 if __name__ == "__main__":
