@@ -313,6 +313,22 @@ def _ends(estimates: Estimates, *keys: str) -> list[tuple[float, float]]:
 # ---- The table -----------------------------------------------------------------------------------
 
 
+TWICE = "twice"
+"""New value of a setting: twice the present one."""
+ANY, IN_TURNS, NEWEST_ONLY, PAST_ONES = "any", "in turns", "newest only", "past ones"
+ONE_GENOME, FULL_VIRULENCE = "samples around one genome in turns", "full virulence"
+"""Situations of races, beside the names of schedules; `cli.judge` says which ones a race is in."""
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """New values of settings, by path, that may help races in any of some situations, and why."""
+
+    situations: tuple[str, ...]
+    settings: Mapping[str, Any]
+    why: str
+
+
 @dataclass(frozen=True)
 class Condition:
     """A condition of the judgement, in a row of `RULES`; nothing else has to know of it.
@@ -321,7 +337,8 @@ class Condition:
     these, and from the findings on the rows above. `missing`: what it would take to know them,
     empty if they are known. A headline leaves out the condition that this one `implies`.
     `numbers`: what its numbers are called in the line under a headline, which has one if it is
-    present; empty for none. `advice`: what to try next where it is present.
+    present; empty for none. `advice`: what to try next where it is present, and `changes` the
+    settings of a race that may do it.
     """
 
     measures: tuple[str, ...]
@@ -330,6 +347,7 @@ class Condition:
     implies: str = ""
     numbers: str = ""
     advice: str = ""
+    changes: tuple[Change, ...] = ()
 
 
 def _nothing(payoffs: Payoffs) -> str:
@@ -347,35 +365,86 @@ def _single_episodes(payoffs: Payoffs) -> str:
 GAINS, CHANGES = ("pursuer_gain", "evader_gain"), ("pursuer_change", "evader_change")
 DROPS = ("pursuer_forgetting", "evader_forgetting")
 RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
-AGAINST_CYCLES = "let both teams meet opponents of all generations, or a hall of fame"
-GO_ON = "more generations show how long it goes on"
+
+# What several conditions have in common:
+NEWEST, GENERALISTS = ("specialist-specialist", "generalist-specialist"), "generalist-generalist"
+PURSUERS_MEET, EVADERS_MEET = "schedule.pursuers_meet", "schedule.evaders_meet"
+AGAINST_CYCLES: dict[str, Any] = {
+    "advice": "let both teams meet opponents of all generations, or a hall of fame",
+    "changes": (
+        Change(NEWEST, {"schedule": GENERALISTS}, "both teams meet opponents of all generations"),
+        Change(NEWEST, {"schedule": "hall-of-fame"},
+               "both teams meet living opponents and champions of all generations"),
+        Change((GENERALISTS,), {"schedule.opponents": 4},
+               "candidates meet several opponents in each epoch"),
+        Change((GENERALISTS,), {PURSUERS_MEET: "maxsolve", EVADERS_MEET: "maxsolve"},
+               "an archive keeps the opponents that tell candidates apart"),
+        Change((NEWEST_ONLY,), {PURSUERS_MEET: "uniform", EVADERS_MEET: "uniform"},
+               "both teams meet opponents of all generations"),
+        Change((PAST_ONES,), {"schedule.opponents": TWICE},
+               "candidates meet more opponents in each epoch"),
+        Change(("hall-of-fame",), {"schedule.hall_sample": TWICE},
+               "candidates meet more members of the halls of fame"),
+    ),
+}  # fmt: skip
+GO_ON: dict[str, Any] = {
+    "advice": "more generations show how long it goes on",
+    "changes": (
+        Change((ANY,), {"schedule.generations": TWICE},
+               "the race goes on; more generations show how long"),
+    ),
+}  # fmt: skip
+MORE_EPOCHS = (
+    Change((IN_TURNS,), {"schedule.pursuer_epochs": TWICE},
+           "if pursuers are the weaker team or the one that does not gain"),
+    Change((IN_TURNS,), {"schedule.evader_epochs": TWICE},
+           "if evaders are the weaker team or the one that does not gain"),
+)  # fmt: skip
 
 RULES: Mapping[str, Condition] = {
     "disengagement": Condition(
         ("one_sidedness",), _disengagement, _noise,
         advice="make the weaker team stronger, or reward no candidate for winning everything",
+        changes=(
+            Change((FULL_VIRULENCE,), {"fitness.pursuer_virulence": 0.75},
+                   "if pursuers win everything: candidates that win everything have no advantage"),
+            Change((FULL_VIRULENCE,), {"fitness.evader_virulence": 0.75},
+                   "the same for evaders, if they win everything"),
+            *MORE_EPOCHS,
+        ),
     ),
     "arms race": Condition(
-        GAINS, _arms_race, _nothing, implies="rise", numbers="gains", advice=GO_ON
+        GAINS, _arms_race, _nothing, implies="rise", numbers="gains", **GO_ON
     ),
     "one-sided progress": Condition(
         GAINS, _one_sided_progress, _nothing, implies="rise", numbers="gains",
         advice="give the team that does not gain more time to learn",
+        changes=(
+            *MORE_EPOCHS,
+            Change(("hall-of-fame",), {"schedule.joint_epochs": TWICE},
+                   "more time for the team that does not gain"),
+        ),
     ),
-    "rise": Condition(CHANGES, _rise, _nothing, numbers="changes", advice=GO_ON),
+    "rise": Condition(CHANGES, _rise, _nothing, numbers="changes", **GO_ON),
     "intransitivity": Condition(
-        ("squared_intransitivity", "checkerboards"), _intransitivity, _noise,
-        advice=AGAINST_CYCLES,
+        ("squared_intransitivity", "checkerboards"), _intransitivity, _noise, **AGAINST_CYCLES
     ),
     "cycling": Condition(
-        RECURRENCES, _cycling, _noise, implies="intransitivity", advice=AGAINST_CYCLES
+        RECURRENCES, _cycling, _noise, implies="intransitivity", **AGAINST_CYCLES
     ),
     "forgetting": Condition(
-        DROPS, _forgetting, _single_episodes, numbers="drops", advice=AGAINST_CYCLES
+        DROPS, _forgetting, _single_episodes, numbers="drops", **AGAINST_CYCLES
     ),
     "stagnation": Condition(
         CHANGES, _stagnation, _nothing,
         advice="more candidates, another learner or a larger network",
+        changes=(
+            Change((ANY,), {"learner.population": TWICE},
+                   "the fitness of more candidates is less noisy"),
+            Change((ONE_GENOME,), {"learner": "ga"},
+                   "a population of different genomes instead of samples around one"),
+            Change((ANY,), {"policy.hidden": TWICE}, "a larger network"),
+        ),
     ),
 }  # fmt: skip
 """All conditions by name, in the order in which they are judged."""
