@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.checks import check_number, check_real
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import (
     BIASED,
@@ -118,14 +119,10 @@ def transitive_share(payoff: ArrayLike, *, logits: bool = False) -> float:
 
 
 def two_way_parts(payoff: ArrayLike) -> TwoWayParts:
-    """Decompose a payoff matrix into mean, strength of each generation, and cyclic part.
+    """Decompose `payoff` (n, m) into mean, strength of each generation, and cyclic part.
 
     The parts are orthogonal. On the complete bipartite graph of two teams the strengths are the
     gradient flow of the Hodge decomposition of games, and the rest is its cyclic part.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
 
     References
     ----------
@@ -162,8 +159,9 @@ def checkerboards(
         capture rates of .1 and .4 is found, too.
     """
     matrix = check_payoff(payoff)
-    require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
-    require(level is None or 0.0 <= level <= 1.0, "a level in [0, 1] or None", level)
+    require(0.0 <= check_real("margin", margin) < 1.0, "a margin in [0, 1)", margin)
+    if level is not None:
+        check_number("level", level, least=0.0, most=1.0)
     compared = [(matrix, margin)]
     if level is not None:  # both better cells are wins, and both worse are not
         compared.append(((matrix > level).astype(np.float64), 0.0))
@@ -194,10 +192,10 @@ def strongest_checkerboards(
 ) -> tuple[Checkerboard, ...]:
     """Return checkerboards with large margins, in descending order, that differ from each other.
 
-    No two have more than two generations in common. Of two rows, no margin exceeds what one gains
-    over the other in some column, and loses in another. In the order of these bounds, some dozens
-    of pairs have to be looked at, in the worst case all of them.
+    No two have more than two generations in common.
     """
+    # Of two rows, no margin exceeds what one gains over the other in some column, and loses in
+    # another. In the order of these bounds, some dozens of pairs have to be looked at.
     pairs: list[tuple[float, int, int, Checkerboard | None]] = []
     for p, row in enumerate(matrix[:-1]):
         gains = row - matrix[p + 1 :]
@@ -247,12 +245,8 @@ def squared_intransitivity(
     That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
     estimate of the variance of each cell; it may be negative. `biased_high` and `high` allow for
     what the fit hides. A `third` of the generations of both teams by strength, from the weakest
-    (0), has the mean over the cells of its pursuers and over those of its evaders.
-
-    A test of lack of fit with an order as the null hypothesis (Robertson, Wright and Dykstra 1988).
-    A cell in a level set of b cells loses 1/b of its noise to the fit (Meyer and Woodroofe 2000),
-    and sorting by noisy means loses some more, so a transitive race has an expected value of 0 or
-    less.
+    (0), has the mean over the cells of its pursuers and over those of its evaders. A test of lack
+    of fit with an order as the null hypothesis (Robertson, Wright and Dykstra 1988).
     """
     matrix, noise = thinned(matrix), thinned(noise)
     weights = np.full(matrix.shape, 1.0 / matrix.size)
@@ -270,6 +264,7 @@ def squared_intransitivity(
 def _excess(matrix: Rates, noise: Rates) -> Rates:
     """Return the squared residual of each cell minus what its noise leaves of it."""
     fit = transitive_fit(matrix)
+    # A cell in a level set of b cells loses 1/b of its noise to the fit (Meyer and Woodroofe 2000).
     excess: Rates = (matrix - fit) ** 2 - noise * (1.0 - _leverages(fit))
     return excess
 
@@ -472,10 +467,9 @@ def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate
     where nothing is left. One half of the episodes (n, m, episodes) chooses d, the other one
     measures c(d), and both change roles. The interval is that of `transitive_share_over_episodes`.
     """
-    array = np.asarray(scores)
-    if array.shape[2] < EPISODES_TO_RECUR:
+    if scores.shape[2] < EPISODES_TO_RECUR:
         return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
-    halves = [_similarities(array[:, :, start::2]) for start in (0, 1)]
+    halves = [_similarities(scores[:, :, start::2]) for start in (0, 1)]
     found = [_returned(halves[k], halves[1 - k], level) for k in (0, 1)]
     if None in found:
         return Estimate(math.nan, note="the capture rates vary no more than episode noise does")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_integer
+from matrixworld._util.checks import check_integer, check_number, check_real
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.games import check_mixture
 from matrixworld.analysis.payoffs import Rates, check_finite, check_payoff, require
@@ -75,8 +75,8 @@ def replicator_dynamics(
     """
     from scipy.integrate import solve_ivp
 
-    a = check_finite(payoff, "payoffs", "of shape (n, m)", ndim=2)
-    require(0.0 < time < math.inf, "a finite time above 0", time)
+    a = check_finite(payoff, "payoffs (n, m)", ndim=2)
+    check_number("time", time, least=0.0, positive=True)
     check_integer("points", points, 2)
     n, m = a.shape
     x = check_mixture(np.full(n, 1.0 / n) if pursuers is None else pursuers, n, "pursuers")
@@ -133,7 +133,7 @@ def alpha_rank(
 
     In each state all pursuers are of one generation and all evaders of one generation. A mutant of
     each of the ``n + m - 2`` other generations appears with the same probability, and takes over
-    its team with the `fixation_probability` of its gain.
+    its team with the probability that its gain alone gives it (equation 8 of the paper).
 
     Parameters
     ----------
@@ -151,32 +151,12 @@ def alpha_rank(
     elimination that never subtracts, so the result is exact to rounding.
     """
     matrix = check_payoff(payoff)
+    require(check_real("alpha", alpha) > 0.0, "an alpha above 0", alpha)
+    check_integer("population", population, 2)
     # The chain has n m states and its matrix (n m)^2 entries: 134 MB at the limit.
     require(matrix.size <= MOST_STATES, f"at most {MOST_STATES} pairs (n times m)", matrix.size)
     pairs = _stationary(_transitions(matrix, alpha, population)).reshape(matrix.shape)
     return AlphaRank(pairs, pairs.sum(axis=1), pairs.sum(axis=0))
-
-
-def fixation_probability(
-    gain: ArrayLike, *, alpha: float = ALPHA, population: int = POPULATION
-) -> Rates:
-    """Return the probability that one mutant with a gain d takes over a population of size m.
-
-    ``(1 - e^(-alpha d)) / (1 - e^(-m alpha d))``, and ``1 / m`` for d = 0, in the shape of `gain`.
-    With ``alpha = inf``: 1 for gains, ``1 / m`` for d = 0, 0 for losses.
-    """
-    require(alpha > 0.0, "an alpha above 0", alpha)
-    require(population >= 2, "a population of at least 2", population)
-    d = np.asarray(gain, dtype=np.float64)
-    if math.isinf(alpha):
-        return np.where(d > 0.0, 1.0, np.where(d < 0.0, 0.0, 1.0 / population))
-    # expm1 of -alpha |d|, times e^((m - 1) alpha d) for d < 0: nothing overflows or cancels.
-    strength = -alpha * np.abs(d)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        better = np.expm1(strength) / np.expm1(population * strength)
-    falling = np.exp(np.minimum(0.0, (population - 1) * alpha * d))
-    # Below 1e-300 numerator and denominator lose digits; the ratio is 1/m to rounding.
-    return np.where(np.abs(strength) < 1e-300, 1.0 / population, better * falling)
 
 
 def _transitions(matrix: Rates, alpha: float, population: int) -> Rates:
@@ -187,19 +167,31 @@ def _transitions(matrix: Rates, alpha: float, population: int) -> Rates:
     # [g, h, g']: gain of pursuers g' over g; [g, h, h']: gain of evaders h' over h.
     pursuers = matrix.T[None, :, :] - matrix[:, :, None]
     evaders = matrix[:, :, None] - matrix[:, None, :]
-
-    def rate(gain: Rates) -> Rates:
-        # A positive rate between all neighbours keeps the chain irreducible: one solution.
-        return np.maximum(fixation_probability(gain, alpha=alpha, population=population), _RAREST)
-
+    # A positive rate between all neighbours keeps the chain irreducible: one solution.
     for h in range(columns):
-        chain[:, h, :, h] = rate(pursuers[:, h])
+        chain[:, h, :, h] = np.maximum(_fixation(pursuers[:, h], alpha, population), _RAREST)
     for g in range(rows):
-        chain[g, :, g, :] = rate(evaders[g])
+        chain[g, :, g, :] = np.maximum(_fixation(evaders[g], alpha, population), _RAREST)
     flat: Rates = eta * chain.reshape(matrix.size, matrix.size)
     # The elimination never uses the probability to stay.
     np.fill_diagonal(flat, 0.0)
     return flat
+
+
+def _fixation(gain: Rates, alpha: float, population: int) -> Rates:
+    """Return the probability that one mutant with a gain d takes over a population of size m.
+
+    ``(1 - e^(-alpha d)) / (1 - e^(-m alpha d))``; 1/m for d = 0, as in the limit.
+    """
+    if math.isinf(alpha):
+        return np.where(gain > 0.0, 1.0, np.where(gain < 0.0, 0.0, 1.0 / population))
+    # expm1 of -alpha |d|, times e^((m - 1) alpha d) for d < 0: nothing overflows or cancels.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        strength = -alpha * np.abs(gain)
+        better = np.expm1(strength) / np.expm1(population * strength)
+        falling = np.exp(np.minimum(0.0, (population - 1) * alpha * gain))
+    # Below 1e-300 numerator and denominator lose digits; the ratio is 1/m to rounding.
+    return np.where(np.abs(strength) < 1e-300, 1.0 / population, better * falling)
 
 
 def _stationary(chain: Rates) -> Rates:

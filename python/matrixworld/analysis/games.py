@@ -15,7 +15,6 @@ from matrixworld.analysis.cycles import transitive_fit
 from matrixworld.analysis.intervals import (
     LEVEL,
     Estimate,
-    difference_over_episodes,
     t_ends,
 )
 from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates, require, swap_teams
@@ -48,16 +47,11 @@ class Nash(Readable):
 
 
 def nash_averaging(payoff: ArrayLike) -> Nash:
-    """Find the maximum-entropy equilibrium of a payoff matrix, and the payoffs against it.
+    """Find the maximum-entropy equilibrium of `payoff` (n, m), and the payoffs against it.
 
-    The zero-sum game M is solved by linear programming. The optimal mixtures of a team form a
+    The zero-sum game is solved by linear programming. The optimal mixtures of a team form a
     polytope; the one of maximum entropy is unique. Copies of a generation share its weight and
-    change neither the value nor the averages.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoffs that differ by less than 1e-7 count as equal.
+    change neither the value nor the averages. Payoffs closer than 1e-7 count as equal.
 
     References
     ----------
@@ -251,24 +245,11 @@ class Exploitability(NamedTuple):
         return self.pursuers + self.evaders
 
 
-class ResponseGain(NamedTuple):
-    """Gain of a response that was evolved against a frozen champion, and its budget in matches."""
-
-    gain: Estimate
-    budget: int
-
-    def __str__(self) -> str:
-        return (
-            f"a best response evolved for {self.budget:,} matches gains {self.gain}: "
-            "the champion's exploitability is at least that"
-        )
-
-
 def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -> Exploitability:
     """Return the gains of the best generations of the matrix against two mixtures.
 
     They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders.
-    Opponents outside the matrix may gain more: see `response_gain`.
+    Opponents outside the matrix may gain more: see `coevolution.best_responses`.
 
     Parameters
     ----------
@@ -291,26 +272,6 @@ def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -
     return Exploitability(max(0.0, rate - lowest), max(0.0, highest - rate))
 
 
-def response_gain(before: ArrayLike, after: ArrayLike, *, budget: int) -> ResponseGain:
-    """Return a lower bound of a champion's exploitability from a response evolved against it.
-
-    Parameters
-    ----------
-    before : array_like of float, shape (episodes,)
-        Scores in [0, 1] of the champion's current opponents against the frozen champion.
-    after : array_like of float, shape (other_episodes,)
-        Scores in [0, 1] of the response against the frozen champion, in new episodes: scores in the
-        episodes of its selection are too high.
-    budget : int
-        Matches spent on evolving the response, at least 1. More may find a better response.
-    """
-    require(budget >= 1, "a budget of at least 1 match", budget)
-    old = check_rates(before, ndim=1, what="scores before")
-    new = check_rates(after, ndim=1, what="scores after")
-    # Both score lists come from independent episodes; they need not have the same length.
-    return ResponseGain(difference_over_episodes(new, old), budget)
-
-
 def check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
     """Return weights of at least 0 with sum 1, or raise a ValueError that names the team."""
     mixture = check_rates(weights, ndim=1, what=f"weights of the {team}")
@@ -326,14 +287,10 @@ def check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
 def effective_diversity(payoff: ArrayLike) -> float:
     """Return how much the generations of the equilibrium win more than the value, where they do.
 
-    ``p max(0, M - v) q`` in capture rates, with the mixtures p and q and the value v of
-    `nash_averaging`. 0 if one generation of each team is best; 1/6 in rock-paper-scissors. Weak
-    generations count nothing, copies share their weight, and both teams have the same number.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Noise makes the number larger; ``MEASURES["effective_diversity"]`` allows for it.
+    ``p max(0, M - v) q`` in the capture rates of `payoff` (n, m), with the mixtures p and q and the
+    value v of `nash_averaging`. 0 if one generation of each team is best; 1/6 in
+    rock-paper-scissors. Weak generations count nothing, copies share their weight, and both teams
+    have the same number. Noise makes it larger; ``MEASURES["effective_diversity"]`` allows for it.
 
     References
     ----------

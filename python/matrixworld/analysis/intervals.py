@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.checks import check_real
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
+from matrixworld.analysis.payoffs import Rates, as_array, check_finite, check_rates, require
 
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
@@ -200,14 +201,15 @@ def band_over_runs(
     bounds : tuple of float, optional
         Smallest and largest possible value; the band is clipped to them.
     """
-    array = np.asarray(curves, dtype=np.float64)
-    require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
-    require(not np.isinf(array).any(), "finite curves", "infinite values")
+    array = check_finite(curves, "curves (runs, k)", ndim=2, gaps=True)
     known = ~np.isnan(array)
     counts = known.sum(axis=0)
     require(bool(counts.all()), "a run with a value at each point", "points without one")
     check_level(level)
-    at = np.arange(array.shape[1]) if places is None else np.asarray(places)
+    at = np.arange(array.shape[1])
+    if places is not None:
+        at = as_array(places, "places")
+        require(at.shape == counts.shape, f"places of shape {counts.shape}", at.shape)
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
         return Band(at, mean, None, None, counts)
@@ -408,7 +410,7 @@ def does_not_vary(values: Rates) -> bool:
 
 def check_level(level: float) -> None:
     """Raise a ValueError unless the level lies in (0, 1)."""
-    require(0.0 < level < 1.0, "a level in (0, 1)", level)
+    require(0.0 < check_real("level", level) < 1.0, "a level in (0, 1)", level)
 
 
 def few_runs(runs: int) -> str:
@@ -424,4 +426,4 @@ def _no_variation(values: Rates) -> str:
 
 
 def _check_values(values: ArrayLike) -> Rates:
-    return check_finite(values, "values of runs", "of shape (k,), k >= 1", ndim=1)
+    return check_finite(values, "values of runs", ndim=1)

@@ -7,20 +7,21 @@ generation g against the evaders of generation h.
 from __future__ import annotations
 
 import csv
-import io
 import itertools
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from numbers import Real
 from pathlib import Path
 from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_integer
-from matrixworld._util.files import DamagedFileError, read_npz, read_text
+from matrixworld._util.checks import check_integer, check_real, shown
+from matrixworld._util.files import DamagedFileError, read_content, read_npz
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Rates = NDArray[np.float64]
@@ -29,6 +30,8 @@ OfTeam = TypeVar("OfTeam")
 
 SHRINKAGE = 0.01
 """Default shrinkage towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
+ROUNDING = 1e-9
+"""Sums of rates may leave [0, 1] by this."""
 GENERATIONS_TO_JUDGE = 6
 """Fewest generations of each team in a window that is judged."""
 EPISODES_TO_JUDGE = 4
@@ -176,44 +179,74 @@ def check_payoff(payoff: ArrayLike) -> Rates:
 def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates") -> Rates:
     """Return rates in [0, 1] as float64, with `ndim` dimensions of which none is empty.
 
-    Raises ValueError or TypeError, which call the array `what`.
+    Raises ValueError or TypeError, which call the array `what`. Sums that rounding has put just
+    outside are clipped.
     """
-    array = _as_array(values, what)
+    rates = _numbers(values, ndim, what)
+    with np.errstate(invalid="ignore"):
+        # The negated test also finds NaN, which compares as false with everything.
+        _refuse(~((rates >= -ROUNDING) & (rates <= 1.0 + ROUNDING)), rates, f"{what} in [0, 1]")
+    outside = rates.min() < 0.0 or rates.max() > 1.0
+    return np.clip(rates, 0.0, 1.0) if outside else rates
+
+
+def check_finite(values: ArrayLike, what: str, *, ndim: int, gaps: bool = False) -> Rates:
+    """Return finite numbers, which need not be rates, as `check_rates`; `gaps` may be NaN."""
+    numbers = _numbers(values, ndim, what)
+    _refuse(np.isinf(numbers) if gaps else ~np.isfinite(numbers), numbers, f"finite {what}")
+    return numbers
+
+
+def _numbers(values: ArrayLike, ndim: int, what: str) -> Rates:
+    array = as_array(values, what)
+    expected = f"{what} with {ndim} dimension(s), none of them empty"
+    require(array.ndim == ndim and array.size > 0, expected, f"shape {array.shape}")
+    # float32 is widened: sums over many cells would lose digits.
+    return array.astype(np.float64, copy=False)
+
+
+def as_array(values: ArrayLike, what: str) -> NDArray[Any]:
+    """Return an array of real numbers; nothing is taken for one that only looks like it."""
+    # NumPy would use what a mask hides.
+    parts = values if isinstance(values, (list, tuple)) else (values,)
+    if any(isinstance(each, np.ma.MaskedArray) for each in parts):
+        hidden = np.ma.getmaskarray(np.ma.asarray(values))
+        _refuse(hidden, np.ma.getdata(values), f"{what} without masked cells")
+    try:
+        array = np.asarray(values)
+    except ValueError as error:  # with a message about an "inhomogeneous shape"
+        raise ValueError(f"expected {what} with rows of equal length, got: {error}") from error
+    if array.dtype == object:  # such as a table with missing values, or numbers beyond 64 bits
+        if array.ndim == 0:
+            raise TypeError(f"expected {what}, an array or lists, got a {type(values).__name__}")
+        strange = [not isinstance(each, Real) for each in array.flat]
+        _refuse(np.reshape(strange, array.shape), array, f"{what} of real numbers", TypeError)
+        try:
+            array = array.astype(np.float64)
+        except OverflowError:
+            raise ValueError(f"expected {what} that float64 holds, got larger ones") from None
     # Booleans count as rates of 0 and 1: single matches are stored this way.
     if array.dtype.kind not in "biuf":
         raise TypeError(f"expected {what} of real numbers, got dtype {array.dtype}")
-    expected = f"{what} with {ndim} dimension(s), none of them empty"
-    require(array.ndim == ndim and array.size > 0, expected, f"shape {array.shape}")
-    # float32 rates are widened: sums over many cells would lose digits.
-    rates = array.astype(np.float64, copy=False)
-    with np.errstate(invalid="ignore"):
-        # The negated test also finds NaN, which compares as false with everything.
-        bad = np.argwhere(~((rates >= 0.0) & (rates <= 1.0)))
-    if len(bad):
-        where = tuple(int(i) for i in bad[0])
-        raise ValueError(
-            f"expected {what} with finite values in [0, 1], got {rates[where]} at index {where}"
-        )
-    return rates
-
-
-def check_finite(values: ArrayLike, name: str, shape: str, *, ndim: int) -> Rates:
-    """Return finite numbers, which need not be rates, as float64, or raise a ValueError."""
-    array = np.asarray(values, dtype=np.float64)
-    require(array.ndim == ndim and array.size > 0, f"{name} {shape}", array.shape)
-    bad = array[~np.isfinite(array)]
-    require(not len(bad), f"finite {name}", bad[:1])
     return array
 
 
+def _refuse(
+    bad: NDArray[np.bool_],
+    array: NDArray[Any],
+    expected: str,
+    error: type[Exception] = ValueError,
+) -> None:
+    """Raise an error that names the first bad cell, if there is one."""
+    if bad.any():
+        where = tuple(int(i) for i in np.argwhere(bad)[0])
+        raise error(f"expected {expected}, got {shown(array[where])} at index {where}")
+
+
 def last_half(payoff: ArrayLike) -> Rates:
-    """Return rows from ``n // 2`` on and columns from ``m // 2`` on.
+    """Return rows from ``n // 2`` on and columns from ``m // 2`` on of `payoff` (n, m).
 
     Early generations mix untrained and trained teams, so measures of the whole matrix mislead.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
     """
     matrix = check_payoff(payoff)
     return matrix[Payoffs(matrix[None]).windows["last half"].cells]
@@ -238,7 +271,8 @@ def logits(payoff: ArrayLike, *, shrinkage: float = SHRINKAGE) -> Rates:
 
 def shrink(rates: Rates, shrinkage: float) -> Rates:
     """Return rates moved towards 1/2, away from 0 and 1."""
-    require(0.0 < shrinkage < 0.5, "a shrinkage in (0, 0.5)", shrinkage)
+    wanted = 0.0 < check_real("shrinkage", shrinkage) < 0.5
+    require(wanted, "a shrinkage in (0, 0.5)", shrinkage)
     return shrinkage + (1.0 - 2.0 * shrinkage) * rates
 
 
@@ -246,15 +280,6 @@ def require(condition: bool, expected: str, received: object) -> None:
     """Raise ValueError with the expected and the received value unless the condition holds."""
     if not condition:
         raise ValueError(f"expected {expected}, got {received}")
-
-
-def _as_array(values: ArrayLike, what: str) -> NDArray[np.generic]:
-    # NumPy refuses ragged lists with a message about "inhomogeneous shape"; ours says what to
-    # change.
-    try:
-        return np.asarray(values)
-    except ValueError as error:
-        raise ValueError(f"expected {what} with rows of equal length, got: {error}") from error
 
 
 # ---- Sources -------------------------------------------------------------------------------------
@@ -290,12 +315,14 @@ def read_payoffs(
     Notes
     -----
     A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
-    a first line that is not numbers is a header, and if its first cell is empty, the first cell of
-    each line is a label. Or it holds one line for each pair: a header with ``pursuer, evader,
+    a first line without rates is a header, and a first column of names or of numbers below an empty
+    cell is left out. Or it holds one line for each pair: a header with ``pursuer, evader,
     capture_rate`` in any order, and ``run`` or ``episode`` if there are several; every combination
-    of these whole numbers has one line. Other columns, empty lines and lines that begin with ``#``
-    are ignored. Of several arrays in an .npz file ``capture_rates`` is taken, which holds episodes,
-    or else ``capture_rate``, ``payoff`` or ``payoffs``.
+    of these numbers or names has one line. Other columns, empty lines and lines that begin with
+    ``#`` are ignored. Cells are separated by commas, semicolons, tabs, bars or blanks; decimal
+    commas (beside semicolons or in quotes) and per cent are read, and so are UTF-8, UTF-16 with a
+    byte order mark and Windows-1252. Of several arrays in an .npz file ``capture_rates`` is taken,
+    which holds episodes, or else ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     if isinstance(source, Payoffs):
         payoffs = source
@@ -309,15 +336,16 @@ def read_payoffs(
         payoffs = _payoffs(source, per_episode)
     if cross is not None:
         # Cross tests have to be between the runs that are analysed.
-        expected = (len(payoffs), *payoffs.matrices.shape)
-        require(np.shape(cross) == expected, f"cross tests of shape {expected}", np.shape(cross))
-        payoffs = replace(payoffs, cross=np.asarray(cross))
-    if episodes is None:
-        return payoffs
-    check_integer("episodes", episodes, 1)
-    held = payoffs.episodes or episodes
-    require(held == episodes, f"the {held} episodes of each cell that the payoffs hold", episodes)
-    return replace(payoffs, episodes=episodes)
+        tests, shape = as_array(cross, "cross tests"), (len(payoffs), *payoffs.matrices.shape)
+        require(tests.shape == shape, f"cross tests of shape {shape}", tests.shape)
+        payoffs = replace(payoffs, cross=tests)
+    if episodes is not None:
+        held = payoffs.episodes or check_integer("episodes", episodes, 1)
+        require(
+            held == episodes, f"the {held} episodes of each cell that the payoffs hold", episodes
+        )
+        payoffs = replace(payoffs, episodes=held)
+    return payoffs
 
 
 def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
@@ -361,96 +389,164 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
     return arrays[name], name == PER_EPISODE
 
 
-def _payoffs(values: Any, per_episode: bool) -> Payoffs:
+def _payoffs(values: ArrayLike, per_episode: bool) -> Payoffs:
     """Return the payoffs of an array; one without the axis of runs is a single run."""
-    ndim = np.ndim(_as_array(values, "payoff matrices"))
+    array = as_array(values, "payoff matrices")
     if per_episode:
-        array = np.asarray(values)[None] if ndim == 3 else values
-        scores = check_rates(array, ndim=4, what="scores ([runs,] n, m, episodes)")
+        several = array[None] if array.ndim == 3 else array
+        scores = check_rates(several, ndim=4, what="scores ([runs,] n, m, episodes)")
         return Payoffs(scores.mean(axis=3), scores, scores.shape[3])
-    if ndim == 2:
-        return Payoffs(check_payoff(values)[None])
-    return Payoffs(check_rates(values, ndim=3, what="payoff matrices (runs, n, m)"))
+    if array.ndim == 2:
+        return Payoffs(check_payoff(array)[None])
+    return Payoffs(check_rates(array, ndim=3, what="payoff matrices (runs, n, m)"))
 
 
 # ---- CSV files -----------------------------------------------------------------------------------
 
-_LONG = ("pursuer", "evader", "capture_rate")
-_KEYS = ("run", "pursuer", "evader", "episode")
+_PAIR, _RATE = ("pursuer", "evader"), "capture_rate"
+_KEYS = ("run", *_PAIR, "episode")
+_NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
+_LABELS = ("", "pursuer", "pursuers", "generation", "id", "index", "name")
+"""What stands above a column of labels."""
+_MISSING = ("", "-", "na", "nan", "none", "null", "<na>", "n/a")
+_BYTE_ORDER_MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
+
+Line: TypeAlias = tuple[str, list[str]]
+"""A line of a table: where it is, and its cells."""
 
 
 def _read_table(path: Path) -> tuple[Rates, bool]:
     """Return the capture rates of a CSV file, and whether their last dimension is episodes."""
-    # utf-8-sig: spreadsheets write a byte order mark.
-    text = io.StringIO(read_text(path, "CSV", encoding="utf-8-sig"), newline="")
+    lines = _lines(path)
+    where, head = lines[0]
+    names = [cell.lower() for cell in head]
+    for at, row in lines:
+        if len(row) != len(head):
+            raise ValueError(
+                f"{at}: expected {len(head)} cells as in the line before, got {len(row)}"
+            )
+    if {*_PAIR} <= {*names} or _RATE in names:
+        if any(names.count(name) != 1 for name in (*_PAIR, _RATE)):
+            expected = f"the columns {', '.join(_PAIR)} and {_RATE} once each"
+            raise ValueError(f"{where}: expected {expected}, got {', '.join(head)}")
+        return _long(path, names, lines[1:]), "episode" in names
+    return _matrix(path, lines), False
+
+
+def _lines(path: Path) -> list[Line]:
+    """Return the lines of a CSV file, as programs of all countries write it, without comments."""
+    text = _text(path)
+    # Comments and lines without a cell have none of the delimiters that count.
+    raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text.split("\n")]
+    declared = re.fullmatch(r"sep=(.)", raw[0], re.IGNORECASE)  # as spreadsheets write it
+    raw[0] = "" if declared else raw[0]
+    first = next((line for line in raw if line), "")
+    # A comma beside one of the others is a decimal comma.
+    delimiter = declared[1] if declared else next((mark for mark in "\t;|," if mark in first), " ")
+    reader = csv.reader(raw, delimiter=delimiter, skipinitialspace=True, strict=True)
     try:
-        rows = [[cell.strip() for cell in row] for row in csv.reader(text)]
+        rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
     except csv.Error as error:
-        raise DamagedFileError(path, f"expected a CSV file of text, got: {error}") from error
-    lines = [
-        (f"{path}, line {number}", row)
-        for number, row in enumerate(rows, 1)
-        if any(row) and not row[0].startswith("#")
-    ]
-    if not lines:
+        problem = f"line {reader.line_num}: expected a CSV file, got: {error}"
+        raise DamagedFileError(path, problem) from error
+    while rows and not any(rows[-1][1]):  # spreadsheets end with rows of empty cells
+        rows.pop()
+    if not rows:
         raise ValueError(f"{path}: expected a table of capture rates, got no lines")
-    names = [cell.lower() for cell in lines[0][1]]
-    is_long = set(_LONG) <= set(names)
-    # A header is recognised by a cell that is not a number.
-    body = lines if all(map(_is_number, names)) else lines[1:]
+    return [(f"{path}, line {number}", row) for number, row in rows if row]
+
+
+def _text(path: Path) -> str:
+    content = read_content(path)
+    marked = [name for mark, name in _BYTE_ORDER_MARKS.items() if content.startswith(mark)]
+    for encoding in marked or ("utf-8", "cp1252"):
+        try:
+            text = content.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if "\0" not in text:
+            return re.sub(r"\r\n?", "\n", text)
+    raise DamagedFileError(path, "expected a CSV file of text, in UTF-8 or with a byte order mark")
+
+
+def _matrix(path: Path, lines: list[Line]) -> Rates:
+    """Return the matrix of a table without its header and its column of labels, if it has them."""
+    (where, head), below = lines[0], [row[0] for _, row in lines[1:]]
+    below_are_labels = len(head) > 1 and (_are_names(below) or _count_up(below))
+    above_labels = head[0].lower() in _LABELS
+    has_header = _are_names(head) or (above_labels and _count_up(head[1:]) and below_are_labels)
+    if not has_header:
+        labelled = len(lines) > 1 and _are_names([head[0], *below])
+    else:
+        labelled = above_labels or below_are_labels
+        if labelled and not above_labels and _is_number(below[-1]) and _value(below[-1]) <= 1.0:
+            raise ValueError(
+                f"{where}: expected nothing above a column of labels, or rates written as 0.0 and "
+                f"1.0 below a name, got {', '.join(below)} below {head[0]}"
+            )
+    body = lines[has_header:]
     if not body:
         raise ValueError(f"{path}: expected lines of capture rates, got a header only")
-    width = len(names if is_long else body[0][1])
-    for where, row in body:
-        if len(row) != width:
-            before = "in the header" if is_long else "in the lines before"
-            raise ValueError(f"{where}: expected {width} cells as {before}, got {len(row)}")
-    if is_long:
-        return _long(path, names, body), "episode" in names
-    start = int(names[0] == "")  # labels
-    return np.array([[_number(at, cell) for cell in row[start:]] for at, row in body]), False
+    return np.array([[_rate(at, cell) for cell in row[labelled:]] for at, row in body])
 
 
-def _long(path: Path, names: list[str], lines: list[tuple[str, list[str]]]) -> Rates:
+def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     """Return the array of a table of one line for each pair, whose axes are its keys."""
     keys = [key for key in _KEYS if key in names]
-    places, place = [names.index(key) for key in keys], names.index("capture_rate")
-    found: dict[tuple[int, ...], float] = {}
-    for where, row in lines:
-        try:
-            key = tuple(int(row[i]) for i in places)
-        except ValueError:
-            cells = ", ".join(repr(row[i]) for i in places)
-            raise ValueError(f"{where}: expected whole numbers, got {cells}") from None
+    columns = [[row[names.index(key)] for _, row in lines] for key in keys]
+    for key, column in zip(keys, columns, strict=True):
+        if missing := [at for (at, _), cell in zip(lines, column, strict=True) if not cell]:
+            raise ValueError(f"{missing[0]}: expected a number or a name of the {key}, got none")
+    found: dict[tuple[str, ...], float] = {}
+    for (where, row), key in zip(lines, zip(*columns, strict=True), strict=True):
         if key in found:
-            raise ValueError(f"{where}: expected {_combination(keys, key)} once, got it twice")
-        found[key] = _number(where, row[place])
-    # Numbers of generations may start anywhere; their ranks are the indices.
-    axes = [sorted({key[axis] for key in found}) for axis in range(len(keys))]
+            hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"
+            raise ValueError(f"{where}: expected {_named(keys, key)} once, got it twice{hint}")
+        found[key] = _rate(where, row[names.index(_RATE)])
+    # Numbers of generations may start anywhere, names are in the order of the file: their ranks
+    # are the indices.
+    axes = [
+        sorted({*column}, key=_value) if all(map(_is_number, column)) else [*dict.fromkeys(column)]
+        for column in columns
+    ]
     for key in itertools.product(*axes):
         if key not in found:
-            missing = _combination(keys, key)
             raise ValueError(
-                f"{path}: expected a line for every combination, got none for {missing}"
+                f"{path}: expected a line for every combination, got none for {_named(keys, key)}"
             )
+    if not found:
+        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
     rates = [found[key] for key in itertools.product(*axes)]
     return np.array(rates).reshape([len(axis) for axis in axes])
 
 
-def _combination(keys: list[str], key: tuple[int, ...]) -> str:
+def _named(keys: list[str], key: tuple[str, ...]) -> str:
     return ", ".join(f"{name} {value}" for name, value in zip(keys, key, strict=True))
 
 
 def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True
+    return _NUMBER.fullmatch(cell.rstrip("% ")) is not None
 
 
-def _number(where: str, cell: str) -> float:
+def _value(cell: str) -> float:
+    return float(cell.rstrip("% ").replace(",", ".")) / (100.0 if cell.endswith("%") else 1.0)
+
+
+def _are_names(cells: list[str]) -> bool:
+    """Return whether cells name rows or columns: none is a number, missing, or there twice."""
+    named = cells[1:] if cells[:1] == [""] else cells  # nothing stands above labels
+    unlike = {cell for cell in named if not _is_number(cell) and cell.lower() not in _MISSING}
+    return 0 < len(named) == len(unlike)
+
+
+def _count_up(cells: list[str]) -> bool:
+    """Return whether cells are ascending whole numbers, such as those of rows or columns."""
+    numbers = [int(cell) if cell.isdecimal() else -1 for cell in cells]
+    return bool(numbers) and numbers[0] >= 0 and numbers == sorted({*numbers})
+
+
+def _rate(where: str, cell: str) -> float:
     # Checked here as well as in `check_rates`, where the line number is not known any more.
-    if not (_is_number(cell) and 0.0 <= float(cell) <= 1.0):
+    if not (_is_number(cell) and -ROUNDING <= _value(cell) <= 1.0 + ROUNDING):
         raise ValueError(f"{where}: expected a capture rate in [0, 1], got {cell!r}")
-    return float(cell)
+    return _value(cell)

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import groupby
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.checks import check_integer
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import Estimate, check_cells
 from matrixworld.analysis.payoffs import (
     ByTeam,
     Rates,
+    as_array,
     check_payoff,
     check_rates,
     require,
@@ -41,11 +42,7 @@ class TeamProgress:
 def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
     """Return the mean payoff of each generation of both teams against all opponents, in [0, 1].
 
-    Capture rates of the pursuers (row means), escape rates of the evaders (1 - column means).
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
+    Capture rates of the pursuers, row means of `payoff` (n, m), and escape rates of the evaders.
 
     References
     ----------
@@ -57,14 +54,10 @@ def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
 
 
 def local_progress(payoff: ArrayLike) -> ByTeam[TeamProgress]:
-    """Return progress against current opponents: those of the same generation.
+    """Return progress against current opponents: those of the same generation of `payoff` (n, m).
 
     A race that only cycles has local progress, too: each generation beats the newest opponents and
     loses to others. Gain of pursuers g: ``M[g, g] - M[g - 1, g]``, for ``g < min(n, m)``.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
 
     References
     ----------
@@ -82,12 +75,8 @@ def historical_progress(payoff: ArrayLike) -> ByTeam[TeamProgress]:
     """Return progress against all opponents so far: those of the same and of earlier generations.
 
     Gain of pursuers g: mean over ``h <= g`` of ``M[g, h] - M[g - 1, h]``; for evaders the same on
-    ``1 - M.T``. Generations of the longer team beyond the end of the shorter one play against all
-    of its generations. Sources: as for `local_progress`.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
+    ``1 - M.T``. Generations of the longer team in `payoff` (n, m) beyond the end of the shorter one
+    play against all of its generations. Sources: as for `local_progress`.
     """
     matrix = check_payoff(payoff)
     # Square at the longer side, so that the same mask serves the matrix and the swapped one.
@@ -106,7 +95,7 @@ def global_progress(cross: ArrayLike) -> ByTeam[TeamProgress]:
         Cross tests: capture rates of the pursuers of run r against the evaders of run s. Entries
         with ``r == s`` are not used and may be NaN.
     """
-    array = np.asarray(cross)
+    array = as_array(cross, "cross tests")
     require(
         array.ndim == 4 and array.shape[0] == array.shape[1],
         "cross tests of shape (runs, runs, n, m)",
@@ -161,19 +150,14 @@ class LagProfile(Readable):
     def at(self, lag: int) -> float:
         """Return the mean at one lag, or raise ValueError if the profile does not contain it."""
         first, last = int(self.lags[0]), int(self.lags[-1])
-        require(first <= lag <= last, f"a lag from {first} to {last}", lag)
-        return float(self.means[lag - first])
+        return float(self.means[check_integer("lag", lag, first, last) - first])
 
 
 def lag_profile(payoff: ArrayLike) -> LagProfile:
-    """Return the mean capture rate for every lag between pursuers and evaders.
+    """Return the mean capture rate in `payoff` (n, m) for every lag between pursuers and evaders.
 
     At lag d: pursuers against evaders that are d generations older. Specialists beat the current
     opponent only, so their profile is flat with a notch at 0; that of generalists rises.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
     """
     matrix = check_payoff(payoff)
     rows, columns = matrix.shape
@@ -187,8 +171,7 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
 def lag_rise(matrix: Rates) -> float:
     """Return how much better later pursuers do than earlier ones, in [-1, 1].
 
-    Lag profile at a third of the generations, rounded down, minus that at minus as much, for at
-    least 2 x 2 generations. Swapping the teams gives the same number.
+    Lag profile at a third of the generations minus that at minus as much.
     """
     # Long enough for strength to grow by more than noise, short enough to leave many cells. Both
     # lags have the same number of cells in a square matrix, so both means are equally noisy.
@@ -197,14 +180,10 @@ def lag_rise(matrix: Rates) -> float:
 
 
 def team_phase_rates(payoff: ArrayLike) -> Rates:
-    """Return the capture rate after each team phase of generations 1, 2, ...
+    """Return the capture rate after each team phase of generations 1, 2, ... in `payoff` (n, m).
 
     Row ``k - 1`` of the result (min(n, m) - 1, 2) holds ``M[k, k - 1]``, after the pursuers of
     generation k have learned, and ``M[k, k]``, after the evaders have learned.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
     """
     matrix = check_payoff(payoff)
     # Generation 0 is untrained: no team phase precedes it.
@@ -215,10 +194,9 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
 def swing(matrix: Rates) -> float:
     """Return how much the capture rate changes on average in the evaders' team phase.
 
-    Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations k from a quarter of them on, rounded up,
-    for at least 2 x 2.
+    Generations before a quarter of them, rounded up, do not count: the first are untrained.
     """
-    # The first generations are untrained; row k - 1 belongs to generation k.
+    # Row k - 1 belongs to generation k.
     first = max(1, -(-min(matrix.shape) // 4))
     rates = team_phase_rates(matrix)[first - 1 :]
     return float(np.abs(rates[:, 0] - rates[:, 1]).mean())
@@ -348,15 +326,11 @@ class Triangle:
 
 
 def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
-    """Compare current individuals with ancestral opponents, in a triangle of each team.
+    """Compare current individuals with ancestral opponents, in a triangle of `payoff` for each team.
 
     Stripes show intransitivity. Fading away from the diagonal, the current opponent, shows that a
     team loses to opponents that it once beat. A race in which both teams keep improving shows
     neither.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
 
     References
     ----------
@@ -448,14 +422,6 @@ class Ladder:
         return len(self.generations)
 
 
-class _Scores(NamedTuple):
-    """Mean score of each generation over the other team's archive, and its variance; (n,) each."""
-
-    mean: Rates
-    variance: Rates  # of the mean
-    spread: Rates  # sum over cells of squared variance / degrees of freedom (Satterthwaite)
-
-
 def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> ByTeam[Ladder]:
     """Find the generations that beat all dominant generations before them.
 
@@ -482,37 +448,37 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> B
     episodes = array.shape[2]
     means, variances = array.mean(axis=2), array.var(axis=2, ddof=1) / episodes
     return ByTeam(
-        _ladder(_totals(means, variances, episodes - 1), level),
-        _ladder(_totals(1.0 - means.T, variances.T, episodes - 1), level),
+        _ladder(means, variances, episodes - 1, level),
+        _ladder(1.0 - means.T, variances.T, episodes - 1, level),
     )
 
 
-def _totals(means: Rates, variances: Rates, freedom: int) -> _Scores:
+def _ladder(means: Rates, variances: Rates, freedom: int, level: float) -> Ladder:
     # A score is the mean of m cells, so each cell's variance counts 1 / m^2.
     parts = variances / means.shape[1] ** 2
-    return _Scores(means.mean(axis=1), parts.sum(axis=1), (parts**2 / freedom).sum(axis=1))
-
-
-def _ladder(scores: _Scores, level: float) -> Ladder:
+    # Of each generation its score, the variance of the score, and the sum over cells of squared
+    # variance / degrees of freedom (Satterthwaite).
+    scores = np.stack(
+        [means.mean(axis=1), parts.sum(axis=1), (parts**2 / freedom).sum(axis=1)], axis=1
+    )
     dominant, p_values = [0], []
     # In the order of time: a generation is compared with the dominant ones before it only.
-    for generation in range(1, len(scores.mean)):
-        p = max(_p_value(scores, generation, earlier) for earlier in dominant)
+    for generation in range(1, len(scores)):
+        p = max(_p_value(scores[generation], scores[earlier]) for earlier in dominant)
         if p < level:
             dominant.append(generation)
             p_values.append(p)
     return Ladder(tuple(dominant), tuple(p_values))
 
 
-def _p_value(scores: _Scores, one: int, other: int) -> float:
+def _p_value(one: Rates, other: Rates) -> float:
     """Return the p-value of the hypothesis that ``one`` scores no higher than ``other``."""
     from scipy.special import stdtr
 
-    difference = float(scores.mean[one] - scores.mean[other])
-    variance = float(scores.variance[one] + scores.variance[other])
+    difference = float(one[0] - other[0])
+    variance, spread = (one + other)[1:].tolist()
     if abs(difference) <= _ROUNDING or variance == 0.0:  # Welch's t is not defined
         return 0.0 if difference > _ROUNDING else 1.0
-    spread = float(scores.spread[one] + scores.spread[other])
     # The squares of tiny variances are 0 in floating point.
     freedom = variance**2 / spread if spread > 0.0 else np.inf
     return float(stdtr(freedom, -difference / np.sqrt(variance)))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.checks import check_integer, check_number
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import LEVEL, check_level, t_quantile
 from matrixworld.analysis.payoffs import (
@@ -89,11 +90,11 @@ def elo(
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
     "Re-evaluating evaluation": the batch form, and mElo.
     """
-    require(0.0 <= ridge < math.inf, "a finite ridge of at least 0", ridge)
+    check_number("ridge", ridge, least=0.0)
     values = logits(payoff, shrinkage=shrinkage)
     rows, columns = values.shape
     most = min(values.shape) // 2
-    require(0 <= cycles <= most, f"cycles from 0 to {most} for a matrix of {values.shape}", cycles)
+    check_integer("cycles", cycles, 0, most)
     rates = shrink(check_payoff(payoff), shrinkage)
     # a: pursuers, b: evaders, in natural logits.
     a, b, offset = np.split(_fit(rates, ridge), [rows, rows + columns])

@@ -113,7 +113,7 @@ def performance_profile(
     Dolan and More (2002), "Benchmarking optimization software with performance profiles".
     """
     array = _check_scores(scores)
-    places = check_finite(thresholds, "thresholds", "of shape (k,)", ndim=1)
+    places = check_finite(thresholds, "thresholds", ndim=1)
     require(bool((np.diff(places) > 0.0).all()), "ascending thresholds", "others")
     above = (array[:, :, np.newaxis] > places).mean(axis=1)
     shares = band_over_runs(above, places=places, level=level, bounds=UNIT)
@@ -172,7 +172,7 @@ def _middle_mean(scores: Rates) -> float:
 
 
 def _check_scores(scores: ArrayLike) -> Rates:
-    return check_finite(scores, "scores", "of shape (runs, opponents)", ndim=2)
+    return check_finite(scores, "scores (runs, opponents)", ndim=2)
 
 
 def _too_few(runs: int, level: float) -> str:
