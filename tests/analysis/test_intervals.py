@@ -141,17 +141,3 @@ def test_bands_are_those_of_the_curves() -> None:
     ratings = [ELO_POINTS * analysis.elo(payoff).evaders for payoff in PAYOFFS]
     np.testing.assert_allclose(bands["evader_ratings"].mean, np.mean(ratings, axis=0))
     assert bands["evader_ratings"].low.min() < -20  # ratings have no bounds
-
-
-def test_runs_that_lack_generations_count_where_they_are() -> None:
-    runs = [PAYOFFS[0, :4, :3], *PAYOFFS[1:3]]
-    bands = race_bands(runs)
-    np.testing.assert_array_equal(bands["pursuer_generalization"].runs, [3, 3, 3, 3, 2, 2, 2])
-    np.testing.assert_array_equal(bands["lag_profile"].places, np.arange(-4, 7))
-    for lag in (-4, 0, 6):
-        known = [p for p in runs if -p.shape[1] < lag < p.shape[0]]
-        values = [analysis.lag_profile(payoff).at(lag) for payoff in known]
-        expected = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
-        place = lag + 4
-        assert bands["lag_profile"].mean[place] == pytest.approx(expected.value)
-        assert bands["lag_profile"].low[place] == pytest.approx(expected.low)

@@ -10,25 +10,46 @@ from matrixworld import analysis
 MATRIX = np.array([[0.0, 0.25, 0.5], [0.75, 1.0, 0.125]])
 
 
-def written(folder: Path, text: str) -> Path:
+def written(folder: Path, text: str | bytes) -> Path:
     path = folder / "payoff.csv"
-    path.write_text(text, encoding="utf-8")
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
     return path
+
+
+NAMED = "note;Evader;Capture_Rate;Pursuer\n;x;0;Zoé\na;y;,25;Zoé\n;z;50%;Zoé\n" + (
+    "b;x;75 %;Amy\n;y;1,0;Amy\n;z;1,25e-1;Amy\n"
+)
 
 
 @pytest.mark.parametrize(
     "text",
     [
         "0,.25,.5\n.75,1,.125\n",
-        "# capture rates\ne0,e1,e2\n\n0, .25, .5\n.75,1,.125",
-        ",0,1,2\n0,0,0.25,0.5\n1,0.75,1,0.125\n",
+        "# capture rates; of pursuers\ne0,e1,e2\n\n0, .25, .5\n.75,1,.125\n,,\n",
         "\ufeff0,.25,.5\r\n.75,1,.125\r\n",
+        # Labels: a table of pandas, with and without a name; archived generations; agents.
+        ",0,1,2\n0,0.0,0.25,0.5\n1,0.75,1.0,0.125\n",
+        "pursuer,0,1,2\n0,0.0,0.25,0.5\n1,0.75,1.0,0.125\n",
+        ";0;10;20\n0;0;0,25;0,5\n10;0,75;1;0,125\n",
+        "who,amy,bob,cy\nzed,0,.25,.5\nyves,.75,1,.125\n",
+        "zed,0,.25,.5\nyves,.75,1,.125\n",
+        # As spreadsheets and NumPy write it in some countries.
+        "0;,25;0,5\n75%;100 %;0,125\n",
+        'sep=;\n0;"0,25";0,5\n0,75;1;0,125\n',
+        '0,"0,25","0,5"\n"0,75",1,"0,125"\n',
+        "0\t0,25\t0.5\n0,75\t1\t.125\n",
+        "0.0e+00 2.5e-01  5e-1\n7.5e-01 1e0 1.25e-1\n",
+        "-1e-12,.25,.5\n.75,1.000000000001,.125\n",
+        "0,.25,.5\r.75,1,.125".encode("utf-16"),
+        # One line for each pair; with an index, as pandas writes it.
         "pursuer,evader,capture_rate\n1,2,.125\n0,0,0\n0,1,.25\n0,2,.5\n1,0,.75\n1,1,1\n",
-        "Evader,note,Capture_rate,Pursuer\n"
-        "5,a,0,3\n6,b,.25,3\n7,c,.5,3\n5,d,.75,4\n6,e,1,4\n7,f,.125,4",
+        ",pursuer,evader,capture_rate\n0,3,5,0\n1,3,6,.25\n2,3,7.0,.5\n3,4,5,.75\n4,4,6,1\n5,4,7.0,.125",
+        NAMED,
+        NAMED.encode("utf-16"),
+        NAMED.encode("cp1252"),
     ],
-)
-def test_csv_files(tmp_path: Path, text: str) -> None:
+)  # fmt: skip
+def test_csv_files(tmp_path: Path, text: str | bytes) -> None:
     payoffs = analysis.read_payoffs(written(tmp_path, text))
     np.testing.assert_array_equal(payoffs.matrices, MATRIX[None])
     assert payoffs.scores is None
@@ -49,21 +70,37 @@ def test_csv_files_of_runs_and_episodes(tmp_path: Path) -> None:
     np.testing.assert_array_equal(single.scores, scores[:1])
 
 
+LONG = "pursuer,evader,capture_rate\n"
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
         ("", "expected a table of capture rates, got no lines"),
-        ("0,1\n0\n", "line 2: expected 2 cells as in the lines before, got 1"),
+        ("a,b\n", "expected lines of capture rates, got a header only"),
+        ("0,1\n0\n", "line 2: expected 2 cells as in the line before, got 1"),
         ("0,1\n\n0,x\n", r"line 3: expected a capture rate in \[0, 1\], got 'x'"),
-        ("pursuer,evader,capture_rate\n0,a,0\n", "line 2: expected whole numbers, got '0', 'a'"),
-        (
-            "pursuer,evader,capture_rate\n0,0,1\n0,0,1\n",
-            "line 3: expected pursuer 0, evader 0 once",
-        ),
-        ("pursuer,evader,capture_rate\n0,0,1\n1,1,1\n", "got none for pursuer 0, evader 1"),
+        # A line with a number is no header, and no line vanishes.
+        ("0.5,,0.7\n0.4,0.5,0.6\n", r"line 1: expected a capture rate in \[0, 1\], got ''"),
+        (",0.5\n0.4,0.5\n", "line 1: .* got ''"),
+        ("x,0,1\n1,0,1\n0,1,1\n", "line 1: .* got 'x'"),
+        ("nan,nan\n0.4,0.5\n", "line 1: .* got 'nan'"),
+        ("NA,.5\nNA,.6\n", "line 1: .* got 'NA'"),
+        ("50,60\n40,30\n", "line 1: .* got '50'"),
+        ("0_1,0.5\n", "line 1: .* got '0_1'"),
+        (".5,.6\n,\n.1,.2\n", "line 2: .* got ''"),
+        ("who,x,y\n0,.5,.6\n1,.4,.3\n", "line 1: .* column of labels.* got 0, 1 below who"),
+        ('.5,".6\n.4,.3\n', "expected a CSV file, got: unexpected end"),
+        (b"\x89PNG\0\1\2\3", "expected a CSV file of text"),
+        ("pursuer,evader,rate\n0,0,.5\n", "line 1: .* once each, got pursuer, evader, rate"),
+        ("pursuer,capture_rate\n0,.5\n", "line 1: expected the columns pursuer, evader and"),
+        (LONG, "expected lines of capture rates, got a header only"),
+        (LONG + "0,,1\n", "line 2: expected a number or a name of the evader, got none"),
+        (LONG + "0,0,1\n0,0,1\n", "line 3: expected pursuer 0, evader 0 once.* column episode"),
+        (LONG + "0,0,1\n1,1,1\n", "got none for pursuer 0, evader 1"),
     ],
-)
-def test_bad_csv_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
+)  # fmt: skip
+def test_bad_csv_files_are_refused(tmp_path: Path, text: str | bytes, message: str) -> None:
     path = written(tmp_path, text)
     with pytest.raises(ValueError, match=message) as caught:
         analysis.read_payoffs(path)

@@ -1,4 +1,4 @@
-"""Reports: all measures of one run or several, as text and as JSON."""
+"""All measures of one run or several, as text and as JSON."""
 
 import json
 import re
@@ -49,8 +49,7 @@ def test_a_single_run_has_no_intervals_and_says_so() -> None:
     scatter = {"pursuer_gain", "evader_gain", "pursuer_change", "evader_change"}
     assert all(one.low is None and one.note for name, one in found.items() if name not in scatter)
     assert all_results(circular(13))["bands"]["lag_profile"]["low"] is None
-    text = analysis.report(circular(13))
-    assert "Judgement: cannot tell\n" in text
+    assert analysis.measure_table(circular(13)).startswith("A single run (95% interval over its")
 
 
 def test_several_runs_have_intervals_over_runs() -> None:
@@ -60,9 +59,7 @@ def test_several_runs_have_intervals_over_runs() -> None:
     half = stats.t.ppf(0.975, 5) * np.std(each, ddof=1) / np.sqrt(6)
     assert share.ends == pytest.approx((share.value - half, share.value + half))
     assert (share.across, share.samples) == ("runs", 6)
-    text = analysis.report(RUNS)
-    assert "6 runs, 13 pursuer and 13 evader generations" in text
-    assert f"{share}" in text
+    assert f"{share}" in analysis.measure_table(RUNS)
 
 
 def test_cross_tests_give_global_progress() -> None:
@@ -81,7 +78,7 @@ def test_results_are_json(matrix: np.ndarray) -> None:
     assert len(plain["runs"][0]["alpha_rank"]["ranks"]["pursuers"]) == len(matrix)
     assert plain["runs"][0]["nash"]["value"] == analysis.nash_averaging(matrix).value
     assert plain["measures"]["capture_rate"]["low"] is None
-    assert not re.search(r"\bnan\b", analysis.report(matrix))
+    assert not re.search(r"\bnan\b", analysis.measure_table(matrix))
 
 
 @settings(max_examples=8)

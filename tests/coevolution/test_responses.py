@@ -57,7 +57,7 @@ def test_what_is_played(race, tmp_path, champion):
     response = open_run(tmp_path / "x")
     assert response.settings.schedule.team == learner
     assert np.array_equal(response.teams[champion].genomes, last(run, champion).genomes)
-    assert result.gain.budget == 3 * 48 == response.summary()["training_matches"]
+    assert result.budget == 3 * 48 == response.summary()["training_matches"]
     assert set(response.log()["team"]) == {learner}
 
     def rates(pursuers: Population, evaders: Population, seed: int) -> np.ndarray:
@@ -71,11 +71,11 @@ def test_what_is_played(race, tmp_path, champion):
     stage = (1, 0) if learner == "pursuer" else (0, 1)
     assert np.array_equal(result.before, rates(*before.values(), evaluation_seed(5, 0, 0)))
     assert np.array_equal(result.after, rates(*after.values(), evaluation_seed(5, *stage)))
-    gain = result.gain.gain
+    gain = result.gain
     assert gain.value == pytest.approx(result.after.mean() - result.before.mean())
     assert gain.low <= gain.value <= gain.high
     told = json.loads((tmp_path / "x" / "best_response.json").read_text())
-    assert told["budget_matches"] == result.gain.budget
+    assert told["budget_matches"] == result.budget
     assert told["evaluation_matches"] == 2 * EPISODES
     words = exploit._in_words(result)
     assert words.startswith("A best response evolved for 144 matches gains ")
@@ -92,8 +92,8 @@ def test_a_weak_champion_is_exploited(tmp_path):
         evaluation_episodes=300,
         learner=EvolutionStrategySettings(population=48, learning_rate=0.05, sigma=0.2),
     )  # fmt: skip
-    assert result.gain.gain.low > 0.05  # surely, not by luck of the episodes
-    assert f"evolved for {9600:,} matches gains" in str(result.gain)
+    assert result.gain.low > 0.05  # surely, not by luck of the episodes
+    assert f"evolved for {9600:,} matches gains" in str(result)
     assert "exploitability is at least" in exploit._in_words(result)
 
 
@@ -121,7 +121,7 @@ def test_a_scripted_champion_is_refused(race, tmp_path):
         best_responses(runs, "evader", BUDGET, tmp_path / "x")
     assert not (tmp_path / "x").exists()
     result = respond(run, "pursuer", BUDGET, tmp_path / "x", evaluation_episodes=2)
-    assert result.gain.budget == 96
+    assert result.budget == 96
 
 
 # The command:
@@ -136,8 +136,8 @@ def test_the_command(job: Path, tmp_path: Path) -> None:
     # What the command has finished is only read.
     found = best_responses(runs, "pursuer", BUDGET, beside, **CHOSEN)
     for response in found.values():
-        assert str(response.gain.gain) in told
-    gains = [response.gain.gain.value for response in found.values()]
+        assert str(response.gain) in told
+    gains = [response.gain.value for response in found.values()]
     mean = interval_over_runs(gains, bounds=(-1.0, 1.0))
     assert f"{mean.value:.3f} ({mean.low:.3f} to {mean.high:.3f})" in told
     assert matrixworld_command(*command).stdout == told

@@ -11,6 +11,7 @@ import operator
 import os
 import re
 from collections.abc import Callable, Iterable, Mapping, Set
+from contextlib import suppress
 from difflib import get_close_matches
 from functools import cache
 from math import ceil
@@ -115,13 +116,22 @@ def check_floats(
     except OverflowError:
         raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
     except (TypeError, ValueError) as error:
-        raise type(error)(f"{expected} {shown(given)}") from None
+        raise type(error)(f"{expected} {_no_number(given)}") from None
     if np.any(mask):
         where = ", ".join(map(str, np.argwhere(mask)[0]))
         raise ValueError(f"{expected} a masked cell at ({where})")
     if kept is None:
         raise TypeError(f"{expected} {shown(given)}")
     return kept
+
+
+def _no_number(given: ArrayLike) -> str:
+    """Return the first cell of what should be numbers that is none, with its place."""
+    with suppress(StopIteration, ValueError):
+        cells = np.ndenumerate(np.asarray(given, object))
+        where, cell = next((at, each) for at, each in cells if not isinstance(each, Real))
+        return f"{shown(cell)} at ({', '.join(map(str, where))})" if where else shown(cell)
+    return shown(given)
 
 
 def check_bool(name: str, value: Any) -> bool:

@@ -11,7 +11,7 @@ real numbers, FileNotFoundError for a file that does not exist.
 
 >>> from matrixworld import analysis
 >>> print(analysis.headline(analysis.judge(scores, per_episode=True)))  # doctest: +SKIP
->>> print(analysis.report("payoff.csv"))  # doctest: +SKIP
+>>> print(analysis.measure_table("payoff.csv"))  # doctest: +SKIP
 """
 
 from __future__ import annotations
@@ -28,7 +28,6 @@ from matrixworld.analysis.games import (
     effective_diversity,
     exploitability,
     nash_averaging,
-    response_gain,
 )
 from matrixworld.analysis.intervals import (
     Estimate,
@@ -62,7 +61,7 @@ from matrixworld.analysis.words import (
     explain,
     headline,
     judgement_table,
-    report,
+    measure_table,
 )
 
 __all__ = [
@@ -97,13 +96,12 @@ __all__ = [
     "log_loss",
     "mean_over_episodes",
     "measure_all",
+    "measure_table",
     "nash_averaging",
     "performance_profile",
     "probability_of_improvement",
     "read_payoffs",
     "replicator_dynamics",
-    "report",
-    "response_gain",
     "spinning_top",
     "team_phase_rates",
     "transitive_share",

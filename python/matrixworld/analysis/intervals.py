@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_real
+from matrixworld._util.checks import check_floats, check_real, shown
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.analysis.payoffs import Rates, as_array, check_finite, check_rates, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
@@ -131,6 +131,7 @@ def interval_over_runs(
     """
     array = _check_values(values)
     check_level(level)
+    _check_bounds(bounds)
     mean, runs = float(array.mean()), len(array)
     missing = _no_variation(array)
     if missing:
@@ -162,6 +163,7 @@ def difference_of_runs(
     """
     first, second = (_check_values(each) for each in (one, other))
     check_level(level)
+    _check_bounds(bounds)
     if paired:
         require(len(first) == len(second), f"{len(first)} paired runs", len(second))
         return interval_over_runs(first - second, level=level, bounds=bounds)
@@ -206,10 +208,12 @@ def band_over_runs(
     counts = known.sum(axis=0)
     require(bool(counts.all()), "a run with a value at each point", "points without one")
     check_level(level)
+    _check_bounds(bounds)
     at = np.arange(array.shape[1])
     if places is not None:
-        at = as_array(places, "places")
-        require(at.shape == counts.shape, f"places of shape {counts.shape}", at.shape)
+        at = np.asarray(places)
+        checked = check_floats("places", places)
+        require(checked.shape == counts.shape, f"places of shape {counts.shape}", checked.shape)
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
         return Band(at, mean, None, None, counts)
@@ -411,6 +415,11 @@ def does_not_vary(values: Rates) -> bool:
 def check_level(level: float) -> None:
     """Raise a ValueError unless the level lies in (0, 1)."""
     require(0.0 < check_real("level", level) < 1.0, "a level in (0, 1)", level)
+
+
+def _check_bounds(bounds: Bounds) -> None:
+    ends = check_floats("bounds", bounds)
+    require(ends.shape == (2,) and ends[0] <= ends[1], "bounds (low, high)", shown(bounds))
 
 
 def few_runs(runs: int) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from matrixworld._util.checks import check_choice
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
 from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
@@ -92,6 +93,8 @@ class Judgement(Readable):
 
     def present(self, window: str | None = None) -> tuple[str, ...]:
         """Return the conditions that are present in a window, by default that of headlines."""
+        if window is not None:
+            check_choice("window", window, self.windows)
         findings = self.windows[window or self.window]
         return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
 

@@ -13,14 +13,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from numbers import Real
 from pathlib import Path
 from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_integer, check_real, shown
+from matrixworld._util.checks import check_floats, check_integer, check_real
 from matrixworld._util.files import DamagedFileError, read_content, read_npz
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
@@ -185,7 +184,11 @@ def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates"
     rates = _numbers(values, ndim, what)
     with np.errstate(invalid="ignore"):
         # The negated test also finds NaN, which compares as false with everything.
-        _refuse(~((rates >= -ROUNDING) & (rates <= 1.0 + ROUNDING)), rates, f"{what} in [0, 1]")
+        _refuse(
+            ~((rates >= -ROUNDING) & (rates <= 1.0 + ROUNDING)),
+            rates,
+            f"{what} with finite values in [0, 1]",
+        )
     outside = rates.min() < 0.0 or rates.max() > 1.0
     return np.clip(rates, 0.0, 1.0) if outside else rates
 
@@ -198,49 +201,19 @@ def check_finite(values: ArrayLike, what: str, *, ndim: int, gaps: bool = False)
 
 
 def _numbers(values: ArrayLike, ndim: int, what: str) -> Rates:
-    array = as_array(values, what)
+    # Not copied: a matrix in another order in memory may have another sum.
+    is_checked = type(values) is np.ndarray and values.dtype == np.float64
+    array: Rates = values if is_checked else check_floats(what, values)  # type: ignore[assignment]
     expected = f"{what} with {ndim} dimension(s), none of them empty"
     require(array.ndim == ndim and array.size > 0, expected, f"shape {array.shape}")
-    # float32 is widened: sums over many cells would lose digits.
-    return array.astype(np.float64, copy=False)
-
-
-def as_array(values: ArrayLike, what: str) -> NDArray[Any]:
-    """Return an array of real numbers; nothing is taken for one that only looks like it."""
-    # NumPy would use what a mask hides.
-    parts = values if isinstance(values, (list, tuple)) else (values,)
-    if any(isinstance(each, np.ma.MaskedArray) for each in parts):
-        hidden = np.ma.getmaskarray(np.ma.asarray(values))
-        _refuse(hidden, np.ma.getdata(values), f"{what} without masked cells")
-    try:
-        array = np.asarray(values)
-    except ValueError as error:  # with a message about an "inhomogeneous shape"
-        raise ValueError(f"expected {what} with rows of equal length, got: {error}") from error
-    if array.dtype == object:  # such as a table with missing values, or numbers beyond 64 bits
-        if array.ndim == 0:
-            raise TypeError(f"expected {what}, an array or lists, got a {type(values).__name__}")
-        strange = [not isinstance(each, Real) for each in array.flat]
-        _refuse(np.reshape(strange, array.shape), array, f"{what} of real numbers", TypeError)
-        try:
-            array = array.astype(np.float64)
-        except OverflowError:
-            raise ValueError(f"expected {what} that float64 holds, got larger ones") from None
-    # Booleans count as rates of 0 and 1: single matches are stored this way.
-    if array.dtype.kind not in "biuf":
-        raise TypeError(f"expected {what} of real numbers, got dtype {array.dtype}")
     return array
 
 
-def _refuse(
-    bad: NDArray[np.bool_],
-    array: NDArray[Any],
-    expected: str,
-    error: type[Exception] = ValueError,
-) -> None:
-    """Raise an error that names the first bad cell, if there is one."""
+def _refuse(bad: NDArray[np.bool_], array: Rates, expected: str) -> None:
+    """Raise a ValueError that names the first bad cell, if there is one."""
     if bad.any():
         where = tuple(int(i) for i in np.argwhere(bad)[0])
-        raise error(f"expected {expected}, got {shown(array[where])} at index {where}")
+        raise ValueError(f"expected {expected}, got {array[where]} at index {where}")
 
 
 def last_half(payoff: ArrayLike) -> Rates:
@@ -336,7 +309,7 @@ def read_payoffs(
         payoffs = _payoffs(source, per_episode)
     if cross is not None:
         # Cross tests have to be between the runs that are analysed.
-        tests, shape = as_array(cross, "cross tests"), (len(payoffs), *payoffs.matrices.shape)
+        tests, shape = check_floats("cross tests", cross), (len(payoffs), *payoffs.matrices.shape)
         require(tests.shape == shape, f"cross tests of shape {shape}", tests.shape)
         payoffs = replace(payoffs, cross=tests)
     if episodes is not None:
@@ -391,7 +364,7 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
 
 def _payoffs(values: ArrayLike, per_episode: bool) -> Payoffs:
     """Return the payoffs of an array; one without the axis of runs is a single run."""
-    array = as_array(values, "payoff matrices")
+    array = check_floats("payoff matrices", values)
     if per_episode:
         several = array[None] if array.ndim == 3 else array
         scores = check_rates(several, ndim=4, what="scores ([runs,] n, m, episodes)")

@@ -8,13 +8,12 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_integer
+from matrixworld._util.checks import check_floats, check_integer
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import Estimate, check_cells
 from matrixworld.analysis.payoffs import (
     ByTeam,
     Rates,
-    as_array,
     check_payoff,
     check_rates,
     require,
@@ -95,7 +94,7 @@ def global_progress(cross: ArrayLike) -> ByTeam[TeamProgress]:
         Cross tests: capture rates of the pursuers of run r against the evaders of run s. Entries
         with ``r == s`` are not used and may be NaN.
     """
-    array = as_array(cross, "cross tests")
+    array = check_floats("cross tests", cross)
     require(
         array.ndim == 4 and array.shape[0] == array.shape[1],
         "cross tests of shape (runs, runs, n, m)",
@@ -326,11 +325,11 @@ class Triangle:
 
 
 def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
-    """Compare current individuals with ancestral opponents, in a triangle of `payoff` for each team.
+    """Compare current individuals with ancestral opponents, in a triangle of each team.
 
     Stripes show intransitivity. Fading away from the diagonal, the current opponent, shows that a
     team loses to opponents that it once beat. A race in which both teams keep improving shows
-    neither.
+    neither. Of team and opponents in `payoff` (n, m).
 
     References
     ----------

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,10 +11,8 @@ from numpy.typing import ArrayLike
 from matrixworld._util.checks import check_integer
 from matrixworld.analysis.intervals import (
     LEVEL,
-    UNBOUNDED,
     UNIT,
     Band,
-    Bounds,
     Estimate,
     band_over_runs,
     check_level,
@@ -23,7 +20,7 @@ from matrixworld.analysis.intervals import (
     does_not_vary,
     t_quantile,
 )
-from matrixworld.analysis.payoffs import Rates, check_finite, check_payoff, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
 
@@ -184,33 +181,19 @@ def _too_few(runs: int, level: float) -> str:
 # ---- Mean curves ---------------------------------------------------------------------------------
 
 
-def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> dict[str, Band]:
-    """Return mean generalization, ratings and lag profile of several runs, with intervals.
+def race_bands(payoffs: ArrayLike, *, level: float = LEVEL) -> dict[str, Band]:
+    """Return mean generalization, ratings and lag profile of runs (runs, n, m), with intervals.
 
     ``pursuer_generalization`` and ``evader_generalization``, ``pursuer_ratings`` and
-    ``evader_ratings`` (Elo points, mean 0 over the generations of a run), and ``lag_profile``. Runs
-    may have different numbers of generations: a mean is over the runs that have the generation.
+    ``evader_ratings`` (Elo points, mean 0 over the generations of a run), and ``lag_profile``.
     """
-    matrices = [check_payoff(payoff) for payoff in payoffs]
-    require(bool(matrices), "at least one run", "none")
+    matrices = check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
     found: dict[str, Band] = {}
-    for team in ("pursuer", "evader"):
-        scores = [getattr(generalization(matrix), f"{team}s") for matrix in matrices]
-        ratings = [ELO_POINTS * getattr(elo(matrix), f"{team}s") for matrix in matrices]
-        found[f"{team}_generalization"] = _band(scores, level, UNIT)
-        found[f"{team}_ratings"] = _band(ratings, level, UNBOUNDED)
+    for team in ("pursuers", "evaders"):
+        scores = [getattr(generalization(matrix), team) for matrix in matrices]
+        ratings = [ELO_POINTS * getattr(elo(matrix), team) for matrix in matrices]
+        found[f"{team[:-1]}_generalization"] = band_over_runs(scores, level=level, bounds=UNIT)
+        found[f"{team[:-1]}_ratings"] = band_over_runs(ratings, level=level)
     profiles = [lag_profile(matrix) for matrix in matrices]
-    first = min(int(profile.lags[0]) for profile in profiles)
-    # Runs of fewer evader generations begin at a later lag.
-    before = [np.full(int(profile.lags[0]) - first, np.nan) for profile in profiles]
-    means = [np.concatenate([gap, each.means]) for gap, each in zip(before, profiles, strict=True)]
-    return {**found, "lag_profile": _band(means, level, UNIT, first)}
-
-
-def _band(curves: Sequence[Rates], level: float, bounds: Bounds, first: int = 0) -> Band:
-    """Return the band of curves of different lengths, which begin at the same place."""
-    rows = np.full((len(curves), max(map(len, curves))), np.nan)
-    for row, curve in zip(rows, curves, strict=True):
-        row[: len(curve)] = curve
-    places = np.arange(first, first + rows.shape[1])
-    return band_over_runs(rows, places=places, level=level, bounds=bounds)
+    lags, means = profiles[0].lags, [profile.means for profile in profiles]
+    return {**found, "lag_profile": band_over_runs(means, places=lags, level=level, bounds=UNIT)}

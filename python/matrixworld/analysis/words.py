@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
+from matrixworld._util.checks import check_instance
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis import progress
 from matrixworld.analysis.cycles import spinning_top
@@ -23,7 +23,6 @@ from matrixworld.analysis.judge import (
     RULES,
     Finding,
     Judgement,
-    judge,
 )
 from matrixworld.analysis.measures import MEASURES, measure_all
 from matrixworld.analysis.payoffs import Payoffs, Rates, Source, read_payoffs
@@ -70,6 +69,7 @@ def headline(judgement: Judgement) -> str:
 
 def _present(judgement: Judgement) -> dict[str, list[str]]:
     """Return the windows in which each condition is present and no other one implies it."""
+    check_instance("judgement", judgement, Judgement)
     found: dict[str, list[str]] = {}
     for window in judgement.windows:
         present = judgement.present(window)
@@ -124,12 +124,13 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     ----------
     judgement : Judgement
     """
-    heads = ("condition", "verdict", f"{judgement.level:.0%} interval", "window")
-    return [heads, *(_row(*told) for told in _told(judgement))]
+    rows = [_row(*told) for told in _told(judgement)]
+    return [("condition", "verdict", f"{judgement.level:.0%} interval", "window"), *rows]
 
 
 def _told(judgement: Judgement) -> list[tuple[str, Finding, str]]:
     """Return condition, finding and window of what `judgement_table` lists."""
+    check_instance("judgement", judgement, Judgement)
     told = [(name, found, judgement.window) for name, found in judgement.headline.items()]
     # A wave that is over belongs into the table, too.
     for window, findings in judgement.windows.items():
@@ -182,40 +183,17 @@ def _counts(by_run: tuple[str, ...]) -> str:
 # ---- All measures --------------------------------------------------------------------------------
 
 
-def report(
-    source: Source,
-    *,
-    per_episode: bool = False,
-    episodes: int | None = None,
-    cross: ArrayLike | None = None,
-    level: float = LEVEL,
-) -> str:
-    """Return all measures of one run or several, and the judgement, as text.
+def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
+    """Return all measures of one run or several as text, by window.
+
+    Notes say why a measure has no interval.
 
     Parameters
     ----------
-    source, level
+    source, level, **known
         As for `measure_all`.
-    per_episode, episodes, cross : optional
-        As for `read_payoffs`.
     """
-    payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes, cross=cross)
-    table, judgement = measure_table(payoffs, level=level), judge(payoffs, level=level)
-    n, m = payoffs.shape
-    return "\n".join(
-        [
-            f"{len(payoffs)} run{'s' if len(payoffs) > 1 else ''}, {n} pursuer and {m} evader "
-            "generations",
-            table,
-            f"Judgement: {headline(judgement)}",
-            explain(judgement),
-        ]
-    )
-
-
-def measure_table(source: Source, *, level: float = LEVEL) -> str:
-    """Return all measures as lines of text by window; notes say why one has no interval."""
-    payoffs = read_payoffs(source)
+    payoffs = read_payoffs(source, **known)
     estimates = measure_all(payoffs, level=level)
     notes = _footnotes(payoffs, estimates)
     lines, last = [_heading(payoffs, estimates, level)], ""

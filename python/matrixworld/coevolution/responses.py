@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from matrixworld._util.checks import check_choice, check_instance, shown
 from matrixworld._util.files import save_json
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.analysis import response_gain
-from matrixworld.analysis.games import ResponseGain
+from matrixworld.analysis.intervals import Estimate, difference_over_episodes
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.jobs import evolve
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
@@ -41,25 +40,29 @@ class BestResponse(Readable):
     evaders 1 minus it."""
     after: FloatArray
     """Score (episodes,) of the response, in episodes that were not used in its training."""
-    gain: ResponseGain
-    """Difference of the two means, with an interval and the budget in matches."""
+    gain: Estimate
+    """Difference of the two means: the exploitability of the champion is at least that."""
+    budget: int
+    """Matches that were played to evolve the response."""
     directory: Path
     """Run directory of the response."""
 
     def _parts(self) -> Parts:
         means = f"{self.before.mean():.3f} before, {self.after.mean():.3f} after"
-        return [f"{self.team}s' opponents score {means}: {self.gain}"]
+        return [
+            f"{self.team}s' opponents score {means}: a best response evolved for "
+            f"{self.budget:,} matches gains {self.gain}"
+        ]
 
     def save(self) -> None:
         """Write the result, without the single episodes, into the directory of the response."""
-        gain = self.gain.gain
         values = {
             "champion": self.team,
-            "budget_matches": self.gain.budget,
+            "budget_matches": self.budget,
             "evaluation_matches": len(self.before) + len(self.after),
             "before": float(self.before.mean()),
             "after": float(self.after.mean()),
-            "gain": {"value": gain.value, "low": gain.low, "high": gain.high},
+            "gain": {"value": self.gain.value, "low": self.gain.low, "high": self.gain.high},
         }
         save_json(self.directory / "best_response.json", values)
 
@@ -79,7 +82,7 @@ def best_responses(
 
     A response starts untrained and plays against the champion only. It is a run in `directory`,
     which the same call continues or, if it is finished, only reads. The gain is a lower bound of
-    the champion's exploitability (see `analysis.response_gain`): a longer search may find more.
+    the champion's exploitability: a longer search may find more.
 
     Parameters
     ----------
@@ -126,9 +129,11 @@ def _measured(run: SavedRun, team: Team, response: SavedRun, threads: int | None
         episodes=settings.evaluation_episodes,
         threads=threads,
     )
-    scores = _scores(before.capture_rates, team), _scores(response.payoff().capture_rates, team)
-    gain = response_gain(*scores, budget=response.summary()["training_matches"])
-    result = BestResponse(team, *scores, gain, response.path)
+    old, new = (
+        _scores(rates, team) for rates in (before.capture_rates, response.payoff().capture_rates)
+    )
+    gain, budget = difference_over_episodes(new, old), response.summary()["training_matches"]
+    result = BestResponse(team, old, new, gain, budget, response.path)
     result.save()
     return result
 
