@@ -174,16 +174,18 @@ def table(numbers: Numbers) -> str:
 
 def figure(numbers: Numbers) -> Figure:
     """Draw the scores in the race of the first seed, and the baselines as lines."""
+    title = f"Generalization: {RACE}, and baselines"
     lines = {
         f"{team}_baselines": {
-            f"{team}s {training}": numbers[f"{team}s, {training} / race"][0].mean()
-            for training in trainings
-            if training != "in the race"
+            title: {
+                f"{team}s {training}": [numbers[f"{team}s, {training} / race"][0].mean()]
+                for training in trainings
+                if training != "in the race"
+            }
         }
         for team, trainings in TRAININGS.items()
     }
-    title = f"Generalization: {RACE}, and baselines"
-    return plots.generalization_curves(numbers["payoff"], **lines, title=title)
+    return plots.generalization_curves({title: numbers["payoff"]}, **lines)
 
 
 if __name__ == "__main__":

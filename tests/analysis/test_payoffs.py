@@ -95,7 +95,7 @@ LONG = "pursuer,evader,capture_rate\n"
         ("pursuer,evader,rate\n0,0,.5\n", "line 1: .* once each, got pursuer, evader, rate"),
         ("pursuer,capture_rate\n0,.5\n", "line 1: expected the columns pursuer, evader and"),
         (LONG, "expected lines of capture rates, got a header only"),
-        (LONG + "0,,1\n", "line 2: expected a number or a name of the evader, got none"),
+        (LONG + "0,,1\n", "line 2: expected numbers or names of pursuer, evader, got '0', ''"),
         (LONG + "0,0,1\n0,0,1\n", "line 3: expected pursuer 0, evader 0 once.* column episode"),
         (LONG + "0,0,1\n1,1,1\n", "got none for pursuer 0, evader 1"),
     ],

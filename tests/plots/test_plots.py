@@ -23,6 +23,7 @@ from matrixworld.plots.style import DPI
 from slow import quickly
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
+RNG = np.random.default_rng(0)
 SINGLE = np.random.default_rng(1).binomial(1, CYCLE[..., None], (31, 31, 6)).astype(float)
 
 
@@ -59,9 +60,9 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards() -> None:
 
 def test_generalization_curves_and_baselines() -> None:
     figure = plots.generalization_curves(
-        RACE,
-        pursuer_baselines={"trained on random evaders": 0.7},
-        evader_baselines={"trained on random pursuers": 0.1, "on trained pursuers": 0.3},
+        {"race": RACE},
+        pursuer_baselines={"race": {"trained on random evaders": [0.7]}},
+        evader_baselines={"race": {"trained on random pursuers": [0.1], "on pursuers": [0.3]}},
     )
     (axes,) = figure.axes
     scores = analysis.generalization(RACE)
@@ -72,19 +73,29 @@ def test_generalization_curves_and_baselines() -> None:
     ]  # fmt: skip
     assert len({str(line._dash_pattern) for line in axes.lines}) == 5  # in grey, too
     assert legend_texts(figure)[2:] == [
-        "trained on random evaders", "trained on random pursuers", "on trained pursuers",
+        "trained on random evaders", "trained on random pursuers", "on pursuers",
     ]  # fmt: skip
+    assert not axes.collections  # a single run without episodes has no interval
 
 
-def test_generalization_curves_show_the_interval_over_episodes() -> None:
-    (axes,) = plots.generalization_curves(SINGLE, per_episode=True).axes
-    for line, curve in zip(axes.lines, analysis.generalization(SINGLE.mean(axis=2)), strict=True):
-        np.testing.assert_allclose(line.get_ydata(), curve)
-    for drawn, band in zip(axes.collections, generalization_over_episodes(SINGLE), strict=False):
-        check_band(drawn, band)
-    # One episode says nothing of the spread.
-    (single,) = plots.generalization_curves(SINGLE[:, :, :1], per_episode=True).axes
-    assert not single.collections
+def test_generalization_curves_show_intervals_over_episodes_or_seeds() -> None:
+    seeds, scores = np.clip(RACE + RNG.normal(0, 0.1, (4, 31, 31)), 0, 1), [0.2, 0.3, 0.35, 0.1]
+    run = analysis.read_payoffs(SINGLE, per_episode=True)
+    figure = plots.generalization_curves(
+        {"one": run, "four": seeds}, evader_baselines={"four": {"trained alone": scores}}
+    )
+    one, four = figure.axes
+    bands = race_bands(seeds)
+    of_seeds = [bands[f"{team}_generalization"] for team in ("pursuer", "evader")]
+    for axes, expected in ((one, generalization_over_episodes(SINGLE)), (four, of_seeds)):
+        for line, drawn, band in zip(axes.lines, axes.collections, expected, strict=False):
+            np.testing.assert_allclose(line.get_ydata(), band.mean)
+            check_band(drawn, band)
+    level = analysis.interval_over_runs(scores, bounds=(0, 1))
+    assert four.lines[2].get_ydata()[0] == pytest.approx(level.value)
+    (span,) = four.patches
+    ends = span.get_y(), span.get_y() + span.get_height()
+    assert ends == pytest.approx(level.ends)
 
 
 def test_lag_profile_is_solid_where_it_rests_on_enough_cells() -> None:
@@ -155,34 +166,9 @@ def test_plots_need_neither_pyplot_nor_a_display() -> None:
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
-def test_generalization_over_seeds_shows_means_and_intervals() -> None:
-    rng = np.random.default_rng(3)
-    seeds = [np.clip(RACE + rng.normal(0, 0.1, RACE.shape), 0, 1) for _ in range(4)]
-    scores = [0.2, 0.3, 0.35, 0.1]
-    figure = plots.generalization_over_seeds(
-        {"one": seeds, "two": [RACE]}, evader_baselines={"one": {"trained alone": scores}}
-    )
-    one, two = figure.axes
-    bands = race_bands(seeds)
-    for line, band in zip(
-        one.lines, (bands["pursuer_generalization"], bands["evader_generalization"]), strict=False
-    ):
-        np.testing.assert_allclose(line.get_ydata(), band.mean)
-    level = analysis.interval_over_runs(scores, bounds=(0, 1))
-    assert one.lines[2].get_ydata()[0] == pytest.approx(level.value)
-    (span,) = one.patches
-    assert (span.get_y(), span.get_y() + span.get_height()) == pytest.approx(
-        (level.low, level.high)
-    )
-    # A single run has no interval.
-    assert len(two.collections) == 0
-    assert "trained alone" in legend_texts(figure)
-
-
 # ---- Several runs: the given numbers, at any number of groups and seeds --------------------------
 
 
-RNG = np.random.default_rng(0)
 EPISODES = RNG.binomial(1, 0.5, (4, 9, 9, 4)).astype(float)
 """Scores of 4 runs of 9 generations."""
 MATRICES = EPISODES.mean(axis=3)
@@ -331,7 +317,7 @@ PANELS = {
     "comparison": lambda: plots.comparison(
         {f"specialists {n}": RACE for n in range(3)}, {"specialists 0": judged(RACE)}
     ),
-    "over seeds": lambda: plots.generalization_over_seeds({"one": MATRICES, "two": MATRICES[:3]}),
+    "over seeds": lambda: plots.generalization_curves({"one": MATRICES, "two": MATRICES[:3]}),
     "training": lambda: plots.training_curve(
         RNG.random(620), np.arange(620) // 10 % 2, generations=1 + np.arange(620) // 20, window=5
     ),
@@ -385,7 +371,7 @@ def test_widths_that_texts_do_not_fit_are_refused() -> None:
 
 
 SQUARE = np.full((7, 7), 0.5)
-training, over_seeds = plots.training_curve, plots.generalization_over_seeds
+training, curves = plots.training_curve, plots.generalization_curves
 scores = analysis.judge([SQUARE] * 3)
 
 
@@ -397,7 +383,7 @@ scores = analysis.judge([SQUARE] * 3)
         (lambda: training([0.5], [0], window=0), "window of at least 1 point, got 0"),
         (lambda: training([0.5, 0.5], [0, 1], generations=[1]), r"generations of shape \(2,\)"),
         (lambda: plots.collision_rates(np.zeros((4, 3))), r"shape \(G, 2, 3\), got \(4, 3\)"),
-        (lambda: over_seeds({"one": [SQUARE]}, pursuer_baselines={"two": {}}), "baselines: "),
+        (lambda: curves({"one": [SQUARE]}, pursuer_baselines={"two": {}}), "baselines: "),
         (lambda: plots.seed_bands({}), "expected at least one group of runs to draw, got none"),
         (lambda: plots.verdict_strip({"a": scores}, {"a": (0, 1)}), "seeds: expected 3 of a"),
         (lambda: plots.rules_table({}), "rules: expected at least one row, got none"),

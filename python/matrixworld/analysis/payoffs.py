@@ -362,7 +362,7 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
     return arrays[name], name == PER_EPISODE
 
 
-def _payoffs(values: ArrayLike, per_episode: bool) -> Payoffs:
+def _payoffs(values: Any, per_episode: bool) -> Payoffs:
     """Return the payoffs of an array; one without the axis of runs is a single run."""
     array = check_floats("payoff matrices", values)
     if per_episode:
@@ -466,35 +466,44 @@ def _matrix(path: Path, lines: list[Line]) -> Rates:
 def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
     """Return the array of a table of one line for each pair, whose axes are its keys."""
     keys = [key for key in _KEYS if key in names]
-    columns = [[row[names.index(key)] for _, row in lines] for key in keys]
-    for key, column in zip(keys, columns, strict=True):
-        if missing := [at for (at, _), cell in zip(lines, column, strict=True) if not cell]:
-            raise ValueError(f"{missing[0]}: expected a number or a name of the {key}, got none")
-    found: dict[tuple[str, ...], float] = {}
-    for (where, row), key in zip(lines, zip(*columns, strict=True), strict=True):
-        if key in found:
-            hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"
-            raise ValueError(f"{where}: expected {_named(keys, key)} once, got it twice{hint}")
-        found[key] = _rate(where, row[names.index(_RATE)])
-    # Numbers of generations may start anywhere, names are in the order of the file: their ranks
-    # are the indices.
-    axes = [
-        sorted({*column}, key=_value) if all(map(_is_number, column)) else [*dict.fromkeys(column)]
-        for column in columns
+    cells = [[row[names.index(key)] for key in keys] for _, row in lines]
+    for (where, _), row in zip(lines, cells, strict=True):
+        if not all(row):
+            expected = f"numbers or names of {', '.join(keys)}"
+            raise ValueError(f"{where}: expected {expected}, got {', '.join(map(repr, row))}")
+    # Whole numbers, which may start anywhere, in their order, and names in that of the file.
+    columns = [
+        [int(float(cell)) for cell in column] if all(map(_is_whole, column)) else column
+        for column in zip(*cells, strict=True)
     ]
-    for key in itertools.product(*axes):
-        if key not in found:
-            raise ValueError(
-                f"{path}: expected a line for every combination, got none for {_named(keys, key)}"
-            )
+    found: dict[tuple[int | str, ...], float] = {}
+    for (where, row), pair in zip(lines, zip(*columns, strict=True), strict=True):
+        if pair in found:
+            hint = "" if "episode" in keys else "; number the matches of a pair in a column episode"
+            raise ValueError(f"{where}: expected {_named(keys, pair)} once, got it twice{hint}")
+        found[pair] = _rate(where, row[names.index(_RATE)])
     if not found:
         raise ValueError(f"{path}: expected lines of capture rates, got a header only")
-    rates = [found[key] for key in itertools.product(*axes)]
+    axes: list[list[Any]] = [
+        sorted({*column}) if isinstance(column[0], int) else [*dict.fromkeys(column)]
+        for column in columns
+    ]
+    for pair in itertools.product(*axes):
+        if pair not in found:
+            missing = _named(keys, pair)
+            raise ValueError(
+                f"{path}: expected a line for every combination, got none for {missing}"
+            )
+    rates = [found[pair] for pair in itertools.product(*axes)]
     return np.array(rates).reshape([len(axis) for axis in axes])
 
 
-def _named(keys: list[str], key: tuple[str, ...]) -> str:
-    return ", ".join(f"{name} {value}" for name, value in zip(keys, key, strict=True))
+def _named(keys: list[str], pair: tuple[int | str, ...]) -> str:
+    return ", ".join(f"{name} {value}" for name, value in zip(keys, pair, strict=True))
+
+
+def _is_whole(cell: str) -> bool:
+    return re.fullmatch(r"[+-]?\d+(\.0*)?", cell) is not None
 
 
 def _is_number(cell: str) -> bool:

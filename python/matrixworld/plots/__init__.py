@@ -26,7 +26,6 @@ from matrixworld.plots.race import (
     spinning_top,
 )
 from matrixworld.plots.runs import (
-    generalization_over_seeds,
     run_curves,
     run_dots,
     seed_bands,
@@ -43,7 +42,6 @@ __all__ = [
     "comparison",
     "conflict_outcomes",
     "generalization_curves",
-    "generalization_over_seeds",
     "interaction_models",
     "lag_profile_curve",
     "learning_concepts",

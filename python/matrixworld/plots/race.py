@@ -23,9 +23,20 @@ from matrixworld.analysis.dynamics import TIME, ReplicatorPath
 from matrixworld.analysis.games import Nash
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
 from matrixworld.analysis.judge import LEAST_INTRANSITIVITY, Judgement
-from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates, require
+from matrixworld.analysis.payoffs import (
+    Payoffs,
+    Rates,
+    Source,
+    check_payoff,
+    check_rates,
+    require,
+)
 from matrixworld.plots import style
 
+Baselines = Mapping[str, Mapping[str, ArrayLike]]
+"""Scores (seeds,) of teams that were trained in another way, by race and by their name."""
+
+OVER_SEEDS = "95% interval of the mean over seeds"
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
 FEWEST_CELLS = 5
@@ -109,60 +120,64 @@ def ciao_triangles(
 
 
 def generalization_curves(
-    payoff: ArrayLike,
+    payoffs: Mapping[str, Source],
     *,
-    per_episode: bool = False,
-    pursuer_baselines: Mapping[str, float] | None = None,
-    evader_baselines: Mapping[str, float] | None = None,
-    title: str = "Generalization: mean score against all opponents",
+    pursuer_baselines: Baselines | None = None,
+    evader_baselines: Baselines | None = None,
+    title: str | None = None,
 ) -> Figure:
-    """Draw the mean score of each generation against all opponents.
+    """Draw the mean score of each generation against all opponents, a panel for each race.
 
-    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
+    The score of pursuers is the capture rate, that of evaders is 1 minus it. Several runs of a race
+    have a 95% interval over seeds, a single one over its episodes, if they are known.
 
     Parameters
     ----------
-    payoff : array_like of float, shape (n, m) or (n, m, episodes)
-    per_episode : bool, optional
-        Whether the capture rates are those of single episodes. If there are several of each pair,
-        a band shows the 95% interval over episodes of each score.
-    pursuer_baselines, evader_baselines : mapping of str to float, optional
-        Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
-        Each is drawn as a level line with its name.
+    payoffs : mapping of str to array_like or Payoffs
+        The runs of each race by its name, as :func:`matrixworld.analysis.read_payoffs` takes them.
+    pursuer_baselines, evader_baselines : mapping of str to mapping of str to array_like, optional
+        Mean scores in [0, 1] of teams that were trained in another way, against the opponents of
+        each seed, by race and by their name. Each is a level line at its mean, and a band for its
+        interval.
     title : str, optional
     """
-    figure, axes = style.single(6.4, 4.2, title)
-    _draw_generalization(axes, payoff, per_episode)
-    draw_baselines(
-        axes,
-        {name: [score] for name, score in (pursuer_baselines or {}).items()},
-        {name: [score] for name, score in (evader_baselines or {}).items()},
+    style.check_some(payoffs, "race")
+    baselines = (pursuer_baselines or {}, evader_baselines or {})
+    for name in [name for team in baselines for name in team if name not in payoffs]:
+        raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
+    figure, panels, columns = style.columns_of_groups(
+        len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
     )
-    style.legend_below(figure, style.labelled(axes))
+    for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
+        _draw_generalization(axes, analysis.read_payoffs(source))
+        _draw_baselines(axes, *(team.get(name, {}) for team in baselines))
+        head = style.wrapped(name, style.room(figure, columns, 1.2))
+        axes.set_title(head, size="medium", fontweight="bold")
+        style.label_first([axes], ["mean score"], is_first=number % columns == 0)
+    style.legend_below(figure, style.labelled(*(axes for [axes] in panels)))
+    style.entitle(figure, title)
     return figure
 
 
 def comparison(
-    payoffs: Mapping[str, ArrayLike],
+    payoffs: Mapping[str, Source],
     judgements: Mapping[str, Judgement] | None = None,
     *,
-    per_episode: bool = False,
     measures: bool = True,
     title: str | None = None,
 ) -> Figure:
-    """Draw several races side by side, on the same scales, at most 3 in a row.
+    """Draw single races side by side, on the same scales, at most 3 in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
     name, its judgement and two of its measures.
 
     Parameters
     ----------
-    payoffs : mapping of str to array_like of float
-        Payoff matrices of at least 2 x 2, by the name of the race.
+    payoffs : mapping of str to array_like or Payoffs
+        One run of at least 2 x 2 generations by the name of the race, as for
+        `generalization_curves`.
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge`; a race without one has numbers only.
-    per_episode : bool, optional
-        Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
     measures : bool, optional
         Whether two measures stand below the names.
     title : str, optional
@@ -174,13 +189,16 @@ def comparison(
     heads: dict[str, list[str]] = {}
     known = judgements or {}
     width = style.room(figure, columns + 0.3)
-    for (heatmap, lags, scores), (name, payoff) in zip(panels, payoffs.items(), strict=True):
-        matrix = _mean_of(payoff, per_episode)
+    for (heatmap, lags, scores), (name, source) in zip(panels, payoffs.items(), strict=True):
+        race = analysis.read_payoffs(source)
+        require(len(race) == 1, f"one run of {name}", len(race))
+        [matrix] = race.matrices
         _draw_heatmap(heatmap, matrix)
         _draw_lag_profile(lags, matrix)
-        _draw_generalization(scores, payoff, per_episode)
+        _draw_generalization(scores, race)
         lags.set_title("lag profile", size="medium")
         scores.set_title("generalization", size="medium")
+        scores.set_ylabel("mean score")
         lags.set_xlabel("lag: pursuer minus\nevader generation")
         judged = analysis.headline(known[name]) if name in known else ""
         numbers = _numbers(matrix) if measures else ""
@@ -274,22 +292,16 @@ def mark_lag_0(axes: Axes) -> None:
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
 
 
-def _mean_of(payoff: ArrayLike, per_episode: bool) -> Rates:
-    """Return the checked payoff matrix of a race, from capture rates of its episodes if given."""
-    # In float64: the sum of many float32 rates would round.
-    mean = np.asarray(payoff).mean(axis=2, dtype=np.float64) if per_episode else payoff
-    return check_payoff(mean)
-
-
-def _draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
-    """Draw the mean scores of both teams, with bands over episodes if they are known."""
-    if per_episode and np.shape(payoff)[2] >= 2:
-        bands = [*generalization_over_episodes(payoff)]
+def _draw_generalization(axes: Axes, payoffs: Payoffs) -> None:
+    """Draw the mean scores of both teams, with bands over seeds, or over episodes of one run."""
+    if len(payoffs) == 1 and payoffs.scores is not None and payoffs.has_episodes:
+        bands: Iterable[Band] = generalization_over_episodes(payoffs.scores[0])
+        interval = "95% interval over episodes"
     else:
-        curves = analysis.generalization(_mean_of(payoff, per_episode))
-        bands = [analysis.band_over_runs([curve]) for curve in curves]
-    draw_teams(axes, bands, "95% interval over episodes")
-    axes.set_ylabel("mean score")
+        teams = zip(*map(analysis.generalization, payoffs.matrices), strict=True)
+        bands = [analysis.band_over_runs(curves, bounds=UNIT) for curves in teams]
+        interval = OVER_SEEDS
+    draw_teams(axes, bands, interval)
     style.unit_axis(axes)
 
 
@@ -305,7 +317,7 @@ def draw_teams(axes: Axes, bands: Iterable[Band], interval: str) -> None:
     style.generation_axis(axes)
 
 
-def draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
+def _draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
     """Draw the levels of both teams, each with dashes of its own: in grey colours are equal."""
     of_teams = zip(teams, colors.TEAMS, strict=True)
     each = [(name, scores, color) for team, color in of_teams for name, scores in team.items()]

@@ -17,16 +17,12 @@ from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
-from matrixworld.analysis.payoffs import Rates, check_rates
+from matrixworld.analysis.payoffs import Rates, Source, check_rates
 from matrixworld.analysis.runs import fewest_runs, race_bands
 from matrixworld.plots import style
-from matrixworld.plots.race import draw_baselines, draw_teams, mark_lag_0
-
-Baselines = Mapping[str, Mapping[str, ArrayLike]]
-"""Scores (seeds,) of teams that were trained in another way, by race and by their name."""
+from matrixworld.plots.race import OVER_SEEDS, draw_teams, mark_lag_0
 
 TEAMS = ("pursuer", "evader")
-OVER_SEEDS = "95% interval of the mean over seeds"
 NAMES = 3
 """Share of the width that the names of groups may take: a third."""
 
@@ -250,7 +246,7 @@ GROUPS = 5
 
 
 def seed_bands(
-    payoffs: Mapping[str, Iterable[ArrayLike]],
+    payoffs: Mapping[str, Source],
     judgements: Mapping[str, Judgement] | None = None,
     *,
     title: str | None = None,
@@ -262,9 +258,9 @@ def seed_bands(
 
     Parameters
     ----------
-    payoffs : mapping of str to iterable of array_like of float, shape (n, m)
-        Payoff matrix of each seed, by the name of the group, such as a schedule. Runs may have
-        different numbers of generations.
+    payoffs : mapping of str to array_like or Payoffs
+        Runs (seeds, n, m) by the name of the group, such as a schedule, as
+        :func:`matrixworld.analysis.read_payoffs` takes them.
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge` by the name of the group.
     title : str, optional
@@ -274,8 +270,8 @@ def seed_bands(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )
     width, known = style.room(figure, max(2, columns) + 0.3), judgements or {}
-    for number, (column, (name, each)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        matrices = list(each)
+    for number, (column, (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
+        matrices = analysis.read_payoffs(source).matrices
         _draw_group(column, matrices)
         counted = "1 seed: no band" if len(matrices) == 1 else f"{len(matrices)} seeds"
         judged = analysis.headline(known[name]) if name in known else ""
@@ -292,11 +288,11 @@ def seed_bands(
     return figure
 
 
-def _draw_group(column: Sequence[Axes], matrices: Sequence[ArrayLike]) -> None:
+def _draw_group(column: Sequence[Axes], matrices: Rates) -> None:
     """Draw the three panels of a group."""
     bands = race_bands(matrices)
     few = len(matrices) <= style.MOST_LINES
-    singles = [race_bands([matrix]) for matrix in matrices] if few else []
+    singles = [race_bands(matrix[None]) for matrix in matrices] if few else []
     scores, strength, lags = column
     for axes, number in ((scores, "generalization"), (strength, "ratings")):
         names = [f"{team}_{number}" for team in TEAMS]
@@ -320,45 +316,6 @@ def _draw_singles(axes: Axes, singles: Iterable[Mapping[str, Band]], name: str, 
     for bands in singles:
         band = bands[name]
         axes.plot(band.places, band.mean, color=color, alpha=0.3, linewidth=0.6)
-
-
-def generalization_over_seeds(
-    payoffs: Mapping[str, Iterable[ArrayLike]],
-    *,
-    pursuer_baselines: Baselines | None = None,
-    evader_baselines: Baselines | None = None,
-    title: str = "Generalization: mean score against all opponents",
-) -> Figure:
-    """Draw the mean score of each generation against all opponents, with 95% intervals over seeds.
-
-    Parameters
-    ----------
-    payoffs : mapping of str to iterable of array_like of float, shape (n, m)
-        Payoff matrix of each seed, by the name of the race, such as its schedule. Each name has a
-        panel.
-    pursuer_baselines, evader_baselines : mapping of str to mapping of str to array_like, optional
-        As for `generalization_curves`, for the races named in `payoffs`: scores of each seed. Each
-        is a level line at its mean, and a band for its interval.
-    title : str, optional
-    """
-    style.check_some(payoffs, "race")
-    baselines = (pursuer_baselines or {}, evader_baselines or {})
-    for name in [name for team in baselines for name in team if name not in payoffs]:
-        raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
-    figure, panels, columns = style.columns_of_groups(
-        len(payoffs), len(payoffs), width=(1.0, 3.6), height=(4.4, 0.0), heights=(1.0,), least=5.6
-    )
-    for number, ([axes], (name, matrices)) in enumerate(zip(panels, payoffs.items(), strict=True)):
-        bands = race_bands(matrices)
-        draw_teams(axes, (bands[f"{team}_generalization"] for team in TEAMS), OVER_SEEDS)
-        style.unit_axis(axes)
-        draw_baselines(axes, *(team.get(name, {}) for team in baselines))
-        head = style.wrapped(name, style.room(figure, columns, 1.2))
-        axes.set_title(head, size="medium", fontweight="bold")
-        style.label_first([axes], ["mean score (0 to 1)"], is_first=number % columns == 0)
-    style.legend_below(figure, style.labelled(*(axes for [axes] in panels)))
-    style.entitle(figure, title)
-    return figure
 
 
 # ---- Verdicts ------------------------------------------------------------------------------------

@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import plots
-from matrixworld.analysis import headline
+from matrixworld.analysis import Judgement, headline
+from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import Against, Simultaneous, curve_window
@@ -109,14 +110,7 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
 
 
 def _generalization(group: RunGroup, baselines: Baselines) -> Figure:
-    scores = baseline_scores(group, baselines)
-    return plots.generalization_curves(
-        group.runs[0].payoff().capture_rates,
-        per_episode=True,
-        pursuer_baselines={name: score for name, [score] in scores["pursuer"].items()},
-        evader_baselines={name: score for name, [score] in scores["evader"].items()},
-        title=_title(group, "Mean score against all opponents"),
-    )
+    return _generalizations({_title(group, "Mean score against all opponents"): group}, baselines)
 
 
 def _matrix(group: RunGroup) -> ArrayLike:
@@ -178,19 +172,16 @@ def _comparison(groups: Groups, baselines: Baselines) -> Figure:
         for name, group in groups.items()
         for single in group.singles
     }
-    rates = {name: single.runs[0].payoff().capture_rates for name, single in singles.items()}
-    judgements = {name: single.judgement for name, single in singles.items()}
-    return plots.comparison(rates, judgements, per_episode=True)
+    return plots.comparison(_payoffs(singles), _judgements(singles))
 
 
 def _seeds(groups: Groups, baselines: Baselines) -> Figure:
-    matrices = {name: group.payoffs.matrices for name, group in groups.items()}
-    return plots.seed_bands(matrices, {name: group.judgement for name, group in groups.items()})
+    return plots.seed_bands(_payoffs(groups), _judgements(groups))
 
 
 def _verdicts(groups: Groups, baselines: Baselines) -> Figure:
     return plots.verdict_strip(
-        {name: group.judgement for name, group in groups.items()},
+        _judgements(groups),
         {name: group.seeds for name, group in groups.items()},
         {name: group.missing for name, group in groups.items()},
     )
@@ -204,11 +195,20 @@ def _held_out(groups: Groups, baselines: Baselines) -> Figure:
 
 def _generalizations(groups: Groups, baselines: Baselines) -> Figure:
     scores = {name: baseline_scores(group, baselines) for name, group in groups.items()}
-    return plots.generalization_over_seeds(
-        {name: group.payoffs.matrices for name, group in groups.items()},
+    return plots.generalization_curves(
+        _payoffs(groups),
         pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
         evader_baselines={name: each["evader"] for name, each in scores.items()},
+        title="Generalization: mean score against all opponents" if len(groups) > 1 else None,
     )
+
+
+def _payoffs(groups: Groups) -> dict[str, Payoffs]:
+    return {name: group.payoffs for name, group in groups.items()}
+
+
+def _judgements(groups: Groups) -> dict[str, Judgement]:
+    return {name: group.judgement for name, group in groups.items()}
 
 
 OF_GROUPS: dict[str, Callable[[Groups, Baselines], Figure]] = {
