@@ -7,7 +7,7 @@ import pytest
 from pettingzoo.utils.conversions import aec_to_parallel
 
 import matrixworld as mw
-from matrixworld.envs import MatrixWorldAEC
+from matrixworld.envs.single import MatrixWorldAEC
 from rows import NAMES, by_name, config_of, play_turns, random_actions
 
 
@@ -98,6 +98,9 @@ def test_refused() -> None:
         env.step(0)
     env.reset(seed=1)
     for action, error in ((5, ValueError), (None, TypeError)):
-        with pytest.raises(error, match="^action:"):
+        with pytest.raises(error, match="^action of pursuer_0:"):
             env.step(action)
     assert env.agent_selection == "pursuer_0"
+    seen = env.observe("pursuer_0")
+    seen[:] = 9  # the caller's own
+    assert env.observation_space("pursuer_0").contains(env.last()[0])

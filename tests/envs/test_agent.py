@@ -40,5 +40,5 @@ def test_it_refuses() -> None:
     with pytest.raises(RuntimeError, match=r"call reset\(\)"):
         env.step(0)
     env.reset(seed=0)
-    with pytest.raises(TypeError, match="^actions: expected an int"):
+    with pytest.raises(TypeError, match="^action of pursuer_0: expected an int"):
         env.step(0.5)  # type: ignore[arg-type]

@@ -10,6 +10,7 @@ import matrixworld as mw
 from matrixworld import _core
 from matrixworld.coevolution import TEAMS, held_out, open_run
 from matrixworld.coevolution.types import other
+from matrixworld.envs.single import MatrixWorldAEC
 from rows import config_of, play_turns, random_team
 
 TOGETHER = ["D", "R", "S", "SDB", "wall-R"]
@@ -47,7 +48,7 @@ def test_an_episode_is_the_engine_s(name: str, team: str) -> None:
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
         recorded = mw.record(config, *sides, seed=seed, episode=2)
         settings = {"record": True, f"{team}s": theirs}
-        env = mw.envs.MatrixWorldAEC(config, **settings)
+        env = MatrixWorldAEC(config, **settings)
         assert env.possible_agents[0] == f"{other(team)}_0"
         env.reset(seed=seed, options={"episode": 2})
         paid = play_turns(env, lambda agent, _, env=env, mine=mine: chosen(env, mine, agent))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.envs import MatrixWorldAEC
+from matrixworld.envs.single import MatrixWorldAEC
 from rows import NAMES, config_of
 
 with warnings.catch_warnings():  # with pygame installed, PettingZoo imports outdated environments

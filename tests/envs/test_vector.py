@@ -94,9 +94,6 @@ def test_teams_are_parts_of_the_same_arrays() -> None:
             np.testing.assert_array_equal(part, getattr(env, name)[:, agents])
     for name in ("alive", "acted", "cost", "positions", "involved", "fault"):
         assert np.shares_memory(getattr(env.evaders, name), env.infos[name])
-    assert (env.pursuers.size, env.evaders.size) == (n, env.config.n_evaders)
-    assert env.evaders.observation_space.contains(env.evaders.observations[0, 0])
-    assert env.evaders.action_space == gymnasium.spaces.Discrete(5)
 
 
 # ---- Gymnasium's interface ----------------------------------------------------------------

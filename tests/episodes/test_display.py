@@ -65,8 +65,8 @@ def test_a_notebook_s_output_is_drawn_anew() -> None:
     shell, display = SimpleNamespace(execution_count=4), Mock()
     place = _Notebook(shell, display)
     for _ in range(3):
-        place.show(SCENE, viewers=[1])
-    data = {"image/png": png(SCENE, viewers=[1])}
+        place.show(SCENE)
+    data = {"image/png": png(SCENE)}
     redrawn = call().update(data, raw=True)
     assert display.mock_calls == [call(data, raw=True, display_id=True), redrawn, redrawn]
     shell.execution_count = 5  # another cell is run

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.envs import INFO_KEYS
 from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS, OutputField, Specs
 from rows import config_of, random_actions
 
@@ -77,5 +76,3 @@ def test_every_output_is_in_infos() -> None:
     assert {name.removeprefix("episode_") for name in statistics} == set(env.infos["episode"])
     named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics
     assert named <= set(env.infos)
-    of_agents = {name for name, field in WORLD_FIELDS.items() if field.axes == ("agents", "kinds")}
-    assert {f"{name}_{kind}" for name in of_agents for kind in mw.COLLISION_KINDS} <= set(INFO_KEYS)

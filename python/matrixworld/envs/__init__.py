@@ -58,7 +58,7 @@ The same keys for every agent at every step, as plain values:
 
 ``rows=40, cols=40, n_pursuers, n_evaders`` (8 and 30; 20 and 5 where capture is by surrounding),
 ``fov=11, diagonal=False, max_steps=500`` (or ``max_cycles``), ``obstacles`` (a share of the cells, or a
-map), ``rewards``, ``render_mode`` (``"human"``, ``"rgb_array"``, ``"ansi"``), ``fields_of_view``, ``record``,
+map), ``rewards``, ``render_mode`` (``"human"``, ``"rgb_array"``, ``"ansi"``), ``record``,
 ``action_mask``. ``pursuers`` or ``evaders`` name what plays one of the teams, whose agents are then not in
 ``possible_agents``: a script, a held-out opponent, a run directory, a policy, or a list of which each
 episode draws one.
@@ -71,25 +71,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from matrixworld.envs.single import (
-    INFO_KEYS,
-    OPTIONS,
-    RENDER_MODES,
-    MatrixWorldAEC,
-    MatrixWorldParallel,
-)
 from matrixworld.envs.variants import VariantModule, add_module, aec_env, parallel_env
 from matrixworld.world.rules import VARIANTS
 
-__all__ = [
-    "INFO_KEYS",
-    "OPTIONS",
-    "RENDER_MODES",
-    "MatrixWorldAEC",
-    "MatrixWorldParallel",
-    "aec_env",
-    "parallel_env",
-]
+__all__ = ["aec_env", "parallel_env"]
 
 if TYPE_CHECKING:
     # Type checkers do not see modules that are made at run time.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,16 +12,11 @@ from numpy.typing import NDArray
 from pettingzoo import AECEnv, ParallelEnv
 from typing_extensions import Unpack
 
-from matrixworld._util.checks import check_bool, check_integer, check_keywords
+from matrixworld._util.checks import check_bool, check_integer, check_keywords, shown
 from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
 from matrixworld.episodes.display import Drawing
 from matrixworld.episodes.episode import Episode
-from matrixworld.world.arrays import (
-    WORLD_FIELDS,
-    OutputField,
-    WorldArrays,
-    python_value,
-)
+from matrixworld.world.arrays import WORLD_FIELDS, WorldArrays, python_value
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
@@ -32,7 +27,6 @@ class EnvSettings(WorldSettings, total=False):
     """Keyword arguments of an environment, for type checkers; see `MatrixWorldParallel`."""
 
     render_mode: str | None
-    fields_of_view: bool | Iterable[str]
     record: bool
     action_mask: bool | str
     max_cycles: int | None
@@ -49,28 +43,6 @@ OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
 
 An environment that plays a team itself knows ``opponents``, too.
 """
-
-# World arrays that infos leave out: `step` returns them, or they are attributes of `Status` only.
-_NOT_IN_INFOS = {
-    *("rewards", "terminations", "truncations", "terminated", "truncated", "views", "state"),
-    *("positions", "last_positions", "alive", "ever_captured", "seed", "episode"),
-}
-_INFO_FIELDS = [output for name, output in WORLD_FIELDS.items() if name not in _NOT_IN_INFOS]
-
-
-def _keys(output: OutputField) -> list[str]:
-    if output.axes == ("agents", "kinds"):
-        return [f"{output.name}_{kind}" for kind in COLLISION_KINDS]
-    if output.axes == ("teams",):
-        return [f"{team}_{output.name}" for team in ("pursuer", "evader")]
-    return ["step" if output.name == "steps" else output.name]
-
-
-INFO_KEYS = (
-    *(key for output in _INFO_FIELDS for key in _keys(output)),
-    *(f"cost_{kind}" for kind in COLLISION_KINDS),
-)
-"""The keys of every agent's info, at every step."""
 
 
 class Status(WorldArrays):
@@ -92,24 +64,29 @@ class Status(WorldArrays):
         self.cost[:] = self.fault.sum(axis=1)
 
     def infos(self) -> list[dict[str, Any]]:
-        """Return the info of each agent: a dict of `INFO_KEYS` with plain values."""
-        n_agents = len(self.alive)
-        columns: list[list[Any]] = []
-        for output in _INFO_FIELDS:
-            columns += _columns(output, vars(self)[output.name], n_agents)
-        columns += self.fault.T.astype(float).tolist()
-        return [dict(zip(INFO_KEYS, row, strict=True)) for row in zip(*columns, strict=True)]
-
-
-def _columns(output: OutputField, value: Any, n_agents: int) -> list[list[Any]]:
-    """Return, for each info key of an output, the values of all agents."""
-    if output.axes == ("agents", "kinds"):
-        return list(value.T.tolist())
-    if output.axes[:1] == ("agents",):
-        return [value.tolist()]
-    if output.axes[:1] == ("evaders",):  # a pursuer has the zero of the dtype
-        return [[value.dtype.type(0).item()] * (n_agents - len(value)) + value.tolist()]
-    return [[each] * n_agents for each in np.ravel(value).tolist()]
+        """Return the info of each agent, with plain values."""
+        n_pursuers = len(self.alive) - len(self.captured)
+        by_kind = {"involved": self.involved, "fault": self.fault, "cost": self.fault.astype(float)}
+        of_agents = {
+            "captured": [False] * n_pursuers + self.captured.tolist(),
+            "captors": [0] * n_pursuers + self.captors.tolist(),
+            "cost": self.cost.tolist(),
+            **{
+                f"{name}_{kind}": column
+                for name, array in by_kind.items()
+                for kind, column in zip(COLLISION_KINDS, array.T.tolist(), strict=True)
+            },
+        }
+        pursuers, evaders = self.survival_rate.tolist()
+        of_all = {
+            "step": self.steps,
+            "capture_rate": self.capture_rate,
+            "ever_capture_rate": self.ever_capture_rate,
+            "pursuer_survival_rate": pursuers,
+            "evader_survival_rate": evaders,
+        }
+        rows = zip(*of_agents.values(), strict=True)
+        return [dict(zip(of_agents, row, strict=True)) | of_all for row in rows]
 
 
 class MatrixWorldBase(HasOpponents):
@@ -118,13 +95,13 @@ class MatrixWorldBase(HasOpponents):
     world: World
     possible_agents: list[str]
     render_mode: str | None
+    _actions: NDArray[np.int64]
 
     def __init__(
         self,
         config: WorldConfig | Rules | str = "O",
         *,
         render_mode: str | None = None,
-        fields_of_view: bool | Iterable[str] = False,
         record: bool = False,
         action_mask: bool | str = False,
         max_cycles: int | None = None,
@@ -133,6 +110,8 @@ class MatrixWorldBase(HasOpponents):
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
+        if max_cycles is not None and "max_steps" in changes:
+            raise ValueError("max_cycles, max_steps: expected one of them, got both")
         if max_cycles is not None:
             changes["max_steps"] = max_cycles
         if render_mode not in (None, *RENDER_MODES):
@@ -156,9 +135,8 @@ class MatrixWorldBase(HasOpponents):
         self._index = {name: agent for agent, name in self._names.items()}
         self.possible_agents = list(self._index)
         self.agents: list[str] = []
-        viewers = self._viewers(fields_of_view)
         kept = check_bool("record", record) or render_mode is not None
-        self._drawing = Drawing(self.world, render_mode, viewers) if kept else None
+        self._drawing = Drawing(self.world, render_mode) if kept else None
         view = (3, self.config.fov, self.config.fov)
         self.observation_spaces: dict[str, spaces.Box] = {
             name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
@@ -170,15 +148,6 @@ class MatrixWorldBase(HasOpponents):
         whole = (3, self.config.rows, self.config.cols)
         self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
         self._seeded = False
-
-    def _viewers(self, fields_of_view: bool | Iterable[str]) -> list[int]:
-        if isinstance(fields_of_view, bool):
-            return list(self._index.values()) if fields_of_view else []
-        named = list(fields_of_view)
-        unknown = [name for name in named if name not in self._index]
-        if unknown:
-            raise ValueError(f"fields_of_view: expected names of agents, got {unknown}")
-        return [self._index[name] for name in named]
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
@@ -226,6 +195,16 @@ class MatrixWorldBase(HasOpponents):
         self.agents = self.possible_agents[:]
         if self._drawing is not None:
             self._drawing.begin()
+            self._drawing.show()
+
+    def _note_round(self) -> None:
+        """Record and show the round that was just played."""
+        if self._drawing is not None:
+            self._drawing.note(self._actions)
+            self._drawing.show()
+
+    def _chosen(self, agent: str, action: Any) -> int:
+        return check_integer(f"action of {agent}", action, 0, self.config.n_actions - 1)
 
     def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
         """Write the actions of the team that the environment plays itself, if it plays one."""
@@ -278,8 +257,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     render_mode : {None, "human", "rgb_array", "ansi"}, optional
         "human" shows every step in a window, a notebook's output or the terminal. "rgb_array"
         returns pictures, uint8 of shape (height, width, 3); "ansi" returns text.
-    fields_of_view : bool or iterable of str, optional
-        The agents whose fields of view pictures outline: True for all, or their names.
     record : bool, optional
         Whether to keep every step for `recorded`. With a render mode steps are always kept.
     action_mask : bool or str, optional
@@ -383,8 +360,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         committed = self._committed(actions)
         self._decide(committed, range(self.config.n_agents))
         self.world.step(committed)
-        if self._drawing is not None:
-            self._drawing.note(self._actions)
+        self._note_round()
         status, views = Status(self.world), self.world.views()
         observations = self._by_agent(acting, views)
         rewards = self._by_agent(acting, status.rewards.tolist())
@@ -396,18 +372,17 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         return observations, rewards, terminations, truncations, infos
 
     def _committed(self, actions: Mapping[str, Any]) -> NDArray[np.int64]:
+        if not isinstance(actions, Mapping):
+            raise TypeError(f"actions: expected a mapping by names of agents, got {shown(actions)}")
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
             raise ValueError(f"actions: expected one for each of agents, none came for {missing}")
         unknown = [agent for agent in actions if agent not in self._index]
         if unknown:
             raise ValueError(f"actions: expected names of agents, got {unknown}")
-        given = np.array([actions[agent] for agent in self.agents])
-        if given.dtype.kind not in "iu" or given.ndim != 1:
-            kinds = sorted({type(actions[agent]).__name__ for agent in self.agents})
-            raise TypeError(f"actions: expected an int for each agent, got {', '.join(kinds)}")
         self._actions = np.zeros(self.config.n_agents, np.int64)
-        self._actions[[self._index[agent] for agent in self.agents]] = given
+        for agent in self.agents:
+            self._actions[self._index[agent]] = self._chosen(agent, actions[agent])
         return self._actions
 
 
@@ -450,8 +425,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
 
     def observe(self, agent: str) -> View:
         """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
-        view: View = self._views[self._index[agent]]
-        return view
+        return np.array(self._views[self._index[agent]])
 
     def step(self, action: Any) -> None:
         """Choose the action of `agent_selection`; the last choice of a turn plays the turn.
@@ -466,9 +440,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         if self.terminations[agent] or self.truncations[agent]:
             self._was_dead_step(action)
             return
-        self._actions[self._index[agent]] = check_integer(
-            "action", action, 0, self.config.n_actions - 1
-        )
+        self._actions[self._index[agent]] = self._chosen(agent, action)
         self._cumulative_rewards[agent] = 0.0
         self._clear_rewards()
         if self._to_commit:
@@ -487,8 +459,8 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         paid = (self.world.rewards.astype(float) - before).tolist()
         for agent in self.agents:
             self.rewards[agent] += paid[self._index[agent]]
-        if self.world.turn == 0 and self._drawing is not None:
-            self._drawing.note(self._actions)
+        if self.world.turn == 0:
+            self._note_round()
 
     def _play_until_actors(self) -> None:
         """Play turns in which no living agent of the caller acts, and select those that act next.

@@ -102,42 +102,32 @@ class VariantModule(ModuleType):
     agent_env: Callable[..., AgentEnv]
     vector_env: Callable[..., VectorEnv]
 
-    def __init__(self, variant: str) -> None:
-        name = f"pursuit_evasion_{variant.lower()}_v0"
-        super().__init__(f"matrixworld.envs.{name}", docstring(variant, name))
-        # `import` and `importlib.util.find_spec` ask modules for it; there is nothing to load.
-        self.__spec__ = ModuleSpec(self.__name__, loader=None, origin=__name__)
-        self.__package__ = "matrixworld.envs"
-        self.__all__ = []
-        self._add("env", aec_env, variant)
-        self._add("raw_env", MatrixWorldAEC, variant)
-        self._add("parallel_env", parallel_env, variant)
-        self._add("agent_env", AgentEnv, variant)
-        self._add("vector_env", _vector_env, variant)
-
-    def _add(self, name: str, make: Callable[..., Any], variant: str) -> None:
-        def made(*args: Any, **settings: Any) -> Any:
-            return make(variant, *args, **settings)
-
-        # With these names pickle finds the function in another process.
-        made.__module__, made.__name__, made.__qualname__ = self.__name__, name, name
-        made.__doc__ = (make.__doc__ or "").partition("\n")[0]
-        setattr(self, name, made)
-        self.__all__.append(name)
-
 
 def _vector_env(variant: str, num_envs: int = 1, **settings: Any) -> VectorEnv:
     """Make many worlds with Gymnasium's interface; see `matrixworld.VectorEnv`."""
     return VectorEnv(variant, num_envs, **settings)
 
 
-def add_module(variant: str, package: str) -> VariantModule:
+def add_module(variant: str, package: str) -> None:
     """Make the module of a variant importable from `package`, and register its environments.
 
     ``pettingzoo.make``, ``gymnasium.make`` and ``gymnasium.make_vec`` know them by the same id.
     """
-    module = VariantModule(variant)
-    name = module.__name__.rpartition(".")[2]
+    name = f"pursuit_evasion_{variant.lower()}_v0"
+    module = VariantModule(f"{package}.{name}", docstring(variant, name))
+    # `import` and `importlib.util.find_spec` ask modules for it; there is nothing to load.
+    module.__spec__ = ModuleSpec(module.__name__, loader=None, origin=package)
+    module.__package__ = package
+    makers: dict[str, Callable[..., Any]] = {
+        "env": aec_env,
+        "raw_env": MatrixWorldAEC,
+        "parallel_env": parallel_env,
+        "agent_env": AgentEnv,
+        "vector_env": _vector_env,
+    }
+    module.__all__ = list(makers)
+    for each, make in makers.items():
+        setattr(module, each, _of_variant(make, variant, module.__name__, each))
     sys.modules[module.__name__] = module
     setattr(sys.modules[package], name, module)
     register("aec", f"matrixworld/{name}", module.env)
@@ -148,7 +138,19 @@ def add_module(variant: str, package: str) -> VariantModule:
         entry_point=f"{module.__name__}:agent_env",
         vector_entry_point=f"{module.__name__}:vector_env",
     )
-    return module
+
+
+def _of_variant(
+    make: Callable[..., Any], variant: str, module: str, name: str
+) -> Callable[..., Any]:
+    """Return a function that calls `make` with a variant, by a name that pickle can find."""
+
+    def made(*args: Any, **settings: Any) -> Any:
+        return make(variant, *args, **settings)
+
+    made.__module__, made.__name__, made.__qualname__ = module, name, name
+    made.__doc__ = (make.__doc__ or "").partition("\n")[0]
+    return made
 
 
 def docstring(variant: str, name: str) -> str:

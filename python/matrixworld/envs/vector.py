@@ -8,7 +8,6 @@ from typing import Any, TypeVar, cast
 import numpy as np
 from gymnasium import spaces
 from gymnasium.error import ClosedEnvironmentError
-from gymnasium.utils import seeding
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -242,7 +241,6 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
         self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
         self.evaders: TeamView = TeamView(self, slice(first_evader, None))
-        self._generators: tuple[np.random.Generator, ...] | None = None
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
         self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
@@ -264,13 +262,6 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
         """The seed of each world; before the first reset the one that a reset without seed uses."""
         return tuple(self.infos["seed"].tolist())
-
-    @property  # type: ignore[misc]
-    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
-        """A generator of each seed in `np_random_seed`; worlds never draw from them."""
-        if self._generators is None:
-            self._generators = tuple(seeding.np_random(seed)[0] for seed in self.np_random_seed)
-        return self._generators
 
     def reset(
         self,
@@ -314,8 +305,6 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
             everywhere = np.ones(self.num_envs, np.bool_)
             self._team.begin(everywhere if mask is None else np.asarray(mask))
         self._seeded = True
-        if seed is not None:
-            self._generators = None
         self._write_masks()
 
     def step(
@@ -384,8 +373,8 @@ class TeamView:
 
     ``observations``, ``actions``, ``rewards``, ``terminations`` and ``truncations`` are parts of
     the environment's attributes, ``alive``, ``acted``, ``cost``, ``positions``, ``involved`` and
-    ``fault`` of its infos: shapes begin with (W, n). The spaces are those of one agent. Every step
-    overwrites these arrays, also with ``copy=True``: copy what you keep.
+    ``fault`` of its infos: shapes begin with (W, n). Every step overwrites these arrays, also with
+    ``copy=True``: copy what you keep.
     """
 
     def __init__(self, env: VectorEnv, agents: slice) -> None:
@@ -401,10 +390,6 @@ class TeamView:
         self.positions: NDArray[np.int32] = env.infos["positions"][:, agents]
         self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
         self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
-        self.size = int(self.actions.shape[1])  # n
-        seen = self.observations
-        self.observation_space: spaces.Box = _views_box(seen.shape[2:], seen.dtype)
-        self.action_space: spaces.Discrete = spaces.Discrete(env.config.n_actions)
 
 
 class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -503,11 +488,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
         """The seed of each sub-environment: that of its world."""
         return tuple(seed for seed in self.worlds.np_random_seed for _ in self._agents)
-
-    @property  # type: ignore[misc]
-    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
-        """The generator of each sub-environment: that of its world."""
-        return tuple(each for each in self.worlds.np_random for _ in self._agents)
 
     def reset(
         self,

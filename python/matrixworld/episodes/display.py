@@ -7,13 +7,11 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Sequence
 from typing import Any, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Recorder
 from matrixworld.episodes.render import Scene, ansi, png, rgb
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
@@ -23,45 +21,27 @@ FPS = 10.0
 """The most scenes per second."""
 
 
-class Drawing:
-    """The episode of a world so far, drawn in a render mode; None only records.
+class Drawing(Recorder):
+    """The episode of a world so far, drawn in a render mode; None only records."""
 
-    `viewers` are the agents whose fields of view pictures outline.
-    """
-
-    def __init__(self, world: World, mode: str | None, viewers: Sequence[int]) -> None:
-        self._recorder = Recorder(world)
+    def __init__(self, world: World, mode: str | None) -> None:
+        super().__init__(world)
         self._mode = mode
-        self._look: dict[str, Any] = {"fov": world.config.fov, "viewers": viewers}
         self._place: _Place | None = None
 
-    def begin(self) -> None:
-        """Start to record an episode; call it after a reset of the world."""
-        self._recorder.begin()
-        self._show()
-
-    def note(self, actions: NDArray[np.int64]) -> None:
-        """Record a round; call it after the world has played it with these actions."""
-        self._recorder.note(actions)
-        self._show()
-
-    def episode(self) -> Episode:
-        """Return what was recorded since the reset."""
-        return self._recorder.episode()
-
     def render(self) -> NDArray[np.uint8] | str | None:
-        """Return a picture or a text; None for "human", which every step shows by itself."""
+        """Return a picture or a text; None for "human", in which `show` is called at every step."""
         if self._mode == "human":
             return None
-        scene = self._recorder.scene()
-        return ansi(scene) if self._mode == "ansi" else rgb(scene, **self._look)
+        return ansi(self.scene()) if self._mode == "ansi" else rgb(self.scene())
 
-    def _show(self) -> None:
+    def show(self) -> None:
+        """Show the present moment in the mode "human"."""
         if self._mode != "human":
             return
         if self._place is None:
             self._place = first_place()
-        self._place.follow(self._recorder.scene(), **self._look)
+        self._place.follow(self.scene())
 
     def close(self) -> None:
         """Close the place, for example a window."""
@@ -80,15 +60,15 @@ class _Place:
     watched: bool = True  # whether a scene replaces the one before, which needs time to be seen
     _due = 0.0
 
-    def follow(self, scene: Scene, **look: Any) -> None:
+    def follow(self, scene: Scene) -> None:
         """Show a scene as soon as the one before has been there for its time."""
         if self.watched:
             time.sleep(max(0.0, self._due - time.monotonic()))
             self._due = time.monotonic() + 1 / FPS
-        self.show(scene, **look)
+        self.show(scene)
 
-    def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene. `look` holds keyword arguments of `render.rgb`; texts ignore it."""
+    def show(self, scene: Scene) -> None:
+        """Show a scene."""
         raise NotImplementedError
 
     def close(self) -> None:
@@ -104,8 +84,8 @@ class _Notebook(_Place):
         self._handle: Any = None
         self._run = -1  # execution count of the cell that shows it
 
-    def show(self, scene: Scene, **look: Any) -> None:
-        data = {"image/png": png(scene, **look)}
+    def show(self, scene: Scene) -> None:
+        data = {"image/png": png(scene)}
         if self._handle is not None and self._run == self._shell.execution_count:
             self._handle.update(data, raw=True)
             return
@@ -127,10 +107,10 @@ class _Window(_Place):
     def watched(self) -> bool:  # type: ignore[override]
         return bool(self._plt.fignum_exists(self._figure.number))
 
-    def show(self, scene: Scene, **look: Any) -> None:
+    def show(self, scene: Scene) -> None:
         if not self.watched:
             return
-        picture = rgb(scene, **look)
+        picture = rgb(scene)
         if self._image is None:
             height, width, _ = picture.shape
             self._figure.set_size_inches(width / self._figure.dpi, height / self._figure.dpi)
@@ -155,7 +135,7 @@ class _Text(_Place):
         self.watched = stream.isatty()
         self._start = WRAP_OFF + CLEAR
 
-    def show(self, scene: Scene, **look: Any) -> None:
+    def show(self, scene: Scene) -> None:
         if not self.watched:
             self._stream.write(ansi(scene, color="none") + "\n\n")
             return

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_naturals
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
-from matrixworld.world.arrays import WorldArrays
 from matrixworld.world.rules import COLLISION_KINDS
 
 _COUNTED = ("collisions", "faults", "agent_steps", "capture_rate")
@@ -102,9 +101,9 @@ def _printed(rate: float, ends: NDArray[np.float64]) -> str:
 class SafetyMonitor:
     """Collects collisions of episodes and summarizes them.
 
-    Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), an
-    environment (`observe` after each step), a recording (`add_episode`), or as arrays (`add`).
-    ``monitor + other`` is a monitor of the episodes of both.
+    Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), a
+    recording such as ``env.recorded`` (`add_episode`), or as arrays (`add`). ``monitor + other`` is
+    a monitor of the episodes of both.
 
     Examples
     --------
@@ -123,7 +122,6 @@ class SafetyMonitor:
     def __init__(self) -> None:
         # Collisions (n, 2, 3), faults (n, 2, 3), agent-steps (n, 2) and capture rates (n,).
         self._parts: list[tuple[NDArray[Any], ...]] = []
-        self._current: _Current | None = None
 
     @property
     def episodes(self) -> int:
@@ -176,46 +174,15 @@ class SafetyMonitor:
 
     def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
-        counts = [
+        check_instance("episode", episode, Episode)
+        counts = (
             each.sum(axis=0) for each in (episode.involved, episode.fault, episode.alive[:-1])
-        ]
-        self._add_agents(counts, episode.n_pursuers, episode.capture_rate)
-
-    def _add_agents(
-        self, counts: Iterable[NDArray[Any]], n_pursuers: int, capture_rate: float
-    ) -> None:
-        """Collect an episode from its counts by agent: collisions, faults, agent-steps."""
-        sides = slice(None, n_pursuers), slice(n_pursuers, None)
+        )
+        sides = slice(None, episode.n_pursuers), slice(episode.n_pursuers, None)
         collisions, faults, agent_steps = (
             np.stack([each[side].sum(axis=0) for side in sides]) for each in counts
         )
-        self.add(collisions, faults, agent_steps, capture_rate)
-
-    def observe(self, status: WorldArrays) -> None:
-        """Follow an environment by its ``env.status``; call it after every step.
-
-        An episode is collected when it ends, and forgotten if a reset comes before its end. A
-        status of the same round as the last one adds nothing, so this works after every step of an
-        AEC environment as well. ValueError if a step was left out.
-        """
-        current = self._current
-        # Another seed or number, or fewer steps than before, means another episode.
-        if current is None or current.which != _which(status) or status.steps < current.steps:
-            current = _Current(status)
-        if status.steps not in (current.steps, current.steps + 1):
-            raise ValueError(f"status: expected step {current.steps + 1}, got step {status.steps}")
-        self._current = current
-        if status.steps == current.steps:  # the AEC API calls several times per round
-            return
-        current.steps += 1
-        for total, step in zip(
-            current.counts, (status.involved, status.fault, current.alive), strict=True
-        ):
-            total += step
-        current.alive = status.alive
-        if status.terminated or status.truncated:
-            n_pursuers = len(status.alive) - len(status.captured)
-            self._add_agents(current.counts, n_pursuers, status.capture_rate)
+        self.add(collisions, faults, agent_steps, episode.capture_rate)
 
     def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
         """Return a monitor of the episodes of both."""
@@ -246,22 +213,6 @@ class SafetyMonitor:
             fault_mean=faults.mean(axis=0),
             fault_max=faults.max(axis=0),
         )
-
-
-class _Current:
-    """The episode that an environment is in: its counts by agent, and who was alive last."""
-
-    def __init__(self, status: WorldArrays) -> None:
-        self.which = _which(status)
-        self.steps = 0
-        self.alive = np.ones_like(status.alive)  # as the next step begins
-        self.counts = [
-            np.zeros(each.shape, np.int64) for each in (status.involved, status.fault, status.alive)
-        ]
-
-
-def _which(status: WorldArrays) -> tuple[int, int]:
-    return status.seed, status.episode
 
 
 def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:
