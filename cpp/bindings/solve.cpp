@@ -121,12 +121,13 @@ Team team_of(bool evaders) { return evaders ? Team::Evader : Team::Pursuer; }
 
 void bind_solve(py::module_& m) {
     py::class_<States, std::shared_ptr<States>>(m, "States")
-        .def(py::init([](const std::shared_ptr<const Setup>& setup, int n_threads) {
+        .def(py::init([](const std::shared_ptr<const Setup>& setup, int n_threads,
+                         std::size_t expected) {
                  const Workers::Poll poll = signal_poll();
                  const py::gil_scoped_release release;
-                 return std::make_shared<States>(setup, n_threads, poll);
+                 return std::make_shared<States>(setup, n_threads, poll, expected);
              }),
-             py::arg("setup"), py::arg("n_threads"))
+             py::arg("setup"), py::arg("n_threads"), py::arg("expected"))
         .def("n_turns", &States::n_turns)
         .def("describe", &describe, py::arg("turn"))
         .def("successors", &successors, py::arg("turn"))

@@ -129,7 +129,8 @@ std::int64_t States::find(const World& world, int turn, std::vector<int>& order)
 
 // ---- All states ---------------------------------------------------------------------------------
 
-States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll)
+States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll,
+               std::size_t expected)
     : setup_(std::move(setup)),
       sorted_(setup_->config.rules.interaction != Interaction::AgentTurns),
       n_cells_(setup_->config.rows * setup_->config.cols),
@@ -158,6 +159,8 @@ States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers:
         for (int a = layer.first; a < layer.last; ++a) {
             layer.n_joint[static_cast<int>(team(a))] *= config.n_actions();
         }
+        layer.codes.reserve(expected);
+        layer.successors.reserve(expected * layer.n_joint[0] * layer.n_joint[1]);
     }
     std::vector<int> places(config.n_agents());
     add_starts(0, places);
@@ -171,7 +174,6 @@ States::States(std::shared_ptr<const Setup> setup, int n_threads, const Workers:
             grew = true;
         }
     }
-    for (Layer& layer : layers_) layer.successors.shrink_to_fit();
 }
 
 std::int32_t States::number(Layer& layer, Code code) {

@@ -31,8 +31,10 @@ namespace matrixworld {
 class States {
   public:
     // Precondition: no obstacles are drawn at a reset. Throws std::invalid_argument where more joint
-    // places of the agents exist than 31 bits count.
-    States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll = {});
+    // places of the agents exist than 31 bits count. Memory for `expected` states of each turn is
+    // set aside at once: vectors that grow would be copied.
+    States(std::shared_ptr<const Setup> setup, int n_threads, const Workers::Poll& poll = {},
+           std::size_t expected = 0);
 
     const Setup& setup() const { return *setup_; }
     int n_turns() const { return static_cast<int>(layers_.size()); }

@@ -211,7 +211,7 @@ class Batch(metaclass=_Pybind11Type):
 class States(metaclass=_Pybind11Type):
     """The states of a small world: S in a turn, with P and Q joint actions of the teams."""
 
-    def __init__(self, setup: Setup, n_threads: int) -> None: ...
+    def __init__(self, setup: Setup, n_threads: int, expected: int) -> None: ...
     def n_turns(self) -> int:
         """The number of turns in a round."""
 

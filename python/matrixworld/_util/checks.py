@@ -227,7 +227,7 @@ def control_group_cores() -> float:
     return min(cores, default=float(MOST_THREADS))
 
 
-def check_memory(what: str, **parts: int) -> None:
+def check_memory(what: str, **parts: float) -> None:
     """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts."""
     needed = sum(parts.values())
     available = available_memory() if needed > _SMALL else None

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.checks import shown
 from matrixworld._util.readable import Readable
 from matrixworld.solve.solution import Champion, best_response, solve
 from matrixworld.solve.states import States
@@ -63,6 +64,8 @@ def guarantees(
     steps : int, optional
         As in `solve`.
     """
+    if not isinstance(teams, Mapping) or teams.keys() != set(TEAMS):
+        raise TypeError(f"teams: expected a mapping with the keys {TEAMS}, got {shown(teams)}")
     states = States.of(world)
     pursuers, evaders = (
         [best_response(states, each, team, steps=steps).value for each in _generations(teams[team])]

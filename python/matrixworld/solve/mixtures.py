@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.solve.solution import Champion, Fixed, fixed_play, induct, values_after
-from matrixworld.solve.states import States
+from matrixworld.solve.solution import (
+    Champion,
+    Fixed,
+    fixed_play,
+    go_back,
+    parts_of,
+    play_bytes,
+    rounds_of,
+    values_after,
+)
+from matrixworld.solve.states import States, config_of, turn_sizes
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Team
 
@@ -16,6 +26,8 @@ Array = NDArray[np.float64]
 
 _MOST_PASSES = 10
 _ENOUGH = 1e-6  # a pass that gains less is the last
+_CHOICE = np.dtype(np.int32)  # of joint actions
+_PIECE = 2**12  # states
 
 
 def mixture_bounds(
@@ -51,27 +63,44 @@ def mixture_bounds(
         Of pursuers the opponents minimize the capture rate, and the first one gets `low`; of
         evaders they maximize it, and the first one gets `high`. Both are equal for one champion.
     """
-    states = States.of(world)
-    parts = [part for part in fixed_play(states, mixture, team).parts if part[0] > 0.0]
+    config = config_of(world)
+    parts = [part for part in parts_of(config, mixture, team) if part[0] > 0.0]
+    rounds = rounds_of(config, steps, parts)
+    memory = _memory(config, len(parts), team, rounds)
+    states = States.of(world, "mixture", play=play_bytes(config, parts, team), **memory)
     shares = np.array([share for share, _ in parts])
-    members = [Fixed(team, ((1.0, play),)) for _, play in parts]
-    told = [induct(states, steps, "capture-rate", {team: member}) for member in members]
-    rounds = told[0].steps
-    first = sum(
-        share * _responses(states, member, 0, rounds, values_after(best, 0, rounds))
-        for share, member, best in zip(shares, members, told, strict=True)
-    )
+    members = [fixed_play(states, [(1.0, part)], team) for _, part in parts]
+    first: Any = 0.0
+    for share, member in zip(shares, members, strict=True):
+        after = values_after(go_back(states, rounds, "capture-rate", {team: member}), 0, rounds)
+        first = first + share * _responses(states, member, 0, rounds, after)
     better = np.min if team == "pursuer" else np.max
     informed = float(better(first, axis=1)[states.starts].mean())
     forgetful = _forgetful(states, shares, members, rounds)
     return (informed, forgetful) if team == "pursuer" else (forgetful, informed)
 
 
+def _memory(config: WorldConfig, members: int, team: Team, rounds: int) -> dict[str, int]:
+    """Return about how many bytes a mixture takes beside the states and the champions' play."""
+    own, other = (1, 2) if team == "pursuer" else (2, 1)
+    sizes = turn_sizes(config)
+    return {
+        "weights": rounds * sum(n for n, _, _ in sizes) * (8 * members + _CHOICE.itemsize),
+        # Of the largest turn: values of all replies, and where the champions' actions lead.
+        "replies": max(8 * n[0] * ((members + 3) * n[other] + 3 * n[own]) for n in sizes),
+    }
+
+
 def _responses(states: States, member: Fixed, turn: int, left: int, after: Array) -> Array:
     """Return the values (S, its joint actions) of the responder's actions against a member."""
-    following = after[states.successors(turn)]
+    successors, probabilities = states.successors(turn), member.at(turn, left)
     played = "spq,sp->sq" if member.team == "pursuer" else "spq,sq->sp"
-    return np.asarray(np.einsum(played, following, member.at(turn, left)))
+    n, pursuers, evaders = successors.shape
+    values = np.empty((n, evaders if member.team == "pursuer" else pursuers))
+    for start in range(0, len(values), _PIECE):  # all values at once would be twice the states
+        part = slice(start, start + _PIECE)
+        values[part] = np.einsum(played, after[successors[part]], probabilities[part])
+    return values
 
 
 def _forgetful(states: States, shares: Array, members: list[Fixed], rounds: int) -> float:
@@ -80,7 +109,8 @@ def _forgetful(states: States, shares: Array, members: list[Fixed], rounds: int)
     moments = [(left, turn) for left in range(rounds, 0, -1) for turn in turns]
     # At first every state says as much as the start.
     reached = {
-        each: [np.full(states.count(each[1]), share) for share in shares] for each in moments
+        each: [np.broadcast_to(share, states.count(each[1])) for share in shares]
+        for each in moments
     }
     best = np.argmin if members[0].team == "pursuer" else np.argmax
     found, chosen = np.nan, {}
@@ -93,7 +123,7 @@ def _forgetful(states: States, shares: Array, members: list[Fixed], rounds: int)
             ]
             weighted = zip(reached[left, turn], of_actions, strict=True)
             action = best(sum(each[:, None] * q for each, q in weighted), axis=1)[:, None]
-            chosen[left, turn] = action
+            chosen[left, turn] = action.astype(_CHOICE)
             values = [np.take_along_axis(q, action, axis=1)[:, 0] for q in of_actions]
         before, found = found, float(shares @ [v[states.starts].mean() for v in values])
         if abs(found - before) < _ENOUGH:

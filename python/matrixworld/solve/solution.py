@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, TypeAlias
+from math import prod
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,9 +21,16 @@ from matrixworld._util.checks import (
     shown,
 )
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.solve.states import States
+from matrixworld.solve.states import States, config_of, turn_sizes
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import TEAMS, Population, Script, TablePolicy, Team
+from matrixworld.world.policy import (
+    TEAMS,
+    Population,
+    Script,
+    TablePolicy,
+    Team,
+    check_team,
+)
 
 PayoffName: TypeAlias = Literal["capture-rate", "capture-time"]
 PAYOFFS: tuple[PayoffName, PayoffName] = ("capture-rate", "capture-time")
@@ -33,6 +41,10 @@ of a solution, or weights (their sum is 1) with champions: the team draws one of
 anew, for all its members."""
 
 
+Members: TypeAlias = "list[tuple[float, Population | Script | Solution]]"
+"""What a mixture comes to: weights with champions that are none."""
+
+
 @dataclass(frozen=True, eq=False)
 class Fixed:
     """The play of a team that is known: probabilities (S, joint actions) by turn."""
@@ -41,23 +53,22 @@ class Fixed:
     parts: tuple[tuple[float, tuple[NDArray[np.float64], ...] | Solution], ...]
 
     @property
-    def steps(self) -> int | None:
-        """For how many rounds the play is known; None if it does not depend on the rounds left."""
-        known = [part.steps for _, part in self.parts if isinstance(part, Solution)]
-        return min(known, default=None)
+    def depends_on_rounds(self) -> bool:
+        """Whether the play depends on how many rounds are left."""
+        return any(isinstance(part, Solution) for _, part in self.parts)
 
     def at(self, turn: int, rounds: int) -> NDArray[np.float64]:
         """Return the probabilities with so many rounds left, this one included."""
-        rows = [
-            weight
-            * (
-                part.probabilities(self.team, rounds, turn)
-                if isinstance(part, Solution)
-                else part[turn]
-            )
-            for weight, part in self.parts
-        ]
-        return np.asarray(sum(rows))
+        total: Any = 0.0
+        for weight, part in self.parts:
+            if isinstance(part, Solution):
+                row = part.probabilities(self.team, rounds, turn)
+            else:
+                row = part[turn]
+            if weight == 1.0:  # the others weigh 0
+                return row
+            total = total + weight * row
+        return np.asarray(total)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -148,20 +159,19 @@ class Solution(Readable):
 
         All its members act on one draw of their joint action.
         """
+        check_choice("team", team, TEAMS)
         rounds = len(self.values[0]) - 1
-        shapes = [self.states.successors(turn).shape for turn in range(self.states.n_turns)]
         axis = 1 + TEAMS.index(team)
-        # Copied once on the way into the engine.
-        check_memory("policy", tables=8 * rounds * sum(s[0] * s[axis] for s in shapes))
-        tables = [
-            np.stack(
-                [
-                    self.probabilities(team, left, turn).astype(np.float32)
-                    for left in range(1, rounds + 1)
-                ]
-            )
-            for turn in range(self.states.n_turns)
+        shapes = [
+            (rounds, each.shape[0], each.shape[axis])
+            for each in map(self.states.successors, range(self.states.n_turns))
         ]
+        # Copied once on the way into the engine.
+        check_memory("policy", tables=8 * sum(map(prod, shapes)))
+        tables = [np.empty(shape, np.float32) for shape in shapes]
+        for turn, table in enumerate(tables):
+            for left in range(1, rounds + 1):
+                table[left - 1] = self.probabilities(team, left, turn)
         return TablePolicy(_core.Tables(self.states.core, team == "evader", self.steps, tables))
 
     @cached_property
@@ -199,11 +209,11 @@ class Solution(Readable):
         config = self.states.config
         cells = self.states.cells()[self.states.starts, : config.n_pursuers].astype(np.int64)
         # One number for the cells of all pursuers: unique rows would take longer than the solution.
-        start = cells @ (config.rows * config.cols) ** np.arange(config.n_pursuers)
-        _, number = np.unique(start, return_inverse=True)
-        worst = np.zeros(number.max() + 1)
-        np.maximum.at(worst, number, self.capture_times[self.states.starts])
-        return float(worst.min())
+        n_cells = config.rows * config.cols
+        start = cells @ n_cells ** np.arange(config.n_pursuers)
+        worst = np.zeros(n_cells**config.n_pursuers)
+        np.maximum.at(worst, start, self.capture_times[self.states.starts])
+        return float(worst[start].min())
 
 
 def values_after(solution: Solution, turn: int, rounds: int) -> NDArray[np.float64]:
@@ -228,36 +238,62 @@ def _backup(
 
 
 def induct(
-    world: WorldConfig | States, steps: int | None, payoff: PayoffName, fixed: dict[Team, Fixed]
+    world: WorldConfig | States,
+    steps: int | None,
+    payoff: PayoffName,
+    champions: Mapping[Team, Champion],
 ) -> Solution:
-    """Go back from the last round to the first."""
+    """Check all arguments, list the states, and go back from the last round to the first."""
+    config = config_of(world)
     check_choice("payoff", payoff, PAYOFFS)
-    states = States.of(world)
-    known = [each.steps for each in fixed.values() if each.steps is not None]
-    steps = states.config.max_steps if steps is None else steps
-    limit = check_integer("steps", steps, 1, min(known, default=INT_MAX))
-    n_turns = states.n_turns
-    counts = [states.count(turn) for turn in range(n_turns)]
+    parts = {team: parts_of(config, champion, team) for team, champion in champions.items()}
+    rounds = rounds_of(config, steps, *parts.values())
+    play = sum(play_bytes(config, each, team) for team, each in parts.items())
+    states = States.of(world, "champions", play=play)
+    fixed = {team: fixed_play(states, each, team) for team, each in parts.items()}
+    return go_back(states, rounds, payoff, fixed)
+
+
+def rounds_of(config: WorldConfig, steps: int | None, *champions: Members) -> int:
+    """Return the rounds of an episode; solutions among champions play no more than their own."""
+    known = [part.steps for parts in champions for _, part in parts if isinstance(part, Solution)]
+    most = min(known, default=INT_MAX)
+    return check_integer("steps", config.max_steps if steps is None else steps, 1, most)
+
+
+def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, Fixed]) -> Solution:
+    """Go back from the last round to the first."""
     captures = payoff == "capture-rate"
-    # Rounds of which no more change the values add no rows.
-    kept = [[np.zeros(count) for count in counts]]
-    kept[0][0] = states.payoffs if captures else kept[0][0]
-    gap = 0.0
-    for left in range(1, limit + 1):
-        check_memory("values", rounds=16 * left * sum(counts))  # they are copied at the end
-        row = [kept[-1][0]] * n_turns
-        for turn in reversed(range(n_turns)):
-            after = row[(turn + 1) % n_turns]
-            row[turn], wrong, _, _ = _backup(states, after, turn, left, fixed)
+    counts = [states.count(turn) for turn in range(states.n_turns)]
+    values = [np.zeros((1, count)) for count in counts]
+    if captures:
+        values[0][0] = states.payoffs
+    first = values[0][0].copy()  # the row of the first turn
+    changes = any(each.depends_on_rounds for each in fixed.values())
+    gap, left = 0.0, 0
+    while left < rounds:
+        left += 1
+        if left == len(values[0]):
+            # In place where the system can: joined at the end, they would take twice as much.
+            room = min(left + left // 4 + 1, rounds + 1)
+            check_memory("values", rounds=8 * room * states.total)
+            for turn, count in enumerate(counts):
+                values[turn].resize((room, count), refcheck=False)
+        before = after = first
+        for turn in reversed(range(states.n_turns)):
+            after, wrong, _, _ = _backup(states, after, turn, left, fixed)
             gap = max(gap, wrong)
-        if not captures:
-            row[0] = row[0] - 1.0
-            row[0][states.n_ends - 1] = 0.0
-        kept.append(row)
-        if not known and (row[0] == kept[-2][0]).all():
+            if turn == 0 and not captures:
+                after -= 1.0
+                after[states.n_ends - 1] = 0.0
+            values[turn][left] = after
+        first = after
+        # Rounds of which no more change the values add no rows.
+        if not changes and (first == before).all():
             break
-    values = tuple(np.stack([row[turn] for row in kept]) for turn in range(n_turns))
-    return Solution(states, limit, payoff, values, gap, fixed)
+    for turn, count in enumerate(counts):
+        values[turn].resize((left + 1, count), refcheck=False)
+    return Solution(states, rounds, payoff, tuple(values), gap, fixed)
 
 
 def solve(
@@ -329,8 +365,7 @@ def best_response(
     >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
     0.674
     """
-    states = States.of(world)
-    return induct(states, steps, payoff, {team: fixed_play(states, champion, team)})
+    return induct(world, steps, payoff, {team: champion})
 
 
 def expected_payoff(
@@ -354,22 +389,18 @@ def expected_payoff(
     steps, payoff
         As in `solve`.
     """
-    states = States.of(world)
-    both = dict(zip(TEAMS, (pursuers, evaders), strict=True))
-    fixed = {team: fixed_play(states, champion, team) for team, champion in both.items()}
-    return induct(states, steps, payoff, fixed).value
+    return induct(world, steps, payoff, {"pursuer": pursuers, "evader": evaders}).value
 
 
-def fixed_play(states: States, champion: Champion, team: Team) -> Fixed:
-    """Return the play of a champion; its parts are what a nested mixture comes to."""
+def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
+    """Return what a champion, which may be a nested mixture, comes to: weights with others."""
     check_choice("team", team, TEAMS)
     if isinstance(champion, Solution):
-        if champion.states is not states:
-            raise ValueError("champion: expected a solution of the same States, got one of others")
-        return Fixed(team, ((1.0, champion),))
+        return [(1.0, champion)]
     if isinstance(champion, str | Population):
-        _check_sees(states.config, champion)
-        return Fixed(team, ((1.0, states.decisions(champion, team)),))
+        check_team("champion", champion)
+        _check_sees(config, champion)
+        return [(1.0, champion)]
     if not issubclass(type(champion), Sequence):
         expected = "a Population, the name of a script, a Solution, or weights with these"
         raise TypeError(f"champion: expected {expected}, got {shown(champion)}")
@@ -379,12 +410,30 @@ def fixed_play(states: States, champion: Champion, team: Team) -> Fixed:
     weights = [check_number("weight", weight, least=0.0, most=1.0) for weight, _ in champion]
     if abs(sum(weights) - 1.0) > 1e-9:
         raise ValueError(f"champion: expected weights with the sum 1, got {sum(weights):g}")
-    parts = [
+    return [
         (weight * share, part)
         for weight, (_, member) in zip(weights, champion, strict=True)
-        for share, part in fixed_play(states, member, team).parts
+        for share, part in parts_of(config, member, team)
     ]
-    return Fixed(team, tuple(parts))
+
+
+def play_bytes(config: WorldConfig, parts: Members, team: Team) -> int:
+    """Return about how many bytes the probabilities of the parts take."""
+    tables = sum(not isinstance(part, Solution) for _, part in parts)
+    return 8 * tables * sum(size[0] * size[1 + TEAMS.index(team)] for size in turn_sizes(config))
+
+
+def fixed_play(states: States, parts: Members, team: Team) -> Fixed:
+    """Return the play of the parts in all states."""
+    if any(isinstance(part, Solution) and part.states is not states for _, part in parts):
+        raise ValueError("champion: expected a solution of the same States, got one of others")
+    return Fixed(
+        team,
+        tuple(
+            (weight, part if isinstance(part, Solution) else states.decisions(part, team))
+            for weight, part in parts
+        ),
+    )
 
 
 def _check_sees(config: WorldConfig, champion: Population | str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
-from math import comb, log10, prod
+from math import comb, inf, isqrt, perm, prod
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,16 +13,20 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util.checks import (
+    INT_MAX,
     OutOfMemoryError,
     available_memory,
     check_instance,
+    check_memory,
     check_threads,
 )
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Team, TeamPolicy, check_team
 
-_MOST_BYTES = 2**34
-"""What is refused where nobody knows how much memory there is."""
+_MOST_BYTES = 2**31
+"""More states would take hours to solve, wherever they fit."""
+_MOST_AGENTS = 31
+"""More have no 2**31 joint places, which the engine numbers."""
 _INDEX = 4
 """Bytes of a state's number."""
 
@@ -80,15 +84,22 @@ class States:
             raise ValueError(
                 "obstacles: expected none or a map, got obstacles that each episode draws anew"
             )
-        _check_size(config)
-        self.core = _core.States(config.setup, self.threads)
+        check_size(config)
+        self.core = _core.States(config.setup, self.threads, _count(config))
         self.n_turns = self.core.n_turns()
         self.starts = self.core.starts()
 
     @classmethod
-    def of(cls, world: WorldConfig | States) -> States:
-        """Return the states of a world, or what already are states."""
-        return world if isinstance(world, States) else cls(world)
+    def of(cls, world: WorldConfig | States, what: str = "states", **parts: float) -> States:
+        """Return the states of a world, or what already are states.
+
+        OutOfMemoryError unless `parts`, in bytes, fit beside them.
+        """
+        if isinstance(world, States):
+            check_memory(what, **parts)
+            return world
+        check_size(config_of(world), sum(parts.values()))
+        return cls(world)
 
     def __repr__(self) -> str:
         """Return the size."""
@@ -142,54 +153,95 @@ class States:
         )
 
 
-def size_of(config: WorldConfig) -> tuple[int, int]:
-    """Return at most how many states of all turns there are, and the bytes of their successors."""
-    sizes = list(_turns(config))
-    places = (1 + config.rows * config.cols, 2 + 2 * config.rows * config.cols)
-    codes = prod(n**k for n, k in zip(places, (config.n_pursuers, config.n_evaders), strict=True))
-    joint = sum(count * actions for count, actions in sizes)
-    return sum(count for count, _ in sizes), _INDEX * (joint + codes * len(sizes))
+def config_of(world: WorldConfig | States) -> WorldConfig:
+    """Return the settings of a world or of states; TypeError for anything else."""
+    config = world.config if isinstance(world, States) else world
+    check_instance("world", config, WorldConfig)
+    return config
 
 
-def _turns(config: WorldConfig) -> Iterator[tuple[int, int]]:
-    """Yield the number of states and of joint actions of each turn."""
-    rules = config.rules
+def turn_sizes(config: WorldConfig) -> list[tuple[int, int, int]]:
+    """Return about how many states each turn has, and the joint actions of both teams in it."""
+    count, actions = _count(config), config.n_actions
+    if config.rules.interaction is Interaction.SIMULTANEOUS:
+        return [(count, actions**config.n_pursuers, actions**config.n_evaders)]
+    if config.rules.interaction is Interaction.SWARM_TURNS:
+        return [(count, actions**config.n_pursuers, 1), (count, 1, actions**config.n_evaders)]
+    return [(count, actions, 1)] * config.n_pursuers + [(count, 1, actions)] * config.n_evaders
+
+
+def size_of(config: WorldConfig) -> tuple[float, float]:
+    """Return about how many states of all turns there are, and how many bytes they take."""
+    cells, agents = config.rows * config.cols, (config.n_pursuers, config.n_evaders)
+    if sum(agents) > _MOST_AGENTS:
+        return inf, inf
+    codes = prod(n**k for n, k in zip((1 + cells, 2 + 2 * cells), agents, strict=True))
+    if codes > INT_MAX:  # the engine numbers them
+        return inf, inf
+    sizes = turn_sizes(config)
+    numbers = sum(n * (p * q + 1) + codes for n, p, q in sizes) + sizes[0][0]  # with the starts
+    return sum(n for n, _, _ in sizes), _INDEX * numbers
+
+
+def _count(config: WorldConfig) -> int:
+    """Return about how many states a turn has: places of living agents, and who is gone.
+
+    All ends are one state, so that in the others an evader is alive and not captured.
+    """
+    rules, one_by_one = config.rules, config.rules.interaction is Interaction.AGENT_TURNS
     free = config.rows * config.cols
     if config.map is not None and rules.obstacle is not Outcome.REACH:
         free -= int(config.map.sum())
-    dies = Outcome.DISAPPEAR in (rules.obstacle, rules.teammate, rules.pursuer)
-    lives_on = rules.capture is Capture.SURROUND or rules.evader is Outcome.REACH
-    one_by_one = rules.interaction is Interaction.AGENT_TURNS
-    teams = ((free + dies, config.n_pursuers), (free * (1 + lives_on) + 2, config.n_evaders))
-    count = prod(n**k if one_by_one else comb(n + k - 1, k) for n, k in teams)
-    together = rules.interaction is Interaction.SIMULTANEOUS
-    acting = [config.n_agents] if together else [config.n_pursuers, config.n_evaders]
-    for n in [1] * config.n_agents if one_by_one else acting:
-        yield count, config.n_actions**n
+    surround, shared = rules.capture is Capture.SURROUND, rules.teammate is Outcome.REACH
+    meet = rules.evader is rules.pursuer is Outcome.REACH
+    die = Outcome.DISAPPEAR in (rules.obstacle, rules.teammate)
+    # An evader can be gone in two ways: not captured, or captured.
+    lost = die or (rules.evader is Outcome.DISAPPEAR and (surround or not rules.captures))
+    caught = rules.removes_captured or (meet and die) or (surround and lost)
+    ways_gone = lost + caught
+    # Where contact captures and all live on, who was captured is remembered; else places tell.
+    remembers = meet and not surround
+
+    def ways(places: int, agents: int, shared: bool) -> int:
+        if one_by_one:
+            return places**agents if shared else perm(places, agents)
+        return comb(places + agents - 1, agents) if shared else comb(places, agents)
+
+    def alive(total: int, can_die: bool) -> Iterator[tuple[int, int]]:
+        """Yield how many of a team are alive, and in how many ways these can be chosen."""
+        for number in range(1 if can_die else total, total + 1):
+            yield number, comb(total, number) if one_by_one else 1
+
+    count = config.n_evaders + 1
+    for n, chosen in alive(config.n_pursuers, die or rules.pursuer is Outcome.DISAPPEAR):
+        pursuers = chosen * ways(free, n, shared)
+        room = free if meet else free - (1 if shared else n)
+        for m, which in alive(config.n_evaders, ways_gone > 0):
+            evaders = which * ways(room, m, shared) * (2**m - 1 if remembers else 1)
+            gone = ways(ways_gone, config.n_evaders - m, True) if ways_gone else 1
+            count += pursuers * evaders * gone
+    return count
 
 
-def _check_size(config: WorldConfig) -> None:
-    """Raise OutOfMemoryError unless the states fit into memory, and say which board would."""
-    available = available_memory() or _MOST_BYTES
-    count, needed = size_of(config)
-    if needed <= available:
+def check_size(config: WorldConfig, more: float = 0) -> None:
+    """Raise OutOfMemoryError unless states, and `more` bytes, fit; say which board would."""
+    available = available_memory() or inf
+
+    def fits(world: WorldConfig) -> bool:
+        size = size_of(world)[1]
+        return size <= _MOST_BYTES and size + more <= available
+
+    if fits(config):
         return
-    sides = range(min(config.rows, config.cols) - 1, 1, -1)
-    boards = (
-        side
-        for side in sides
-        if side**2 >= config.n_agents
-        and size_of(replace(config, rows=side, cols=side, obstacles=0.0))[1] <= available
-    )
-    side = next(boards, None)
-    would = "no smaller board would" if side is None else f"{side} x {side} cells would fit"
+    most = isqrt(config.rows * config.cols) if config.n_agents <= _MOST_AGENTS else 0
+    sides = range(most, isqrt(config.n_agents), -1)
+    boards = (replace(config, rows=side, cols=side, obstacles=0.0) for side in sides)
+    largest = next((board.rows for board in boards if fits(board)), None)
+    would = f"{largest} x {largest} cells would fit" if largest else "no smaller board would fit"
+    count, needed = size_of(config)
+    size = f"about {count:,} states and {(needed + more) / 10**9:,.1f} GB"
     raise OutOfMemoryError(
-        f"states: expected at most {available / 10**9:,.1f} GB, got about {_rounded(count)} states "
-        f"and {_rounded(needed // 10**9)} GB for {config.n_pursuers} against {config.n_evaders} "
-        f"agents on {config.rows} x {config.cols} cells; {would}"
+        f"states: expected at most {min(available, _MOST_BYTES) / 10**9:,.1f} GB, got "
+        f"{size if count < inf else 'more than 2^31 joint places'} for {config.n_pursuers} "
+        f"against {config.n_evaders} agents on {config.rows} x {config.cols} cells; {would}"
     )
-
-
-def _rounded(number: int) -> str:
-    """Return a number, or which power of ten it is, if nobody would read its digits."""
-    return f"{number:,}" if number < 10**12 else f"10^{int(log10(number))}"
