@@ -25,7 +25,6 @@ from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
 from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.plots.saved import OF_RUN
-from slow import quickly
 from tiny_race import path_of, tiny_race
 
 ROOT = Path(__file__).parents[2]
@@ -123,8 +122,12 @@ def test_every_page_with_examples_is_tested() -> None:
     assert {page for page in pages if "```python\n" in read(page)} <= {*RUN, *ELSEWHERE}
 
 
-# That page has races of several seconds.
-@quickly("page", RUN, lambda page: page != "docs/coevolution.md")
+SLOW = ("docs/analysis.md", "docs/figures.md", "docs/integrations.md", "docs/opponents.md")
+"""Pages whose examples take some seconds; one has races of several seconds each."""
+MARKS = {**dict.fromkeys(SLOW, pytest.mark.slow), "docs/coevolution.md": pytest.mark.nightly}
+
+
+@pytest.mark.parametrize("page", [pytest.param(page, marks=MARKS.get(page, ())) for page in RUN])
 def test_examples_run_and_print_what_is_shown(page: str, tmp_path: Path) -> None:
     # The warnings of other libraries are not ours.
     strict = () if page == "docs/integrations.md" else ("-W", "error")
@@ -138,7 +141,7 @@ def test_examples_run_and_print_what_is_shown(page: str, tmp_path: Path) -> None
             assert printed.strip() == example.shown.strip()
     if patterns := RUN[page]:
         assert re.fullmatch("\n".join(patterns), "".join(told).strip())
-    # `.ci/run` installs torch and onnx and runs this again.
+    # `.ci/run` installs torch and onnx before it runs slow tests.
     if absent := sorted({name for modules in missing.values() for name in modules}):
         pytest.skip(f"without {', '.join(absent)}; the other examples have run")
 
