@@ -94,15 +94,6 @@ def test_the_version_and_the_licences_are_installed(installed: metadata.Distribu
     names = ("eigen", "emscripten", "fflate", "gifenc", "pybind11")
     files = ["LICENSE", *(f"licenses/{name}.txt" for name in names)]
     assert installed.metadata.get_all("License-File") == files
-    texts = {
-        path.name: path.read_text() for path in installed.files or [] if "licenses" in str(path)
-    }
-    assert "MIT License" in texts["LICENSE"]
-    assert "Mozilla Public License Version 2.0" in texts["eigen.txt"]
-    assert "Rich Felker" in texts["emscripten.txt"]
-    assert "Wenzel Jakob" in texts["pybind11.txt"]
-    assert "Arjun Barrett" in texts["fflate.txt"]
-    assert "Matt DesLauriers" in texts["gifenc.txt"]
 
 
 @pytest.mark.nightly

@@ -131,13 +131,6 @@ class Browser:
         self.prefer()
         return {where: violations for where, violations in found.items() if violations}
 
-    def screenshot(self, file: Path, *, whole: bool = False) -> None:
-        """Write what the window shows, or the whole page, as PNG."""
-        if whole:
-            width, height = self.js("[innerWidth, document.documentElement.scrollHeight]")
-            self.resize(width, height)
-        file.write_bytes(self.driver.get_screenshot_as_png())
-
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:

@@ -7,7 +7,6 @@ import sys
 import textwrap
 import time
 from collections.abc import Callable
-from contextlib import suppress
 
 PREAMBLE = """
 import os, signal, sys, threading, time, warnings
@@ -65,9 +64,3 @@ def group_lives(leader: int) -> bool:
     except ProcessLookupError:
         return False
     return True
-
-
-def kill_group(leader: int) -> None:
-    """Kill a process and all that it has started."""
-    with suppress(ProcessLookupError):
-        os.killpg(leader, signal.SIGKILL)
