@@ -13,8 +13,8 @@ are those of the replayed race for a yoked one. Rises against *common* opponents
 seeds that neither the race nor the yoked one has met. In the world *turns*, exact payoffs against
 perfect play and against the best response (docs/ground_truth.md).
 
-Worlds: *turns* is that of ``small_world.toml``; *small* and *medium* are -O, 2 pursuers against 1
-evader on 6 x 6 cells for 8 steps, and 3 against 5 on 12 x 12 cells for 50 steps.
+Worlds: *turns* is that of ``small_world.toml``; *small* is -O, 2 pursuers against 1 evader on 6 x 6
+cells for 8 steps.
 
 Look at the last columns: the difference of each seed, race minus yoked race, with its interval over
 seeds and its p-value, adjusted for the rows of a table (Holm). *Alike* means that the whole
@@ -82,15 +82,7 @@ TURNS = RaceSettings.of(load_toml(Path(__file__).with_name("small_world.toml")))
     "learner.relative_sigma": 0.0, "learner.learning_rate": 0.05,
     "schedule.pursuer_epochs": 30, "schedule.evader_epochs": 30, **MEET,
 })  # fmt: skip
-WORLDS = {
-    "turns": TURNS,
-    "small": SMALL,
-    "medium": SMALL.changed({
-        "world.rows": 12, "world.cols": 12, "world.n_pursuers": 3, "world.n_evaders": 5,
-        "world.max_steps": 50, "train_steps": 50, "match_episodes": 1, "evaluation_episodes": 20,
-        "schedule.generations": 20,
-    }),
-}  # fmt: skip
+WORLDS = {"turns": TURNS, "small": SMALL}
 TINY = TURNS.changed({
     "world.rows": 4, "world.cols": 4, "match_episodes": 4, "learner.population": 8,
     "schedule.generations": 11, "schedule.pursuer_epochs": 2, "schedule.evader_epochs": 2,

@@ -43,7 +43,7 @@ def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[b
     return [{one[condition].holds for one in found} for condition in CONDITIONS]
 
 
-T, F, OPEN = {True}, {False}, {None}
+T, F, OPEN, ANY = {True}, {False}, {None}, None
 SEEDS = (1, 12)  # of races of toys: one has 10 episodes, the other 40
 
 
@@ -72,28 +72,29 @@ def toy_race(name: str, seed: int) -> Any:
         ("disengagement, .95", "last half", [F, F, F, F, F, F, T]),
         ("disengagement, .985", "last half", [T, OPEN, OPEN, OPEN, OPEN, OPEN, OPEN]),
         ("disengagement, .995", "whole", [T, OPEN, OPEN, OPEN, OPEN, OPEN, OPEN]),
+        # Losses are forgetting and no arms race; a jump and chance are no arms race.
+        ("decline", "last half", [ANY, F, T, F, F, T, ANY]),
+        ("collapse", "last half", [ANY, F, T, F, F, T, ANY]),
+        ("single jump", "whole", [ANY, F, F, F, F, ANY, ANY]),
+        ("common jump", "whole", [ANY, F, F, F, F, ANY, ANY]),
+        ("drift", "whole", [ANY, F, F, F, F, ANY, ANY]),
+        ("fluctuation", "whole", [ANY, F, F, F, F, ANY, ANY]),
+        ("period 2", "whole", [ANY, ANY, ANY, T, T, ANY, ANY]),
     ],
 )
-def test_what_is_true_of_kinds(kind: str, window: str, expected: list[set[bool | None]]) -> None:
+def test_what_is_true_of_kinds(
+    kind: str, window: str, expected: list[set[bool | None] | None]
+) -> None:
     # Whether the played strength rises in a steady way depends on the nuisance parameters.
     known = dict(zip(CONDITIONS, what_holds(kind, window), strict=True))
     del known["rise"]
     for (condition, found), wanted in zip(known.items(), expected, strict=True):
         # Nuisance parameters may leave a few races open, and never turn the truth round.
-        assert wanted <= found <= wanted | OPEN, condition
+        assert wanted is ANY or wanted <= found <= wanted | OPEN, condition
 
 
-def test_losses_are_forgetting_and_no_arms_race() -> None:
-    for kind in ("decline", "collapse"):
-        _, arms, one_sided, _, circles, cycling, forgetting, _ = what_holds(kind, "last half")
-        assert (arms, one_sided, circles, cycling, forgetting) == (F, T, F, F, T)
+def test_a_strong_loss_is_forgetting() -> None:
     assert True in what_holds("forgetting", "last half", effect=2.0)[6]
-
-
-def test_a_jump_and_chance_are_no_arms_race() -> None:
-    for kind in ("single jump", "common jump", "drift", "fluctuation"):
-        _, arms, one_sided, _, *circles = what_holds(kind)
-        assert (arms, one_sided, *circles[:2]) == (F, F, F, F)
 
 
 @pytest.mark.parametrize("kind", ["switch of style", "three styles", "slow turn", "new styles"])
@@ -101,7 +102,6 @@ def test_what_does_not_return_is_no_cycle(kind: str) -> None:
     circles, cycling = what_holds(kind)[4:6]
     assert True not in cycling
     assert kind == "slow turn" or True in circles <= T | OPEN
-    assert what_holds("period 2")[4:6] == [T, T]
 
 
 def test_truth_of_a_return_by_hand() -> None:

@@ -44,6 +44,7 @@ def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     assert (tmp_path / "scaling.png").exists() == (name == "bench_scaling")
 
 
+@pytest.mark.slow
 def test_a_build_gives_the_results_of_itself() -> None:
     build = str(Path(mw.__file__).parents[1])
     options = ["--rounds", "1", "--seconds", "0.01", "--only", "views, 64 worlds"]
