@@ -205,8 +205,8 @@ def test_bad_runs_are_named_and_the_others_finish(straight, tmp_path):
 @pytest.mark.slow
 @posix
 def test_a_run_whose_process_dies_is_played_once_more_and_then_named(tmp_path):
-    bad = tiny_race(learner="dying:Exits")
-    once = {"learner": "dying:DiesOnce", "settings": {"marker": str(tmp_path / "dead")}}
+    bad = tiny_race(learner="own_code:Dies")
+    once = {"learner": "own_code:Dies", "settings": {"marker": str(tmp_path / "dead")}}
     settings = {"bad": bad, "once": tiny_race(**once), "good": tiny_race(seed=9)}
     failures, finished = failures_of(settings, tmp_path / "job", threads=2)
     assert {*failures} == {"bad"}

@@ -1,5 +1,9 @@
 """Learners and opponent samplers as users write them, and some that fail."""
 
+import os
+import signal
+from pathlib import Path
+
 import numpy as np
 
 from matrixworld.coevolution.opponents import LAPCA, ArchiveSampler, Stateless
@@ -116,6 +120,25 @@ class Fails(HillClimber):
 class Exits(HillClimber):
     def ask(self, rng):
         raise SystemExit
+
+
+class Dies(HillClimber):
+    """It ends its process in the third call of tell; with a marker, once, by a signal."""
+
+    told = 0
+
+    def __init__(self, genome, samples, *, marker=None):
+        super().__init__(genome, samples)
+        self.marker = marker and Path(marker)
+
+    def tell(self, fitness):
+        self.told += 1
+        if self.told == 3 and self.marker is None:
+            os._exit(9)
+        if self.told == 3 and not self.marker.exists():
+            self.marker.touch()
+            os.kill(os.getpid(), signal.SIGKILL)
+        super().tell(fitness)
 
 
 class Crash(Fixed):
