@@ -116,8 +116,7 @@ EPOCHS = {
 QUICK = {
     "policy.hidden": (4,), "world.rows": 8, "world.cols": 8, "world.n_pursuers": 3,
     "world.n_evaders": 3, "world.fov": 5, "world.max_steps": 20, "train_steps": 15,
-    "learner.population": 4, "evaluation_episodes": 4,
-    "schedule.epochs": 3, "schedule.archive_every": 3,
+    "evaluation_episodes": 4, "schedule.epochs": 3, "schedule.archive_every": 3,
 }  # fmt: skip
 
 
