@@ -379,16 +379,73 @@ scores = analysis.judge([SQUARE] * 3)
     ("draw", "message"),
     [
         (lambda: training([0.5, 2.0], [0, 1]), r"values in \[0, 1\], got 2.0"),
-        (lambda: training([0.5, 0.6], [0, 2]), r"shape \(2,\), 0 for pursuers.*values \[0, 2\]"),
-        (lambda: training([0.5], [0], window=0), "window of at least 1 point, got 0"),
+        (
+            lambda: training([0.5, 0.6], [0, 2]),
+            r"0 for pursuers and 1 for evaders.* got 2.0 at index \(1,\)",
+        ),
+        (lambda: training([0.5], [0], window=0), "window: expected at least 1, got 0"),
         (lambda: training([0.5, 0.5], [0, 1], generations=[1]), r"generations of shape \(2,\)"),
-        (lambda: plots.collision_rates(np.zeros((4, 3))), r"shape \(G, 2, 3\), got \(4, 3\)"),
+        (lambda: plots.collision_rates(np.zeros((4, 3))), r"\(G, 2, 3\) .*got shape \(4, 3\)"),
         (lambda: curves({"one": [SQUARE]}, pursuer_baselines={"two": {}}), "baselines: "),
         (lambda: plots.seed_bands({}), "expected at least one group of runs to draw, got none"),
         (lambda: plots.verdict_strip({"a": scores}, {"a": (0, 1)}), "seeds: expected 3 of a"),
-        (lambda: plots.rules_table({}), "rules: expected at least one row, got none"),
+        (lambda: plots.rules_table({}), "at least one row to draw, got none"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused(draw: Callable[[], object], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         draw()
+
+
+@pytest.mark.parametrize(
+    "draw",
+    [
+        lambda: plots.comparison([SQUARE]),
+        lambda: plots.comparison({"a": SQUARE}, [scores]),
+        lambda: curves({"a": SQUARE}, pursuer_baselines={"a": [0.5]}),
+        lambda: plots.run_dots([[0.5, 0.6]], label="score"),
+        lambda: plots.run_dots({"a": {0.5, 0.6}}, label="score"),
+        lambda: plots.run_dots({1: [0.5, 0.6]}, label="score"),
+        lambda: plots.seed_scores({"a": [[0.5]]}),
+        lambda: plots.verdict_strip({"a": scores}, {"a": {3, 1, 2}}),  # in which order?
+        lambda: plots.verdict_strip({"a": "judgement"}, {"a": [1]}),
+        lambda: plots.ciao_triangles(SQUARE, names={"a", "b"}),
+        lambda: plots.collision_rates(np.full((2, 2, 3), 1j)),
+        lambda: training([0.5], [0], window=1.5),
+        lambda: plots.payoff_heatmap(SQUARE, title=3),
+        lambda: plots.rules_table({"a": "O"}),
+        lambda: plots.save_figure("figure", "x.png"),
+    ],
+)
+def test_what_has_a_wrong_type_is_refused(draw: Callable[[], object]) -> None:
+    with pytest.raises(TypeError, match=r"expected .* got "):
+        draw()
+
+
+def test_masked_values_are_not_drawn() -> None:
+    hidden = np.ma.array(np.full((2, 2, 3), 0.5), mask=np.ones((2, 2, 3)))
+    for draw in (
+        lambda: plots.collision_rates(hidden),
+        lambda: training(hidden[0, 0], [0, 0, 0]),
+        lambda: training([0.5] * 3, hidden[0, 0]),
+        lambda: training([0.5] * 3, None, generations=hidden[0, 0]),
+        lambda: plots.run_dots({"a": hidden[0, 0]}, label="score"),
+        lambda: plots.run_curves({"a": hidden[0]}, label="score"),
+        lambda: plots.seed_scores({"a": {"pursuer": hidden[0]}}),
+        lambda: plots.payoff_heatmap(hidden[0]),
+        lambda: plots.seed_bands({"a": hidden}),
+        lambda: plots.spinning_top(hidden),
+    ):
+        with pytest.raises(ValueError, match="masked cell"):
+            draw()
+
+
+def test_no_group_and_no_level_is_left_out() -> None:
+    """More than there are looks: they come again."""
+    levels = {f"level {n}": n / 10 for n in range(7)}
+    (axes,) = plots.run_dots({"a": [0.1, 0.2, 0.4]}, label="score", levels=levels).axes
+    assert {*levels} <= {line.get_label() for line in axes.lines}
+    groups = {f"group {n}": {"pursuer": RNG.random((2, 3))} for n in range(23)}
+    figure = plots.seed_scores(groups)
+    assert len(figure.axes[0].lines) == 23
+    assert {*groups} <= {*legend_texts(figure)}

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_number, check_real
+from matrixworld._util.checks import check_bool, check_number, check_real
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import (
     BIASED,
@@ -111,7 +111,7 @@ def transitive_share(payoff: ArrayLike, *, logits: bool = False) -> float:
         at 0 and 1, where a sum of strengths does not.
     """
     matrix = check_payoff(payoff)
-    values = logits_of(matrix) if logits else matrix
+    values = logits_of(matrix) if check_bool("logits", logits) else matrix
     total = float(np.sum((values - values.mean()) ** 2))
     if total <= values.size * _ROUNDING**2:  # constant but for rounding
         return math.nan

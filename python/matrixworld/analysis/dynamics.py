@@ -76,8 +76,8 @@ def replicator_dynamics(
     from scipy.integrate import solve_ivp
 
     a = check_finite(payoff, "payoffs (n, m)", ndim=2)
-    check_number("time", time, least=0.0, positive=True)
-    check_integer("points", points, 2)
+    time = check_number("time", time, least=0.0, positive=True)
+    points = check_integer("points", points, 2)
     n, m = a.shape
     x = check_mixture(np.full(n, 1.0 / n) if pursuers is None else pursuers, n, "pursuers")
     y = check_mixture(np.full(m, 1.0 / m) if evaders is None else evaders, m, "evaders")
@@ -152,7 +152,7 @@ def alpha_rank(
     """
     matrix = check_payoff(payoff)
     require(check_real("alpha", alpha) > 0.0, "an alpha above 0", alpha)
-    check_integer("population", population, 2)
+    population = check_integer("population", population, 2)
     # The chain has n m states and its matrix (n m)^2 entries: 134 MB at the limit.
     require(matrix.size <= MOST_STATES, f"at most {MOST_STATES} pairs (n times m)", matrix.size)
     pairs = _stationary(_transitions(matrix, alpha, population)).reshape(matrix.shape)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_floats, check_real, shown
+from matrixworld._util.checks import check_bool, check_floats, check_real, shown
 from matrixworld._util.readable import Parts, Readable
 from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
@@ -164,7 +164,7 @@ def difference_of_runs(
     first, second = (_check_values(each) for each in (one, other))
     check_level(level)
     _check_bounds(bounds)
-    if paired:
+    if check_bool("paired", paired):
         require(len(first) == len(second), f"{len(first)} paired runs", len(second))
         return interval_over_runs(first - second, level=level, bounds=bounds)
     difference, fewest = float(first.mean() - second.mean()), min(len(first), len(second))
@@ -211,9 +211,9 @@ def band_over_runs(
     _check_bounds(bounds)
     at = np.arange(array.shape[1])
     if places is not None:
+        shape = check_floats("places", places).shape
+        require(shape == counts.shape, f"places of shape {counts.shape}", shape)
         at = np.asarray(places)
-        checked = check_floats("places", places)
-        require(checked.shape == counts.shape, f"places of shape {counts.shape}", checked.shape)
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
         return Band(at, mean, None, None, counts)

@@ -19,7 +19,7 @@ from typing import Any, Generic, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_floats, check_integer, check_real
+from matrixworld._util.checks import check_bool, check_floats, check_integer, check_real
 from matrixworld._util.files import DamagedFileError, read_content, read_npz
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
@@ -297,6 +297,7 @@ def read_payoffs(
     byte order mark and Windows-1252. Of several arrays in an .npz file ``capture_rates`` is taken,
     which holds episodes, or else ``capture_rate``, ``payoff`` or ``payoffs``.
     """
+    check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):
         payoffs = source
     elif isinstance(source, (str, os.PathLike)):
@@ -312,13 +313,12 @@ def read_payoffs(
         tests, shape = check_floats("cross tests", cross), (len(payoffs), *payoffs.matrices.shape)
         require(tests.shape == shape, f"cross tests of shape {shape}", tests.shape)
         payoffs = replace(payoffs, cross=tests)
-    if episodes is not None:
-        held = payoffs.episodes or check_integer("episodes", episodes, 1)
-        require(
-            held == episodes, f"the {held} episodes of each cell that the payoffs hold", episodes
-        )
-        payoffs = replace(payoffs, episodes=held)
-    return payoffs
+    if episodes is None:
+        return payoffs
+    number = check_integer("episodes", episodes, 1)
+    held = payoffs.episodes or number
+    require(held == number, f"the {held} episodes of each cell that the payoffs hold", number)
+    return replace(payoffs, episodes=number)
 
 
 def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:

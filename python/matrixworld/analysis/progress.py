@@ -289,9 +289,10 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
 
 
 def _check_team_phases(rates: ArrayLike) -> Rates:
-    if np.shape(rates) == (0, 2):  # a race before its first generation is valid
-        return np.empty((0, 2))
-    array = check_rates(rates, ndim=2, what="team phase capture rates")
+    given = check_floats("team phase capture rates", rates)
+    if given.shape == (0, 2):  # a race before its first generation is valid
+        return given
+    array = check_rates(given, ndim=2, what="team phase capture rates")
     require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
     return array
 

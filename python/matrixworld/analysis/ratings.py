@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_integer, check_number
+from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import LEVEL, check_level, t_quantile
 from matrixworld.analysis.payoffs import (
@@ -90,7 +90,7 @@ def elo(
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
     "Re-evaluating evaluation": the batch form, and mElo.
     """
-    check_number("ridge", ridge, least=0.0)
+    ridge = check_number("ridge", ridge, least=0.0)
     values = logits(payoff, shrinkage=shrinkage)
     rows, columns = values.shape
     most = min(values.shape) // 2
@@ -146,9 +146,9 @@ def elo_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[Rati
     the mean over runs, the more the larger noise is beside that variance (Morris 1983, "Parametric
     empirical Bayes inference"). The interval is about this run.
     """
-    ndim = 3 if np.ndim(scores) == 3 else 4
-    array = check_rates(scores, ndim=ndim, what="scores ([runs,] n, m, episodes)")
-    array = array.reshape(-1, *array.shape[-3:])
+    array = check_floats("scores", scores)
+    several = array[None] if array.ndim == 3 else array
+    array = check_rates(several, ndim=4, what="scores ([runs,] n, m, episodes)")
     check_level(level)
     require(array.shape[3] >= 2, "at least 2 episodes a cell", array.shape[3])
     means, errors = np.array([_with_variances(each) for each in array]).swapaxes(0, 1)

@@ -73,8 +73,7 @@ def interquartile_mean(
     Statistician 69(4).
     """
     array = _check_scores(scores)
-    check_integer("resamples", resamples, 100)
-    check_integer("seed", seed, 0)
+    resamples, seed = check_integer("resamples", resamples, 100), check_integer("seed", seed, 0)
     value, runs = _middle_mean(array), len(array)
     missing = _too_few(runs, level)
     if not missing and np.ptp(array, axis=0).max() == 0.0:

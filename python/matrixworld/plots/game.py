@@ -34,7 +34,8 @@ from matplotlib.patches import (
 from matplotlib.patheffects import withStroke
 
 from matrixworld._util import colors
-from matrixworld.plots.style import legend_below, new_figure
+from matrixworld._util.checks import check_instance
+from matrixworld.plots.style import check_some, legend_below, new_figure
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import (
@@ -348,8 +349,9 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
     rules : mapping of str to Rules, optional
         The rows, by name. The default is the nine variants.
     """
-    if not rules:
-        raise ValueError("rules: expected at least one row, got none")
+    check_some(rules, "row")
+    for name, each in rules.items():
+        check_instance(name, each, Rules)
     figure = new_figure(9.2, 1.15 + ROW * len(rules), shrinks=False)
     axes = figure.add_subplot()
     axes.set(xlim=(0, WIDTH), ylim=(len(rules) - 0.5, -2.1))

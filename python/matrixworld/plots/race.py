@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
+from matrixworld._util.checks import check_bool, check_sequence
 from matrixworld.analysis.dynamics import TIME, ReplicatorPath
 from matrixworld.analysis.games import Nash
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
@@ -86,7 +87,7 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
 def ciao_triangles(
     payoff: ArrayLike,
     *,
-    names: tuple[str, str] = ("pursuers", "evaders"),
+    names: Sequence[str] = ("pursuers", "evaders"),
     title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
     """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
@@ -97,11 +98,12 @@ def ciao_triangles(
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-    names : tuple of str, optional
+    names : sequence of str, optional
         Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
-    triangles = analysis.ciao(payoff)
+    triangles, names = analysis.ciao(payoff), check_sequence("names", names, "two texts")
+    require(len(names) == 2, "names of two teams", names)
     figure = style.new_figure(7.4, 3.8)
     panels = figure.subplots(1, 2)
     for axes, triangle, name, other, color in zip(
@@ -142,7 +144,8 @@ def generalization_curves(
     title : str, optional
     """
     style.check_some(payoffs, "race")
-    baselines = (pursuer_baselines or {}, evader_baselines or {})
+    given = {"pursuer_baselines": pursuer_baselines, "evader_baselines": evader_baselines}
+    baselines = [style.by_name(*each) for each in given.items()]
     for name in [name for team in baselines for name in team if name not in payoffs]:
         raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
     figure, panels, columns = style.columns_of_groups(
@@ -150,7 +153,7 @@ def generalization_curves(
     )
     for number, ([axes], (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
         _draw_generalization(axes, analysis.read_payoffs(source))
-        _draw_baselines(axes, *(team.get(name, {}) for team in baselines))
+        _draw_baselines(axes, *(style.by_name(name, team.get(name)) for team in baselines))
         head = style.wrapped(name, style.room(figure, columns, 1.2))
         axes.set_title(head, size="medium", fontweight="bold")
         style.label_first([axes], ["mean score"], is_first=number % columns == 0)
@@ -187,7 +190,7 @@ def comparison(
         len(payoffs), COLUMNS, width=(1.2, 2.7), height=(0.6, 7.1), heights=(1.7, 0.8, 0.8)
     )
     heads: dict[str, list[str]] = {}
-    known = judgements or {}
+    known = style.by_name("judgements", judgements)
     width = style.room(figure, columns + 0.3)
     for (heatmap, lags, scores), (name, source) in zip(panels, payoffs.items(), strict=True):
         race = analysis.read_payoffs(source)
@@ -201,7 +204,7 @@ def comparison(
         scores.set_ylabel("mean score")
         lags.set_xlabel("lag: pursuer minus\nevader generation")
         judged = analysis.headline(known[name]) if name in known else ""
-        numbers = _numbers(matrix) if measures else ""
+        numbers = _numbers(matrix) if check_bool("measures", measures) else ""
         heads[name] = textwrap.wrap(judged, width) + textwrap.wrap(numbers, width)
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)
     for first in range(0, len(panels), columns):
@@ -358,6 +361,11 @@ def replicator_trajectories(
     title : str, optional
     """
     nash = analysis.nash_averaging(payoff)
+    starts = [
+        check_sequence("start", each, "two mixtures")
+        for each in check_sequence("starts", starts, "pairs")
+    ]
+    require({*map(len, starts)} <= {2}, "starts of two mixtures each", [*map(len, starts)])
     require(len(starts) <= len(style.LINES), f"at most {len(style.LINES)} starts", len(starts))
     pairs: Sequence[Any] = starts or [(None, None)]
     paths = [

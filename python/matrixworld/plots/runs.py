@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,14 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
+from matrixworld._util.checks import (
+    SEED_MAX,
+    check_choice,
+    check_instance,
+    check_integer,
+    check_real,
+    check_sequence,
+)
 from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
 from matrixworld.analysis.payoffs import Rates, Source, check_rates
@@ -60,9 +69,9 @@ def run_dots(
     for row, values in enumerate(groups.values()):
         mean = analysis.interval_over_runs(values, bounds=bounds)
         _draw_dots(axes, row, mean, np.asarray(values))
-    dashes = style.DASHES * len(groups)
-    for line, (name, level) in zip(dashes, (levels or {}).items(), strict=False):
-        axes.axvline(level, color=colors.MUTED, linestyle=line, linewidth=1.3, label=name)
+    for index, (name, level) in enumerate(style.by_name("levels", levels).items()):
+        dashes, place = style.DASHES[index % len(style.DASHES)], check_real(f"level {name}", level)
+        axes.axvline(place, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
     axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
     axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
     _name_rows(figure, axes, groups, NAMES)
@@ -171,13 +180,15 @@ def seed_scores(
     title : str, optional
     """
     style.check_some(scores)
-    arrays = {
-        group: {
+    arrays: dict[str, dict[str, Rates]] = {}
+    for group, of_teams in scores.items():
+        style.check_some(of_teams, "team")
+        for team in of_teams:
+            check_choice(group, team, SCORES)
+        arrays[group] = {
             team: check_rates(values, ndim=2, what=f"scores of {group}")
             for team, values in of_teams.items()
         }
-        for group, of_teams in scores.items()
-    }
     teams = [team for team in SCORES if any(team in each for each in arrays.values())]
     figure = style.new_figure(9.4, 0.9 + max(3.0, 0.55 * len(arrays) + 1.4) * len(teams))
     columns = style.beside(2, 3.0)
@@ -195,7 +206,7 @@ def seed_scores(
 
 
 def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
-    for (color, line), values in zip(style.LINES, scores.values(), strict=False):
+    for (color, line), values in zip(cycle(style.LINES), scores.values(), strict=False):
         shares = analysis.performance_profile(values)
         axes.step(
             shares.places, shares.mean, color=color, linestyle=line, linewidth=1.6, where="post",
@@ -212,7 +223,8 @@ def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
 
 
 def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
-    for row, ((color, _), values) in enumerate(zip(style.LINES, scores.values(), strict=False)):
+    looks = zip(cycle(style.LINES), scores.values(), strict=False)
+    for row, ((color, _), values) in enumerate(looks):
         middle = analysis.interquartile_mean(values)
         means = values.mean(axis=1)
         # Seeds with equal means lie beside each other.
@@ -229,7 +241,7 @@ def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
 def _legend_of_scores(groups: Iterable[str]) -> dict[str, Line2D]:
     entries = {
         group: Line2D([], [], color=color, linestyle=line, linewidth=1.6)
-        for (color, line), group in zip(style.LINES, groups, strict=False)
+        for (color, line), group in zip(cycle(style.LINES), groups, strict=False)
     }
     middle = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
     entries[middle] = Line2D([], [], color=colors.MUTED, marker="D", linewidth=2.2)
@@ -269,7 +281,10 @@ def seed_bands(
     figure, panels, columns = style.columns_of_groups(
         len(payoffs), GROUPS, width=(1.2, 3.3), height=(0.8, 7.8), heights=(1.0,) * 3, least=7.8
     )
-    width, known = style.room(figure, max(2, columns) + 0.3), judgements or {}
+    width, known = (
+        style.room(figure, max(2, columns) + 0.3),
+        style.by_name("judgements", judgements),
+    )
     for number, (column, (name, source)) in enumerate(zip(panels, payoffs.items(), strict=True)):
         matrices = analysis.read_payoffs(source).matrices
         _draw_group(column, matrices)
@@ -353,16 +368,19 @@ def verdict_strip(
     title : str, optional
     """
     style.check_some(judgements)
+    of_seeds, absent = style.by_name("seeds", seeds), style.by_name("missing", missing)
     columns: dict[str, dict[int, dict[str, str]]] = {}
     for name, judgement in judgements.items():
-        if len(seeds[name]) != judgement.runs:
-            raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(seeds[name])}")
+        check_instance(name, judgement, Judgement)
+        finished = _seeds(f"seeds of {name}", of_seeds.get(name, ()))
+        if len(finished) != judgement.runs:
+            raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(finished)}")
         verdicts = {
             seed: {each: found.by_run[run] for each, found in judgement.headline.items()}
-            for run, seed in enumerate(seeds[name])
+            for run, seed in enumerate(finished)
         }
-        absent = (missing or {}).get(name, ())
-        verdicts |= {seed: dict.fromkeys(CONDITIONS, NOT_FINISHED) for seed in absent}
+        for seed in _seeds(f"missing of {name}", absent.get(name, ())):
+            verdicts[seed] = dict.fromkeys(CONDITIONS, NOT_FINISHED)
         columns[name] = dict(sorted(verdicts.items()))
     most = max(map(len, columns.values()))
     figure = style.new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
@@ -375,6 +393,10 @@ def verdict_strip(
     style.legend_below(figure, {name: Patch(**look) for name, look in LOOKS.items()}, columns=4)
     style.entitle(figure, title)
     return figure
+
+
+def _seeds(name: str, given: Sequence[int]) -> list[int]:
+    return [check_integer(name, seed, 0, SEED_MAX) for seed in check_sequence(name, given, "seeds")]
 
 
 def _draw_verdicts(

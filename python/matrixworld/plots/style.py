@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from weakref import WeakSet
 
 import matplotlib as mpl
@@ -19,10 +19,12 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
 from matrixworld._util import colors
-from matrixworld._util.checks import check_number
+from matrixworld._util.checks import check_instance, check_number
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
 from matrixworld.analysis.payoffs import require
+
+OfName = TypeVar("OfName")
 
 DPI = 150
 """Resolution of saved figures."""
@@ -129,6 +131,7 @@ def room(figure: Figure, columns: float = 1, size: float = 1.0) -> int:
 
 def wrapped(text: str, width: int) -> str:
     """Return text in lines of at most `width` characters; paths may break after a slash."""
+    check_instance("title or name", text, str)
     lines = [textwrap.wrap(line.replace("/", "/ "), width) for line in text.splitlines()]
     return "\n".join(part.replace("/ ", "/") for line in lines for part in line)
 
@@ -149,13 +152,23 @@ def single(width: float, height: float, title: str | None = None) -> tuple[Figur
 
 def entitle(figure: Figure, title: str | None) -> None:
     """Write a title above all panels of a figure, if there is one."""
-    if title:
-        figure.suptitle(fitting(figure, title))
+    text = "" if title is None else fitting(figure, title)
+    if text:
+        figure.suptitle(text)
 
 
 def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
-    """Raise ValueError if there is nothing to draw."""
-    require(bool(groups), f"at least one {what} to draw", "none")
+    """Raise TypeError unless groups are named, and ValueError if there is nothing to draw."""
+    check_instance(f"{what}s by name", groups, Mapping)
+    require(len(groups) > 0, f"at least one {what} to draw", "none")
+
+
+def by_name(name: str, values: Mapping[str, OfName] | None) -> Mapping[str, OfName]:
+    """Return an optional argument with a value for each name; TypeError if it has no names."""
+    if values is None:
+        return {}
+    check_instance(name, values, Mapping)
+    return values
 
 
 def columns_of_groups(
@@ -261,30 +274,26 @@ _METADATA: dict[str, dict[str, Any]] = {
 }
 
 
-def format_of(path: Path) -> str:
-    """Return the format of a figure's file by its suffix, or raise a ValueError."""
-    suffix = path.suffix.lower().removeprefix(".")
-    if suffix not in FORMATS:
-        expected = ", ".join(f".{each}" for each in FORMATS)
-        raise ValueError(f"{path}: expected a name that ends in {expected}, got {path.name!r}")
-    return suffix
-
-
-def save_figure(figure: Figure, path: Path) -> Path:
+def save_figure(figure: Figure, path: str | Path) -> Path:
     """Write a figure, complete or not at all, in the format of the file's suffix; return the file.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-    path : Path
+    path : str or Path
         The file: ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
     """
-    kind = format_of(path)
+    check_instance("figure", figure, Figure)
+    file = Path(path)
+    kind = file.suffix.lower().removeprefix(".")
+    if kind not in FORMATS:
+        expected = ", ".join(f".{each}" for each in FORMATS)
+        raise ValueError(f"{file}: expected a name that ends in {expected}, got {file.name!r}")
     if figure in _shrunk:
         _fit(figure)
-    with mpl.rc_context(_LOOK), replacing(path) as file:
-        figure.savefig(file, format=kind, metadata=_METADATA[kind])
-    return path
+    with mpl.rc_context(_LOOK), replacing(file) as content:
+        figure.savefig(content, format=kind, metadata=_METADATA[kind])
+    return file
 
 
 def _fit(figure: Figure) -> None:

@@ -13,7 +13,8 @@ from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util import colors
-from matrixworld.analysis.payoffs import check_rates, require
+from matrixworld._util.checks import check_integer
+from matrixworld.analysis.payoffs import check_finite, check_rates, require
 from matrixworld.plots import style
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -50,7 +51,9 @@ def training_curve(
     title : str, optional
     """
     values = check_rates(rates, ndim=1, what="training capture rates")
+    check_integer("window", window, 1)
     shades = _shades(learners, len(values))
+    evaders_learn = [shade == colors.EVADER for shade in shades]
     figure = style.new_figure(8.0, 3.8)
     axes = figure.add_subplot()
     if window > 1:
@@ -59,8 +62,8 @@ def training_curve(
     if learners is not None:
         # In grey the curves of both teams have the same tone.
         axes.fill_between(
-            place, 0, 1, where=np.asarray(learners) == 1, color=_SHADE, linewidth=0, zorder=0,
-            step="mid", transform=axes.get_xaxis_transform(),
+            place, 0, 1, where=evaders_learn, color=_SHADE, linewidth=0, zorder=0, step="mid",
+            transform=axes.get_xaxis_transform(),
         )  # fmt: skip
     smooth = _moving_average(values, window)
     axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
@@ -71,7 +74,7 @@ def training_curve(
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
-        _generation_axis(axes, np.asarray(generations), len(values))
+        _generation_axis(axes, check_finite(generations, "generations", ndim=1), len(values))
     entries: dict[str, Any] = {
         f"{team} learn": (*behind, Line2D([], [], color=color))
         for team, color, behind in zip(
@@ -99,11 +102,9 @@ def collision_rates(
         evaders) and kind (obstacle, teammate, adversary).
     title : str, optional
     """
-    values = np.asarray(rates, dtype=np.float64)
-    is_table = values.ndim == 3 and values.shape[1:] == (2, 3) and len(values) > 0
-    require(is_table, "collision rates of shape (G, 2, 3)", values.shape)
-    bad = values[~(np.isfinite(values) & (values >= 0))]
-    require(not len(bad), "finite collision rates of at least 0", bad[:1])
+    values = check_finite(rates, "collision rates (G, 2, 3)", ndim=3)
+    require(values.shape[1:] == (2, 3), "collision rates of shape (G, 2, 3)", values.shape)
+    require(values.min() >= 0.0, "collision rates of at least 0", values.min())
     figure = style.new_figure(8.4, 3.8)
     panels = figure.subplots(1, 2, sharey=True)
     for team, axes in enumerate(panels):
@@ -131,13 +132,10 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
 def _shades(learners: ArrayLike | None, length: int) -> list[str]:
     if learners is None:
         return [colors.INK] * length
-    teams = np.asarray(learners)
-    if teams.shape != (length,) or not np.isin(teams, (0, 1)).all():
-        raise ValueError(
-            f"expected learners of shape ({length},), 0 for pursuers and 1 for evaders, "
-            f"got shape {teams.shape} with values {np.unique(teams)[:5].tolist()}"
-        )
-    return [colors.TEAMS[team] for team in teams.astype(np.int64)]
+    teams = check_rates(learners, ndim=1, what="learners, 0 for pursuers and 1 for evaders,")
+    require(len(teams) == length, f"{length} learners", len(teams))
+    require(bool(np.isin(teams, (0, 1)).all()), "learners 0 or 1", np.unique(teams)[:5])
+    return [colors.TEAMS[int(team)] for team in teams]
 
 
 def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
@@ -149,7 +147,6 @@ def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> 
 
 def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:
     """Return the centred mean of `window` points, and of fewer at both ends."""
-    require(window >= 1, "a window of at least 1 point", window)
     window = min(window, len(values))
     kernel = np.ones(window)
     # Dividing by the points inside the window keeps both ends from being drawn towards 0.
@@ -158,12 +155,12 @@ def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.floa
     return average
 
 
-def _generation_axis(axes: Axes, generations: NDArray[np.int64], length: int) -> None:
+def _generation_axis(axes: Axes, generations: NDArray[np.float64], length: int) -> None:
     """Add a second axis on top that shows where each generation begins."""
     require(generations.shape == (length,), f"generations of shape ({length},)", generations.shape)
     names, starts = np.unique(generations, return_index=True)
     every = next(each for each in ROUND if len(names) <= 10 * each)
     shown = names % every == 0
     top = axes.secondary_xaxis("top")
-    top.set_xticks(starts[shown] + 1, [str(name) for name in names[shown]])
+    top.set_xticks(starts[shown] + 1, [f"{name:.0f}" for name in names[shown]])
     top.set_xlabel("generation")
