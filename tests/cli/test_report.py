@@ -4,7 +4,6 @@ import re
 import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
 from scipy import stats
 
@@ -17,7 +16,7 @@ from matrixworld.coevolution import SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import job_of, save_job
 from matrixworld.coevolution.types import TEAMS
-from tiny_race import tiny_race, tiny_single
+from tiny_race import tiny_race
 
 FIRST, SECOND = SCHEDULES = ("specialist-specialist", "generalist-generalist")
 SEEDS, ASKED = (0, 1, 2), (0, 1, 2, 3)  # one has not begun
@@ -88,35 +87,6 @@ def test_missing_and_failed_seeds_are_named(job, capsys, undrawn):
     Path("none").mkdir()
     report(asked, [], Path("none"), {})
     assert f"{FIRST}\n  0 of 4 seeds finished" in capsys.readouterr().out
-
-
-def test_seeds_of_one_team_have_their_mean(capsys, undrawn):
-    name = "pursuer-against-random"
-    alone = job_of([tiny_single(seed=seed) for seed in SEEDS])
-    for place, settings in alone.items():
-        finish(settings, Path("alone") / place, threads=1)
-    report(alone, results(Path("alone")), Path("alone"), {}, threads=1)
-    rates = [run.summary()["capture_rate"] for run in results(Path("alone"))]
-    assert f"{name}\n  capture rate {np.mean(rates):.3f} (" in capsys.readouterr().out
-    summary = load_json(Path("alone/summary.json"))
-    assert summary["groups"][name]["measures"]["capture_rate"]["value"] == np.mean(rates)
-
-
-def test_score_gives_mean_and_interval_over_seeds(made):
-    found = matrixworld_command("score", made, "--episodes", 4, "--generation", "all", "--threads",
-                                1, "--json", "found.json").stdout  # fmt: skip
-    assert "pursuers by generation: mean capture rate" in found
-    group = load_json(Path("found.json"))["groups"][str(made / FIRST)]
-    assert (group["seeds"], group["missing"]) == ([0, 1, 2], [3])
-    runs = [open_run(run.path) for run in results(made / FIRST)]
-    scores = [score(run, generation=None, episodes=4, threads=1)["pursuer"] for run in runs]
-    assert len(group["pursuers"]["estimates"]) == 13
-    last = group["pursuers"]["estimates"][-1]
-    means = [each.means[-1] for each in scores]
-    low = stats.t.interval(0.95, 2, np.mean(means), stats.sem(means))[0]
-    assert last["mean"]["value"] == pytest.approx(np.mean(means))
-    assert last["mean"]["low"] == pytest.approx(max(low, 0))
-    assert group["pursuers"]["by_seed"]["1"] == scores[1].to_json()
 
 
 def test_a_schedule_of_which_no_seed_has_begun_is_named(job):

@@ -1,7 +1,7 @@
 """The playground: scenes as text, and in a browser what the package's worlds do."""
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -121,30 +121,6 @@ location.hash = arguments[0];
 """
 """Show a scene, as a click on a link to it does."""
 
-PLAY = """
-const [commands, places] = arguments;
-document.querySelectorAll(".agents select").forEach((choice, agent) => {
-  if (choice.disabled || commands === null) return;
-  choice.value = String(commands[agent]);
-  choice.dispatchEvent(new Event("change"));
-});
-document.getElementById("step").click();
-const kinds = ["obstacle", "teammate", "adversary"].map((kind) => `.line-${kind} .line-text`);
-return places.map((place) => {
-  const game = playground.games[place], part = document.querySelectorAll(".story-part")[place];
-  const moment = game.recording.moments.at(-1), outcome = game.outcomes.at(-1);
-  const read = (selector) => [...part.querySelectorAll(selector)].map((each) => each.textContent);
-  return {
-    positions: [...moment.positions], alive: [...moment.alive].map(Boolean),
-    captured: [...moment.captured].map(Boolean), ever: [...moment.everCaptured].map(Boolean),
-    captors: [...outcome.captors], rewards: [...outcome.rewards],
-    ended: outcome.terminated, truncated: outcome.truncated,
-    sentences: read(kinds.join(", ")), blame: read(".line-blame"),
-  };
-});
-"""
-"""Choose what agents do next in their table, press Step, and return what the page then shows."""
-
 SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"
 UP, RIGHT, DOWN, LEFT = "\ue013", "\ue014", "\ue015", "\ue012"
 ENTER, BACKSPACE, HOME, DELETE = "\ue007", "\ue003", "\ue011", "\ue017"
@@ -162,10 +138,6 @@ class PlaygroundPage:
     def load(self, scene: str) -> None:
         """Show a scene as a click on a link to it does."""
         self.browser.driver.execute_async_script(SHOW, f"#{quote(scene, safe='=&._,x+-')}")
-
-    def play(self, commands: Sequence[int | str], boards: int) -> list[Any]:
-        """Play a step and return what each board and its words then show."""
-        return self.browser.driver.execute_script(PLAY, commands, list(range(boards)))
 
     def text(self, selector: str) -> str:
         """Return the text of an element."""
@@ -266,75 +238,3 @@ def test_links_hold_the_whole_scene(page: PlaygroundPage, scene: str) -> None:
     page.browser.js("document.querySelector('dialog[open]').close()")
     assert [link.partition("#")[2] for link in links] == [scene] * 2
     assert page.text(".message") == ""
-
-
-# The same as in the package:
-
-
-def state_of(world: mw.World) -> dict[str, Any]:
-    """Return what `PLAY` does, of a world whose last step kept its conflicts."""
-    conflicts = world.conflicts
-    return {
-        "positions": world.last_positions.ravel().tolist(),
-        "alive": world.alive.tolist(),
-        "captured": world.captured.tolist(),
-        "ever": world.ever_captured.tolist(),
-        "captors": world.captors.tolist(),
-        "rewards": world.rewards.tolist(),
-        "ended": world.terminated,
-        "truncated": world.truncated,
-        "sentences": [f"{conflict}." for conflict in conflicts],
-        "blame": [blame(world, conflict) for conflict in conflicts],
-    }
-
-
-def blame(world: mw.World, conflict: mw.Conflict) -> str:
-    """Return the sentence about the agents at fault."""
-    names = [world.config.agent_name(agent) for agent in conflict.at_fault]
-    return f"At fault: {' and '.join(names)}." if names else "Nobody is at fault."
-
-
-def decided(world: mw.World, commands: Sequence[int | str]) -> np.ndarray:
-    """Return the actions that commands lead to, as scripts decide at this moment."""
-    actions = np.array([0 if isinstance(each, str) else each for each in commands])
-    first = world.config.n_pursuers
-    for agent, command in enumerate(commands):
-        if isinstance(command, str):
-            team = range(first) if agent < first else range(first, len(commands))
-            chosen = actions.copy()
-            world.decide(command, team, chosen)
-            actions[agent] = chosen[agent]
-    return actions
-
-
-def play(page: PlaygroundPage, commands: list[int | str], *worlds: mw.World) -> list[int | str]:
-    """Play a step in the page and in worlds, compare all, and return what agents do next."""
-    for world in worlds:
-        if not world.terminated:
-            world.step(decided(world, commands), explain=True)
-    for world, shown in zip(worlds, page.play(commands, len(worlds)), strict=True):
-        assert shown == state_of(world)
-    return [each if isinstance(each, str) else 0 for each in commands]
-
-
-OWN = mw.Rules(mw.Interaction.AGENT_TURNS, teammate=mw.Outcome.DISAPPEAR)
-"""Rules without a name, which a link spells out."""
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("rules", ["O", "SDB", OWN], ids=str)
-def test_a_world_goes_on_in_the_page(page: PlaygroundPage, rules: str | mw.Rules) -> None:
-    """Agents are gone or share cells, evaders are captured, and scripts draw random numbers."""
-    config = mw.WorldConfig(
-        rules, rows=7, cols=6, n_pursuers=6, n_evaders=4, fov=5, obstacles=0.1, diagonal=True
-    )
-    world = mw.World(config)
-    world.reset(5, episode=3)
-    commands = ["random"] * 3 + ["clumsy-chaser"] * 3 + ["clumsy-fleer", "dodger", "random", 5]
-    for _ in range(8):
-        if not world.terminated:
-            world.step(decided(world, commands))
-    page.load(scene_link(world, commands))
-    for _ in range(6):
-        if not world.terminated:
-            commands = play(page, commands, world)

@@ -170,10 +170,7 @@ def write_explorer(groups: Sequence[RunGroup], page: Path) -> None:
             "matrixworld explore RUN... makes one of others."
         )
         print_wrapped(left_out)
-    # A group of one run is judged already, or will be: the page need not do it again.
-    alone = [group for group in groups if len(group.runs) == 1 and group.is_race]
-    judgements = {group.runs[0].path: group.judgement for group in alone}
-    write_page(page, explorer_page(shown, judgements=judgements, note=left_out))
+    write_page(page, explorer_page(shown, note=left_out))
 
 
 def first_seeds(groups: Iterable[Sequence[Run]], most: int) -> list[Run]:

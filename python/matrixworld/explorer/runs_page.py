@@ -50,11 +50,7 @@ from matrixworld.world.rules import variant_name
 
 PAGE = "explorer.html"
 """Name of the page in a run directory, or beside several."""
-NUMBERS = (
-    "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven",
-    "Twelve",
-)  # fmt: skip
-MOST_RUNS = len(NUMBERS)
+MOST_RUNS = 12
 """The most runs of a page."""
 
 
@@ -134,18 +130,11 @@ class Live(NamedTuple):
     version: str
 
 
-def explorer_page(
-    runs: Sequence[SavedRun],
-    *,
-    judgements: Mapping[Path, analysis.Judgement] | None = None,
-    note: str = "",
-    live: Live | None = None,
-) -> str:
+def explorer_page(runs: Sequence[SavedRun], *, note: str = "", live: Live | None = None) -> str:
     """Return the page of runs as HTML, in this order.
 
-    By run directory, `judgements` has those that are known; other races are judged here. A `note`
-    says what the page does not show, such as further runs of the job. FileNotFoundError if a run is
-    not finished, unless the page is `live`.
+    A `note` says what the page does not show, such as further runs of the job. FileNotFoundError if
+    a run is not finished, unless the page is `live`.
     """
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
@@ -153,7 +142,7 @@ def explorer_page(
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
     title = names[0] if len(names) == 1 else common.name
     named = [*zip(names, runs, strict=True)]
-    plain, genomes = runs_data(named, judgements=judgements, live=live)
+    plain, genomes = runs_data(named, live=live)
     data = {
         "version": __version__,
         "title": title,
@@ -170,9 +159,9 @@ def explorer_page(
 
 
 def heading(runs: Sequence[SavedRun]) -> str:
-    """Return what a page shows in words, such as "Three races: predators and prey"."""
+    """Return what a page shows in words, such as "3 races: predators and prey"."""
     kind = "race" if all(run.settings.is_race for run in runs) else "run"
-    words = f"{NUMBERS[len(runs) - 1]} {kind}{'s' if len(runs) > 1 else ''}"
+    words = f"{len(runs)} {kind}{'s' if len(runs) > 1 else ''}"
     games = {variant_name(run.settings.world.rules) for run in runs}
     if len(games) > 1 or not games <= VARIANT_TEXTS.keys():
         return words
@@ -192,20 +181,16 @@ def runs_data(
     runs: Sequence[tuple[str, SavedRun]],
     *,
     most: int = MOST_BYTES,
-    judgements: Mapping[Path, analysis.Judgement] | None = None,
     live: Live | None = None,
 ) -> tuple[list[dict[str, Any]], dict[str, bytes]]:
     """Return what a page shows of runs, given with their names, and genomes by identifier.
 
-    There are genomes of as many generations as fit into `most` bytes. For the rest see
-    `explorer_page`.
+    There are genomes of as many generations as fit into `most` bytes.
     """
     step = step_of([run for _, run in runs], most)
     plain, genomes = [], dict[str, bytes]()
     for n, (name, run) in enumerate(runs):
-        judgement = (judgements or {}).get(run.path)
-        payoff = live.payoffs[n] if live else None
-        shown = run_data(name, run, judgement, step=step, so_far=payoff)
+        shown = run_data(name, run, step=step, so_far=live.payoffs[n] if live else None)
         teams = {
             team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, genomes)
             for team in TEAMS
@@ -215,24 +200,19 @@ def runs_data(
 
 
 def run_data(
-    name: str,
-    run: SavedRun,
-    judgement: analysis.Judgement | None = None,
-    *,
-    step: int = 1,
-    so_far: Payoff | None = None,
+    name: str, run: SavedRun, *, step: int = 1, so_far: Payoff | None = None
 ) -> dict[str, Any]:
     """Return what a page shows of a run, without its teams.
 
-    A race without `judgement` is judged here. A run that goes on is not: its payoff is given. The
-    page holds the genomes of every generation by a `step`.
+    A race is judged, unless it goes on: then its payoff so far is given. The page holds the genomes
+    of every generation by a `step`.
     """
     settings, payoff = run.settings, so_far or run.payoff()
     teams = [run.teams[team] for team in TEAMS]
     shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in teams)
     found = None
     if settings.is_race:
-        found = so_far_found(payoff) if so_far else findings(payoff, judgement, step=step)
+        found = so_far_found(payoff) if so_far else findings(payoff, step=step)
     return {
         "name": name,
         "schedule": settings.schedule.name if settings.is_race else "one team",
@@ -335,15 +315,13 @@ OF_GAME = (
 """Measures beside the spinning top."""
 
 
-def findings(
-    payoff: Payoff, judgement: analysis.Judgement | None = None, *, step: int = 1
-) -> dict[str, Any]:
+def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.capture_rate
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
     kept = [kept_generations(size, step) for size in matrix.shape]
-    judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
     scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
+    judgement = analysis.judge(scores)
     of_game = (analysis.MEASURES[name] for name in OF_GAME)
     return {
         "headline": analysis.headline(judgement),
