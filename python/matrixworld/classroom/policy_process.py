@@ -99,11 +99,12 @@ class PolicyServer:
 
     def ready(self) -> str:
         """Wait for the server; return why programs cannot be confined here, empty if they can."""
-        try:
-            problem: str = self._reply()["problem"]
-        except KilledError:
-            return "the process that starts them has ended"
-        return problem
+        for _ in range(2):
+            with suppress(KilledError, OSError):
+                return str(self._reply()["problem"])
+            self._stop()
+            self._start()
+        return "the process that starts them has ended"
 
     def _reply(self) -> dict[str, Any]:
         reply = self._commands.recv(LONGEST_COMMAND)
