@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
@@ -52,61 +51,32 @@ FIRST_TEST_SEED = 10**6
 Numbers = dict[str, np.ndarray]
 
 
-class Sizes(NamedTuple):
-    """Races and surrounding runs, and how much is played."""
-
-    race: RaceSettings
-    """Settings of the races, except for the schedule."""
-    surround: RaceSettings
-    long: int
-    """Generations of the long races."""
-    every: int
-    """Distance of the generations of a race that are test opponents."""
-    episodes: int
-    """Episodes of each pair in the cross-play."""
-
-    @property
-    def world(self) -> mw.WorldConfig:
-        """World of the races."""
-        return self.race.world
-
-
 TINY = {
     "world.rows": 12, "world.cols": 12, "world.max_steps": 60, "train_steps": 40,
     "learner.population": 8,
 }  # fmt: skip
-SIZES = {
-    False: Sizes(
-        RaceSettings.of(long_race(GENERALISTS)),
-        RaceSettings.of({
-            "schedule": "against", "schedule.epochs": 1200, "schedule.archive_every": 200,
-            "world.rules": "S", "learner.population": 48, **SMALL_STEPS["pursuer"],
-        }),
-        long=100,
-        every=5,
-        episodes=10,
-    ),
-    True: Sizes(
-        RaceSettings.of({
-            "world.n_pursuers": 3, "world.n_evaders": 6, "schedule.generations": 6,
-            "schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4, **SAME_STEPS, **TINY,
-        }),
-        RaceSettings.of({
-            "schedule": "against", "schedule.epochs": 20, "schedule.archive_every": 5,
-            "world.rules": "S", "world.n_pursuers": 8, "world.n_evaders": 2,
-            "evaluation_episodes": 5, **TINY,
-        }),
-        long=9,
-        every=1,
-        episodes=4,
-    ),
+QUICK_RACE = {
+    **SAME_STEPS, **TINY, "world.n_pursuers": 3, "world.n_evaders": 6, "schedule.generations": 6,
+    "schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4,
 }  # fmt: skip
-"""Without and with ``--quick``."""
+SURROUND = RaceSettings.of({
+    "schedule": "against", "schedule.epochs": 1200, "schedule.archive_every": 200,
+    "world.rules": "S", "learner.population": 48, **SMALL_STEPS["pursuer"],
+})  # fmt: skip
+QUICK_SURROUND = {
+    **TINY, "schedule.epochs": 20, "schedule.archive_every": 5, "world.n_pursuers": 8,
+    "world.n_evaders": 2, "evaluation_episodes": 5,
+}  # fmt: skip
+GENERATIONS = {False: 100, True: 9}
+EVERY, EPISODES = {False: 5, True: 1}, {False: 10, True: 4}
+"""Generations of the long races; distance of the generations of a race that are opponents in the
+cross-play, and episodes of each pair; with ``--quick`` or not."""
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of each kind of run."""
-    race, surround, long, *_ = SIZES[quick]
+    race = RaceSettings.of(QUICK_RACE if quick else long_race(GENERALISTS))
+    surround = SURROUND.changed(QUICK_SURROUND if quick else {})
     few = {
         f"schedule.{team}_epochs": max(1, race.schedule.epochs(team) // FEWER)
         for team in CANDIDATES
@@ -119,8 +89,8 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
         EVADERS_ALONE: evaders,
         **{name: surround.changed({"fitness.measure": aim}) for aim, name in SURROUNDING.items()},
         **{
-            name: race.changed({"schedule": schedule, "schedule.generations": long})
-            for schedule, name in LONG.items()
+            name: race.changed({"schedule": each, "schedule.generations": GENERATIONS[quick]})
+            for each, name in LONG.items()
         },
         IN_TENTHS: evaders.changed({"schedule.archive_every": tenth}),
         FEW_EPOCHS: race.changed(few).changed({"schedule": GENERALISTS}),
@@ -160,7 +130,7 @@ def last_of(team: Team, runs: Runs) -> mw.Population:
     return mw.Population(np.concatenate([each.genomes for each in last]), last[0].network)
 
 
-def cross_play(sizes: Sizes, team: Team, runs: Runs) -> np.ndarray:
+def cross_play(team: Team, runs: Runs, quick: bool) -> np.ndarray:
     """Play a team's candidates against the opponents of all races.
 
     Returns the payoff (kinds, seeds, races, seeds, generations) of each kind of `CANDIDATES` and
@@ -168,19 +138,18 @@ def cross_play(sizes: Sizes, team: Team, runs: Runs) -> np.ndarray:
     """
     rivals = [run.teams[other(team)] for race in RACES for run in runs[race]]
     # One population of all candidates and one of all opponents: a single tournament.
-    opponents = np.concatenate([each.genomes[:: sizes.every] for each in rivals])
+    opponents = np.concatenate([each.genomes[:: EVERY[quick]] for each in rivals])
     met = mw.Population(opponents, rivals[0].network)
-    payoff = scores_against(
-        sizes.world, team, last_of(team, runs), met, seed=0, episodes=sizes.episodes
-    )
-    seeds = len(runs[RACES[0]])
+    world, seeds = runs[RACES[0]][0].settings.world, len(runs[RACES[0]])
+    own, episodes = last_of(team, runs), EPISODES[quick]
+    payoff = scores_against(world, team, own, met, seed=0, episodes=episodes)
     return payoff.reshape(len(CANDIDATES[team]), seeds, len(RACES), seeds, -1)
 
 
 # What is measured of the runs, in the dtypes in which it is written:
 
 
-def _captured(sizes: Sizes, runs: Runs) -> Numbers:
+def _captured(runs: Runs, quick: bool) -> Numbers:
     """Return ``captured NAME``, uint8 (seeds, n, n, episodes), of all races but the long ones.
 
     These are the evaders captured in each episode of the payoff matrix.
@@ -189,12 +158,12 @@ def _captured(sizes: Sizes, runs: Runs) -> Numbers:
     for name in (*RACES, FEW_EPOCHS):
         if name in runs:
             rates = np.stack([run.payoff().capture_rates for run in runs[name]])
-            captured = np.rint(rates * sizes.world.n_evaders)
+            captured = np.rint(rates * runs[name][0].settings.world.n_evaders)
             numbers[f"captured {name}"] = captured.astype(np.uint8)
     return numbers
 
 
-def _phases(sizes: Sizes, runs: Runs) -> Numbers:
+def _phases(runs: Runs, quick: bool) -> Numbers:
     """Return ``phases RACE`` (seeds, generations, 2): capture rates after both team phases."""
     return {
         f"phases {race}": np.array(
@@ -204,19 +173,19 @@ def _phases(sizes: Sizes, runs: Runs) -> Numbers:
     }
 
 
-def _generalization(sizes: Sizes, runs: Runs) -> Numbers:
+def _generalization(runs: Runs, quick: bool) -> Numbers:
     """Return ``cross-play of TEAM``, and ``held-out of TEAM`` (kinds, seeds), its mean payoff."""
     runs, numbers = {**runs, EVADERS_TAUGHT: teach(runs)}, {}
     for team, kinds in CANDIDATES.items():
         # float32 halves the file and keeps far more digits than ten episodes give.
-        numbers[f"cross-play of {team}s"] = cross_play(sizes, team, runs).astype("f4")
-        own, episodes = last_of(team, runs), 10 * sizes.episodes
-        scores = score_policy(own, team, sizes.world, episodes=episodes)
+        numbers[f"cross-play of {team}s"] = cross_play(team, runs, quick).astype("f4")
+        own, world = last_of(team, runs), runs[EVADERS_ALONE][0].settings.world
+        scores = score_policy(own, team, world, episodes=10 * EPISODES[quick])
         numbers[f"held-out of {team}s"] = scores.means.reshape(len(kinds), -1).astype("f4")
     return numbers
 
 
-def _surrounding(sizes: Sizes, runs: Runs) -> Numbers:
+def _surrounding(runs: Runs, quick: bool) -> Numbers:
     """Return capture rates and collisions of archived surrounding teams, 100 episodes each.
 
     For each fitness of `SURROUNDING` ``captured``, and ``collisions`` between pursuers per 1000 of
@@ -238,12 +207,12 @@ def _surrounding(sizes: Sizes, runs: Runs) -> Numbers:
     return numbers
 
 
-def _tenths(sizes: Sizes, runs: Runs) -> Numbers:
+def _tenths(runs: Runs, quick: bool) -> Numbers:
     """Return ``plateau: OPPONENTS`` (seeds, entries): escape rates after each tenth of the epochs.
 
     Opponents are the pursuers of the training, which move at random, and held-out ones.
     """
-    world, episodes = sizes.world, 10 * sizes.episodes
+    world, episodes = runs[IN_TENTHS][0].settings.world, 10 * EPISODES[quick]
     found: dict[str, list[np.ndarray]] = {"random": [], "held-out": []}
     for run in runs[IN_TENTHS]:
         evaders = run.teams["evader"]
@@ -255,7 +224,7 @@ def _tenths(sizes: Sizes, runs: Runs) -> Numbers:
     return {f"plateau: {name}": np.array(rates, np.float32) for name, rates in found.items()}
 
 
-def _safety(sizes: Sizes, runs: Runs) -> Numbers:
+def _safety(runs: Runs, quick: bool) -> Numbers:
     """Return how surrounding teams collide in training and in tests, and what they earn.
 
     For each fitness of `SURROUNDING`: ``rewards`` (seeds, 2), the mean return of the untrained and
@@ -263,11 +232,11 @@ def _safety(sizes: Sizes, runs: Runs) -> Numbers:
     team collide; ``faults`` (seeds, 2), collisions at fault of pursuers per 1000 agent-steps in
     the last tenth of the training, and of the last team in tests. Tests are 100 new episodes.
     """
-    world, numbers = sizes.surround.world, {}
+    numbers = {}
     for name in SURROUNDING.values():
         rewards, colliding, faults = [], [], []
         for run in runs[name]:
-            log, teams = run.log(), run.teams["pursuer"]
+            world, log, teams = run.settings.world, run.log(), run.teams["pursuer"]
             ends = mw.Matches.of([0, len(teams.genomes) - 1], 0, FIRST_TEST_SEED)
             tested = mw.rollout(world, teams, "random", ends, episodes=100)
             rewards.append(tested.pursuer_return.mean(axis=1))
@@ -283,7 +252,7 @@ def _safety(sizes: Sizes, runs: Runs) -> Numbers:
     return numbers
 
 
-MEASURED: tuple[tuple[tuple[str, ...], Callable[[Sizes, Runs], Numbers]], ...] = (
+MEASURED: tuple[tuple[tuple[str, ...], Callable[[Runs, bool], Numbers]], ...] = (
     ((), _captured),
     ((*RACES, PURSUERS_ALONE, EVADERS_ALONE), _generalization),
     (tuple(SURROUNDING.values()), _surrounding),
@@ -296,9 +265,9 @@ MEASURED: tuple[tuple[tuple[str, ...], Callable[[Sizes, Runs], Numbers]], ...] =
 
 def measured(runs: Runs, quick: bool) -> Numbers:
     """Return the numbers of the kinds that have been played, and ``evaders``, those of a race."""
-    sizes = SIZES[quick]
-    numbers: Numbers = {"evaders": np.array(sizes.world.n_evaders)}
-    for kinds, measure in MEASURED:
-        if all(kind in runs for kind in kinds):
-            numbers |= measure(sizes, runs)
+    evaders = kinds(quick)[GENERALISTS].world.n_evaders
+    numbers: Numbers = {"evaders": np.array(evaders)}
+    for needed, measure in MEASURED:
+        if all(kind in runs for kind in needed):
+            numbers |= measure(runs, quick)
     return numbers
