@@ -44,6 +44,7 @@ def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[b
 
 
 T, F, OPEN, ANY = {True}, {False}, {None}, None
+HANDS = ("specialists", "generalists", "fictitious play")
 SEEDS = (1, 12)  # of races of toys: one has 10 episodes, the other 40
 
 
@@ -175,16 +176,6 @@ def test_averages_are_near_the_equilibrium_from_the_start() -> None:
         assert [name for name, one in truth.items() if one.holds] == ["stagnation"]
 
 
-@pytest.mark.slow
-def test_hands_cycle_without_an_arms_race() -> None:
-    for name in ("specialists", "generalists", "fictitious play"):
-        race = toy_race(f"rock-paper-scissors, {name}", 1)
-        for window in WINDOWS:
-            truth = held(race.truths[window])
-            assert truth["intransitivity"] is True
-            assert truth["arms race"] is truth["one-sided progress"] is False
-
-
 @pytest.mark.parametrize("game", ["scalar", "focusing", "intransitive"])
 def test_chances_are_the_means_of_many_matches(game: str) -> None:
     history, picked = toys.numbers_game(game, 3, generations=60), np.array([0, 20, 40, 60])
@@ -243,6 +234,9 @@ def test_a_race_that_one_side_always_wins_is_disengaged() -> None:
         ("virulence .75, climbing", "arms race", True),
         ("virulence .75, later", "disengagement", False),
         ("mutation without selection", "arms race", False),
+        *((f"rock-paper-scissors, {each}", "intransitivity", True) for each in HANDS),
+        *((f"rock-paper-scissors, {each}", "arms race", False) for each in HANDS),
+        *((f"rock-paper-scissors, {each}", "one-sided progress", False) for each in HANDS),
     ],
 )
 def test_what_is_true_of_toys(name: str, condition: str, holds: bool) -> None:
@@ -329,39 +323,6 @@ def test_an_interrupted_benchmark_continues(
     assert run(*options) == whole
     assert len(seen) == len(lines) - 9
     assert sorted(file.read_text(encoding="utf-8").splitlines()) == sorted(map(str.strip, lines))
-
-
-@pytest.mark.nightly
-def test_races_are_those_that_the_setting_says() -> None:
-    seen = set()
-    for seed in range(40):
-        case = cases.synthetic_case("cycle", seed)
-        runs, n = int(case.setting["runs"]), int(case.setting["generations"])
-        shape = (n, n) if runs == 1 else (runs, n, n)
-        episodes = int(case.setting["noise"].split(", ")[1])
-        known = case.setting["episodes known"]
-        seen.add(known)
-        assert case.scores.shape == (*shape, episodes)[: len(shape) + case.per_episode]
-        assert case.per_episode == (known == "each episode")
-        assert case.episodes == (episodes if known == "number of episodes" else None)
-        again = cases.synthetic_case("cycle", seed)
-        assert np.array_equal(case.scores, again.scores)
-    assert seen == {"each episode", "number of episodes", "unknown"}
-
-
-@pytest.mark.slow
-def test_races_for_power_curves_are_single_and_show_all_episodes() -> None:
-    for kind in cases.POWER:
-        sizes = []
-        for seed in range(6):
-            case = cases.power_case(kind, seed)
-            assert case.setting["noise"] == cases.POWER_NOISES[seed]
-            assert case.scores.shape[:2] == (31, 31)
-            assert case.per_episode
-            sizes.append({name: one.size for name, one in case.truths["last half"].items()})
-        assert len({tuple(each.values()) for each in sizes}) == 6
-    assert case.truths["last half"]["disengagement"].holds
-    assert 0.97 <= case.truths["last half"]["disengagement"].size <= 1.0
 
 
 def test_sizes_by_hand() -> None:
