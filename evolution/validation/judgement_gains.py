@@ -31,6 +31,8 @@ SIZE = {
     "fluctuation": 1.0,
     "single jump": 1.0,
     "common jump": 1.0,
+    "own jumps": 1.0,
+    "smooth wander": 1.0,
 }
 """Kinds without a trend, and their effect."""
 POWER = {"pure race": 0.2, "sigmoid": 0.6, "early dip": 0.6, "late onset": 0.6, "uneven pace": 0.3}

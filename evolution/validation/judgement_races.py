@@ -1,4 +1,4 @@
-"""Races for measuring the judgement: capture rates by formula, of 37 kinds.
+"""Races for measuring the judgement: capture rates by formula, of 39 kinds.
 
 Some kinds are those of the course; here are the formulas of the others. Each takes the
 number of generations n, an effect size (1 is plain to see) and the nuisance parameters' `Draws`;
@@ -175,6 +175,24 @@ def common_jump(n: int, effect: float, draws: Draws) -> SyntheticRace:
     return SyntheticRace(chance.rates, *jumps)
 
 
+def own_jumps(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Each team jumps by about 2 logits, once, at a moment of each run's own, t = .1 to .9."""
+    a, b = draws.sizes(2.0 * effect)
+    p, e = (np.where(time(n) > draws.own.uniform(0.1, 0.9), size, 0.0) for size in (a, b))
+    return additive(p, e, draws.level())
+
+
+def smooth_wander(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Strengths are smooth random curves: normal, with a deviation of 1 logit.
+
+    Their correlation over a time d is ``exp(-d^2 / 2 l^2)``, with l from .15 to .7 of the race.
+    """
+    t, length = time(n), draws.shared.uniform(0.15, 0.7)
+    correlation = np.exp(-0.5 * ((t[:, None] - t) / length) ** 2) + 1e-9 * np.eye(n)
+    walks = np.linalg.cholesky(correlation) @ draws.own.normal(size=(n, 2))
+    return by_chance(effect * walks.T, draws.level())
+
+
 # ---- Losses --------------------------------------------------------------------------------------
 
 
@@ -253,6 +271,8 @@ KINDS: Mapping[str, Kind] = {
     "late stagnation": Kind(partial(stagnation, until=3 / 4)),
     "single jump": Kind(jump),
     "common jump": Kind(common_jump),
+    "own jumps": Kind(own_jumps),
+    "smooth wander": Kind(smooth_wander),
     "forgetting": Kind(forgetting, development=True),
     "decline": Kind(decline),
     "collapse": Kind(collapse),

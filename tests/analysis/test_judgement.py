@@ -88,7 +88,7 @@ def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray) -> None:
 
 
 def test_a_walk_may_rise_without_a_trend() -> None:
-    # Two questions: it became stronger this time; it would again.
+    # Two questions: did it become stronger; does a random walk explain that?
     walk = np.random.default_rng(18).normal(0, 0.25, 31).cumsum()
     found = of_scores(played(race(walk, 0 * G), 10, evaders=30)).windows["whole"]
     assert (found["rise"].verdict, found["one-sided progress"].verdict) == (PRESENT, CANNOT_TELL)

@@ -115,11 +115,12 @@ def judge(
 
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Several
-    runs have Student's t interval over runs; a gain must also be a trend of the mean course. "Rise"
-    says that a team became stronger in what was played; "arms race" and "one-sided progress" say
-    that teams would again. Runs that are disengaged are left out of the other conditions.
-    docs/analysis.md defines the conditions; evolution/results/judgement has how often verdicts are
-    wrong. Episodes of a pair are independent; pairs may share their worlds.
+    runs have Student's t interval over runs; a gain must also be a trend of the mean course, and
+    remain without the largest jump of each run. "Rise" says that a team became stronger in what was
+    played; "arms race" and "one-sided progress" say that no random walk explains it. Runs that are
+    disengaged are left out of the other conditions. docs/analysis.md defines the conditions;
+    evolution/results/judgement has how often verdicts are wrong. Episodes of a pair are
+    independent; pairs may share their worlds.
 
     Parameters
     ----------
@@ -222,7 +223,7 @@ def _disengagement(estimates: Estimates, known: Findings) -> Decision:
 def _arms_race(estimates: Estimates, known: Findings) -> Decision:
     gains = _ends(estimates, *GAINS)
     if all(low > 0.0 for low, _ in gains):
-        return PRESENT, "both teams have a trend beyond a random walk, so they would gain again"
+        return PRESENT, "both teams rise by more than a random walk with such steps would"
     if any(_does_not_gain(gain) for gain in gains):
         return ABSENT, f"a team has no trend: its gain is not above 0, and below {LEAST_GAIN}"
     return CANNOT_TELL, "a random walk may explain the gain of at least one team"
@@ -236,7 +237,7 @@ def _one_sided_progress(estimates: Estimates, known: Findings) -> Decision:
         return ABSENT, "neither team has a trend"
     for (low, _), other in zip(gains, gains[::-1], strict=True):
         if low > 0.0 and _does_not_gain(other):
-            return PRESENT, "one team has a trend and would gain again, and the other has none"
+            return PRESENT, "only one team rises by more than a random walk with such steps would"
     return CANNOT_TELL, "a random walk may explain the gain of at least one team"
 
 

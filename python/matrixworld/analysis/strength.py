@@ -7,6 +7,8 @@ from generation to generation? A random walk ends somewhere: it has a change, an
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -56,10 +58,45 @@ def strength_gain(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estim
 def gain_of_runs(scores: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the gain of a team over several runs; scores and noise have the shape (runs, k).
 
-    It is `strength_gain` of the mean course. From `RUNS_FOR_T` runs on there is a second interval,
-    Student's t over the runs' linear changes, which becomes narrower with each run; it counts if
-    the mean course is sustained, because a jump in the same generation of all runs is no trend.
-    Both then have half of the error, and what both contain remains.
+    It is that of their mean course, `_gain_of_mean_course`, if runs also gain without the largest
+    jump of each: of runs that jump once, each at its own time, the mean rises evenly. Otherwise the
+    interval reaches to what is left.
+    """
+    found = _gain_of_mean_course(scores, noise, level)
+    if len(scores) == 1:
+        return found
+    sign = 1.0 if found.value > 0.0 else -1.0
+    left = _without_jumps(sign * scores)
+    once = 2.0 * level - 1.0  # one end of this interval has the error of both of the other
+    if len(scores) < RUNS_FOR_T:
+        errors = noise.mean(axis=0) / len(scores)
+        least = strength_change(left.mean(axis=0), errors, level=once).ends[0]
+    else:
+        least, _ = t_ends(left @ _slope_weights(scores.shape[1]), once, (-1.0, 1.0))
+    if least > 0.0:
+        return found
+    low, high = found.ends
+    if sign > 0.0:
+        return replace(found, low=min(low, least))
+    return replace(found, high=max(high, -least))
+
+
+def _without_jumps(scores: Rates) -> Rates:
+    """Return courses (runs, k) without the tenth in which each rises most."""
+    steps, tenth = np.diff(scores, axis=1), _tenth(scores.shape[1])
+    for own in steps:
+        at = int(np.convolve(own, np.ones(tenth), mode="valid").argmax())
+        own[at : at + tenth] = 0.0
+    return np.concatenate([scores[:, :1], scores[:, :1] + steps.cumsum(axis=1)], axis=1)
+
+
+def _gain_of_mean_course(scores: Rates, noise: Rates, level: float) -> Estimate:
+    """Return the `strength_gain` of the mean course of several runs.
+
+    From `RUNS_FOR_T` runs on there is a second interval, Student's t over the runs' linear changes,
+    which becomes narrower with each run; it counts if the mean course is sustained, because a jump
+    in the same generation of all runs is no trend. Both then have half of the error, and what both
+    contain remains.
     """
     runs, course, errors = len(scores), scores.mean(axis=0), noise.mean(axis=0) / len(scores)
     changes = scores @ _slope_weights(scores.shape[1])
@@ -83,10 +120,14 @@ def is_sustained(course: Rates) -> bool:
     change = float(_slope_weights(len(course)) @ course)
     forward = course * np.sign(change)
     parts = np.array([part.mean() for part in np.array_split(forward, PARTS)])
-    # Two steps at least: a jump that some runs make a generation later is a jump.
-    tenth = max(2, len(course) // 10)
+    tenth = _tenth(len(course))
     jump, setback = (forward[tenth:] - forward[:-tenth]).max(), -np.diff(parts).min()
     return bool(jump < abs(change) / 2.0 and setback < abs(change) / 4.0)
+
+
+def _tenth(generations: int) -> int:
+    # Two steps at least: a jump that some runs make a generation later is a jump.
+    return max(2, generations // 10)
 
 
 def _slope_weights(generations: int) -> Rates:

@@ -83,8 +83,8 @@ def _present(judgement: Judgement) -> dict[str, list[str]]:
 def headline_numbers(judgement: Judgement) -> list[str]:
     """Return the numbers under a headline: gains, and how far teams fall below their best.
 
-    Such as ``"gains: pursuers +0.42, evaders +0.70"``; about the whole race if the condition is
-    present there, else with the window. No line stands for numbers that are not known.
+    Such as ``"gains: pursuers +0.42, evaders +0.70"``; about the window that the
+    headline names, or about the whole race. No line stands for numbers that are not known.
     """
     lines, present = [], _present(judgement)
     told = {name: RULES[name].numbers for name in CONDITIONS if name in present}
@@ -110,7 +110,8 @@ def headline_numbers(judgement: Judgement) -> list[str]:
 
 
 def _where(windows: list[str]) -> tuple[str, str]:
-    window = "whole" if "whole" in windows or not windows else windows[-1]
+    halves = [window for window in windows if window in TIMES]
+    window = halves[0] if len(halves) == 1 else "whole"
     return window, "" if window == "whole" else f" ({window})"
 
 
