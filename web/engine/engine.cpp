@@ -351,16 +351,17 @@ EMSCRIPTEN_KEEPALIVE bool states_game(const States* states, const PlayedWorld* p
     });
 }
 
-// The statistics of episodes 0 to n - 1 of a seed.
+// The statistics of episodes 0 to n - 1 of each match: a genome of the pursuers by its number, one of
+// the evaders, and a seed.
 EMSCRIPTEN_KEEPALIVE bool play_rollout(const NamedArrays* config, const NamedArrays* pursuers,
                                        const NamedArrays* evaders, const NamedArrays* matches) {
     return succeeds([&] {
         const auto setup = to_setup(Inputs(config));
-        const Player left(Inputs(pursuers), setup->config);
-        const Player right(Inputs(evaders), setup->config);
+        const Player left(Inputs(pursuers), setup->config, Player::Genomes::Several);
+        const Player right(Inputs(evaders), setup->config, Player::Genomes::Several);
         const Inputs in(matches);
-        const Match match{0, 0, in.number<std::uint64_t>("seed")};
-        add_statistics(play_matches(setup, left.candidates, right.candidates, {match},
+        add_statistics(play_matches(setup, left.candidates, right.candidates,
+                                    to_matches(in, left.candidates.n, right.candidates.n),
                                     in.number<int>("n_episodes"), 1),
                        setup->config);
     });

@@ -79,9 +79,11 @@ inline EpisodeKey to_key(const Inputs& in) {
     return {in.number<std::uint64_t>("seed"), in.number<std::uint64_t>("episode")};
 }
 
-// What plays for a team, with the memory of its genome.
+// What plays for a team, with the memory of its genome, or of the genomes of a population.
 struct Player {
-    Player(const Inputs& in, const Config& config) {
+    enum class Genomes { One, Several };
+
+    Player(const Inputs& in, const Config& config, Genomes count = Genomes::One) {
         if (in.has("script")) {
             candidates.script = find_script(in.text("script"));
             if (!candidates.script) {
@@ -98,7 +100,8 @@ struct Player {
                                    to_memory(in.text("memory")));
         genome = in.list<float>("genome");
         const auto size = static_cast<std::size_t>(candidates.network->genome_size());
-        if (genome.size() != size) {
+        const bool several = count == Genomes::Several && !genome.empty();
+        if (several ? genome.size() % size != 0 : genome.size() != size) {
             throw std::invalid_argument("genome: expected " + std::to_string(size) +
                                         " numbers, got " + std::to_string(genome.size()));
         }
@@ -107,6 +110,7 @@ struct Player {
             throw std::invalid_argument("genome: expected finite numbers, got others");
         }
         candidates.genomes = genome.data();
+        candidates.n = static_cast<int>(genome.size() / size);
     }
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
@@ -114,5 +118,23 @@ struct Player {
     std::vector<float> genome;
     Candidates candidates;
 };
+
+// Matches of n_pursuers against n_evaders candidates: three lists of the same length.
+inline std::vector<Match> to_matches(const Inputs& in, int n_pursuers, int n_evaders) {
+    const auto pursuers = in.list<int>("pursuer"), evaders = in.list<int>("evader");
+    const auto seeds = in.list<std::uint64_t>("seed");
+    const auto inside = [](const std::vector<int>& given, int n) {
+        return std::all_of(given.begin(), given.end(), [n](int i) { return 0 <= i && i < n; });
+    };
+    if (pursuers.size() != seeds.size() || evaders.size() != seeds.size() ||
+        !inside(pursuers, n_pursuers) || !inside(evaders, n_evaders)) {
+        throw std::invalid_argument("matches: expected candidates and a seed for each, got others");
+    }
+    std::vector<Match> matches;
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        matches.push_back({pursuers[i], evaders[i], seeds[i]});
+    }
+    return matches;
+}
 
 }  // namespace matrixworld

@@ -12,7 +12,8 @@
  */
 
 import type { Compiled } from "./heap.ts";
-import { Match, playMatch, playRollout } from "./match.ts";
+import { Match, playMatch, playMatches, playRollout } from "./match.ts";
+import type { Matches, Statistics } from "./match.ts";
 import { Solution } from "./solution.ts";
 import type { Payoff } from "./solution.ts";
 import type { EpisodeStatistics, TeamPolicy, WorldConfig } from "./types.ts";
@@ -21,6 +22,7 @@ import { World } from "./world.ts";
 export { agentName } from "./conflicts.ts";
 export { EngineError } from "./errors.ts";
 export { Match } from "./match.ts";
+export type { Matches, Statistics } from "./match.ts";
 export { Solution } from "./solution.ts";
 export { World } from "./world.ts";
 
@@ -70,6 +72,11 @@ export class Engine {
     n_episodes: number,
   ): EpisodeStatistics[] {
     return playRollout(this.compiled, { config, pursuers, evaders }, seed, n_episodes);
+  }
+
+  /** Play episodes 0 to n - 1 of many matches; a policy's `genome` holds those of a population, one after the other. */
+  rollouts(config: WorldConfig, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches, n_episodes: number): Statistics {
+    return playMatches(this.compiled, { config, pursuers, evaders }, matches, n_episodes);
   }
 }
 

@@ -8,6 +8,9 @@ import { configInputs, policyInputs, word } from "./inputs.ts";
 import type { Conflict, EpisodeArrays, EpisodeStatistics, TeamPolicy, WorldConfig } from "./types.ts";
 import type { World } from "./world.ts";
 
+/** What the names of statistics begin with. */
+const STATISTICS = "statistics.";
+
 /** What plays: the settings and the policies of both teams. */
 export interface Pair {
   config: WorldConfig;
@@ -32,7 +35,7 @@ export class Match {
     this.seed = seed;
     this.episode = episode;
     this.n_agents = config.n_pursuers + config.n_evaders;
-    this.statistics = statisticsOf(outputs, 0);
+    this.statistics = statisticsOf(statisticsIn(outputs), 0);
     Object.assign(this, outputs); // they have the names of the arrays
     this.first_conflict = firstOfSteps(this.conflict_table, this.length);
   }
@@ -77,14 +80,14 @@ function firstOfSteps(table: Int32Array, length: number): Int32Array {
 }
 
 /** Return the statistics of one episode among those of a call. */
-function statisticsOf(outputs: Outputs, episode: number): EpisodeStatistics {
-  const n_episodes = outputs["statistics.length"]!.length;
-  const part = (name: string): NumberArray => {
-    const all = outputs[`statistics.${name}`]!;
+function statisticsOf(statistics: Statistics, episode: number): EpisodeStatistics {
+  const n_episodes = statistics.length.length;
+  const part = (name: keyof EpisodeStatistics): NumberArray => {
+    const all = statistics[name];
     const size = all.length / n_episodes;
     return all.slice(episode * size, (episode + 1) * size);
   };
-  const number = (name: string): number => Number(part(name)[0]);
+  const number = (name: keyof EpisodeStatistics): number => Number(part(name)[0]);
   return {
     capture_rate: number("capture_rate"),
     ever_capture_rate: number("ever_capture_rate"),
@@ -98,6 +101,11 @@ function statisticsOf(outputs: Outputs, episode: number): EpisodeStatistics {
     agent_steps: part("agent_steps") as BigInt64Array,
   };
 }
+
+/** Return statistics by their own names. */
+const statisticsIn = (outputs: Outputs): Statistics =>
+  Object.fromEntries(Object.entries(outputs).flatMap(([name, array]) =>
+    name.startsWith(STATISTICS) ? [[name.slice(STATISTICS.length), array]] : [])) as unknown as Statistics;
 
 type Play = "_play_match" | "_play_rollout";
 
@@ -118,10 +126,26 @@ export function playMatch(engine: Compiled, pair: Pair, seed: bigint, episode: n
   return new Match(pair.config, seed, episode, play(engine, "_play_match", pair, key));
 }
 
+/** Matches of a genome of each team's population, by its number, with a seed for each match. */
+export interface Matches {
+  readonly pursuer: Int32Array;
+  readonly evader: Int32Array;
+  readonly seed: BigUint64Array;
+}
+
+/** The statistics of n episodes of M matches, (M, n, ...) flat: the arrays of `matrixworld.EpisodeStatistics`. */
+export type Statistics = Readonly<Record<keyof EpisodeStatistics, NumberArray>>;
+
+/** Play episodes 0 to n - 1 of each match; the genomes of a team are one after the other in its policy. */
+export function playMatches(engine: Compiled, pair: Pair, matches: Matches, n_episodes: number): Statistics {
+  if (!Number.isInteger(n_episodes) || n_episodes < 1) throw expected("n_episodes", "at least 1", n_episodes);
+  const outputs = play(engine, "_play_rollout", pair, { ...matches, n_episodes: Int32Array.of(n_episodes) });
+  return statisticsIn(outputs);
+}
+
 /** Play episodes 0 to n - 1 of a match and return their statistics. */
 export function playRollout(engine: Compiled, pair: Pair, seed: bigint, n_episodes: number): EpisodeStatistics[] {
-  if (!Number.isInteger(n_episodes) || n_episodes < 1) throw expected("n_episodes", "at least 1", n_episodes);
-  const matches = { seed: word("seed", seed), n_episodes: Int32Array.of(n_episodes) };
-  const outputs = play(engine, "_play_rollout", pair, matches);
-  return Array.from({ length: n_episodes }, (_, episode) => statisticsOf(outputs, episode));
+  const one = { pursuer: Int32Array.of(0), evader: Int32Array.of(0), seed: word("seed", seed) };
+  const statistics = playMatches(engine, pair, one, n_episodes);
+  return Array.from({ length: n_episodes }, (_, episode) => statisticsOf(statistics, episode));
 }
