@@ -2,11 +2,11 @@
 
 import { strFromU8, strToU8, unzipSync, zipSync } from "fflate";
 
-type Numbers = Uint8Array | Int8Array | Int32Array | Float32Array;
+type Numbers = Uint8Array | Int8Array | Int32Array | Float32Array | Float64Array;
 
 /** An array: numbers in the order of C, or a single text. */
 export interface NpyArray {
-  /** As in NumPy: "<i4", "<f4", "|b1", "|i1", or "<U" for a text. */
+  /** As in NumPy: "<i4", "<f4", "<f8", "|b1", "|i1", "|S9" for 9 bytes, or "<U" for a text. */
   readonly dtype: string;
   readonly shape: readonly number[];
   readonly data: Numbers | string;

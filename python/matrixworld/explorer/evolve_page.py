@@ -1,0 +1,55 @@
+"""Races that evolve in the browser itself."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from matrixworld import _core
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
+from matrixworld.coevolution.schedules import PAPER, Simultaneous
+from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.types import TEAMS
+from matrixworld.world.config import WorldConfig
+
+PAGE = "evolve.html"
+"""Name of the page."""
+
+STEPS = 60
+RACE: dict[str, Any] = {
+    "world.rows": 12,
+    "world.cols": 12,
+    "world.n_pursuers": 3,
+    "world.n_evaders": 4,
+    "world.fov": 5,
+    "world.max_steps": STEPS,
+    "train_steps": STEPS,
+    "policy.hidden": (),
+    "schedule.generations": 15,
+}
+"""A race that takes some seconds in a browser, and in which both teams visibly learn: without
+hidden layers a genome has so few numbers that few matches tell which ones are good."""
+ES, GA = EvolutionStrategySettings.kind, GeneticAlgorithmSettings.kind
+LEARNERS: dict[str, dict[str, Any]] = {
+    ES: {"learner": ES, "learner.sigma": 0.3, "learner.learning_rate": 0.2},
+    GA: {"learner": GA, "learner.mutation": 0.2},
+}
+IN_TURNS = {"learner.population": 32, "schedule.pursuer_epochs": 30, "schedule.evader_epochs": 20}
+AT_ONCE = {"learner.population": 16, "schedule.joint_epochs": 20}
+SCHEDULES: dict[str, dict[str, Any]] = {
+    **{name: {"schedule": name, **IN_TURNS} for name in PAPER},
+    Simultaneous.kind: {"schedule": Simultaneous.kind, **AT_ONCE},
+}
+
+
+def race_of(schedule: str, learner: str = ES) -> RaceSettings:
+    """Return the settings with which the page begins."""
+    return RaceSettings.of({**LEARNERS[learner], **SCHEDULES[schedule], **RACE})
+
+
+def masks_of(config: WorldConfig) -> dict[str, Any]:
+    """Return the cells of a view that forbid each move of a team with right of way.
+
+    They are (channel, rows down, columns to the right) from the middle of the view.
+    """
+    return {team: _core.right_of_way(config.setup, team == "evader")[1:] for team in TEAMS}

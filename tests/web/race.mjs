@@ -1,0 +1,33 @@
+// A race of the page, with random numbers from elsewhere or its own: genomes, matrix, log and archive as JSON.
+
+import { engine, input, output } from "./engine.mjs";
+
+const { Race } = await import(new URL("../../web/src/evolve/race.ts", import.meta.url));
+
+const { archiveOf } = await import(new URL("../../web/src/evolve/save.ts", import.meta.url));
+
+const { settings, changes, masks, draws, format } = input();
+
+/** Return a generator that gives the numbers drawn for a key, method by method, in their order. */
+function source(...key) {
+  const left = draws?.[key.join(" ")];
+  if (!left) throw new Error(`draws: expected numbers for ${key.join(" ")}, got none`);
+  const next = (method) => left[method].shift();
+  return {
+    normals: () => Float32Array.from(next("standard_normal")),
+    integers: () => Int32Array.from(next("integers")),
+    permutation: () => Int32Array.from(next("permutation")),
+    choice: () => Int32Array.from(next("choice")),
+  };
+}
+
+const race = new Race(engine, settings, masks, draws ? source : undefined);
+const events = [];
+for (const event of race.run()) {
+  events.push(event.type);
+  // Other settings from a generation on.
+  const change = event.type === "generation" && changes?.[event.number];
+  if (change && race.change(change)) events.push("anew");
+}
+const saved = format && Buffer.from(archiveOf([{ name: "race", race }], format)).toString("base64");
+output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, saved });

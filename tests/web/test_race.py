@@ -1,0 +1,141 @@
+"""The race of the page: with draws of NumPy it has the genomes of Python, and its matches."""
+
+import base64
+import io
+import zipfile
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld._util.files import DamagedFileError
+from matrixworld.analysis import judge
+from matrixworld.coevolution import RaceSettings, finish, open_run, seeding
+from matrixworld.coevolution import settings as settings_module
+from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.runs import run as run_module
+from matrixworld.coevolution.storage import FORMAT
+from matrixworld.coevolution.types import TEAMS
+from matrixworld.explorer.evolve_page import masks_of
+from matrixworld.explorer.runs_page import explorer_page
+from matrixworld.version import __version__
+from node import run_node
+
+SMALL: dict[str, Any] = {
+    "world.rows": 7,
+    "world.cols": 8,
+    "world.n_pursuers": 2,
+    "world.n_evaders": 3,
+    "world.fov": 5,
+    "world.max_steps": 20,
+    "train_steps": 12,
+    "evaluation_episodes": 3,
+    "learner.population": 6,
+    "schedule.generations": 3,
+    "seed": 2**40 + 3,
+}
+TURNS = {"schedule.pursuer_epochs": 3, "schedule.evader_epochs": 4}
+HALL = {"schedule": "hall-of-fame", "schedule.joint_epochs": 3}
+RACES: dict[str, dict[str, Any]] = {
+    "es": {"schedule": "generalist-generalist", "policy.hidden": [6], **TURNS},
+    "ga": {"schedule": "generalist-specialist", "learner": "ga", "policy.hidden": [], **TURNS},
+    "mask": {"schedule": "specialist-specialist", "policy.mask": "right-of-way", **TURNS},
+    "mask without hidden layers": {"policy.mask": "right-of-way", "policy.hidden": [], **TURNS},
+    "es, both at once": {**HALL, "policy.hidden": []},
+    "ga, both at once": {**HALL, "learner": "ga", "policy.hidden": [4]},
+    "many at once": {**HALL, "learner.population": 160, "policy.hidden": []},
+}
+
+
+class Recorder:
+    """A generator that keeps what it gives, by the names of its methods."""
+
+    def __init__(self, rng: np.random.Generator, given: dict[str, list[Any]]) -> None:
+        self._rng, self._given = rng, given
+
+    def __getattr__(self, name: str) -> Any:
+        def drawn(*args: Any, **options: Any) -> Any:
+            found = getattr(self._rng, name)(*args, **options)
+            self._given[name].append(np.ravel(found).tolist())
+            return found
+
+        return drawn
+
+
+@pytest.mark.parametrize("changes", RACES.values(), ids=RACES)
+def test_with_the_draws_of_numpy_genomes_and_matches_are_those_of_python(
+    changes: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    draws: defaultdict[str, defaultdict[str, list[Any]]] = defaultdict(lambda: defaultdict(list))
+
+    def recorded(seed: int, purpose: seeding.Purpose, *key: int) -> Any:
+        name = " ".join([purpose.name.lower(), *map(str, key)])
+        return Recorder(seeding.keyed_generator(seed, purpose, *key), draws[name])
+
+    for module in (run_module, settings_module):
+        monkeypatch.setattr(module, "keyed_generator", recorded)
+    settings = RaceSettings.of({**SMALL, **changes})
+    run = finish(settings, tmp_path, threads=1)
+    given = {"settings": settings.to_json(), "masks": masks_of(settings.world), "draws": draws}
+    told = run_node("race.mjs", given)
+    for team in TEAMS:
+        genomes = run.archive()[team]
+        np.testing.assert_allclose(told["archive"][team], genomes, rtol=1e-6, atol=1e-6)
+    payoff = run.payoff()
+    for cell in told["cells"]:
+        place = cell["pursuer"], cell["evader"]
+        assert cell["capture_rates"] == payoff.capture_rates[place].tolist()
+        assert cell["lengths"] == payoff.lengths[place].tolist()
+        assert np.reshape(cell["means"]["faults"], (2, 3)).tolist() == payoff.faults[place].tolist()
+    log = run.log()
+    for name in ("opponent", "matches", "steps"):
+        assert [row[name] for row in told["rows"]] == log[name].tolist()
+    np.testing.assert_allclose([row["fitness_std"] for row in told["rows"]], log["fitness_std"])
+
+
+MAP = ["........", ".##.....", "........", "...#....", "...#....", ".....#..", "........"]
+SAVED: dict[str, list[dict[str, Any]]] = {
+    "as it began": [{}],
+    "in another world": [{"policy.hidden": [4]}, {"world.obstacles": MAP, "world.n_pursuers": 3}],
+    "with other eyes": [{"world.fov": 7}, {"world.fov": 5, "policy.mask": "right-of-way"}],
+    "without a mask": [{"policy.mask": "right-of-way", "policy.hidden": [4]}, {"world.fov": 3}],
+    "with another schedule": [
+        {"learner": "ga"},
+        {**HALL, "learner": "ga", "learner.population": 8, "train_steps": 9},
+    ],
+}
+
+
+@pytest.mark.parametrize("parts", SAVED.values(), ids=SAVED)
+def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
+    parts: list[dict[str, Any]], tmp_path: Path
+) -> None:
+    """Also of a race whose settings changed on the way: its matches are those of the last ones."""
+    turns = [{} if "schedule" in part else TURNS for part in parts]
+    each = [RaceSettings.of({**SMALL, **a, **b}) for a, b in zip(turns, parts, strict=True)]
+    last = each[-1]
+    given = {
+        "settings": each[0].to_json(),
+        "changes": {"2": last.to_json()} if len(each) > 1 else {},
+        "masks": masks_of(last.world),
+        "format": {"format": FORMAT, "version": __version__},
+    }
+    told = run_node("race.mjs", given)
+    zipfile.ZipFile(io.BytesIO(base64.b64decode(told["saved"]))).extractall(tmp_path)
+    run = open_run(tmp_path)
+    assert run.finished
+    assert run.settings == last
+    payoff = run.payoff()
+    again = tournament(
+        last.world, run.teams["pursuer"], run.teams["evader"], seed=last.seed, episodes=3, threads=1
+    )
+    for name, found in again.arrays().items():
+        np.testing.assert_array_equal(getattr(payoff, name), found)
+    assert run.record(1, 3, episode=2).length == payoff.lengths[1, 3, 2]
+    assert judge(payoff.capture_rates, per_episode=True).runs == 1
+    assert "pursuer" in explorer_page([run])
+    assert len(run.log()["epoch"]) == len(told["rows"])
+    with pytest.raises(DamagedFileError):
+        finish(last, tmp_path, threads=1)

@@ -1,0 +1,128 @@
+// A race as the directory of a run of the package, in a zip archive: what `matrixworld judge`, `explore`
+// and `replay` read (docs/files.md). It has no checkpoint, so that Python does not continue it.
+
+import { strToU8, zipSync } from "fflate";
+import { writeNpz } from "../play/npz.ts";
+import type { NpyArray } from "../play/npz.ts";
+import { joined } from "./race.ts";
+import type { Cell, Race, Row } from "./race.ts";
+import { sha256 } from "./sha256.ts";
+import { TEAMS } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
+
+/** What Python calls the format of a run's files, and its version. */
+export interface Format {
+  readonly format: number;
+  readonly version: string;
+}
+
+/** What is saved of a race. */
+export type Finished = Pick<Race, "settings" | "archive" | "rows" | "cells" | "counters" | "finished">;
+
+/** Return values as Python's `json.dumps` writes them with sorted keys. */
+function sortedJson(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(sortedJson).join(", ")}]`;
+  if (typeof value !== "object" || value === null) return JSON.stringify(value);
+  const entries = Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1));
+  return `{${entries.map(([name, each]) => `${JSON.stringify(name)}: ${sortedJson(each)}`).join(", ")}}`;
+}
+
+const SEAL = "sha256:";
+const DIGITS = 64;
+
+/** Return an npz file with its checksum, which is the comment of the archive. */
+function sealed(arrays: Readonly<Record<string, NpyArray>>, owner: string): Uint8Array {
+  const file = writeNpz(arrays);
+  const [name, length] = [strToU8(owner), SEAL.length + DIGITS];
+  const signed = new Uint8Array(name.length + file.length);
+  signed.set(name);
+  signed.set(file, name.length);
+  signed.set([length & 255, length >> 8], signed.length - 2); // instead of the length of no comment
+  const seal = strToU8(SEAL + sha256(signed));
+  const made = new Uint8Array(file.length + seal.length);
+  made.set(signed.subarray(name.length));
+  made.set(seal, file.length);
+  return made;
+}
+
+function json(values: object, owner = ""): Uint8Array {
+  return strToU8(JSON.stringify({ ...values, sha256: sha256(strToU8(owner + sortedJson(values))) }, null, 2));
+}
+
+const doubles = (data: readonly number[], ...shape: number[]): NpyArray => ({ dtype: "<f8", shape, data: Float64Array.from(data) });
+const average = (values: readonly number[]): number => values.reduce((sum, each) => sum + each, 0) / values.length;
+const spread = (values: readonly number[]): number => Math.sqrt(average(values.map((each) => (each - average(values)) ** 2)));
+
+/** The order of the columns in the log of a run. */
+const COLUMNS = [
+  ...["generation", "team", "epoch", "opponent", "fitness_mean", "fitness_std", "fitness_best", "capture_rate"],
+  ...["length", "pursuer_faults", "evader_faults", "matches", "steps"],
+] as readonly (keyof Row)[];
+
+/** Return what a generation has added; each is a stage. */
+function stage({ archive, rows, counters }: Finished, number: number): Record<string, NpyArray> {
+  const own = rows.filter(({ generation }) => generation === number);
+  const log = strToU8(own.map((row) => `${[number, ...COLUMNS.map((name) => row[name])].join(",")}\n`).join(""));
+  const genome = (team: "pursuer" | "evader"): NpyArray => ({ dtype: "<f4", shape: [1, archive[team][number]!.length], data: archive[team][number]! });
+  return {
+    pursuers: genome("pursuer"), evaders: genome("evader"),
+    log: { dtype: `|S${Math.max(1, log.length)}`, shape: [], data: log.length ? log : new Uint8Array(1) },
+    ...Object.fromEntries(Object.entries(counters[number]!).map(([name, count]) => [name, doubles([count])])),
+    ...(number ? { capture_rate: doubles([average(own.slice(Math.floor(own.length / 2)).map((row) => row.capture_rate))]) } : {}),
+  };
+}
+
+/** Return the arrays of `Payoff`. */
+function payoff(race: Finished): Record<string, NpyArray> {
+  const n = race.finished;
+  const cells = Array.from({ length: n * n }, (_, at) => race.cells.get(`${Math.floor(at / n)} ${at % n}`)!);
+  const episodes = cells[0]!.lengths.length;
+  const each = (value: (cell: Cell) => number | readonly number[], ...shape: number[]): NpyArray => doubles(cells.flatMap(value), n, n, ...shape);
+  return {
+    capture_rates: { dtype: "<f4", shape: [n, n, episodes], data: Float32Array.from(cells.flatMap(({ capture_rates }) => capture_rates)) },
+    lengths: { dtype: "<i4", shape: [n, n, episodes], data: Int32Array.from(cells.flatMap(({ lengths }) => lengths)) },
+    collisions: each(({ means }) => means.collisions, 2, 3),
+    faults: each(({ means }) => means.faults, 2, 3),
+    agent_steps: each(({ means }) => means.agent_steps, 2),
+    pursuer_survivors: each(({ means }) => means.survivors[0]!),
+    evader_survivors: each(({ means }) => means.survivors[1]!),
+    capture_rate: each(({ capture_rates }) => average(capture_rates)),
+    capture_rate_std: each(({ capture_rates }) => spread(capture_rates)),
+    length: each(({ lengths }) => average(lengths)),
+    length_std: each(({ lengths }) => spread(lengths)),
+  };
+}
+
+/** Return the files of a run by their names. */
+function filesOf(race: Finished, { format, version }: Format): Record<string, Uint8Array> {
+  const generations = race.finished - 1;
+  const settings: RaceSettings = { ...race.settings, schedule: { ...race.settings.schedule, generations } };
+  const config = { format, matrixworld: version, settings, drawn_by: "page" };
+  const owner = (name: string): string => `${sha256(strToU8(sortedJson(config)))}/${name}`;
+  const stages = Array.from({ length: race.finished }, (_, number) => `stage-${String(number).padStart(4, "0")}.npz`);
+  const { matches, steps, agent_steps } = race.counters[generations]!;
+  const counted = { training_matches: matches, training_steps: steps, training_agent_steps: agent_steps };
+  const summary = {
+    stages: generations, ...counted, disengagement: [],
+    evaluation_matches: race.finished ** 2 * race.settings.evaluation_episodes,
+  };
+  return {
+    "config.json": json(config),
+    ...Object.fromEntries(stages.map((name, number) => [name, sealed(stage(race, number), owner(name))])),
+    "payoff.npz": sealed(payoff(race), owner("payoff.npz")),
+    "summary.json": json(summary, owner("summary.json")),
+  };
+}
+
+/** Return an archive of races: one run, or a run in a directory for each schedule. */
+export function archiveOf(races: readonly { readonly name: string; readonly race: Finished }[], format: Format): Uint8Array {
+  const files = races.flatMap(({ name, race }) =>
+    Object.entries(filesOf(race, format)).map(([file, bytes]) => [races.length > 1 ? `${name}/${file}` : file, bytes] as const));
+  return zipSync(Object.fromEntries(files));
+}
+
+/** Return whether a race can be saved: it has a generation, and all cells between its generations. */
+export const canSave = (race: Finished): boolean => race.finished > 1 && race.cells.size >= race.finished ** 2 && TEAMS.every((team) => race.archive[team].length);
+
+/** Return genomes of a team for the page, one after the other. */
+export const genomesOf = (race: Finished, team: "pursuer" | "evader"): Float32Array => joined(race.archive[team]);

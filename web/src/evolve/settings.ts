@@ -1,0 +1,59 @@
+// The settings of a race, as `matrixworld.coevolution.RaceSettings.to_json` writes them. A page's race
+// follows those that are named here; the others have the values that Python's page gives them.
+
+import type { WorldConfig } from "../engine/types.ts";
+import type { LearnerSettings } from "./learners.ts";
+
+export type Team = "pursuer" | "evader";
+export const TEAMS = ["pursuer", "evader"] as const;
+export const otherOf = (team: Team): Team => (team === "pursuer" ? "evader" : "pursuer");
+
+/** Which generations of the other team a team meets. */
+export interface Drawn {
+  readonly kind: "drawn";
+  readonly rule: "latest" | "round-robin" | "uniform";
+}
+
+interface AnySchedule {
+  readonly generations: number;
+  readonly pursuers_meet: Drawn;
+  readonly evaders_meet: Drawn;
+}
+
+/** The teams learn in turns. */
+export interface Alternating extends AnySchedule {
+  readonly kind: "alternating";
+  readonly pursuer_epochs: number;
+  readonly evader_epochs: number;
+}
+
+/** Both teams learn at once, from living opponents and halls of fame. */
+export interface Simultaneous extends AnySchedule {
+  readonly kind: "hall-of-fame";
+  readonly joint_epochs: number;
+  readonly contemporaries: number;
+  readonly hall_sample: number;
+}
+
+export interface RaceSettings {
+  readonly world: WorldConfig;
+  readonly policy: {
+    readonly hidden: readonly number[];
+    readonly initial_weight: number;
+    readonly initial_head: number;
+    readonly mask: "none" | "right-of-way";
+  };
+  readonly learner: LearnerSettings;
+  readonly schedule: Alternating | Simultaneous;
+  /** Null for the usual penalty of evaders that share a cell. */
+  readonly fitness: { readonly overlap_penalty: number | null };
+  readonly train_steps: number;
+  readonly evaluation_episodes: number;
+  readonly seed: number;
+}
+
+/** The usual penalty, where teammates may share a cell. */
+const OVERLAP_PENALTY = 0.2;
+
+export const overlapPenalty = ({ world, fitness }: RaceSettings): number =>
+  fitness.overlap_penalty ?? (world.rules.teammate === "REACH" ? OVERLAP_PENALTY : 0);
