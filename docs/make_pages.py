@@ -1,4 +1,4 @@
-"""Write the pages of the variants and their pictures, the playground and the lesson.
+"""Write the pages of the variants and their pictures, the playground, the race and the lesson.
 
     python docs/make_pages.py
 
@@ -19,6 +19,8 @@ from pathlib import Path
 import matrixworld as mw
 from matrixworld.episodes import replay
 from matrixworld.explorer import Playground
+from matrixworld.explorer.evolve_page import PAGE, evolve_page
+from matrixworld.explorer.page import write_page
 
 DOCS = Path(__file__).parent
 FOLDER = DOCS / "variants"
@@ -100,6 +102,7 @@ def write(folder: Path) -> None:
 if __name__ == "__main__":
     write(FOLDER)
     Playground().save(DOCS / "playground.html", force=True)
+    write_page(DOCS / PAGE, evolve_page())
     from lesson_page import write_lesson  # beside this file
 
     write_lesson(Path(sys.argv[1]) if len(sys.argv) > 1 else None)

@@ -24,6 +24,7 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.episodes.render import rgb
 from matrixworld.explorer import Playground
+from matrixworld.explorer.evolve_page import evolve_page
 from matrixworld.explorer.page import BUILT, PAGES, render_page, write_page
 from matrixworld.explorer.play_page import play_page, shipped
 from matrixworld.explorer.playground import PIXELS
@@ -51,6 +52,7 @@ def page_of_a_run(folder: Path) -> str:
 
 MADE: dict[str, Callable[[Path], str]] = {
     "class": page_of_a_class,
+    "evolve": lambda folder: evolve_page(NAME),
     "explorer": page_of_a_run,
     "lesson": lambda folder: (REPOSITORY / "docs/lesson.html").read_text(encoding="utf-8"),
     "play": lambda folder: play_page(NAME, *shipped("SD")),
@@ -64,6 +66,12 @@ WATCHED = (
 BUTTON = "[...document.querySelectorAll('.top button')].find((b) => b.textContent === '{}').click()"
 PRESS = "document.querySelector('{}').click()"
 OPENED: dict[str, list[str]] = {
+    "evolve": [
+        PRESS.format(".evolve"),
+        "; ".join(map(PRESS.format, (".evolve", ".tools button:nth-child(3)", ".to-link"))),
+        "; ".join(map(PRESS.format, (".side", ".evolve"))),
+        "; ".join(map(PRESS.format, (".evolve", ".to-play"))),
+    ],
     "explorer": [
         *(PRESS.format(name) for name in (".keys-button", ".miniature", ".begin-minute")),
         *(PRESS.format(name) for name in (".to-share", ".to-play")),

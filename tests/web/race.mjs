@@ -6,6 +6,8 @@ const { Race } = await import(new URL("../../web/src/evolve/race.ts", import.met
 
 const { archiveOf } = await import(new URL("../../web/src/evolve/save.ts", import.meta.url));
 
+const { generalization, lateForgetting } = await import(new URL("../../web/src/evolve/measures.ts", import.meta.url));
+
 const { settings, changes, masks, draws, format } = input();
 
 /** Return a generator that gives the numbers drawn for a key, method by method, in their order. */
@@ -30,4 +32,9 @@ for (const event of race.run()) {
   if (change && race.change(change)) events.push("anew");
 }
 const saved = format && Buffer.from(archiveOf([{ name: "race", race }], format)).toString("base64");
-output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, saved });
+const rates = race.archive.pursuer.map((_, g) => race.archive.evader.map((_none, h) => {
+  const { capture_rates } = race.cells.get(`${g} ${h}`);
+  return capture_rates.reduce((sum, each) => sum + each, 0) / capture_rates.length;
+}));
+const measures = ["pursuer", "evader"].map((team) => [generalization(rates, team), lateForgetting(rates, team)]);
+output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, saved, measures });

@@ -12,6 +12,7 @@ import pytest
 
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import judge
+from matrixworld.analysis.strength import late_forgetting
 from matrixworld.coevolution import RaceSettings, finish, open_run, seeding
 from matrixworld.coevolution import settings as settings_module
 from matrixworld.coevolution.evaluation.tournament import tournament
@@ -134,6 +135,12 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     for name, found in again.arrays().items():
         np.testing.assert_array_equal(getattr(payoff, name), found)
     assert run.record(1, 3, episode=2).length == payoff.lengths[1, 3, 2]
+    matrix = payoff.capture_rate
+    expected = [
+        [side[-1].mean(), late_forgetting(side, slice(0, len(side)))]
+        for side in (matrix, 1.0 - matrix.T)
+    ]
+    np.testing.assert_allclose(told["measures"], expected, atol=1e-12)
     assert judge(payoff.capture_rates, per_episode=True).runs == 1
     assert "pursuer" in explorer_page([run])
     assert len(run.log()["epoch"]) == len(told["rows"])

@@ -33,11 +33,12 @@ from matrixworld.cli.options import (
     FAILURES,
     Existing,
     check_exists,
+    check_outputs,
     given_options,
     option_name,
     options,
 )
-from matrixworld.cli.pages import first_seeds, write_explorer
+from matrixworld.cli.pages import first_seeds, open_page, write_explorer
 from matrixworld.cli.runs import (
     MOST_NAMES,
     can_resume,
@@ -71,10 +72,13 @@ from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternatin
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
+from matrixworld.explorer import evolve_page
 from matrixworld.explorer.live import LivePage
+from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
+PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
 # \b keeps click from wrapping the lines.
@@ -127,8 +131,18 @@ def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
     )
 
 
+def _write_page(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+    if value:
+        page = Path(evolve_page.PAGE)
+        check_outputs(page, force=False)
+        write_page(page, evolve_page.evolve_page())
+        say(page)
+        open_page(page, opens=True)
+        ctx.exit()
+
+
 def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[Any], Any]:
-    """Return an option that prints something, and the command does nothing else."""
+    """Return an option that prints or writes something, and the command does nothing else."""
     return click.option(
         name, is_flag=True, is_eager=True, expose_value=False, callback=callback, help=text
     )
@@ -184,6 +198,9 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 )
 @set_option
 @config_option
+@_prints(
+    "--page", _write_page, f"write {evolve_page.PAGE}, on which a small race evolves, and open it"
+)
 @_prints("--variants", _print_variants, "print the nine variants of the game as a table of rules")
 @_prints("--help-all", help_all, "print this page and all settings")
 def evolve_command(
@@ -232,6 +249,8 @@ def evolve_command(
         with usage_errors():
             check_job(job, root, threads, elsewhere=where is not None)
         note(_plan(job, root))
+        if resumed is None and not given:
+            note(PAGE_HINT)
         began = time.monotonic()
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
             with on_cluster(where, threads) as executor:

@@ -1,4 +1,8 @@
-"""Races that evolve in the browser itself."""
+"""The page on which a race of pursuers and evaders evolves, in the browser itself.
+
+>>> from matrixworld.explorer.evolve_page import evolve_page
+>>> html = evolve_page()
+"""
 
 from __future__ import annotations
 
@@ -9,7 +13,10 @@ from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrateg
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.schedules import PAPER, Simultaneous
 from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.storage import FORMAT
 from matrixworld.coevolution.types import TEAMS
+from matrixworld.explorer.page import render_page
+from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 
 PAGE = "evolve.html"
@@ -53,3 +60,18 @@ def masks_of(config: WorldConfig) -> dict[str, Any]:
     They are (channel, rows down, columns to the right) from the middle of the view.
     """
     return {team: _core.right_of_way(config.setup, team == "evader")[1:] for team in TEAMS}
+
+
+def evolve_page(title: str = "Evolve a chase - matrixworld") -> str:
+    """Return the page as HTML."""
+    races = {
+        learner: {schedule: race_of(schedule, learner).to_json() for schedule in SCHEDULES}
+        for learner in LEARNERS
+    }
+    data = {
+        "version": __version__,
+        "format": FORMAT,
+        "races": races,
+        "masks": masks_of(race_of(next(iter(SCHEDULES))).world),
+    }
+    return render_page("evolve", title, data, works=True)

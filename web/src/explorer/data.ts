@@ -170,6 +170,9 @@ export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
 const BYTES = 4;
 const decoded = new Map<string, Float32Array>();
 
+/** Keep genomes that the page has made itself, one after the other, under an identifier. */
+export const keepGenomes = (identifier: string, genomes: Float32Array): void => void decoded.set(identifier, genomes);
+
 /** Return the genomes of an archive, decoded when a match first needs them; none if damaged. */
 export function genomesOf(identifier: string, size: number): Float32Array {
   const known = decoded.get(identifier);

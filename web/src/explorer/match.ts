@@ -49,7 +49,8 @@ export class MatchPanel {
   #goal = 0;
   #losses: readonly Loss[] = [];
 
-  constructor(runs: readonly Run[], store: Store, playground: PageData) {
+  /** `playground`: what opens a step in the playground; null for a page without one. */
+  constructor(runs: readonly Run[], store: Store, playground: PageData | null) {
     [this.#runs, this.#store] = [runs, store];
     const canvas = html("canvas", { "aria-label": "The match" });
     this.#board = new Board(canvas, { numbers: false });
@@ -58,7 +59,7 @@ export class MatchPanel {
     canvas.addEventListener("click", (event) => this.inspector.choose(this.#board.agentAt(event.clientX, event.clientY)));
     this.actions = html("div", { class: "beside" },
       html("button", { type: "button", class: "to-play", title: "Move the chosen agent, or an evader, yourself from this step on (T)", onclick: () => this.element.dispatchEvent(new Event("takeover")) }, "Take over"),
-      playgroundButton(() => this.shown, playground));
+      playground && playgroundButton(() => this.shown, playground));
     this.element = html(
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },
       html("div", { class: "match" },

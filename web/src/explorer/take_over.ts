@@ -20,21 +20,23 @@ export class TakeOver {
   readonly #runs: readonly Run[];
   readonly #store: Store;
   readonly #match: MatchPanel;
+  readonly #linked: boolean;
   #engine: Engine | null = null;
 
-  constructor(runs: readonly Run[], store: Store, match: MatchPanel) {
-    [this.#runs, this.#store, this.#match] = [runs, store, match];
+  /** `linked`: whether the address of the page can name a match. */
+  constructor(runs: readonly Run[], store: Store, match: MatchPanel, linked = true) {
+    [this.#runs, this.#store, this.#match, this.#linked] = [runs, store, match, linked];
     match.element.addEventListener("takeover", () => this.open());
     this.dialog.addEventListener("keydown", (event) => this.view?.key(event) && event.preventDefault());
     this.dialog.addEventListener("close", () => this.view?.stop());
   }
 
   /** Begin, with a match that the address holds. */
-  start(engine: Engine, address: string): void {
+  start(engine: Engine, address = ""): void {
     this.#engine = engine;
     const place = placeOf(address, this.#runs, this.#store.selected);
     const moves = movesOf(new URLSearchParams(address.replace(/^#/, "")), this.#runs[place.run]!.world);
-    if (moves) this.#play(place, moves);
+    if (moves) this.play(place, moves);
   }
 
   /** Take over the chosen agent, or the first evader that is left; at its end a match begins anew. */
@@ -50,10 +52,11 @@ export class TakeOver {
     const seat = chosen ?? order.find((agent) => alive(agent, here))!;
     const from = alive(seat, here) ? here : 0;
     const moves = Array.from({ length: from }, (_, at) => match.actions[at * match.n_agents + seat]!);
-    this.#play(this.#store.selected, { seat, from, moves });
+    this.play(this.#store.selected, { seat, from, moves });
   }
 
-  #play(place: Selection, moves: Moves): void {
+  /** Let a person play on in a match, from moves in it. */
+  play(place: Selection, moves: Moves): void {
     const [engine, run] = [this.#engine, this.#runs[place.run]!];
     if (!engine || TEAMS.some((each) => whyNot(run, each, place[each]))) return;
     const { run: number, pursuer, evader, episode, seed } = place;
@@ -69,6 +72,7 @@ export class TakeOver {
     const title = `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
     const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
     const played = { config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
-    playOn(engine, this.view, title, played, players, { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) });
+    const address = { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) };
+    playOn(engine, this.view, title, played, players, this.#linked ? address : null);
   }
 }

@@ -2,12 +2,10 @@
 
 import { html } from "./dom.ts";
 
-const dark = matchMedia("(prefers-color-scheme: dark)");
-
 /** Return whether the page is dark now. */
 export function isDark(): boolean {
   const chosen = document.documentElement.dataset["theme"];
-  return chosen ? chosen === "dark" : dark.matches;
+  return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
 /** Change from light to dark, or back. */

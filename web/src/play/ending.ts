@@ -7,13 +7,13 @@ import { ladder, linkTo, resultInSeat, resultOf, teamOf } from "./played.ts";
 import type { Played, Player, Result } from "./played.ts";
 import type { PlayView } from "./view.ts";
 
-/** Play a match on from its moves; `players` are compared, and `place` names the match in a link. */
-export function playOn(engine: Engine, view: PlayView, title: string, played: Played, players: readonly Player[], place: Parameters<typeof linkTo>[0]): void {
+/** Play a match on from its moves; `players` are compared, and `place` names the match in a link; null for none. */
+export function playOn(engine: Engine, view: PlayView, title: string, played: Played, players: readonly Player[], place: Parameters<typeof linkTo>[0] | null): void {
   view.play({
     title, played,
     ending: (live, now) => [comparison(engine, live, now, ladder(players))],
     again: () => playOn(engine, view, title, { ...played, moves: played.moves.slice(0, played.from) }, players, place),
-    link: (now) => linkTo(place, now),
+    link: (now) => place && linkTo(place, now),
   });
 }
 

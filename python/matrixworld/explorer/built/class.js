@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources acee8ddf3bb8f4c85e7f4f93659a95b8e5b05f7463cc685179a2cd951d9d299a */
+/* built from web/ by "npm run build"; sources 52d1c773a2a27ef2340b754e12e55173ea63dd0bb69c8925694483b302f9534a */
 "use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,pn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
@@ -106,51 +106,50 @@ return Vt(this.compiled,{config:e,pursuers:r,evaders:n},o,a)}rollout(e,r,n,o,a){
 return qe(this.compiled,{config:e,pursuers:r,evaders:n},o,a)}},Zt;function Yt(t=globalThis.matrixworldEngine){return Zt??=Pn(t),Zt}async function Pn(t){if(!t)throw new Error(
 "matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new Ze(await t({wasmBinary:e}))}var On="http://www.w3.org/2000/svg";function h(t,e={},...r){return Xt(document.createElement(t),e,r)}function M(t,e={},...r){return Xt(document.createElementNS(
 On,t),e,r)}function Xt(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
-String(o)));return t.append(...r.filter(Nn).map(n=>typeof n=="number"?String(n):n)),t}function Nn(t){return t!=null&&t!==!1}var Ln=matchMedia("(prefers-color-scheme: dark)");function zn(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ln.matches}function Ye(){document.
-documentElement.dataset.theme=zn()?"light":"dark"}function Jt(){return h("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Ye},
-"◐")}var C=Uint8Array,Y=Uint16Array,$n=Int32Array,Qt=new C([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),er=new C([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
-6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Un=new C([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),tr=function(t,e){for(var r=new Y(31),n=0;n<31;++n)r[n]=e+=
-1<<t[n-1];for(var o=new $n(r[30]),n=1;n<30;++n)for(var a=r[n];a<r[n+1];++a)o[a]=a-r[n]<<5|n;return{b:r,r:o}},rr=tr(Qt,2),nr=rr.b,Fn=rr.r;nr[28]=258,Fn[258]=28;var or=tr(
-er,0),Dn=or.b,Ca=or.r,Qe=new Y(32768);for(y=0;y<32768;++y)N=(y&43690)>>1|(y&21845)<<1,N=(N&52428)>>2|(N&13107)<<2,N=(N&61680)>>4|(N&3855)<<4,Qe[y]=((N&65280)>>8|
+String(o)));return t.append(...r.filter(Nn).map(n=>typeof n=="number"?String(n):n)),t}function Nn(t){return t!=null&&t!==!1}function Ln(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function Ye(){document.documentElement.
+dataset.theme=Ln()?"light":"dark"}function Jt(){return h("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Ye},"◐")}var C=Uint8Array,Y=Uint16Array,zn=Int32Array,Qt=new C([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),er=new C([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
+6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),$n=new C([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),tr=function(t,e){for(var r=new Y(31),n=0;n<31;++n)r[n]=e+=
+1<<t[n-1];for(var o=new zn(r[30]),n=1;n<30;++n)for(var a=r[n];a<r[n+1];++a)o[a]=a-r[n]<<5|n;return{b:r,r:o}},rr=tr(Qt,2),nr=rr.b,Un=rr.r;nr[28]=258,Un[258]=28;var or=tr(
+er,0),Fn=or.b,Ta=or.r,Qe=new Y(32768);for(y=0;y<32768;++y)N=(y&43690)>>1|(y&21845)<<1,N=(N&52428)>>2|(N&13107)<<2,N=(N&61680)>>4|(N&3855)<<4,Qe[y]=((N&65280)>>8|
 (N&255)<<8)>>1;var N,y,ue=(function(t,e,r){for(var n=t.length,o=0,a=new Y(e);o<n;++o)t[o]&&++a[t[o]-1];var s=new Y(e);for(o=1;o<e;++o)s[o]=s[o-1]+a[o-1]<<1;var i;
 if(r){i=new Y(1<<e);var l=15-e;for(o=0;o<n;++o)if(t[o])for(var u=o<<4|t[o],m=e-t[o],c=s[t[o]-1]++<<m,f=c|(1<<m)-1;c<=f;++c)i[Qe[c]>>l]=u}else for(i=new Y(n),o=0;o<
 n;++o)t[o]&&(i[o]=Qe[s[t[o]-1]++]>>15-t[o]);return i}),ce=new C(288);for(y=0;y<144;++y)ce[y]=8;var y;for(y=144;y<256;++y)ce[y]=9;var y;for(y=256;y<280;++y)ce[y]=
-7;var y;for(y=280;y<288;++y)ce[y]=8;var y,ar=new C(32);for(y=0;y<32;++y)ar[y]=5;var y;var Wn=ue(ce,9,1);var Bn=ue(ar,5,1),Xe=function(t){for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},_=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Je=function(t,e){
-var r=e/8|0;return(t[r]|t[r+1]<<8|t[r+2]<<16)>>(e&7)},Hn=function(t){return(t+7)/8|0},Gn=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.
-length),new C(t.subarray(e,r))};var jn=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
-ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],R=function(t,e,r){var n=new Error(e||jn[t]);
-if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,R),!r)throw n;return n},Vn=function(t,e,r,n){var o=t.length,a=n?n.length:0;if(!o||e.f&&!e.l)return r||
+7;var y;for(y=280;y<288;++y)ce[y]=8;var y,ar=new C(32);for(y=0;y<32;++y)ar[y]=5;var y;var Dn=ue(ce,9,1);var Wn=ue(ar,5,1),Xe=function(t){for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},_=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Je=function(t,e){
+var r=e/8|0;return(t[r]|t[r+1]<<8|t[r+2]<<16)>>(e&7)},Bn=function(t){return(t+7)/8|0},Hn=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.
+length),new C(t.subarray(e,r))};var Gn=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
+ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],R=function(t,e,r){var n=new Error(e||Gn[t]);
+if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,R),!r)throw n;return n},jn=function(t,e,r,n){var o=t.length,a=n?n.length:0;if(!o||e.f&&!e.l)return r||
 new C(0);var s=!r,i=s||e.i!=2,l=e.i;s&&(r=new C(o*3));var u=function(wt){var xt=r.length;if(wt>xt){var Mt=new C(Math.max(xt*2,wt));Mt.set(r),r=Mt}},m=e.f||0,c=e.
-p||0,f=e.b||0,d=e.l,g=e.d,p=e.m,b=e.n,S=o*8;do{if(!d){m=_(t,c,1);var I=_(t,c+1,3);if(c+=3,I)if(I==1)d=Wn,g=Bn,p=9,b=5;else if(I==2){var Le=_(t,c,31)+257,mt=_(t,
-c+10,15)+4,ft=Le+_(t,c+5,31)+1;c+=14;for(var te=new C(ft),ze=new C(19),T=0;T<mt;++T)ze[Un[T]]=_(t,c+T*3,7);c+=mt*3;for(var dt=Xe(ze),cn=(1<<dt)-1,hn=ue(ze,dt,1),
+p||0,f=e.b||0,d=e.l,g=e.d,p=e.m,b=e.n,S=o*8;do{if(!d){m=_(t,c,1);var I=_(t,c+1,3);if(c+=3,I)if(I==1)d=Dn,g=Wn,p=9,b=5;else if(I==2){var Le=_(t,c,31)+257,mt=_(t,
+c+10,15)+4,ft=Le+_(t,c+5,31)+1;c+=14;for(var te=new C(ft),ze=new C(19),T=0;T<mt;++T)ze[$n[T]]=_(t,c+T*3,7);c+=mt*3;for(var dt=Xe(ze),cn=(1<<dt)-1,hn=ue(ze,dt,1),
 T=0;T<ft;){var pt=hn[_(t,c,cn)];c+=pt&15;var x=pt>>4;if(x<16)te[T++]=x;else{var W=0,ye=0;for(x==16?(ye=3+_(t,c,3),c+=2,W=te[T-1]):x==17?(ye=3+_(t,c,7),c+=3):x==
-18&&(ye=11+_(t,c,127),c+=7);ye--;)te[T++]=W}}var yt=te.subarray(0,Le),z=te.subarray(Le);p=Xe(yt),b=Xe(z),d=ue(yt,p,1),g=ue(z,b,1)}else R(1);else{var x=Hn(c)+4,L=t[x-
+18&&(ye=11+_(t,c,127),c+=7);ye--;)te[T++]=W}}var yt=te.subarray(0,Le),z=te.subarray(Le);p=Xe(yt),b=Xe(z),d=ue(yt,p,1),g=ue(z,b,1)}else R(1);else{var x=Bn(c)+4,L=t[x-
 4]|t[x-3]<<8,ee=x+L;if(ee>o){l&&R(0);break}i&&u(f+L),r.set(t.subarray(x,ee),f),e.b=f+=L,e.p=c=ee*8,e.f=m;continue}if(c>S){l&&R(0);break}}i&&u(f+131072);for(var mn=(1<<
 p)-1,fn=(1<<b)-1,$e=c;;$e=c){var W=d[Je(t,c)&mn],B=W>>4;if(c+=W&15,c>S){l&&R(0);break}if(W||R(2),B<256)r[f++]=B;else if(B==256){$e=c,d=null;break}else{var gt=B-
-254;if(B>264){var T=B-257,re=Qt[T];gt=_(t,c,(1<<re)-1)+nr[T],c+=re}var Ue=g[Je(t,c)&fn],Fe=Ue>>4;Ue||R(3),c+=Ue&15;var z=Dn[Fe];if(Fe>3){var re=er[Fe];z+=Je(t,c)&
+254;if(B>264){var T=B-257,re=Qt[T];gt=_(t,c,(1<<re)-1)+nr[T],c+=re}var Ue=g[Je(t,c)&fn],Fe=Ue>>4;Ue||R(3),c+=Ue&15;var z=Fn[Fe];if(Fe>3){var re=er[Fe];z+=Je(t,c)&
 (1<<re)-1,c+=re}if(c>S){l&&R(0);break}i&&u(f+131072);var vt=f+gt;if(f<z){var bt=a-z,dn=Math.min(z,vt);for(bt+f<0&&R(3);f<dn;++f)r[f]=n[bt+f]}for(;f<vt;++f)r[f]=
-r[f-z]}}e.l=d,e.p=$e,e.b=f,e.f=m,d&&(m=1,e.m=p,e.d=g,e.n=b)}while(!m);return f!=r.length&&s?Gn(r,0,f):r.subarray(0,f)};var qn=new C(0);var Kn=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&R(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&R(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function sr(t,e){return Vn(t.subarray(Kn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Zn=typeof TextDecoder<"u"&&new TextDecoder,Yn=0;try{Zn.decode(qn,{stream:!0}),Yn=1}catch{}function ir(t){let e=atob(et(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function et(t){return document.getElementById(
-t)?.textContent??""}function lr(){return JSON.parse(et("data"))}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var D=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Xn=(t,e)=>t[0]===e[0]&&t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==
-void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),ot=(t,e)=>nt(t.fault,e),ur=(t,e)=>!ot(t,e)&&nt(t.involved,e,2);function Te(t,e,r){let n=!Xn(w(t,r),w(e,r)),o=e.involved===
+r[f-z]}}e.l=d,e.p=$e,e.b=f,e.f=m,d&&(m=1,e.m=p,e.d=g,e.n=b)}while(!m);return f!=r.length&&s?Hn(r,0,f):r.subarray(0,f)};var Vn=new C(0);var qn=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&R(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&R(6,"invalid zlib data: "+(t[1]&32?"need":"u\
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function sr(t,e){return jn(t.subarray(qn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Kn=typeof TextDecoder<"u"&&new TextDecoder,Zn=0;try{Kn.decode(Vn,{stream:!0}),Zn=1}catch{}function ir(t){let e=atob(et(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function et(t){return document.getElementById(
+t)?.textContent??""}function lr(){return JSON.parse(et("data"))}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var D=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Yn=(t,e)=>t[0]===e[0]&&t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==
+void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),ot=(t,e)=>nt(t.fault,e),ur=(t,e)=>!ot(t,e)&&nt(t.involved,e,2);function Te(t,e,r){let n=!Yn(w(t,r),w(e,r)),o=e.involved===
 void 0||nt(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ce(t,e,r){let[n,o]=w(t,r),[a,s]=tt[e.actions?.[r]??0];return[n+a,o+s]}function he(t,e,r){
 return Array.from({length:r.everCaptured.length},(o,a)=>a).filter(o=>r.everCaptured[o]&&!e.everCaptured[o]).map(o=>t.nPursuers+o)}var cr=t=>t.moments.flatMap((e,r)=>r&&
 he(t,t.moments[r-1],e).length?[r]:[]);function Ee(t,e){return Array.from({length:e.alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var hr=[-.31,0,.31],mr=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:hr.flatMap(t=>hr.map(e=>[e,t]))}],Jn=.3,Qn=.35,eo=.55;function me(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+-.23,-.23],[.23,-.23]]},{size:.36,at:hr.flatMap(t=>hr.map(e=>[e,t]))}],Xn=.3,Jn=.35,Qn=.55;function me(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[o,a]=w(e,n),s=o*t.cols+a,i=r.get(s);i?i.push(n):r.set(s,[n])}return r}function fr(t,e){let r=Array.from(e.alive,(n,o)=>{let[a,s]=w(e,o);return{
 x:s+.5,y:a+.5,size:1,alpha:0}});for(let n of me(t,e).values()){let o=mr[Math.min(n.length,mr.length)-1];n.forEach((a,s)=>{let[i,l]=o.at[Math.min(s,o.at.length-1)],
 u=r[a];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var dr=t=>t*t*(3-2*t),X=(t,e,r)=>t+(e-t)*r,pr=t=>Math.min(1,Math.max(0,t));function yr(t,e,r,n){let o={SIMULTANEOUS:1,
-SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return dr(n);let a=o===r?e:+!D(t,e),s=Math.max(1/o,Qn);return dr(pr((n-a/(o-1)*(1-s))/s))}function ke(t,e){
+SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return dr(n);let a=o===r?e:+!D(t,e),s=Math.max(1/o,Jn);return dr(pr((n-a/(o-1)*(1-s))/s))}function ke(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],a=fr(t,o);if(n===r||e===n)return a;let s=t.moments[n+1],i=fr(t,s);return a.map((l,u)=>{let m=yr(
-t,u,a.length,e-n);return to(o,s,u,l,i[u],m)})}function at(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[a,s]=[t.moments[o],t.moments[Math.min(o+1,
-n)]],i=yr(t,e,a.alive.length,r-o),[[l,u],[m,c]]=[w(a,e),w(s,e)];return[X(u,c,i)+.5,X(l,m,i)+.5]}function to(t,e,r,n,o,a){let s=n.alpha>o.alpha,i={x:X(n.x,o.x,a),
-y:X(n.y,o.y,a),size:s?n.size:X(n.size,o.size,a),alpha:s?pr((1-a)/(1-eo)):X(n.alpha,o.alpha,a)};if(Te(t,e,r)){let[l,u]=w(t,r),[m,c]=Ce(t,e,r),f=Jn*Math.sin(Math.
+t,u,a.length,e-n);return eo(o,s,u,l,i[u],m)})}function at(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[a,s]=[t.moments[o],t.moments[Math.min(o+1,
+n)]],i=yr(t,e,a.alive.length,r-o),[[l,u],[m,c]]=[w(a,e),w(s,e)];return[X(u,c,i)+.5,X(l,m,i)+.5]}function eo(t,e,r,n,o,a){let s=n.alpha>o.alpha,i={x:X(n.x,o.x,a),
+y:X(n.y,o.y,a),size:s?n.size:X(n.size,o.size,a),alpha:s?pr((1-a)/(1-Qn)):X(n.alpha,o.alpha,a)};if(Te(t,e,r)){let[l,u]=w(t,r),[m,c]=Ce(t,e,r),f=Xn*Math.sin(Math.
 PI*a);i.x+=(c-u)*f,i.y+=(m-l)*f}return i}var gr=2*Math.PI;function fe(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,gr)}function vr(t,e,r,n){let o=n/2,a=[[0,-.97],[.97,.83],[-.97,.83]].map(([s,i])=>[e+s*o,r+i*
 o]);t.beginPath(),t.moveTo((a[2][0]+a[0][0])/2,(a[2][1]+a[0][1])/2),a.forEach(([s,i],l)=>{let[u,m]=a[(l+1)%3];t.arcTo(s,i,u,m,n*.09)}),t.closePath()}function br(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function wr(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let a=n/
 2*(o%2?.6:.95),s=gr*o/16;t.lineTo(e+a*Math.sin(s),r-a*Math.cos(s))}t.closePath()}function xr(t,e,r,n,o,a){let s=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Mr=4,ro=1.6,no=.95,oo=5,ao=.16,so=9,io=.09,lo=.2,Ar=.75,E=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function J(t,e,r){return D(e,r)?t.colors.pursuer:t.
-colors.evader}function Sr({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:a,rows:s,cols:i}=e,[l,u]=[i*a,s*a];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),a<oo)return;
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Mr=4,to=1.6,ro=.95,no=5,oo=.16,ao=9,so=.09,io=.2,Ar=.75,E=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function J(t,e,r){return D(e,r)?t.colors.pursuer:t.
+colors.evader}function Sr({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:a,rows:s,cols:i}=e,[l,u]=[i*a,s*a];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),a<no)return;
 t.fillStyle=r.line;let m=Math.max(1,Math.round(a/60));for(let c=1;c<i;c++)t.fillRect(n+c*a,o,m,u);for(let c=1;c<s;c++)t.fillRect(n,o+c*a,l,m)}function Tr({ctx:t,
 grid:e,colors:r},n){let{left:o,top:a,cell:s,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let u=0;u<i*l;u++){if(!n.obstacles[u])continue;let[m,c]=[Math.floor(u/l),
 u%l];t.fillRect(o+c*s,a+m*s,s,s)}Cr({ctx:t,grid:e,colors:r})}function Cr({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:a},colors:s}){let i=Math.min(5,Math.max(2,
@@ -165,31 +164,31 @@ max(a,.6),t.beginPath(),t.roundRect(l-i/2,u-i/2,i,i,i*.2),t.strokeStyle=r.focus,
 .5));t.font=`700 ${Math.round(m)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let c=u-i/2<m*1.2,f=u+(c?1:-1)*(i/2+m*.7);t.strokeStyle=
 r.paper,t.lineJoin="round",t.lineWidth=m*.35,t.strokeText("You",l,f),t.fillStyle=r.ink,t.fillText("You",l,f),t.globalAlpha=1}function Ir(t,e,r,n,o){let{ctx:a,grid:s}=t,
 i=kr(t,e,n,o),l=J(t,e,r);a.globalAlpha=.11,a.fillStyle=l,a.fillRect(...i),a.globalAlpha=.8,a.strokeStyle=l,a.lineWidth=Math.max(1,s.cell/24),a.strokeRect(...i),
-a.globalAlpha=1}function Pr(t,e,r,n,o){let{ctx:a,grid:s}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];a.lineCap="round",a.lineWidth=Math.min(so,
-Math.max(1,s.cell*ao));for(let u=Math.max(1,Math.floor(r-n)+1);u<=i;u++){let[m,c]=[e.moments[u-1],e.moments[u]],f=Math.max(0,Math.min(1,(r-u)/n));a.globalAlpha=
-Ar+(lo-Ar)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(D(e,d)?-1:1)*io,[b,S]=w(m,d),[I,x]=w(c,d);if(b===
+a.globalAlpha=1}function Pr(t,e,r,n,o){let{ctx:a,grid:s}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];a.lineCap="round",a.lineWidth=Math.min(ao,
+Math.max(1,s.cell*oo));for(let u=Math.max(1,Math.floor(r-n)+1);u<=i;u++){let[m,c]=[e.moments[u-1],e.moments[u]],f=Math.max(0,Math.min(1,(r-u)/n));a.globalAlpha=
+Ar+(io-Ar)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(D(e,d)?-1:1)*so,[b,S]=w(m,d),[I,x]=w(c,d);if(b===
 I&&S===x)continue;let L=g?o[d].x:x+.5,ee=g?o[d].y:I+.5;a.strokeStyle=J(t,e,d),a.beginPath(),a.moveTo(E(s,S+.5+p),k(s,b+.5+p)),a.lineTo(E(s,L+p),k(s,ee+p)),a.stroke()}}
 a.globalAlpha=1}function Or(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Mr+1);o<=n;o++){let[a,s]=[e.moments[o-1],e.moments[o]],
-i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Mr,l=he(e,a,s);for(let u of Ee(a,s))l.includes(u)||co(t,w(s,u),i);for(let u of l)uo(t,w(s,u),i)}t.ctx.globalAlpha=1}function uo({
-ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,wr(t,E(e,o+.5),k(e,n+.5),Math.max(8,e.cell*ro)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
-max(1,e.cell/36),t.lineJoin="round",t.stroke()}function co({ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,br(t,E(e,o+.5),k(e,n+.5),Math.max(7,e.cell*no)),t.strokeStyle=
+i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Mr,l=he(e,a,s);for(let u of Ee(a,s))l.includes(u)||uo(t,w(s,u),i);for(let u of l)lo(t,w(s,u),i)}t.ctx.globalAlpha=1}function lo({
+ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,wr(t,E(e,o+.5),k(e,n+.5),Math.max(8,e.cell*to)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
+max(1,e.cell/36),t.lineJoin="round",t.stroke()}function uo({ctx:t,grid:e,colors:r},[n,o],a){t.globalAlpha=a,br(t,E(e,o+.5),k(e,n+.5),Math.max(7,e.cell*ro)),t.strokeStyle=
 r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Nr({ctx:t,grid:e,colors:r},n,o){let a=Math.max(1,e.cell*.07);t.strokeStyle=
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[s,i]of n){if(s<0||i<0||s>=e.rows||i>=e.cols)continue;let l=[
 E(e,i)+a,k(e,s)+a,e.cell-2*a,e.cell-2*a];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function Lr({ctx:t,
 grid:e,colors:r},n,o,a,s){t.globalAlpha=s,fe(t,E(e,n),k(e,o),Math.max(8,e.cell*a*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
-a)),t.stroke(),t.globalAlpha=1}var ho=.8,mo=.92,fo=15,po=7,st=9;function zr(t,e,r,n,o,a){n.forEach((s,i)=>{s.alpha>0&&yo(t,e,r,i,s,o,a)}),t.ctx.globalAlpha=1;for(let s of me(e,r).values())s.length>
-st&&go(t,n[s[st-1]],s.length-st+1)}function yo(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:u}=t,m=D(e,n),[c,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],d=Math.max(4,l.cell*
-o.size*(m?mo:ho)),g=J(t,e,n),p=!m&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(m?vr:fe)(i,c,f,d),d>po*s&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,
-d*.1),i.stroke()),i.fillStyle=p?u.paper:g,i.fill(),p&&(fe(i,c,f,d*.82),i.strokeStyle=g,i.lineWidth=d*.18,i.stroke()),!a||d<fo*s)return;let b=String(m?n:n-e.nPursuers);
+a)),t.stroke(),t.globalAlpha=1}var co=.8,ho=.92,mo=15,fo=7,st=9;function zr(t,e,r,n,o,a){n.forEach((s,i)=>{s.alpha>0&&po(t,e,r,i,s,o,a)}),t.ctx.globalAlpha=1;for(let s of me(e,r).values())s.length>
+st&&yo(t,n[s[st-1]],s.length-st+1)}function po(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:u}=t,m=D(e,n),[c,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],d=Math.max(4,l.cell*
+o.size*(m?ho:co)),g=J(t,e,n),p=!m&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(m?vr:fe)(i,c,f,d),d>fo*s&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,
+d*.1),i.stroke()),i.fillStyle=p?u.paper:g,i.fill(),p&&(fe(i,c,f,d*.82),i.strokeStyle=g,i.lineWidth=d*.18,i.stroke()),!a||d<mo*s)return;let b=String(m?n:n-e.nPursuers);
 i.font=`700 ${Math.round(d*(m?.4:.5)*(b.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=p?g:u.paper,i.fillText(
-b,c,f+d*(m?.17:.03))}function go({ctx:t,grid:e,colors:r},n,o){let[a,s]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+b,c,f+d*(m?.17:.03))}function yo({ctx:t,grid:e,colors:r},n,o){let[a,s]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,a,s),t.fillStyle=r.ink,t.fillText(`+${o}`,
-a,s)}var vo=.46,bo=.86,wo=.66,$r=.48,xo=.78,Mo=.58;function Ur(t,e,r,n){let[o,a]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:s,grid:i,colors:l}=t;s.strokeStyle=
-l.collision,s.lineWidth=Math.max(1.5,i.cell*.07),s.lineCap="butt",s.globalAlpha=n;for(let u=0;u<a.alive.length;u++)Te(o,a,u)&&Ao(t,e,w(o,u),Ce(o,a,u));s.globalAlpha=
-1}function Ao({ctx:t,grid:e},r,n,o){let[a,s]=[o[1]-n[1],o[0]-n[0]],i=c=>E(e,n[1]+.5+a*c),l=c=>k(e,n[0]+.5+s*c),u=rt(r,o)?xo:Mo;t.setLineDash([e.cell*.09,e.cell*
+a,s)}var go=.46,vo=.86,bo=.66,$r=.48,wo=.78,xo=.58;function Ur(t,e,r,n){let[o,a]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:s,grid:i,colors:l}=t;s.strokeStyle=
+l.collision,s.lineWidth=Math.max(1.5,i.cell*.07),s.lineCap="butt",s.globalAlpha=n;for(let u=0;u<a.alive.length;u++)Te(o,a,u)&&Mo(t,e,w(o,u),Ce(o,a,u));s.globalAlpha=
+1}function Mo({ctx:t,grid:e},r,n,o){let[a,s]=[o[1]-n[1],o[0]-n[0]],i=c=>E(e,n[1]+.5+a*c),l=c=>k(e,n[0]+.5+s*c),u=rt(r,o)?wo:xo;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i($r),l($r)),t.lineTo(i(u),l(u)),t.stroke(),t.setLineDash([]);let m=.17*e.cell/Math.hypot(a,s);t.beginPath(),t.moveTo(i(u)-s*m,l(u)+
-a*m),t.lineTo(i(u)+s*m,l(u)-a*m),t.stroke()}function Fr(t,e,r,n,o,a){let s=tt[a];if(!a||!s)return;let{ctx:i,grid:l,colors:u}=t,m=rt(e,[n[0]+s[0],n[1]+s[1]])?bo:
-wo,c=vo*o.size,f=[E(l,o.x+s[1]*c),k(l,o.y+s[0]*c),E(l,o.x+s[1]*m),k(l,o.y+s[0]*m)],d=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,p]of[[u.paper,
+a*m),t.lineTo(i(u)+s*m,l(u)-a*m),t.stroke()}function Fr(t,e,r,n,o,a){let s=tt[a];if(!a||!s)return;let{ctx:i,grid:l,colors:u}=t,m=rt(e,[n[0]+s[0],n[1]+s[1]])?vo:
+bo,c=go*o.size,f=[E(l,o.x+s[1]*c),k(l,o.y+s[0]*c),E(l,o.x+s[1]*m),k(l,o.y+s[0]*m)],d=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,p]of[[u.paper,
 d*2.1],[J(t,e,r),d]])i.strokeStyle=g,i.lineWidth=p,xr(i,...f,l.cell*.2),i.stroke()}var Wr={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Br(t,e,r,n,o){let{ctx:a,grid:s,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),u=e.moments[l],m=r===l,c=ke(e,r),f=m?1:Math.max(0,1-2*(l-r));a.clearRect(0,0,a.canvas.width,a.canvas.height),Sr(t);for(let p of n.
 viewers)c[p]?.alpha&&Ir(t,e,p,...at(e,p,r));Tr(t,e),n.axes&&Er(t,o),Pr(t,e,r,n.trail,c),Nr(t,u.contested??[],f),Or(t,e,r),Ur(t,e,l,f),c.forEach(({x:p,y:b,size:S},I)=>{
@@ -198,8 +197,8 @@ Fr(t,e,p,w(u,p),b,n.plan[p]??0);n.you!==null&&(n.fog&&_r(t,e,...at(e,n.you,r)),R
 null?void 0:c[n.selected];g?.alpha&&Dr(t,g.x,g.y,g.size*.96),n.cursor&&(a.setLineDash([s.cell*.12,s.cell*.08]),Dr(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),a.setLineDash(
 []))}function Dr({ctx:t,grid:e},r,n,o){let a=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-a/2,e.top+n*e.cell-a/2,a,a,a*.1),t.stroke()}var Hr=(t,e)=>(e+.24)/(t+.24);function Gr(t,e,r,n,o,a){let s=r?28*a:0,i=(u,m)=>(u-s)/(m+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+s)/2),top:Math.round((o-t*l+s)/2)}}function jr(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
-0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var So={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Vr(t){let e=getComputedStyle(t),r=Object.entries(So).map(([n,o])=>[n,e.getPropertyValue(
+0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Ao={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Vr(t){let e=getComputedStyle(t),r=Object.entries(Ao).map(([n,o])=>[n,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(r)}var it=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,_e=class{canvas;#e=null;#r=0;#n;#t={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#a;#s;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#n={...Wr,...r},this.#a=new ResizeObserver(()=>this.#u()),this.#a.observe(e),this.#s=new MutationObserver(
 ()=>this.redraw()),this.#s.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
@@ -212,14 +211,14 @@ left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return 
 cols+n[1])??[],s=ke(this.#e,Math.round(this.#r)),i=l=>{let[u,m]=this.pointOf(s[l].x,s[l].y);return Math.hypot(u-e,m-r)};return a.length?a.reduce((l,u)=>i(u)<i(l)?
 u:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:a,top:s,cell:i}=this.#t;return[n.left+(a+e*i)*o,n.top+(s+r*i)*
 o]}#l(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(Hr(e,r)))}#u(){let e=devicePixelRatio||1,{width:r,height:n}=this.
-canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var To=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function qr(){let t=[["pursu\
-er",M("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",M("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",M("polygon",{points:To,class:"\
+canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var So=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function qr(){let t=[["pursu\
+er",M("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",M("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",M("polygon",{points:So,class:"\
 filled-capture"})],["captured evader",M("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",M("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
 ct"})]];return h("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,r])=>h("li",{},M("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},r),
-e)))}var Co={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function Kr(t){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:Co[t]}))}function de(t,e,r,n){return h("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},Kr(t))}function Zr(t){let e=de("play","Play","Space",()=>t.toggle()),r=Eo(t),
-n=h("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=h("div",{class:"losses","aria-hidden":"true"}),a=ko(t),s=h("output",{class:"player-count"}),
+e)))}var To={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function Kr(t){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:To[t]}))}function de(t,e,r,n){return h("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},Kr(t))}function Zr(t){let e=de("play","Play","Space",()=>t.toggle()),r=Co(t),
+n=h("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=h("div",{class:"losses","aria-hidden":"true"}),a=Eo(t),s=h("output",{class:"player-count"}),
 i=h("div",{class:"player",role:"group","aria-label":"Player"},de("first","First step","Home",()=>t.move(-t.length)),de("back","Step back","←",()=>t.move(-1)),
 e,de("forward","Step forward","→",()=>t.move(1)),de("last","Last step","End",()=>t.move(t.length)),h("div",{class:"scrub"},n,o,r),s,a),l=(c,f={})=>{let d=h("i",
 f);return d.style.left=`${100*c/Math.max(1,t.length)}%`,d},u=()=>{n.replaceChildren(...t.marks.map(c=>l(c))),o.replaceChildren(...t.ticks.map(({step:c,kind:f,size:d,
@@ -227,13 +226,13 @@ text:g})=>{let p=l(c,{class:f,title:`Step ${c}: ${g}`});return p.style.height=`$
 t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,s.textContent=
 `${t.step} / ${t.length}`,s.style.minWidth=`${2*String(t.length).length+3}ch`,a.value=String(t.speed)};return t.addEventListener("step",m),t.addEventListener("s\
 tate",m),t.addEventListener("state",u),i.addEventListener("keydown",c=>{!(c.target instanceof HTMLSelectElement||c.key===" "&&c.target!==r)&&we(t,c)&&c.preventDefault()}),
-m(),i}function Eo(t){let e=h("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function ko(t){let e=`Steps a second, or the whole in ${be} s (+ and -)`,r=h("select",{class:"player-speed","aria-label":"Speed",title:e},h(
-"option",{value:ve},`in ${be} s`),...ne.map(n=>h("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var A=(t,e=2)=>t==null?"-":t.toFixed(e);function Yr(t,e,r){if(r===0)return[{kind:"start",text:_o(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],a=m=>G(m,t.config.n_pursuers),s=he(e,n,o),i=t.conflicts(
+m(),i}function Co(t){let e=h("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function Eo(t){let e=`Steps a second, or the whole in ${be} s (+ and -)`,r=h("select",{class:"player-speed","aria-label":"Speed",title:e},h(
+"option",{value:ve},`in ${be} s`),...ne.map(n=>h("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var A=(t,e=2)=>t==null?"-":t.toFixed(e);function Yr(t,e,r){if(r===0)return[{kind:"start",text:ko(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],a=m=>G(m,t.config.n_pursuers),s=he(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(m=>m.doomed)),u=s.map(m=>({kind:"capture",text:`${a(m)} is captured`,agents:[m]}));for(let m of Ee(n,o))!s.includes(m)&&!l.has(m)&&u.push(
 {kind:"end",text:`${a(m)} disappears`,agents:[m]});return u.push(...i.map(({kind:m,text:c,agents:f})=>({kind:m,text:c,agents:f}))),r===t.length&&u.unshift({kind:"\
-end",text:Ro(t),agents:[]}),u}function _o({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function Ro(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+end",text:_o(t),agents:[]}),u}function ko({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function _o(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
  evaders captured`}function Xr(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function lt(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
 fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var ut=class{config;start;recording;actions=[];#e;#r;#n=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#r=[lt(this.#e)],
@@ -261,16 +260,16 @@ recording:e}=this.replay,r=this.player.step,n=Array.from(e.moments[r].everCaptur
 world.n_evaders} captured`,h("span",{class:"muted"},` · step ${r}`)),this.#s.replaceChildren(...Yr(this.replay,e,r).map(o=>h("li",{class:o.kind},o.text)))}};var pe=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function ct(t){let e=Math.min(1,Math.max(0,t))*(pe.length-1),r=Math.min(pe.length-2,Math.floor(e)),[n,o]=[pe[r],
 pe[r+1]],a=s=>Math.round(n[s]+(e-r)*(o[s]-n[s]));return[a(0),a(1),a(2)]}function Qr(t){let[e,r,n]=ct(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
-.0722*n>.179?"#000":"#fff"}var en=t=>`rgb(${ct(t).join(" ")})`,tn=()=>`linear-gradient(to right, ${pe.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function rn(t,e){let r=h("span",{class:"gradient"});return r.style.backgroundImage=tn(),h("p",{class:"scale-of-rates small muted"},t,r,e)}var Io=1e3,Po=14,nn=16,on=t=>t.length>nn?`${t.slice(0,nn-1)}…`:t,Pe=class{element;#e;#r;#n;#t;#o=h("p",{class:"readout numbers","aria-live":"polite"});#a=M("g",
+.0722*n>.179?"#000":"#fff"}var en=t=>`rgb(${ct(t).join(" ")})`,tn=()=>`linear-gradient(to right, ${pe.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function rn(t,e){let r=h("span",{class:"gradient"});return r.style.backgroundImage=tn(),h("p",{class:"scale-of-rates small muted"},t,r,e)}var Ro=1e3,Io=14,nn=16,on=t=>t.length>nn?`${t.slice(0,nn-1)}…`:t,Pe=class{element;#e;#r;#n;#t;#o=h("p",{class:"readout numbers","aria-live":"polite"});#a=M("g",
 {class:"marks"});#s;constructor(e,r){[this.#e,this.#r]=[e,r],this.#n=e.standings.pursuer.map(({number:n})=>n),this.#t=e.standings.evader.map(({number:n})=>n),this.#s=
 this.#l(),this.element=h("section",{class:"card matrix-card","aria-label":"All matches"},h("header",{},h("h2",{},"All matches"),h("p",{class:"small muted"},"Cap\
 ture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),this.#s,rn("0","1"),this.#o),r.on("pair",()=>this.#i()),
-r.on("hover",()=>this.#i()),this.#i()}#l(){let[e,r]=[this.#n.length,this.#t.length],n=Io/Math.max(e,r),o=Math.min(26,Math.max(11,.78*n)),a=Oo([...this.#e.names.
+r.on("hover",()=>this.#i()),this.#i()}#l(){let[e,r]=[this.#n.length,this.#t.length],n=Ro/Math.max(e,r),o=Math.min(26,Math.max(11,.78*n)),a=Po([...this.#e.names.
 pursuer,...this.#e.names.evader].map(on),o)+12,s=M("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"Matrix of capture rates; arrow keys choose a matc\
 h, Enter plays it",preserveAspectRatio:"xMidYMin meet",viewBox:`${-a} ${-a} ${r*n+a} ${e*n+a}`,onpointermove:l=>this.#r.point(this.#m(l,n)),onpointerleave:()=>this.#r.
 point(null),onclick:l=>{let u=this.#m(l,n);u&&this.#r.play(u)},onkeydown:l=>this.#f(l)}),i=this.#n.flatMap((l,u)=>this.#t.map((m,c)=>{let f=this.#e.capture_rate[l][m];
 return M("rect",{x:c*n,y:u*n,width:n,height:n,fill:en(f),"data-pair":`${l} ${m}`})}));return s.append(...i,...this.#u(n),...this.#h("pursuer",n,o),...this.#h("e\
-vader",n,o),this.#a),this.#a.dataset.size=String(n),s}#u(e){return Math.max(this.#n.length,this.#t.length)>Po?[]:this.#n.flatMap((r,n)=>this.#t.map((o,a)=>{let s=this.#e.
+vader",n,o),this.#a),this.#a.dataset.size=String(n),s}#u(e){return Math.max(this.#n.length,this.#t.length)>Io?[]:this.#n.flatMap((r,n)=>this.#t.map((o,a)=>{let s=this.#e.
 capture_rate[r][o];return M("text",{x:(a+.5)*e,y:(n+.5)*e,fill:Qr(s),"font-size":Math.min(30,.32*e),class:"in-cell"},A(s))}))}#h(e,r,n){return(e==="pursuer"?this.#n:
 this.#t).map((a,s)=>{let i=(s+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:{transform:`translate(${i} -6) rotate(-90)`,"text-anchor":"start"};return M("\
 text",{...l,class:`name ${this.#c(e,a).kind}`,"font-size":n,"data-name":`${e} ${a}`},on(this.#e.names[e][a]))})}#c(e,r){return this.#e.standings[e].find(n=>n.number===
@@ -283,19 +282,19 @@ this.#a.dataset.size),o=({pursuer:s,evader:i},l)=>M("rect",{class:l,x:this.#t.in
 r ${a.evader}`].includes(s.dataset.name);s.classList.toggle("about",i)}this.#o.replaceChildren(...this.#p(a))}#p({pursuer:e,evader:r}){let{names:n,capture_rate:o,
 lowest:a,highest:s,length:i,episodes:l}=this.#e,u=A(o[e][r]),[m,c]=[A(a[e][r]),A(s[e][r])];return[h("span",{},h("span",{class:"pursuer"},n.pursuer[e])," against\
  ",h("span",{class:"evader"},n.evader[r])),h("span",{},h("strong",{},u),h("span",{class:"small muted"},` captured; ${m} to ${c} in ${l} episodes, ${i[e][r].toFixed(
-0)} steps on average`))]}};function Oo(t,e){let r=document.createElement("canvas").getContext("2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).
+0)} steps on average`))]}};function Po(t,e){let r=document.createElement("canvas").getContext("2d");return r.font=`700 ${e}px ${getComputedStyle(document.body).
 fontFamily}`,Math.max(...t.map(n=>r.measureText(n).width))}var an=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,Oe=class extends EventTarget{#e;#r=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
 return this.#r}select(e){an(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
-an(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var sn={pursuer:"evader",evader:"pursuer"};function ht(t,e,r){let n=t.standings[e].map(s=>No(t,e,s,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",a=[
+an(e,this.#r)||(this.#r=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var sn={pursuer:"evader",evader:"pursuer"};function ht(t,e,r){let n=t.standings[e].map(s=>Oo(t,e,s,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",a=[
 "Rank","Name","Score","Best, worst"];return h("section",{class:"card standings","aria-label":`Standings of ${e}s`},h("header",{},h("h2",{},h("span",{class:e},`${e[0].
 toUpperCase()}${e.slice(1)}s`)),h("p",{class:"small muted"},`${o} against ${t.names[sn[e]].length} opponents, with 95 % interval`)),h("div",{class:"scroll",tabindex:"\
-0"},h("table",{},h("thead",{},h("tr",{},...a.map(s=>h("th",{scope:"col"},s)))),h("tbody",{},...n))))}function No(t,e,r,n){let{kind:o,name:a,file:s,rank:i,number:l}=r,
+0"},h("table",{},h("thead",{},h("tr",{},...a.map(s=>h("th",{scope:"col"},s)))),h("tbody",{},...n))))}function Oo(t,e,r,n){let{kind:o,name:a,file:s,rank:i,number:l}=r,
 u=h("tr",{class:o,"data-number":l},h("td",{class:"rank numbers"},i||"–"),h("th",{scope:"row",title:s},h("span",{class:"who",title:a},a),h("span",{class:"kind \
-small muted"},o)),h("td",{class:"numbers score"},zo(r,e),Lo(r)),h("td",{class:"matches"},...["best","worst"].map(c=>$o(t,e,r,c,n)))),m=()=>{u.classList.toggle("\
-about",l===(n.hover??n.pair)[e])};return n.on("pair",m),n.on("hover",m),m(),u}function Lo({score:t,low:e,high:r}){let n=e===null||r===null?"":`${A(e)} – ${A(r)}`;
-return h("span",{class:"score-text"},h("strong",{},A(t)),h("span",{class:"small muted"},n))}function zo({score:t,low:e,high:r},n){let[o,a]=[h("span",{class:`fil\
+small muted"},o)),h("td",{class:"numbers score"},Lo(r,e),No(r)),h("td",{class:"matches"},...["best","worst"].map(c=>zo(t,e,r,c,n)))),m=()=>{u.classList.toggle("\
+about",l===(n.hover??n.pair)[e])};return n.on("pair",m),n.on("hover",m),m(),u}function No({score:t,low:e,high:r}){let n=e===null||r===null?"":`${A(e)} – ${A(r)}`;
+return h("span",{class:"score-text"},h("strong",{},A(t)),h("span",{class:"small muted"},n))}function Lo({score:t,low:e,high:r},n){let[o,a]=[h("span",{class:`fil\
 led of-${n}`}),h("span",{class:"whisker"})];return o.style.width=`${100*t}%`,e!==null&&r!==null&&(a.style.left=`${100*e}%`,a.style.width=`${100*(r-e)}%`),h("spa\
-n",{class:"bar","aria-hidden":"true"},o,a)}function $o(t,e,r,n,o){let a=r[n],s=e==="pursuer"?{pursuer:r.number,evader:a}:{pursuer:a,evader:r.number},i=t.names[sn[e]][a],
+n",{class:"bar","aria-hidden":"true"},o,a)}function zo(t,e,r,n,o){let a=r[n],s=e==="pursuer"?{pursuer:r.number,evader:a}:{pursuer:a,evader:r.number},i=t.names[sn[e]][a],
 l=t.capture_rate[s.pursuer][s.evader],u=A(e==="pursuer"?l:1-l);return h("button",{type:"button",class:"to-match",title:`Watch the ${n} match: against ${i}, ${u}`,
 "aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${u}`,onclick:()=>o.play(s)},n==="best"?"▲ ":"▼ ",i)}function ln({votes:t}){let e=Object.keys(
 t);if(!e.length)return[];let r=e.map(n=>{let o=Object.entries(t[n]),a=o.reduce((i,[,l])=>i+l,0),s=o.map(([i,l])=>{let u=h("span",{class:"filled"});return u.style.
@@ -304,15 +303,15 @@ width=`${100*l/a}%`,h("div",{class:"vote"},h("span",{},i),h("span",{class:"bar",
 ed"),h("p",{class:"small muted"},"Predictions of the course: the first choice of each student, before the experiment.")),h("table",{},h("tbody",{},...r)))]}function un(t){
 if(!t.length)return[];let e=t.map(({file:r,reason:n})=>h("div",{class:"refusal"},h("dt",{},r),h("dd",{},n)));return[h("section",{class:"card refused","aria-labe\
 l":"Refused"},h("header",{},h("h2",{},`Refused (${t.length})`),h("p",{class:"small muted"},"These did not play, or broke a rule while they played; their matches\
- count for no one.")),h("dl",{},...e))]}var P=lr(),[Uo]=P.standings.pursuer,Ne=new Oe({pursuer:Uo.number,evader:P.standings.evader[0].number}),Q=new Ie(P,Ne);function Fo({world:t,episodes:e,seed:r,matrixworld:n}){
+ count for no one.")),h("dl",{},...e))]}var P=lr(),[$o]=P.standings.pursuer,Ne=new Oe({pursuer:$o.number,evader:P.standings.evader[0].number}),Q=new Ie(P,Ne);function Uo({world:t,episodes:e,seed:r,matrixworld:n}){
 return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps} steps · ${e} episodes a pair · seed ${r} · m\
-atrixworld ${n}`}var Do=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
+atrixworld ${n}`}var Fo=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
 e's own policies, for comparison; they have no rank.","A rank such as 2 to 5 means that these episodes cannot tell which of these ranks is the true one: the dif\
 ference to some others is within chance. Each range misses the true rank with a probability of at most 5 %.","Keys: Space plays, ← and → step, D changes light a\
 nd dark; in the matrix arrow keys choose a match and Enter plays it."];document.getElementById("page").replaceWith(h("header",{class:"top"},h("div",{},h("h1",{},
-P.title),h("p",{class:"muted small about"},Fo(P))),h("div",{class:"tools"},Jt())),h("main",{class:"stages"},h("div",{class:"tables"},ht(P,"pursuer",Ne),ht(P,"ev\
+P.title),h("p",{class:"muted small about"},Uo(P))),h("div",{class:"tools"},Jt())),h("main",{class:"stages"},h("div",{class:"tables"},ht(P,"pursuer",Ne),ht(P,"ev\
 ader",Ne)),new Pe(P,Ne).element,Q.element),...ln(P),...un(P.refusals),h("section",{class:"card reading","aria-label":"How to read this page"},h("h2",{},"How to \
-read this page"),...Do.map(t=>h("p",{},t))));document.addEventListener("keydown",t=>{let e=t.target instanceof HTMLSelectElement||t.target instanceof HTMLInputElement,
+read this page"),...Fo.map(t=>h("p",{},t))));document.addEventListener("keydown",t=>{let e=t.target instanceof HTMLSelectElement||t.target instanceof HTMLInputElement,
 r=t.target instanceof HTMLButtonElement&&(t.key===" "||t.key==="Enter");if(!(e||r||t.defaultPrevented||t.ctrlKey||t.metaKey||t.altKey)){if(t.key.toLowerCase()===
 "d")Ye();else if(!we(Q.player,t))return;t.preventDefault()}});Object.assign(window,{matrixworldClass:{get replay(){return Q.replay},get step(){return Q.player.step}}});
 requestAnimationFrame(()=>setTimeout(()=>{Yt().then(t=>{Q.start(t),document.body.dataset.ready="true"},t=>{Q.element.prepend(h("p",{class:"problem",role:"alert"},

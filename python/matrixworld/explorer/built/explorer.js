@@ -1,62 +1,62 @@
-/* built from web/ by "npm run build"; sources acee8ddf3bb8f4c85e7f4f93659a95b8e5b05f7463cc685179a2cd951d9d299a */
+/* built from web/ by "npm run build"; sources 52d1c773a2a27ef2340b754e12e55173ea63dd0bb69c8925694483b302f9534a */
 "use strict";(()=>{var Ta=Object.create;var gn=Object.defineProperty;var Ca=Object.getOwnPropertyDescriptor;var ka=Object.getOwnPropertyNames;var Ra=Object.getPrototypeOf,_a=Object.prototype.hasOwnProperty;var $a=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Pa=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ka(e))!_a.call(t,o)&&o!==r&&gn(t,o,{get:()=>e[o],enumerable:!(n=Ca(e,o))||n.enumerable});
-return t};var Oa=(t,e,r)=>(r=t!=null?Ta(Ra(t)):{},Pa(e||!t||!t.__esModule?gn(r,"default",{value:t,enumerable:!0}):r,t));var ra=$a(dn=>{var qs=Object.defineProperty,Gl=t=>qs(t,"__esModule",{value:!0}),Vl=(t,e)=>{for(var r in e)qs(t,r,{get:e[r],enumerable:!0})};Gl(dn);Vl(dn,{GIFEncoder:()=>ea,
-applyPalette:()=>tc,default:()=>dc,nearestColor:()=>sc,nearestColorIndex:()=>Xs,nearestColorIndexWithDistance:()=>Qs,prequantize:()=>ec,quantize:()=>Xl,snapColorsToPalette:()=>oc});
-var ql={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
+return t};var Oa=(t,e,r)=>(r=t!=null?Ta(Ra(t)):{},Pa(e||!t||!t.__esModule?gn(r,"default",{value:t,enumerable:!0}):r,t));var ra=$a(dn=>{var qs=Object.defineProperty,jl=t=>qs(t,"__esModule",{value:!0}),Gl=(t,e)=>{for(var r in e)qs(t,r,{get:e[r],enumerable:!0})};jl(dn);Gl(dn,{GIFEncoder:()=>ea,
+applyPalette:()=>ec,default:()=>uc,nearestColor:()=>oc,nearestColorIndex:()=>Xs,nearestColorIndexWithDistance:()=>Qs,prequantize:()=>Ql,quantize:()=>Jl,snapColorsToPalette:()=>nc});
+var Vl={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
 versionSize:3,globalColorTableFlagMask:128,colorResolutionMask:112,sortFlagMask:8,globalColorTableSizeMask:7,applicationIdentifierSize:8,applicationAuthCodeSize:3,
 disposalMethodMask:28,userInputFlagMask:2,transparentColorFlagMask:1,localColorTableFlagMask:128,interlaceFlagMask:64,idSortFlagMask:32,localColorTableSizeMask:7};
 function Ks(t=256){let e=0,r=new Uint8Array(t);return{get buffer(){return r.buffer},reset(){e=0},bytesView(){return r.subarray(0,e)},bytes(){return r.slice(0,e)},
 writeByte(o){n(e+1),r[e]=o,e++},writeBytes(o,s=0,a=o.length){n(e+a);for(let i=0;i<a;i++)r[e++]=o[i+s]},writeBytesView(o,s=0,a=o.byteLength){n(e+a),r.set(o.subarray(
 s,s+a),e),e+=a}};function n(o){var s=r.length;if(s>=o)return;var a=1024*1024;o=Math.max(o,s*(s<a?2:1.125)>>>0),s!=0&&(o=Math.max(o,256));let i=r;r=new Uint8Array(
-o),e>0&&r.set(i.subarray(0,e),0)}}var ln=12,js=5003,Kl=[0,1,3,7,15,31,63,127,255,511,1023,2047,4095,8191,16383,32767,65535];function Yl(t,e,r,n,o=Ks(512),s=new Uint8Array(
+o),e>0&&r.set(i.subarray(0,e),0)}}var ln=12,js=5003,ql=[0,1,3,7,15,31,63,127,255,511,1023,2047,4095,8191,16383,32767,65535];function Kl(t,e,r,n,o=Ks(512),s=new Uint8Array(
 256),a=new Int32Array(js),i=new Int32Array(js)){let l=a.length,d=Math.max(2,n);s.fill(0),i.fill(0),a.fill(-1);let c=0,u=0,m=d+1,h=m,y=!1,f=h,g=(1<<f)-1,b=1<<m-1,
 x=b+1,v=b+2,w=0,A=r[0],C=0;for(let S=l;S<65536;S*=2)++C;C=8-C,o.writeByte(d),T(b);let E=r.length;for(let S=1;S<E;S++)e:{let P=r[S],_=(P<<ln)+A,k=P<<C^A;if(a[k]===
 _){A=i[k];break e}let te=k===0?1:l-k;for(;a[k]>=0;)if(k-=te,k<0&&(k+=l),a[k]===_){A=i[k];break e}T(A),A=P,v<1<<ln?(i[k]=v++,a[k]=_):(a.fill(-1),v=b+2,y=!0,T(b))}
-return T(A),T(x),o.writeByte(0),o.bytesView();function T(S){for(c&=Kl[u],u>0?c|=S<<u:c=S,u+=f;u>=8;)s[w++]=c&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),
+return T(A),T(x),o.writeByte(0),o.bytesView();function T(S){for(c&=ql[u],u>0?c|=S<<u:c=S,u+=f;u>=8;)s[w++]=c&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),
 w=0),c>>=8,u-=8;if((v>g||y)&&(y?(f=h,g=(1<<f)-1,y=!1):(++f,g=f===ln?1<<f:(1<<f)-1)),S==x){for(;u>0;)s[w++]=c&255,w>=254&&(o.writeByte(w),o.writeBytesView(s,0,w),
-w=0),c>>=8,u-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var Zl=Yl;function Ys(t,e,r){return t<<8&63488|e<<2&992|r>>3}function Zs(t,e,r,n){return t>>
+w=0),c>>=8,u-=8;w>0&&(o.writeByte(w),o.writeBytesView(s,0,w),w=0)}}}var Yl=Kl;function Ys(t,e,r){return t<<8&63488|e<<2&992|r>>3}function Zs(t,e,r,n){return t>>
 4|e&240|(r&240)<<4|(n&240)<<8}function Js(t,e,r){return t>>4<<8|e&240|r>>4}function cr(t,e,r){return t<e?e:t>r?r:t}function Ct(t){return t*t}function Gs(t,e,r){
 var n=0,o=1e100;let s=t[e],a=s.cnt,i=s.ac,l=s.rc,d=s.gc,c=s.bc;for(var u=s.fw;u!=0;u=t[u].fw){let h=t[u],y=h.cnt,f=a*y/(a+y);if(!(f>=o)){var m=0;r&&(m+=f*Ct(h.ac-
 i),m>=o)||(m+=f*Ct(h.rc-l),!(m>=o)&&(m+=f*Ct(h.gc-d),!(m>=o)&&(m+=f*Ct(h.bc-c),!(m>=o)&&(o=m,n=u))))}}s.err=o,s.nn=n}function cn(){return{ac:0,rc:0,gc:0,bc:0,cnt:0,
-nn:0,fw:0,bk:0,tm:0,mtm:0,err:0}}function Jl(t,e){let r=e==="rgb444"?4096:65536,n=new Array(r),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>
+nn:0,fw:0,bk:0,tm:0,mtm:0,err:0}}function Zl(t,e){let r=e==="rgb444"?4096:65536,n=new Array(r),o=t.length;if(e==="rgba4444")for(let s=0;s<o;++s){let a=t[s],i=a>>
 24&255,l=a>>16&255,d=a>>8&255,c=a&255,u=Zs(c,d,l,i),m=u in n?n[u]:n[u]=cn();m.rc+=c,m.gc+=d,m.bc+=l,m.ac+=i,m.cnt++}else if(e==="rgb444")for(let s=0;s<o;++s){let a=t[s],
 i=a>>16&255,l=a>>8&255,d=a&255,c=Js(d,l,i),u=c in n?n[c]:n[c]=cn();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}else for(let s=0;s<o;++s){let a=t[s],i=a>>16&255,l=a>>8&255,d=a&
-255,c=Ys(d,l,i),u=c in n?n[c]:n[c]=cn();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}return n}function Xl(t,e,r={}){let{format:n="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,
+255,c=Ys(d,l,i),u=c in n?n[c]:n[c]=cn();u.rc+=d,u.gc+=l,u.bc+=i,u.cnt++}return n}function Jl(t,e,r={}){let{format:n="rgb565",clearAlpha:o=!0,clearAlphaColor:s=0,
 clearAlphaThreshold:a=0,oneBitAlpha:i=!1}=r;if(!t||!t.buffer)throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof
-Uint8ClampedArray))throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),d=r.useSqrt!==!1,c=n==="rgba4444",u=Jl(l,n),m=u.length,
+Uint8ClampedArray))throw new Error("quantize() expected RGBA Uint8Array data");let l=new Uint32Array(t.buffer),d=r.useSqrt!==!1,c=n==="rgba4444",u=Zl(l,n),m=u.length,
 h=m-1,y=new Uint32Array(m+1);for(var f=0,b=0;b<m;++b){let O=u[b];if(O!=null){var g=1/O.cnt;c&&(O.ac*=g),O.rc*=g,O.gc*=g,O.bc*=g,u[f++]=O}}Ct(e)/f<.022&&(d=!1);for(var b=0;b<
 f-1;++b)u[b].fw=b+1,u[b+1].bk=b,d&&(u[b].cnt=Math.sqrt(u[b].cnt));d&&(u[b].cnt=Math.sqrt(u[b].cnt));var x,v,w;for(b=0;b<f;++b){Gs(u,b,!1);var A=u[b].err;for(v=++y[0];v>
 1&&(w=v>>1,!(u[x=y[w]].err<=A));v=w)y[v]=x;y[v]=b}var C=f-e;for(b=0;b<C;){for(var E;;){var T=y[1];if(E=u[T],E.tm>=E.mtm&&u[E.nn].mtm<=E.tm)break;E.mtm==h?T=y[1]=
 y[y[0]--]:(Gs(u,T,!1),E.tm=b);var A=u[T].err;for(v=1;(w=v+v)<=y[0]&&(w<y[0]&&u[y[w]].err>u[y[w+1]].err&&w++,!(A<=u[x=y[w]].err));v=w)y[v]=x;y[v]=T}var S=u[E.nn],
 P=E.cnt,_=S.cnt,g=1/(P+_);c&&(E.ac=g*(P*E.ac+_*S.ac)),E.rc=g*(P*E.rc+_*S.rc),E.gc=g*(P*E.gc+_*S.gc),E.bc=g*(P*E.bc+_*S.bc),E.cnt+=S.cnt,E.mtm=++b,u[S.bk].fw=S.fw,
 u[S.fw].bk=S.bk,S.mtm=h}let k=[];var te=0;for(b=0;;++te){let W=cr(Math.round(u[b].rc),0,255),O=cr(Math.round(u[b].gc),0,255),U=cr(Math.round(u[b].bc),0,255),$=255;
-c&&($=cr(Math.round(u[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(W=O=U=s,$=0));let H=c?[W,O,U,$]:[W,O,U];if(Ql(k,H)||k.push(H),(b=u[b].fw)==
-0)break}return k}function Ql(t,e){for(let r=0;r<t.length;r++){let n=t[r],o=n[0]===e[0]&&n[1]===e[1]&&n[2]===e[2],s=n.length>=4&&e.length>=4?n[3]===e[3]:!0;if(o&&
-s)return!0}return!1}function dr(t,e){var r=0,n;for(n=0;n<t.length;n++){let o=t[n]-e[n];r+=o*o}return r}function ur(t,e){return e>1?Math.round(t/e)*e:t}function ec(t,{
+c&&($=cr(Math.round(u[b].ac),0,255),i&&($=$<=(typeof i=="number"?i:127)?0:255),o&&$<=a&&(W=O=U=s,$=0));let H=c?[W,O,U,$]:[W,O,U];if(Xl(k,H)||k.push(H),(b=u[b].fw)==
+0)break}return k}function Xl(t,e){for(let r=0;r<t.length;r++){let n=t[r],o=n[0]===e[0]&&n[1]===e[1]&&n[2]===e[2],s=n.length>=4&&e.length>=4?n[3]===e[3]:!0;if(o&&
+s)return!0}return!1}function dr(t,e){var r=0,n;for(n=0;n<t.length;n++){let o=t[n]-e[n];r+=o*o}return r}function ur(t,e){return e>1?Math.round(t/e)*e:t}function Ql(t,{
 roundRGB:e=5,roundAlpha:r=10,oneBitAlpha:n=null}={}){let o=new Uint32Array(t.buffer);for(let s=0;s<o.length;s++){let a=o[s],i=a>>24&255,l=a>>16&255,d=a>>8&255,c=a&
-255;i=ur(i,r),n&&(i=i<=(typeof n=="number"?n:127)?0:255),c=ur(c,e),d=ur(d,e),l=ur(l,e),o[s]=i<<24|l<<16|d<<8|c<<0}}function tc(t,e,r="rgb565"){if(!t||!t.buffer)
+255;i=ur(i,r),n&&(i=i<=(typeof n=="number"?n:127)?0:255),c=ur(c,e),d=ur(d,e),l=ur(l,e),o[s]=i<<24|l<<16|d<<8|c<<0}}function ec(t,e,r="rgb565"){if(!t||!t.buffer)
 throw new Error("quantize() expected RGBA Uint8Array data");if(!(t instanceof Uint8Array)&&!(t instanceof Uint8ClampedArray))throw new Error("quantize() expecte\
 d RGBA Uint8Array data");if(e.length>256)throw new Error("applyPalette() only works with 256 colors or less");let n=new Uint32Array(t.buffer),o=n.length,s=r==="\
 rgb444"?4096:65536,a=new Uint8Array(o),i=new Array(s),l=r==="rgba4444";if(r==="rgba4444")for(let d=0;d<o;d++){let c=n[d],u=c>>24&255,m=c>>16&255,h=c>>8&255,y=c&
-255,f=Zs(y,h,m,u),g=f in i?i[f]:i[f]=rc(y,h,m,u,e);a[d]=g}else{let d=r==="rgb444"?Js:Ys;for(let c=0;c<o;c++){let u=n[c],m=u>>16&255,h=u>>8&255,y=u&255,f=d(y,h,m),
-g=f in i?i[f]:i[f]=nc(y,h,m,e);a[c]=g}}return a}function rc(t,e,r,n,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],d=l[3],c=$e(d-n);if(c>a)continue;let u=l[0];
-if(c+=$e(u-t),c>a)continue;let m=l[1];if(c+=$e(m-e),c>a)continue;let h=l[2];c+=$e(h-r),!(c>a)&&(a=c,s=i)}return s}function nc(t,e,r,n){let o=0,s=1e100;for(let a=0;a<
-n.length;a++){let i=n[a],l=i[0],d=$e(l-t);if(d>s)continue;let c=i[1];if(d+=$e(c-e),d>s)continue;let u=i[2];d+=$e(u-r),!(d>s)&&(s=d,o=a)}return o}function oc(t,e,r=5){
+255,f=Zs(y,h,m,u),g=f in i?i[f]:i[f]=tc(y,h,m,u,e);a[d]=g}else{let d=r==="rgb444"?Js:Ys;for(let c=0;c<o;c++){let u=n[c],m=u>>16&255,h=u>>8&255,y=u&255,f=d(y,h,m),
+g=f in i?i[f]:i[f]=rc(y,h,m,e);a[c]=g}}return a}function tc(t,e,r,n,o){let s=0,a=1e100;for(let i=0;i<o.length;i++){let l=o[i],d=l[3],c=$e(d-n);if(c>a)continue;let u=l[0];
+if(c+=$e(u-t),c>a)continue;let m=l[1];if(c+=$e(m-e),c>a)continue;let h=l[2];c+=$e(h-r),!(c>a)&&(a=c,s=i)}return s}function rc(t,e,r,n){let o=0,s=1e100;for(let a=0;a<
+n.length;a++){let i=n[a],l=i[0],d=$e(l-t);if(d>s)continue;let c=i[1];if(d+=$e(c-e),d>s)continue;let u=i[2];d+=$e(u-r),!(d>s)&&(s=d,o=a)}return o}function nc(t,e,r=5){
 if(!t.length||!e.length)return;let n=t.map(a=>a.slice(0,3)),o=r*r,s=t[0].length;for(let a=0;a<e.length;a++){let i=e[a];i.length<s?i=[i[0],i[1],i[2],255]:i.length>
 s?i=i.slice(0,3):i=i.slice();let l=Qs(n,i.slice(0,3),dr),d=l[0],c=l[1];c>0&&c<=o&&(t[d]=i)}}function $e(t){return t*t}function Xs(t,e,r=dr){let n=1/0,o=-1;for(let s=0;s<
 t.length;s++){let a=t[s],i=r(e,a);i<n&&(n=i,o=s)}return o}function Qs(t,e,r=dr){let n=1/0,o=-1;for(let s=0;s<t.length;s++){let a=t[s],i=r(e,a);i<n&&(n=i,o=s)}return[
-o,n]}function sc(t,e,r=dr){return t[Xs(t,e,r)]}function ea(t={}){let{initialCapacity:e=4096,auto:r=!0}=t,n=Ks(e),o=5003,s=new Uint8Array(256),a=new Int32Array(o),
-i=new Int32Array(o),l=!1;return{reset(){n.reset(),l=!1},finish(){n.writeByte(ql.trailer)},bytes(){return n.bytes()},bytesView(){return n.bytesView()},get buffer(){
+o,n]}function oc(t,e,r=dr){return t[Xs(t,e,r)]}function ea(t={}){let{initialCapacity:e=4096,auto:r=!0}=t,n=Ks(e),o=5003,s=new Uint8Array(256),a=new Int32Array(o),
+i=new Int32Array(o),l=!1;return{reset(){n.reset(),l=!1},finish(){n.writeByte(Vl.trailer)},bytes(){return n.bytes()},bytesView(){return n.bytesView()},get buffer(){
 return n.buffer},get stream(){return n},writeHeader:d,writeFrame(c,u,m,h={}){let{transparent:y=!1,transparentIndex:f=0,delay:g=0,palette:b=null,repeat:x=0,colorDepth:v=8,
 dispose:w=-1}=h,A=!1;if(r?l||(A=!0,d(),l=!0):A=!!h.first,u=Math.max(0,Math.floor(u)),m=Math.max(0,Math.floor(m)),A){if(!b)throw new Error("First frame must incl\
-ude a { palette } option");ic(n,u,m,b,v),Vs(n,b),x>=0&&lc(n,x)}let C=Math.round(g/10);ac(n,w,C,y,f);let E=!!b&&!A;cc(n,u,m,E?b:null),E&&Vs(n,b),uc(n,c,u,m,v,s,a,
-i)}};function d(){ta(n,"GIF89a")}}function ac(t,e,r,n,o){t.writeByte(33),t.writeByte(249),t.writeByte(4),o<0&&(o=0,n=!1);var s,a;n?(s=1,a=2):(s=0,a=0),e>=0&&(a=
-e&7),a<<=2,t.writeByte(0|a|0|s),Ee(t,r),t.writeByte(o||0),t.writeByte(0)}function ic(t,e,r,n,o=8){let i=un(n.length)-1,l=128|o-1<<4|0|i,d=0,c=0;Ee(t,e),Ee(t,r),
-t.writeBytes([l,d,c])}function lc(t,e){t.writeByte(33),t.writeByte(255),t.writeByte(11),ta(t,"NETSCAPE2.0"),t.writeByte(3),t.writeByte(1),Ee(t,e),t.writeByte(0)}
-function Vs(t,e){let r=1<<un(e.length);for(let n=0;n<r;n++){let o=[0,0,0];n<e.length&&(o=e[n]),t.writeByte(o[0]),t.writeByte(o[1]),t.writeByte(o[2])}}function cc(t,e,r,n){
-if(t.writeByte(44),Ee(t,0),Ee(t,0),Ee(t,e),Ee(t,r),n){let a=un(n.length)-1;t.writeByte(128|a)}else t.writeByte(0)}function uc(t,e,r,n,o=8,s,a,i){Zl(r,n,e,o,t,s,
+ude a { palette } option");ac(n,u,m,b,v),Vs(n,b),x>=0&&ic(n,x)}let C=Math.round(g/10);sc(n,w,C,y,f);let E=!!b&&!A;lc(n,u,m,E?b:null),E&&Vs(n,b),cc(n,c,u,m,v,s,a,
+i)}};function d(){ta(n,"GIF89a")}}function sc(t,e,r,n,o){t.writeByte(33),t.writeByte(249),t.writeByte(4),o<0&&(o=0,n=!1);var s,a;n?(s=1,a=2):(s=0,a=0),e>=0&&(a=
+e&7),a<<=2,t.writeByte(0|a|0|s),Ee(t,r),t.writeByte(o||0),t.writeByte(0)}function ac(t,e,r,n,o=8){let i=un(n.length)-1,l=128|o-1<<4|0|i,d=0,c=0;Ee(t,e),Ee(t,r),
+t.writeBytes([l,d,c])}function ic(t,e){t.writeByte(33),t.writeByte(255),t.writeByte(11),ta(t,"NETSCAPE2.0"),t.writeByte(3),t.writeByte(1),Ee(t,e),t.writeByte(0)}
+function Vs(t,e){let r=1<<un(e.length);for(let n=0;n<r;n++){let o=[0,0,0];n<e.length&&(o=e[n]),t.writeByte(o[0]),t.writeByte(o[1]),t.writeByte(o[2])}}function lc(t,e,r,n){
+if(t.writeByte(44),Ee(t,0),Ee(t,0),Ee(t,e),Ee(t,r),n){let a=un(n.length)-1;t.writeByte(128|a)}else t.writeByte(0)}function cc(t,e,r,n,o=8,s,a,i){Yl(r,n,e,o,t,s,
 a,i)}function Ee(t,e){t.writeByte(e&255),t.writeByte(e>>8&255)}function ta(t,e){for(var r=0;r<e.length;r++)t.writeByte(e.charCodeAt(r))}function un(t){return Math.
-max(Math.ceil(Math.log2(t)),1)}var dc=ea});var bn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ot={DISAPPEAR:0,REACH:1,BOUNCE:2},vn={OCCUPATION:0,SURROUND:1},wn={FAULT:0,INVOLVED:1};var vr=["obstacle","teammate","adversary"],wr=["vertex","edge","chain"],xn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xr=["p\
+max(Math.ceil(Math.log2(t)),1)}var uc=ea});var bn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ot={DISAPPEAR:0,REACH:1,BOUNCE:2},vn={OCCUPATION:0,SURROUND:1},wn={FAULT:0,INVOLVED:1};var vr=["obstacle","teammate","adversary"],wr=["vertex","edge","chain"],xn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xr=["p\
 ursuer_{number}","evader_{number}"],Sn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},st={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Mn="{event}: {outcome}",Sr={random:"any action, all equally likely",
@@ -157,35 +157,34 @@ return Cr(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},Hn;function jn(t=
 Xa,t),e,r)}function Gn(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
 String(o)));return t.append(...r.filter(Qa).map(n=>typeof n=="number"?String(n):n)),t}function Qa(t){return t!=null&&t!==!1}var ct=()=>["file:","http:","https:"].
 includes(location.protocol);async function Vn(t,e){t.select();try{await navigator.clipboard.writeText(t.value),e.textContent="Copied."}catch{e.textContent="Sele\
-cted: copy it with Ctrl+C."}}var ei=matchMedia("(prefers-color-scheme: dark)");function ti(){let t=document.documentElement.dataset.theme;return t?t==="dark":ei.matches}function $r(){document.
-documentElement.dataset.theme=ti()?"light":"dark"}function qn(){return p("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:$r},
-"◐")}var ri=2n**64n-1n;function ut(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),o=(d,c,u)=>{let m=n.get(d)??"";return/^\d{1,9}$/.test(m)&&Number(m)<c?Number(
+cted: copy it with Ctrl+C."}}function ei(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function $r(){document.documentElement.
+dataset.theme=ei()?"light":"dark"}function qn(){return p("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:$r},"◐")}var ti=2n**64n-1n;function ut(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),o=(d,c,u)=>{let m=n.get(d)??"";return/^\d{1,9}$/.test(m)&&Number(m)<c?Number(
 m):u},s=o("run",e.length,r.run),[a,i]=e[s].payoff.shape,l=n.get("seed")??"";return{run:s,pursuer:o("pursuers",a,Math.min(r.pursuer,a-1)),evader:o("evaders",i,Math.
-min(r.evader,i-1)),episode:o("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=ri?l:null,step:o("step",1/0,0)}}function Kn(t,e,r){let n="",o=()=>{let{
+min(r.evader,i-1)),episode:o("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(l)&&BigInt(l)<=ti?l:null,step:o("step",1/0,0)}}function Kn(t,e,r){let n="",o=()=>{let{
 run:s,pursuer:a,evader:i,episode:l,seed:d}=e.selected,c={run:s,pursuers:a,evaders:i,episode:l,...d===null?{}:{seed:d},step:r.player.step};n=`#${Object.entries(c).
 map(([u,m])=>`${u}=${m}`).join("&")}`;try{history.replaceState(null,"",n)}catch{}};e.on("match",o),r.player.addEventListener("state",()=>r.player.playing||o()),
 r.player.addEventListener("step",()=>r.player.playing||o()),window.addEventListener("hashchange",()=>{if(location.hash===n)return;let{step:s,...a}=ut(location.hash,
 t,e.selected);e.select(a),r.goTo(s)})}var N=Uint8Array,Y=Uint16Array,zr=Int32Array,It=new N([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Nt=new N([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Ir=new N([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),eo=function(t,e){for(var r=new Y(31),n=0;n<31;++n)r[n]=e+=
 1<<t[n-1];for(var o=new zr(r[30]),n=1;n<30;++n)for(var s=r[n];s<r[n+1];++s)o[s]=s-r[n]<<5|n;return{b:r,r:o}},to=eo(It,2),ro=to.b,Nr=to.r;ro[28]=258,Nr[258]=28;var no=eo(
-Nt,0),ni=no.b,Yn=no.r,Br=new Y(32768);for(R=0;R<32768;++R)ye=(R&43690)>>1|(R&21845)<<1,ye=(ye&52428)>>2|(ye&13107)<<2,ye=(ye&61680)>>4|(ye&3855)<<4,Br[R]=((ye&65280)>>
+Nt,0),ri=no.b,Yn=no.r,Br=new Y(32768);for(R=0;R<32768;++R)ye=(R&43690)>>1|(R&21845)<<1,ye=(ye&52428)>>2|(ye&13107)<<2,ye=(ye&61680)>>4|(ye&3855)<<4,Br[R]=((ye&65280)>>
 8|(ye&255)<<8)>>1;var ye,R,ce=(function(t,e,r){for(var n=t.length,o=0,s=new Y(e);o<n;++o)t[o]&&++s[t[o]-1];var a=new Y(e);for(o=1;o<e;++o)a[o]=a[o-1]+s[o-1]<<1;
 var i;if(r){i=new Y(1<<e);var l=15-e;for(o=0;o<n;++o)if(t[o])for(var d=o<<4|t[o],c=e-t[o],u=a[t[o]-1]++<<c,m=u|(1<<c)-1;u<=m;++u)i[Br[u]>>l]=d}else for(i=new Y(
 n),o=0;o<n;++o)t[o]&&(i[o]=Br[a[t[o]-1]++]>>15-t[o]);return i}),xe=new N(288);for(R=0;R<144;++R)xe[R]=8;var R;for(R=144;R<256;++R)xe[R]=9;var R;for(R=256;R<280;++R)
-xe[R]=7;var R;for(R=280;R<288;++R)xe[R]=8;var R,mt=new N(32);for(R=0;R<32;++R)mt[R]=5;var R,oi=ce(xe,9,0),si=ce(xe,9,1),ai=ce(mt,5,0),ii=ce(mt,5,1),Pr=function(t){
+xe[R]=7;var R;for(R=280;R<288;++R)xe[R]=8;var R,mt=new N(32);for(R=0;R<32;++R)mt[R]=5;var R,ni=ce(xe,9,0),oi=ce(xe,9,1),si=ce(mt,5,0),ai=ce(mt,5,1),Pr=function(t){
 for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},ae=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Or=function(t,e){var r=e/8|0;return(t[r]|
 t[r+1]<<8|t[r+2]<<16)>>(e&7)},Dr=function(t){return(t+7)/8|0},Wr=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new N(t.subarray(
-e,r))};var li=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
-ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],V=function(t,e,r){var n=new Error(e||li[t]);
-if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,V),!r)throw n;return n},ci=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
+e,r))};var ii=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
+ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],V=function(t,e,r){var n=new Error(e||ii[t]);
+if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,V),!r)throw n;return n},li=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
 new N(0);var a=!r,i=a||e.i!=2,l=e.i;a&&(r=new N(o*3));var d=function(rt){var nt=r.length;if(rt>nt){var Ie=new N(Math.max(nt*2,rt));Ie.set(r),r=Ie}},c=e.f||0,u=e.
-p||0,m=e.b||0,h=e.l,y=e.d,f=e.m,g=e.n,b=o*8;do{if(!h){c=ae(t,u,1);var x=ae(t,u+1,3);if(u+=3,x)if(x==1)h=si,y=ii,f=9,g=5;else if(x==2){var C=ae(t,u,31)+257,E=ae(
+p||0,m=e.b||0,h=e.l,y=e.d,f=e.m,g=e.n,b=o*8;do{if(!h){c=ae(t,u,1);var x=ae(t,u+1,3);if(u+=3,x)if(x==1)h=oi,y=ai,f=9,g=5;else if(x==2){var C=ae(t,u,31)+257,E=ae(
 t,u+10,15)+4,T=C+ae(t,u+5,31)+1;u+=14;for(var S=new N(T),P=new N(19),_=0;_<E;++_)P[Ir[_]]=ae(t,u+_*3,7);u+=E*3;for(var k=Pr(P),te=(1<<k)-1,W=ce(P,k,1),_=0;_<T;){
 var O=W[ae(t,u,te)];u+=O&15;var v=O>>4;if(v<16)S[_++]=v;else{var U=0,$=0;for(v==16?($=3+ae(t,u,3),u+=2,U=S[_-1]):v==17?($=3+ae(t,u,7),u+=3):v==18&&($=11+ae(t,u,
 127),u+=7);$--;)S[_++]=U}}var H=S.subarray(0,C),z=S.subarray(C);f=Pr(H),g=Pr(z),h=ce(H,f,1),y=ce(z,g,1)}else V(1);else{var v=Dr(u)+4,w=t[v-4]|t[v-3]<<8,A=v+w;if(A>
 o){l&&V(0);break}i&&d(m+w),r.set(t.subarray(v,A),m),e.b=m+=w,e.p=u=A*8,e.f=c;continue}if(u>b){l&&V(0);break}}i&&d(m+131072);for(var Pe=(1<<f)-1,re=(1<<g)-1,he=u;;he=
 u){var U=h[Or(t,u)&Pe],q=U>>4;if(u+=U&15,u>b){l&&V(0);break}if(U||V(2),q<256)r[m++]=q;else if(q==256){he=u,h=null;break}else{var K=q-254;if(q>264){var _=q-257,I=It[_];
-K=ae(t,u,(1<<I)-1)+ro[_],u+=I}var le=y[Or(t,u)&re],Oe=le>>4;le||V(3),u+=le&15;var z=ni[Oe];if(Oe>3){var I=Nt[Oe];z+=Or(t,u)&(1<<I)-1,u+=I}if(u>b){l&&V(0);break}
+K=ae(t,u,(1<<I)-1)+ro[_],u+=I}var le=y[Or(t,u)&re],Oe=le>>4;le||V(3),u+=le&15;var z=ri[Oe];if(Oe>3){var I=Nt[Oe];z+=Or(t,u)&(1<<I)-1,u+=I}if(u>b){l&&V(0);break}
 i&&d(m+131072);var Le=m+K;if(m<z){var kt=s-z,Rt=Math.min(z,Le);for(kt+m<0&&V(3);m<Rt;++m)r[m]=n[kt+m]}for(;m<Le;++m)r[m]=r[m-z]}}e.l=h,e.p=he,e.b=m,e.f=c,h&&(c=
 1,e.m=f,e.d=y,e.n=g)}while(!c);return m!=r.length&&a?Wr(r,0,m):r.subarray(0,m)},ge=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},dt=function(t,e,r){
 r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},Lr=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var o=r.length,s=r.slice();if(!o)
@@ -202,23 +201,23 @@ v=b.n,w=Zn(f),A=w.c,C=w.n,E=new Y(19),T=0;T<x.length;++T)++E[x[T]&31];for(var T=
 ;var te=d+5<<3,W=pt(o,xe)+pt(s,mt)+a,O=pt(o,m)+pt(s,f)+a+14+3*k+pt(E,P)+2*E[16]+3*E[17]+7*E[18];if(l>=0&&te<=W&&te<=O)return oo(e,c,t.subarray(l,l+d));var U,$,H,
 z;if(ge(e,c,1+(O<W)),c+=2,O<W){U=ce(m,h,0),$=m,H=ce(f,g,0),z=f;var Pe=ce(P,_,0);ge(e,c,v-257),ge(e,c+5,C-1),ge(e,c+10,k-4),c+=14;for(var T=0;T<k;++T)ge(e,c+3*T,
 P[Ir[T]]);c+=3*k;for(var re=[x,A],he=0;he<2;++he)for(var q=re[he],T=0;T<q.length;++T){var K=q[T]&31;ge(e,c,Pe[K]),c+=P[K],K>15&&(ge(e,c,q[T]>>5&127),c+=q[T]>>12)}}else
-U=oi,$=xe,H=ai,z=mt;for(var T=0;T<i;++T){var I=n[T];if(I>255){var K=I>>18&31;dt(e,c,U[K+257]),c+=$[K+257],K>7&&(ge(e,c,I>>23&31),c+=It[K]);var le=I&31;dt(e,c,H[le]),
-c+=z[le],le>3&&(dt(e,c,I>>5&8191),c+=Nt[le])}else dt(e,c,U[I]),c+=$[I]}return dt(e,c,U[256]),c+$[256]},ui=new zr([65540,131080,131088,131104,262176,1048704,1048832,
-2114560,2117632]),so=new N(0),di=function(t,e,r,n,o,s){var a=s.z||t.length,i=new N(n+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(n,i.length-o),d=s.l,c=(s.r||0)&7;if(e){
-c&&(l[0]=s.r>>3);for(var u=ui[e-1],m=u>>13,h=u&8191,y=(1<<r)-1,f=s.p||new Y(32768),g=s.h||new Y(y+1),b=Math.ceil(r/3),x=2*b,v=function(br){return(t[br]^t[br+1]<<
+U=ni,$=xe,H=si,z=mt;for(var T=0;T<i;++T){var I=n[T];if(I>255){var K=I>>18&31;dt(e,c,U[K+257]),c+=$[K+257],K>7&&(ge(e,c,I>>23&31),c+=It[K]);var le=I&31;dt(e,c,H[le]),
+c+=z[le],le>3&&(dt(e,c,I>>5&8191),c+=Nt[le])}else dt(e,c,U[I]),c+=$[I]}return dt(e,c,U[256]),c+$[256]},ci=new zr([65540,131080,131088,131104,262176,1048704,1048832,
+2114560,2117632]),so=new N(0),ui=function(t,e,r,n,o,s){var a=s.z||t.length,i=new N(n+a+5*(1+Math.ceil(a/7e3))+o),l=i.subarray(n,i.length-o),d=s.l,c=(s.r||0)&7;if(e){
+c&&(l[0]=s.r>>3);for(var u=ci[e-1],m=u>>13,h=u&8191,y=(1<<r)-1,f=s.p||new Y(32768),g=s.h||new Y(y+1),b=Math.ceil(r/3),x=2*b,v=function(br){return(t[br]^t[br+1]<<
 b^t[br+2]<<x)&y},w=new zr(25e3),A=new Y(288),C=new Y(32),E=0,T=0,S=s.i||0,P=0,_=s.w||0,k=0;S+2<a;++S){var te=v(S),W=S&32767,O=g[te];if(f[W]=O,g[te]=W,_<=S){var U=a-
 S;if((E>7e3||P>24576)&&(U>423||!d)){c=Jn(t,l,0,w,A,C,T,P,k,S-k,c),P=E=T=0,k=S;for(var $=0;$<286;++$)A[$]=0;for(var $=0;$<30;++$)C[$]=0}var H=2,z=0,Pe=h,re=W-O&32767;
 if(U>2&&te==v(S-re))for(var he=Math.min(m,U)-1,q=Math.min(32767,S),K=Math.min(258,U);re<=q&&--Pe&&W!=O;){if(t[S+H]==t[S+H-re]){for(var I=0;I<K&&t[S+I]==t[S+I-re];++I)
 ;if(I>H){if(H=I,z=re,I>he)break;for(var le=Math.min(re,I-2),Oe=0,$=0;$<le;++$){var Le=S-re+$&32767,kt=f[Le],Rt=Le-kt&32767;Rt>Oe&&(Oe=Rt,O=Le)}}}W=O,O=f[W],re+=
 W-O&32767}if(z){w[P++]=268435456|Nr[H]<<18|Yn[z];var rt=Nr[H]&31,nt=Yn[z]&31;T+=It[rt]+Nt[nt],++A[257+rt],++C[nt],_=S+H,++E}else w[P++]=t[S],++A[t[S]]}}for(S=Math.
 max(S,_);S<a;++S)w[P++]=t[S],++A[t[S]];c=Jn(t,l,d,w,A,C,T,P,k,S-k,c),d||(s.r=c&7|l[c/8|0]<<3,c-=7,s.h=g,s.p=f,s.i=S,s.w=_)}else{for(var S=s.w||0;S<a+d;S+=65535){
-var Ie=S+65535;Ie>=a&&(l[c/8|0]=d,Ie=a),c=oo(l,c+1,t.subarray(S,Ie))}s.i=a}return Wr(i,0,n+Dr(c)+o)},pi=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
-for(var r=e,n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),mi=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=pi[r&255^e[n]]^r>>>
-8;t=r},d:function(){return~t}}};var hi=function(t,e,r,n,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
-return di(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,o)},ao=function(t,e){var r={};for(var n in t)
-r[n]=t[n];for(var n in e)r[n]=e[n];return r};var j=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var fi=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&V(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&V(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function yi(t,e){return hi(t,e||{},0,0)}function io(t,e){return ci(t.subarray(fi(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var lo=function(t,e,r,n){for(var o in t){var s=t[o],a=e+o,i=n;Array.isArray(s)&&(i=ao(n,s[1]),s=s[0]),s instanceof N?r[a]=[s,i]:(r[a+="/"]=[new N(0),i],lo(s,a,r,
-n))}},Xn=typeof TextEncoder<"u"&&new TextEncoder,gi=typeof TextDecoder<"u"&&new TextDecoder,bi=0;try{gi.decode(so,{stream:!0}),bi=1}catch{}function Lt(t,e){if(e){for(var r=new N(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Xn)return Xn.encode(t);for(var o=t.length,s=new N(t.length+
+var Ie=S+65535;Ie>=a&&(l[c/8|0]=d,Ie=a),c=oo(l,c+1,t.subarray(S,Ie))}s.i=a}return Wr(i,0,n+Dr(c)+o)},di=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){
+for(var r=e,n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),pi=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=di[r&255^e[n]]^r>>>
+8;t=r},d:function(){return~t}}};var mi=function(t,e,r,n,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new N(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
+return ui(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,o)},ao=function(t,e){var r={};for(var n in t)
+r[n]=t[n];for(var n in e)r[n]=e[n];return r};var j=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var hi=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&V(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&V(6,"invalid zlib data: "+(t[1]&32?"need":"u\
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function fi(t,e){return mi(t,e||{},0,0)}function io(t,e){return li(t.subarray(hi(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var lo=function(t,e,r,n){for(var o in t){var s=t[o],a=e+o,i=n;Array.isArray(s)&&(i=ao(n,s[1]),s=s[0]),s instanceof N?r[a]=[s,i]:(r[a+="/"]=[new N(0),i],lo(s,a,r,
+n))}},Xn=typeof TextEncoder<"u"&&new TextEncoder,yi=typeof TextDecoder<"u"&&new TextDecoder,gi=0;try{yi.decode(so,{stream:!0}),gi=1}catch{}function Lt(t,e){if(e){for(var r=new N(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Xn)return Xn.encode(t);for(var o=t.length,s=new N(t.length+
 (t.length>>1)),a=0,i=function(c){s[a++]=c},n=0;n<o;++n){if(a+5>s.length){var l=new N(a+8+(o-n<<1));l.set(s),s=l}var d=t.charCodeAt(n);d<128||e?i(d):d<2048?(i(192|
 d>>6),i(128|d&63)):d>55295&&d<57344?(d=65536+(d&1047552)|t.charCodeAt(++n)&1023,i(240|d>>18),i(128|d>>12&63),i(128|d>>6&63),i(128|d&63)):(i(224|d>>12),i(128|d>>
 6&63),i(128|d&63))}return Wr(s,0,a)}var Fr=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&V(9),e+=n+4}return e},Qn=function(t,e,r,n,o,s,a,i){var l=n.length,d=r.extra,c=i&&i.length,
@@ -226,41 +225,41 @@ u=Fr(d);j(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t
 r.compression>>8;var m=new Date(r.mtime==null?Date.now():r.mtime),h=m.getFullYear()-1980;if((h<0||h>119)&&V(10),j(t,e,h<<25|m.getMonth()+1<<21|m.getDate()<<16|m.
 getHours()<<11|m.getMinutes()<<5|m.getSeconds()>>1),e+=4,s!=-1&&(j(t,e,r.crc),j(t,e+4,s<0?-s-2:s),j(t,e+8,r.size)),j(t,e+12,l),j(t,e+14,u),e+=16,a!=null&&(j(t,e,
 c),j(t,e+6,r.attrs),j(t,e+10,a),e+=14),t.set(n,e),e+=l,u)for(var y in d){var f=d[y],g=f.length;j(t,e,+y),j(t,e+2,g),t.set(f,e+4),e+=4+g}return c&&(t.set(i,e),e+=
-c),e},vi=function(t,e,r,n,o){j(t,e,101010256),j(t,e+8,r),j(t,e+10,r),j(t,e+12,n),j(t,e+16,o)};function co(t,e){e||(e={});var r={},n=[];lo(t,"",r,e);var o=0,s=0;for(var a in r){var i=r[a],l=i[0],d=i[1],c=d.level==0?0:8,u=Lt(a),m=u.length,h=d.comment,y=h&&
-Lt(h),f=y&&y.length,g=Fr(d.extra);m>65535&&V(11);var b=c?yi(l,d):l,x=b.length,v=mi();v.p(l),n.push(ao(d,{size:l.length,crc:v.d(),c:b,f:u,m:y,u:m!=a.length||y&&h.
+c),e},bi=function(t,e,r,n,o){j(t,e,101010256),j(t,e+8,r),j(t,e+10,r),j(t,e+12,n),j(t,e+16,o)};function co(t,e){e||(e={});var r={},n=[];lo(t,"",r,e);var o=0,s=0;for(var a in r){var i=r[a],l=i[0],d=i[1],c=d.level==0?0:8,u=Lt(a),m=u.length,h=d.comment,y=h&&
+Lt(h),f=y&&y.length,g=Fr(d.extra);m>65535&&V(11);var b=c?fi(l,d):l,x=b.length,v=pi();v.p(l),n.push(ao(d,{size:l.length,crc:v.d(),c:b,f:u,m:y,u:m!=a.length||y&&h.
 length!=f,o,compression:c})),o+=30+m+g+x,s+=76+2*(m+g)+(f||0)+x}for(var w=new N(s+22),A=o,C=s-o,E=0;E<n.length;++E){var u=n[E];Qn(w,u.o,u,u.f,u.u,u.c.length);var T=30+
-u.f.length+Fr(u.extra);w.set(u.c,u.o+T),Qn(w,o,u,u.f,u.u,u.c.length,u.o,u.m),o+=16+T+(u.m?u.m.length:0)}return vi(w,o,n.length,C,A),w}var Z=["pursuer","evader"];function po(){return JSON.parse(Bt("data"))}function He(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
+u.f.length+Fr(u.extra);w.set(u.c,u.o+T),Qn(w,o,u,u.f,u.u,u.c.length,u.o,u.m),o+=16+T+(u.m?u.m.length:0)}return bi(w,o,n.length,C,A),w}var Z=["pursuer","evader"];function po(){return JSON.parse(Bt("data"))}function He(t,e,r){let[n,o]=[e-t.payoff.first[0],r-t.payoff.first[1]],s=t.payoff.capture_rate[n]?.[o];
 return s===void 0?null:{rate:s,rates:t.payoff.capture_rates[n][o],lengths:t.payoff.lengths[n][o]}}function Ce(t,e,r){let{script:n,network:o,kept:s,genomes:a}=t.
 teams[e];if(n!==null||o===null)return"";if(!s.includes(r))return`The page holds no genome of ${e}s ${r}: it would be too large. Choose a generation of ${s.join(
 ", ")}.`;let i=s.length*o.genome_size;return mo(a,o.genome_size).length===i?"":`The page is damaged: it does not hold the ${i} numbers of the ${e}s' genomes. Wr\
 ite it again from its run.`}function J(t,e,r){let{script:n,network:o,kept:s,genomes:a}=t.teams[e];if(n!==null||o===null)return n??"random";let i=s.indexOf(r);if(i<
 0)throw new RangeError(`${e}: expected a generation whose genome the page holds, got ${r}`);let l=o.genome_size,d=mo(a,l).subarray(i*l,(i+1)*l),{hidden:c,activation:u,
-sampled:m,memory:h}=o;return{hidden:c,activation:u,sampled:m,memory:h,genome:d}}var Hr=4,uo=new Map;function mo(t,e){let r=uo.get(t);if(r)return r;let n=new Float32Array;
-try{let o=xi(jr(t),e);o.every(Number.isFinite)&&(n=o)}catch(o){if(!(o instanceof DOMException||o instanceof RangeError||wi(o)))throw o}return uo.set(t,n),n}var wi=t=>t instanceof
-Error&&"code"in t;function xi(t,e){let r=io(t),n=r.length/Hr,o=new Uint8Array(r.length);for(let a=0;a<o.length;a++)o[a]=r[a%Hr*n+Math.floor(a/Hr)];let s=new Uint32Array(
-o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(o.buffer)}function jr(t){let e=atob(Bt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.
-length;n++)r[n]=e.charCodeAt(n);return r}function Bt(t){return document.getElementById(t)?.textContent??""}var je=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function ho(t,e,r){let[n,o]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||
-(n=0),je.findIndex(([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}var ke=(t,e)=>e<t.nPursuers,L=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Si=(t,e)=>t[0]===e[0]&&
+sampled:m,memory:h}=o;return{hidden:c,activation:u,sampled:m,memory:h,genome:d}}var Hr=4,uo=new Map;function mo(t,e){let r=uo.get(t);if(r)return r;let n=new Float32Array;try{let o=wi(jr(t),e);o.every(Number.isFinite)&&(n=o)}catch(o){if(!(o instanceof DOMException||
+o instanceof RangeError||vi(o)))throw o}return uo.set(t,n),n}var vi=t=>t instanceof Error&&"code"in t;function wi(t,e){let r=io(t),n=r.length/Hr,o=new Uint8Array(
+r.length);for(let a=0;a<o.length;a++)o[a]=r[a%Hr*n+Math.floor(a/Hr)];let s=new Uint32Array(o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(
+o.buffer)}function jr(t){let e=atob(Bt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function Bt(t){return document.getElementById(
+t)?.textContent??""}var je=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function ho(t,e,r){let[n,o]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||
+(n=0),je.findIndex(([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}var ke=(t,e)=>e<t.nPursuers,L=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],xi=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],Gr=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Vr=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),qr=(t,e)=>Vr(t.fault,e),fo=(t,e)=>!qr(
-t,e)&&Vr(t.involved,e,2);function Ut(t,e,r){let n=!Si(L(t,r),L(e,r)),o=e.involved===void 0||Vr(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ft(t,e,r){
+t,e)&&Vr(t.involved,e,2);function Ut(t,e,r){let n=!xi(L(t,r),L(e,r)),o=e.involved===void 0||Vr(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ft(t,e,r){
 let[n,o]=L(t,r),[s,a]=je[e.actions?.[r]??0];return[n+s,o+a]}function ht(t,e,r){return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&
 !e.everCaptured[o]).map(o=>t.nPursuers+o)}var yo=t=>t.moments.flatMap((e,r)=>r&&ht(t,t.moments[r-1],e).length?[r]:[]);function zt(t,e){return Array.from({length:e.
 alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var go=[-.31,0,.31],bo=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:go.flatMap(t=>go.map(e=>[e,t]))}],Mi=.3,Ai=.35,Ei=.55;function ft(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+-.23,-.23],[.23,-.23]]},{size:.36,at:go.flatMap(t=>go.map(e=>[e,t]))}],Si=.3,Mi=.35,Ai=.55;function ft(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[o,s]=L(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function vo(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=L(e,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of ft(t,e).values()){let o=bo[Math.min(n.length,bo.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 d=r[s];d.x+=i,d.y+=l,d.size=o.size,d.alpha=1})}return r}var wo=t=>t*t*(3-2*t),Ge=(t,e,r)=>t+(e-t)*r,xo=t=>Math.min(1,Math.max(0,t));function So(t,e,r,n){let o={
-SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return wo(n);let s=o===r?e:+!ke(t,e),a=Math.max(1/o,Ai);return wo(xo((n-s/(o-1)*(1-a))/a))}function Dt(t,e){
+SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return wo(n);let s=o===r?e:+!ke(t,e),a=Math.max(1/o,Mi);return wo(xo((n-s/(o-1)*(1-a))/a))}function Dt(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=vo(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=vo(t,a);return s.map((l,d)=>{let c=So(
-t,d,s.length,e-n);return Ti(o,a,d,l,i[d],c)})}function Kr(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
-n)]],i=So(t,e,s.alive.length,r-o),[[l,d],[c,u]]=[L(s,e),L(a,e)];return[Ge(d,u,i)+.5,Ge(l,c,i)+.5]}function Ti(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:Ge(n.x,o.x,
-s),y:Ge(n.y,o.y,s),size:a?n.size:Ge(n.size,o.size,s),alpha:a?xo((1-s)/(1-Ei)):Ge(n.alpha,o.alpha,s)};if(Ut(t,e,r)){let[l,d]=L(t,r),[c,u]=Ft(t,e,r),m=Mi*Math.sin(
+t,d,s.length,e-n);return Ei(o,a,d,l,i[d],c)})}function Kr(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
+n)]],i=So(t,e,s.alive.length,r-o),[[l,d],[c,u]]=[L(s,e),L(a,e)];return[Ge(d,u,i)+.5,Ge(l,c,i)+.5]}function Ei(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:Ge(n.x,o.x,
+s),y:Ge(n.y,o.y,s),size:a?n.size:Ge(n.size,o.size,s),alpha:a?xo((1-s)/(1-Ai)):Ge(n.alpha,o.alpha,s)};if(Ut(t,e,r)){let[l,d]=L(t,r),[c,u]=Ft(t,e,r),m=Si*Math.sin(
 Math.PI*s);i.x+=(u-d)*m,i.y+=(c-l)*m}return i}var Mo=2*Math.PI;function Re(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Mo)}function Wt(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[d,c]=s[(l+1)%3];t.arcTo(a,i,d,c,n*.09)}),t.closePath()}function Ao(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Eo(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
 2*(o%2?.6:.95),a=Mo*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function To(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Co=4,Ci=1.6,ki=.95,Ri=5,_i=.16,$i=9,Pi=.09,Oi=.2,ko=.75,ne=(t,e)=>t.left+e*t.cell,oe=(t,e)=>t.top+e*t.cell;function Ve(t,e,r){return ke(e,r)?t.colors.pursuer:
-t.colors.evader}function Ro({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,d]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,d),s<Ri)return;
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Co=4,Ti=1.6,Ci=.95,ki=5,Ri=.16,_i=9,$i=.09,Pi=.2,ko=.75,ne=(t,e)=>t.left+e*t.cell,oe=(t,e)=>t.top+e*t.cell;function Ve(t,e,r){return ke(e,r)?t.colors.pursuer:
+t.colors.evader}function Ro({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,d]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,d),s<ki)return;
 t.fillStyle=r.line;let c=Math.max(1,Math.round(s/60));for(let u=1;u<i;u++)t.fillRect(n+u*s,o,c,d);for(let u=1;u<a;u++)t.fillRect(n,o+u*s,l,c)}function _o({ctx:t,
 grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[c,u]=[Math.floor(d/l),
 d%l];t.fillRect(o+u*a,s+c*a,a,a)}$o({ctx:t,grid:e,colors:r})}function $o({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
@@ -275,31 +274,31 @@ Math.max(s,.6),t.beginPath(),t.roundRect(l-i/2,d-i/2,i,i,i*.2),t.strokeStyle=r.f
 e.cell*.5));t.font=`700 ${Math.round(c)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let u=d-i/2<c*1.2,m=d+(u?1:-1)*(i/2+c*.7);t.strokeStyle=
 r.paper,t.lineJoin="round",t.lineWidth=c*.35,t.strokeText("You",l,m),t.fillStyle=r.ink,t.fillText("You",l,m),t.globalAlpha=1}function No(t,e,r,n,o){let{ctx:s,grid:a}=t,
 i=Oo(t,e,n,o),l=Ve(t,e,r);s.globalAlpha=.11,s.fillStyle=l,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=l,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
-s.globalAlpha=1}function Bo(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min($i,
-Math.max(1,a.cell*_i));for(let d=Math.max(1,Math.floor(r-n)+1);d<=i;d++){let[c,u]=[e.moments[d-1],e.moments[d]],m=Math.max(0,Math.min(1,(r-d)/n));s.globalAlpha=
-ko+(Oi-ko)*m;for(let h=0;h<u.alive.length;h++){let y=d===i&&r<i;if(!c.alive[h]||!(l.alive[h]||y))continue;let f=(ke(e,h)?-1:1)*Pi,[g,b]=L(c,h),[x,v]=L(u,h);if(g===
+s.globalAlpha=1}function Bo(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(_i,
+Math.max(1,a.cell*Ri));for(let d=Math.max(1,Math.floor(r-n)+1);d<=i;d++){let[c,u]=[e.moments[d-1],e.moments[d]],m=Math.max(0,Math.min(1,(r-d)/n));s.globalAlpha=
+ko+(Pi-ko)*m;for(let h=0;h<u.alive.length;h++){let y=d===i&&r<i;if(!c.alive[h]||!(l.alive[h]||y))continue;let f=(ke(e,h)?-1:1)*$i,[g,b]=L(c,h),[x,v]=L(u,h);if(g===
 x&&b===v)continue;let w=y?o[h].x:v+.5,A=y?o[h].y:x+.5;s.strokeStyle=Ve(t,e,h),s.beginPath(),s.moveTo(ne(a,b+.5+f),oe(a,g+.5+f)),s.lineTo(ne(a,w+f),oe(a,A+f)),s.
 stroke()}}s.globalAlpha=1}function Uo(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Co+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Co,l=ht(e,s,a);for(let d of zt(s,a))l.includes(d)||Ii(t,L(a,d),i);for(let d of l)Li(t,L(a,d),i)}t.ctx.globalAlpha=1}function Li({
-ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Eo(t,ne(e,o+.5),oe(e,n+.5),Math.max(8,e.cell*Ci)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
-Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Ii({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Ao(t,ne(e,o+.5),oe(e,n+.5),Math.max(7,e.cell*ki)),
+i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Co,l=ht(e,s,a);for(let d of zt(s,a))l.includes(d)||Li(t,L(a,d),i);for(let d of l)Oi(t,L(a,d),i)}t.ctx.globalAlpha=1}function Oi({
+ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Eo(t,ne(e,o+.5),oe(e,n+.5),Math.max(8,e.cell*Ti)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
+Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Li({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Ao(t,ne(e,o+.5),oe(e,n+.5),Math.max(7,e.cell*Ci)),
 t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Fo({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);
 t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
 continue;let l=[ne(e,i)+s,oe(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=
 1}function zo({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=a,Re(t,ne(e,n),oe(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
-e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Ni=.8,Bi=.92,Ui=15,Fi=7,Yr=9;function Do(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&zi(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of ft(e,r).values())a.length>
-Yr&&Di(t,n[a[Yr-1]],a.length-Yr+1)}function zi(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:d}=t,c=ke(e,n),[u,m]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
-o.size*(c?Bi:Ni)),y=Ve(t,e,n),f=!c&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(c?Wt:Re)(i,u,m,h),h>Fi*a&&(i.strokeStyle=d.paper,i.lineWidth=Math.max(
-2,h*.1),i.stroke()),i.fillStyle=f?d.paper:y,i.fill(),f&&(Re(i,u,m,h*.82),i.strokeStyle=y,i.lineWidth=h*.18,i.stroke()),!s||h<Ui*a)return;let g=String(c?n:n-e.nPursuers);
+e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Ii=.8,Ni=.92,Bi=15,Ui=7,Yr=9;function Do(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Fi(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of ft(e,r).values())a.length>
+Yr&&zi(t,n[a[Yr-1]],a.length-Yr+1)}function Fi(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:d}=t,c=ke(e,n),[u,m]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
+o.size*(c?Ni:Ii)),y=Ve(t,e,n),f=!c&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(c?Wt:Re)(i,u,m,h),h>Ui*a&&(i.strokeStyle=d.paper,i.lineWidth=Math.max(
+2,h*.1),i.stroke()),i.fillStyle=f?d.paper:y,i.fill(),f&&(Re(i,u,m,h*.82),i.strokeStyle=y,i.lineWidth=h*.18,i.stroke()),!s||h<Bi*a)return;let g=String(c?n:n-e.nPursuers);
 i.font=`700 ${Math.round(h*(c?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?y:d.paper,i.fillText(
-g,u,m+h*(c?.17:.03))}function Di({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+g,u,m+h*(c?.17:.03))}function zi({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
-s,a)}var Wi=.46,Hi=.86,ji=.66,Wo=.48,Gi=.78,Vi=.58;function Ho(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let d=0;d<s.alive.length;d++)Ut(o,s,d)&&qi(t,e,L(o,d),Ft(o,s,d));a.globalAlpha=
-1}function qi({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=u=>ne(e,n[1]+.5+s*u),l=u=>oe(e,n[0]+.5+a*u),d=Gr(r,o)?Gi:Vi;t.setLineDash([e.cell*.09,e.cell*
+s,a)}var Di=.46,Wi=.86,Hi=.66,Wo=.48,ji=.78,Gi=.58;function Ho(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let d=0;d<s.alive.length;d++)Ut(o,s,d)&&Vi(t,e,L(o,d),Ft(o,s,d));a.globalAlpha=
+1}function Vi({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=u=>ne(e,n[1]+.5+s*u),l=u=>oe(e,n[0]+.5+a*u),d=Gr(r,o)?ji:Gi;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Wo),l(Wo)),t.lineTo(i(d),l(d)),t.stroke(),t.setLineDash([]);let c=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(d)-a*c,l(d)+
-s*c),t.lineTo(i(d)+a*c,l(d)-s*c),t.stroke()}function jo(t,e,r,n,o,s){let a=je[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=t,c=Gr(e,[n[0]+a[0],n[1]+a[1]])?Hi:
-ji,u=Wi*o.size,m=[ne(l,o.x+a[1]*u),oe(l,o.y+a[0]*u),ne(l,o.x+a[1]*c),oe(l,o.y+a[0]*c)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[
+s*c),t.lineTo(i(d)+a*c,l(d)-s*c),t.stroke()}function jo(t,e,r,n,o,s){let a=je[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=t,c=Gr(e,[n[0]+a[0],n[1]+a[1]])?Wi:
+Hi,u=Di*o.size,m=[ne(l,o.x+a[1]*u),oe(l,o.y+a[0]*u),ne(l,o.x+a[1]*c),oe(l,o.y+a[0]*c)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[
 d.paper,h*2.1],[Ve(t,e,r),h]])i.strokeStyle=y,i.lineWidth=f,To(i,...m,l.cell*.2),i.stroke()}var Ht={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function jt(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(
 Math.ceil(r),e.moments.length-1),d=e.moments[l],c=r===l,u=Dt(e,r),m=c?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Ro(t);for(let f of n.
 viewers)u[f]?.alpha&&No(t,e,f,...Kr(e,f,r));_o(t,e),n.axes&&Po(t,o),Bo(t,e,r,n.trail,u),Fo(t,d.contested??[],m),Uo(t,e,r),Ho(t,e,l,m),u.forEach(({x:f,y:g,size:b},x)=>{
@@ -308,8 +307,8 @@ jo(t,e,f,L(d,f),g,n.plan[f]??0);n.you!==null&&(n.fog&&Lo(t,e,...Kr(e,n.you,r)),I
 null?void 0:u[n.selected];y?.alpha&&Go(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Go(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
 []))}function Go({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var yt=(t,e)=>(e+.24)/(t+.24);function Gt(t,e,r,n,o,s){let a=r?28*s:0,i=(d,c)=>(d-a)/(c+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
 cell:l,left:Math.round((n-e*l+a)/2),top:Math.round((o-t*l+a)/2)}}function Vo(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
-0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Ki={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function qe(t){let e=getComputedStyle(t),r=Object.entries(Ki).map(([n,o])=>[n,e.getPropertyValue(
+0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var qi={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function qe(t){let e=getComputedStyle(t),r=Object.entries(qi).map(([n,o])=>[n,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(r)}var ie=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Se=class{canvas;#e=null;#r=0;#t;#n={rows:1,cols:1,left:0,top:0,cell:1};#a=0;#s;#l;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#t={...Ht,...r},this.#s=new ResizeObserver(()=>this.#c()),this.#s.observe(e),this.#l=new MutationObserver(
 ()=>this.redraw()),this.#l.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
@@ -322,18 +321,18 @@ left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return 
 cols+n[1])??[],a=Dt(this.#e,Math.round(this.#r)),i=l=>{let[d,c]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-e,c-r)};return s.length?s.reduce((l,d)=>i(d)<i(l)?
 d:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:s,top:a,cell:i}=this.#n;return[n.left+(s+e*i)*o,n.top+(a+r*i)*
 o]}#p(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(yt(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.
-canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Yi=12e3;function qo(t,e,r){let n=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>u(
+canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Ki=12e3;function qo(t,e,r){let n=()=>t[e.selected.run].findings?.guided_minute??[],o=p("p",{"aria-live":"polite"}),s=p("button",{type:"button",onclick:()=>u(
 d-1,!1)},"Back"),a=p("button",{type:"button",onclick:()=>u(d+1,!1)}),i=p("section",{class:"guided card","aria-label":"A guided minute"},o,p("div",{},s,a,p("butt\
 on",{type:"button",onclick:()=>m()},"Skip"))),l=p("button",{type:"button",class:"begin-minute",onclick:()=>u(0,!ie())},"A guided minute"),[d,c]=[-1,0];function u(g,b){
 clearTimeout(c);let x=n()[g];if(y(),!x)return m();d=g,o.replaceChildren(p("span",{class:"muted numbers"},`${g+1} of ${n().length} `),x.text),s.disabled=g===0,a.
 textContent=g===n().length-1?"End":"Next",i.hidden=!1,e.select({pursuer:x.pursuer,evader:x.evader}),x.shows==="judgement"?document.querySelector(".diagnosis")?.
-scrollIntoView({block:"nearest"}):x.shows==="checkerboard"?h():(r.reveal(),r.playSoon()),b&&(c=setTimeout(()=>u(g+1,!0),Yi))}function m(){clearTimeout(c),d=-1,i.
+scrollIntoView({block:"nearest"}):x.shows==="checkerboard"?h():(r.reveal(),r.playSoon()),b&&(c=setTimeout(()=>u(g+1,!0),Ki))}function m(){clearTimeout(c),d=-1,i.
 hidden=!0,l.focus()}function h(){document.querySelector(".miniature")?.click();let g=document.querySelector("dialog.four[open]");g?.append(i),g?.addEventListener(
 "close",()=>document.body.append(i),{once:!0})}let y=()=>document.querySelector("dialog.four[open]")?.close(),f=()=>{l.hidden=!n().length,i.hidden||m()};return e.
-on("run",f),i.addEventListener("keydown",g=>{g.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var gt=[.5,1,2,4,8,16,32,64],Ke=0,Vt=12,Zi=2,Me=class extends EventTarget{#e;#r;#t;#n=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
+on("run",f),i.addEventListener("keydown",g=>{g.key==="Escape"&&m()}),i.hidden=!0,f(),{button:l,bar:i}}var gt=[.5,1,2,4,8,16,32,64],Ke=0,Vt=12,Yi=2,Me=class extends EventTarget{#e;#r;#t;#n=0;#a=0;#s=!1;#l=null;#p=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#t=r.still??!1}get step(){return this.#n}get time(){return this.#t?this.#n:this.#a}get arrived(){return this.#a===this.#n}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#o("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#o(
-"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#r||Math.max(Zi,this.#e/Vt)}get speed(){return this.#r}set speed(e){
+"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#o("state")}get pace(){return this.#r||Math.max(Yi,this.#e/Vt)}get speed(){return this.#r}set speed(e){
 this.#r=e,this.#o("state")}changeSpeed(e){let r=gt.findIndex(n=>n>=this.pace);this.speed=gt[Math.min(gt.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#s=!0,this.#o("state"),this.#i())}pause(){this.#s&&(this.#s=!1,this.#o("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
 pause();let r=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(r-this.#a)>1?this.jump(r):this.#d(r),this.#i()}jump(e){this.#a=Math.min(this.#e,Math.max(0,Math.round(
@@ -347,22 +346,22 @@ e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.m
 209,81],[165,219,54],[210,226,27],[253,231,37]];function Ye(t){let e=Math.min(1,Math.max(0,t))*(bt.length-1),r=Math.min(bt.length-2,Math.floor(e)),[n,o]=[bt[r],
 bt[r+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}function qt(t){let[e,r,n]=Ye(t).map(o=>((o/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
 .0722*n>.179?"#000":"#fff"}var Kt=t=>`rgb(${Ye(t).join(" ")})`,Ko=()=>`linear-gradient(to right, ${bt.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;function Yt(t,e,r){let n=devicePixelRatio||1;for(let[a,i]of Object.entries(r))t.style.setProperty(a,`${i}px`);t.width=Math.round(r.width*n),t.height=Math.round(
-r.height*n);let o=t.getContext("2d"),s=Ji(e);!o||!s||(o.imageSmoothingEnabled=!1,o.drawImage(s,0,0,t.width,t.height))}function Ji(t){let[e,r]=t.shape,n=document.
+r.height*n);let o=t.getContext("2d"),s=Zi(e);!o||!s||(o.imageSmoothingEnabled=!1,o.drawImage(s,0,0,t.width,t.height))}function Zi(t){let[e,r]=t.shape,n=document.
 createElement("canvas");[n.width,n.height]=[r,e];let o=n.getContext("2d");if(!o)return null;let s=o.createImageData(r,e);return t.capture_rate.forEach((a,i)=>a.
 forEach((l,d)=>{let c=4*((e-1-i-t.first[0])*r+d+t.first[1]);s.data.set([...Ye(l),255],c)})),o.putImageData(s,0,0),n}function Zt(t,e){let r=p("span",{class:"grad\
-ient"});return r.style.backgroundImage=Ko(),p("p",{class:"scale-of-rates small muted"},t,r,e)}var Xi=84;function Yo(t,e){let r=t.map((s,a)=>Qi(s,a,e)),n=p("nav",{class:"races","aria-label":"Runs"},...r.map(s=>s.button)),o=()=>r.forEach((s,a)=>s.update(a===
-e.selected.run));return e.on("match",o),e.on("hover",o),o(),n.hidden=t.length<2,n}function Qi(t,e,r){let[n,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=Xi/
+ient"});return r.style.backgroundImage=Ko(),p("p",{class:"scale-of-rates small muted"},t,r,e)}var Ji=84;function Yo(t,e){let r=t.map((s,a)=>Xi(s,a,e)),n=p("nav",{class:"races","aria-label":"Runs"},...r.map(s=>s.button)),o=()=>r.forEach((s,a)=>s.update(a===
+e.selected.run));return e.on("match",o),e.on("hover",o),o(),n.hidden=t.length<2,n}function Xi(t,e,r){let[n,o]=t.payoff.shape,s=!t.name.startsWith(t.schedule),a=Ji/
 Math.max(n,o),i=p("canvas",{"aria-hidden":"true"});Yt(i,t.payoff,{left:0,top:0,width:o*a,height:n*a});let l=p("span",{class:"place"}),d=p("button",{type:"button",
 class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Zr(t,e,r)},p("span",{class:"small-matrix"},i,l),p("span",{class:"race-text"},p("strong",{},s?t.name:t.schedule),
-p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${el(t)}`),p("span",{class:"small muted"},`${s?`${t.schedule}, `:""}\
+p("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Qi(t)}`),p("span",{class:"small muted"},`${s?`${t.schedule}, `:""}\
 seed ${t.seed}`)));return{button:d,update:u=>{d.setAttribute("aria-current",String(u));let m=r.hover.pursuer??r.selected.pursuer,h=r.hover.evader??r.selected.evader;
-l.hidden=m>=n||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-m-.5)*a}px`}}}var el=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Zr(t,e,r){
-let[n,o]=t.payoff.shape,{pursuer:s,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(s,n-1),evader:Math.min(a,o-1)})}var tl=[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster or s\
+l.hidden=m>=n||h>=o,l.style.left=`${(h+.5)*a}px`,l.style.top=`${(n-m-.5)*a}px`}}}var Qi=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Zr(t,e,r){
+let[n,o]=t.payoff.shape,{pursuer:s,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(s,n-1),evader:Math.min(a,o-1)})}var el=[[["Space"],"play or pause"],[["←","→"],"step back or forward; with Shift ten steps"],[["Home","End"],"first or last step"],[["+","−"],"faster or s\
 lower"],[["N"],"next episode of the same pair; with Shift the one before"],[["R"],"another seed, not one of the evaluation"],[["O"],"the cell's own seed again"],
 [["P"],"next pursuer generation; with Shift the one before"],[["E"],"next evader generation; with Shift the one before"],[["M"],"to the matrix: arrow keys choos\
 e a match, Enter plays it"],[["A"],"next agent: what it sees; with Shift the one before"],[["Esc"],"no agent"],[["T"],"take over the chosen agent, or an evader,\
  from this step on"],[["G"],"this step in the playground: any other rules, actions and places"],[["1","9"],"first to ninth run"],[["D"],"light or dark"],[["?"],
-"this list"]];function Zo(){let t=tl.map(([r,n])=>p("div",{class:"key-row"},p("dt",{},...r.map(o=>p("kbd",{},o))),p("dd",{},n))),e=p("dialog",{class:"help","ari\
+"this list"]];function Zo(){let t=el.map(([r,n])=>p("div",{class:"key-row"},p("dt",{},...r.map(o=>p("kbd",{},o))),p("dd",{},n))),e=p("dialog",{class:"help","ari\
 a-labelledby":"help-title"},p("h2",{id:"help-title"},"Keys"),p("dl",{class:"keys"},...t),p("p",{class:"muted small"},"The page holds the genomes and the engine \
 of this run. A click on a cell plays that very match: same seed, same moves. The page loads nothing from elsewhere; share the file as it is."),p("button",{type:"\
 button",onclick:()=>e.close()},"Close"));return e.addEventListener("click",r=>r.target===e&&e.close()),e}function Jo(t,e,r,n,o,s){let a=(l,d)=>()=>{let c=t[e.selected.
@@ -373,20 +372,20 @@ inspector.next(-1),Escape:()=>r.inspector.choose(null),t:o,g:s,d:$r,"?":()=>n.sh
 l.target instanceof HTMLInputElement,c=l.target instanceof HTMLButtonElement&&(l.key===" "||l.key==="Enter");if(document.querySelector("dialog[open]")||d||c||l.
 defaultPrevented||l.ctrlKey||l.metaKey||l.altKey)return;let u=i[l.key]??i[l.key.toLowerCase()],m=Number(l.key)-1;if(Ae(r.player,l)||u)u?.();else if(t[m])Zr(t[m],
 m,e);else return;l.preventDefault()})}function Xo(t,e,r,n,o){let s=-8e3;for(let l of["pointerdown","pointermove","keydown","wheel"])window.addEventListener(l,()=>s=performance.now(),{passive:!0});let a=()=>!n()&&
-performance.now()-s>8e3,i=async()=>{let l=await fetch("version").then(d=>d.text(),()=>null);l===null?o():l==="end"||l!==t&&a()?(rl(e,r),location.reload()):setTimeout(
-()=>{i()},1e3)};i()}function rl(t,e){let{run:r,pursuer:n,evader:o}=e.selected,[s,a]=t[r].payoff.shape;n===s-1&&o===a-1&&history.replaceState(null,"",`#run=${r}`)}function Jr(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Xr(t,e){return{
+performance.now()-s>8e3,i=async()=>{let l=await fetch("version").then(d=>d.text(),()=>null);l===null?o():l==="end"||l!==t&&a()?(tl(e,r),location.reload()):setTimeout(
+()=>{i()},1e3)};i()}function tl(t,e){let{run:r,pursuer:n,evader:o}=e.selected,[s,a]=t[r].payoff.shape;n===s-1&&o===a-1&&history.replaceState(null,"",`#run=${r}`)}function Jr(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Xr(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
-fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Jt(t){let e=Array.from({length:t.length+1},(r,n)=>nl(t,n));return Jr(t.config,t.map,e)}function nl(t,e){
+fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Jt(t){let e=Array.from({length:t.length+1},(r,n)=>rl(t,n));return Jr(t.config,t.map,e)}function rl(t,e){
 let r=t.n_agents,n=t.config.n_evaders,o=(a,i,l)=>a.subarray(i*l,(i+1)*l),s={positions:o(t.last_positions,e,2*r),alive:o(t.alive,e,r),captured:o(t.captured,e,n),
 everCaptured:o(t.ever_captured,e,n)};return e===0?s:{...s,actions:o(t.actions,e-1,r),involved:o(t.involved,e-1,3*r),fault:o(t.fault,e-1,3*r),get contested(){return t.
-conflicts(e).map(a=>a.cell)}}}var ol=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Qo(){let t=[["pursu\
-er",M("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",M("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",M("polygon",{points:ol,class:"\
+conflicts(e).map(a=>a.cell)}}}var nl=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Qo(){let t=[["pursu\
+er",M("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",M("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",M("polygon",{points:nl,class:"\
 filled-capture"})],["captured evader",M("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",M("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
 ct"})]];return p("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,r])=>p("li",{},M("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},r),
-e)))}var sl={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function es(t){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:sl[t]}))}function vt(t,e,r,n){return p("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},es(t))}function Ze(t){let e=vt("play","Play","Space",()=>t.toggle()),r=al(t),
-n=p("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=p("div",{class:"losses","aria-hidden":"true"}),s=il(t),a=p("output",{class:"player-count"}),
+e)))}var ol={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function es(t){return M("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},M("path",{d:ol[t]}))}function vt(t,e,r,n){return p("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},es(t))}function Ze(t){let e=vt("play","Play","Space",()=>t.toggle()),r=sl(t),
+n=p("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=p("div",{class:"losses","aria-hidden":"true"}),s=al(t),a=p("output",{class:"player-count"}),
 i=p("div",{class:"player",role:"group","aria-label":"Player"},vt("first","First step","Home",()=>t.move(-t.length)),vt("back","Step back","←",()=>t.move(-1)),
 e,vt("forward","Step forward","→",()=>t.move(1)),vt("last","Last step","End",()=>t.move(t.length)),p("div",{class:"scrub"},n,o,r),a,s),l=(u,m={})=>{let h=p("i",
 m);return h.style.left=`${100*u/Math.max(1,t.length)}%`,h},d=()=>{n.replaceChildren(...t.marks.map(u=>l(u))),o.replaceChildren(...t.ticks.map(({step:u,kind:m,size:h,
@@ -394,19 +393,19 @@ text:y})=>{let f=l(u,{class:m,title:`Step ${u}: ${y}`});return f.style.height=`$
 t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
 `${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,s.value=String(t.speed)};return t.addEventListener("step",c),t.addEventListener("s\
 tate",c),t.addEventListener("state",d),i.addEventListener("keydown",u=>{!(u.target instanceof HTMLSelectElement||u.key===" "&&u.target!==r)&&Ae(t,u)&&u.preventDefault()}),
-c(),i}function al(t){let e=p("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function il(t){let e=`Steps a second, or the whole in ${Vt} s (+ and -)`,r=p("select",{class:"player-speed","aria-label":"Speed",title:e},p(
+c(),i}function sl(t){let e=p("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function al(t){let e=`Steps a second, or the whole in ${Vt} s (+ and -)`,r=p("select",{class:"player-speed","aria-label":"Speed",title:e},p(
 "option",{value:Ke},`in ${Vt} s`),...gt.map(n=>p("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var B=(t,e=2)=>t==null?"-":t.toFixed(e);function ts(t,e,r){return e===null||r===null?B(t):`${B(t)} (${B(e)} to ${B(r)})`}var rs=t=>t.toLocaleString("en-GB");function wt(t,e,r,n=!1){
 let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),a=[1,2,5,10].map(d=>d*s).find(d=>d>=o)??10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),
-l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(d,c)=>(i+c)*a)}var ll=40,Xt=class{element;#e;#r=p("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=p("p",{class:"check small numbers","aria-live":"\
+l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(d,c)=>(i+c)*a)}var il=40,Xt=class{element;#e;#r=p("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=p("p",{class:"check small numbers","aria-live":"\
 polite"});constructor(e){this.#e=e,this.element=p("div",{class:"strip-of-episodes"},this.#r,this.#t)}show(e,r){let{pursuer:n,evader:o,episode:s,seed:a}=this.#e.
-selected,i=He(e,n,o);this.#r.replaceChildren(...(i?.rates??[]).slice(0,ll).map((m,h)=>this.#n(m,h)));let l=a===null?i?.rates[s]:void 0,d=r.statistics.capture_rate,
+selected,i=He(e,n,o);this.#r.replaceChildren(...(i?.rates??[]).slice(0,il).map((m,h)=>this.#n(m,h)));let l=a===null?i?.rates[s]:void 0,d=r.statistics.capture_rate,
 c=l!==void 0&&Math.abs(d-l)<1e-6&&r.length===i?.lengths[s],u=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";this.#t.dataset.
 equal=String(c),this.#t.textContent=c?"As in the evaluation":l===void 0?u:`Episode ${s+1} differs from the evaluation.`,this.#t.title=`Played here: capture rate\
  ${B(d,3)} in ${r.length} steps.${i?` The cell says ${B(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,o=p("span",{class:"bar"});return o.style.height=`${Math.
 round(100*e)}%`,p("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${B(e)}`,"aria-label":`Episode ${r+1}, capture rate ${B(e)}`,"aria\
--pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},o,p("span",{class:"count"},r+1))}};var ue=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var ns=0,os=1,cl=2,ul=176;function as(t,e,r,n){let o=devicePixelRatio||1,s=qe(t);t.width=t.height=ul*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let c=0;r&&c<i*i;c++){let[u,m]=[(c%i+.5)*l,(Math.floor(c/i)+.5)*l],h=f=>!!r[f*i*i+c];h(cl)&&(a.fillStyle=
+-pressed":String(r===n.episode&&n.seed===null),onclick:()=>this.#e.select({episode:r,seed:null})},o,p("span",{class:"count"},r+1))}};var ue=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var ns=0,os=1,ll=2,cl=176;function as(t,e,r,n){let o=devicePixelRatio||1,s=qe(t);t.width=t.height=cl*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let c=0;r&&c<i*i;c++){let[u,m]=[(c%i+.5)*l,(Math.floor(c/i)+.5)*l],h=f=>!!r[f*i*i+c];h(ll)&&(a.fillStyle=
 s.obstacle,a.fillRect(u-l/2,m-l/2,l,l));let y=h(ns)&&h(os)?l*.18:0;h(ns)&&ss(a,Re,u+y,m+y,l*.74,s.evader),h(os)&&ss(a,Wt,u-y,m-y,l*.86,s.pursuer)}a.strokeStyle=
 n<e.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let d=Math.floor(i/2)*l;a.strokeRect(d,d,l,l)}function ss(t,e,r,n,o,s){e(t,r,n,o),t.fillStyle=s,t.fill()}var is="What it remembers: a number for each unit, from -1 to 1",Qt=class{element;#e;#r=p("canvas",{class:"seen",role:"img"});#t=p("h3");#n=p("p",{class:"small \
 muted"});#a=p("div",{class:"answers"});#s=p("div",{title:is});#l=null;#p=null;#c=null;#m=null;#d=null;#i=null;#h=0;constructor(e){this.#e=e,this.element=p("div",
@@ -419,61 +418,61 @@ element.dataset.open=String(e!==null),this.#e(e),this.at(this.#h)}next(e){let r=
 let l={pursuers:J(o,"pursuer",s.pursuer),evaders:J(o,"evader",s.evader)};r.seek(n,e,l);let d=r.actions.subarray(e*r.n_agents,(e+1)*r.n_agents);for(;d.length&&!n.
 over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(d);let c=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);as(this.#r,r.config,c?n.view(a):null,a),this.#r.ariaLabel=
 `Field of view of ${G(a,r.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let u=d[a]??null;if(!c)return this.#u([],"It is gone.");let m=l[`${i}s`],
-h=typeof m=="string"?null:n.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},"It remembers:"),ml(h.memory));
+h=typeof m=="string"?null:n.answer(m,a),y=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(p("p",{class:"small muted"},"It remembers:"),pl(h.memory));
 let f=this.#p?.game(n)??null,g=typeof m=="string"?`The script "${m}" plays for it${u===null?"":`; it goes ${ue[u]}`}.`:m.sampled?"Its action is drawn from these\
  probabilities.":"It takes the most probable action.",b=[["network",y],["perfect",f?.marginal(a)??null]],x=We(r.config),v=w=>p("p",{class:"small muted"},w);this.#u(
-[...f?[v(`Value ${f.value.toFixed(2)} under perfect play.`)]:[],...dl(b,u),...x?[v(`Perfect play is not known: ${x}.`)]:[]],u===null?"The episode is over.":g)}#u(e,r){
-this.#a.replaceChildren(...e),this.#n.textContent=r}};function dl(t,e){let r=t.filter(([,s])=>s);if(!r.length)return[];let n=p("div",{class:"action muted"},p("s\
+[...f?[v(`Value ${f.value.toFixed(2)} under perfect play.`)]:[],...ul(b,u),...x?[v(`Perfect play is not known: ${x}.`)]:[]],u===null?"The episode is over.":g)}#u(e,r){
+this.#a.replaceChildren(...e),this.#n.textContent=r}};function ul(t,e){let r=t.filter(([,s])=>s);if(!r.length)return[];let n=p("div",{class:"action muted"},p("s\
 pan"),...r.map(([s])=>p("span",{class:"head"},s))),o=Array.from(r[0][1],(s,a)=>p("div",{class:a===e?"action taken":"action"},p("span",{},ue[a]),...r.flatMap(([,
-i])=>pl(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...o]:o}function pl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"\
-track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function ml(t){let e=Array.from(t,r=>{let n=p("span",{title:r.toFixed(2)});return n.style.transform=`scaleY\
+i])=>dl(i[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...o]:o}function dl(t){let e=p("span",{class:"filled"});return e.style.width=`${100*t}%`,[p("span",{class:"\
+track"},e),p("span",{class:"numbers"},t.toFixed(2))]}function pl(t){let e=Array.from(t,r=>{let n=p("span",{title:r.toFixed(2)});return n.style.transform=`scaleY\
 (${r})`,n});return p("div",{class:"units",role:"img","aria-label":is},...e)}function Je(t,e,{pursuer:r,evader:n,episode:o,seed:s}){let a=e.seeds[r][n];return t.match(e.world,J(e,"pursuer",r),J(e,"evader",n),BigInt(s??a),o)}function ls(t){let e=JSON.stringify(t,(r,n)=>r==="genome"?Array.from(n):n);return p("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var cs="champion",us=0,Qr=64,en=100;var hl=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function ds(t,e){return Object.keys(e).find(r=>hl(e[r],t))??null}var xt="_",fl="n",Jd=2n**64n-1n;var tn={fov:11,maxSteps:500,rewards:"paper"},yl=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
-"next"];function hs(t,e){let r=i=>i.map(l=>bl(l,e)).join(""),n=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,o=gl(t.rewards,e),s=[t.seed,t.episode,t.steps].join("."),a={rules:ms(
+outerHTML}var cs="champion",us=0,Qr=64,en=100;var ml=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function ds(t,e){return Object.keys(e).find(r=>ml(e[r],t))??null}var xt="_",hl="n",Zd=2n**64n-1n;var tn={fov:11,maxSteps:500,rewards:"paper"},fl=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+"next"];function hs(t,e){let r=i=>i.map(l=>gl(l,e)).join(""),n=i=>`${Math.floor(i/t.cols)}.${i%t.cols}`,o=yl(t.rewards,e),s=[t.seed,t.episode,t.steps].join("."),a={rules:ms(
 t.rules,e),others:t.others?ms(t.others,e):"",rewards:o===tn.rewards?"":o,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===tn.fov?"":String(t.fov),
 limit:t.maxSteps===tn.maxSteps?"":String(t.maxSteps),seed:s==="0.0.0"?"":s,ended:t.ended?"1":"",walls:t.walls.map(n).join(xt),pursuers:t.pursuers.map(ps).join(xt),
-evaders:t.evaders.map(ps).join(xt),played:t.played.map(r).join(xt),next:t.next.every(i=>i===us)?"":r(t.next)};return yl.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
+evaders:t.evaders.map(ps).join(xt),played:t.played.map(r).join(xt),next:t.next.every(i=>i===us)?"":r(t.next)};return fl.filter(i=>a[i]).map(i=>`${i}=${a[i]}`).join(
 "&")}function ps({cell:t,gone:e,captured:r,everCaptured:n}){let o=r?"c":n?"e":"";return`${t[0]}.${t[1]}${o}${e?"x":""}`}function ms(t,e){let r=e.fields.map(({name:n})=>String(
-t[n]).toLowerCase());return ds(t,e.variants)??r.join(".")}function gl(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(o=>JSON.stringify(e.rewards[o])===
-r)??Object.values(t).map(o=>String(o)).join(xt)}function bl(t,e){if(typeof t=="number")return String(t);if(t===cs)return fl;let r=e.scripts.findIndex(({name:n})=>n===
-t);return String.fromCharCode(97+r)}var vl="/* the engine */";function fs(t,e){return p("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
+t[n]).toLowerCase());return ds(t,e.variants)??r.join(".")}function yl(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(o=>JSON.stringify(e.rewards[o])===
+r)??Object.values(t).map(o=>String(o)).join(xt)}function gl(t,e){if(typeof t=="number")return String(t);if(t===cs)return hl;let r=e.scripts.findIndex(({name:n})=>n===
+t);return String.fromCharCode(97+r)}var bl="/* the engine */";function fs(t,e){return p("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
 nd actions under any rules",onclick:()=>rn(t(),e)},"What if?")}function rn(t,e){let r=t!==null&&t.match.n_agents<=en&&Math.max(t.match.config.rows,t.match.config.
-cols)<=Qr,n=r?hs(wl(t.match,t.step),e):"",o=new TextDecoder().decode(jr("playground")).replace(vl,()=>Bt("script-engine")).replace("</noscript>",s=>r?s+ls(t.champions):
-s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${n}`)}function wl(t,e){let{config:r,n_agents:n}=t,o=Math.max(0,e-1),s=i=>{let l=o*n+i,
+cols)<=Qr,n=r?hs(vl(t.match,t.step),e):"",o=new TextDecoder().decode(jr("playground")).replace(bl,()=>Bt("script-engine")).replace("</noscript>",s=>r?s+ls(t.champions):
+s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${n}`)}function vl(t,e){let{config:r,n_agents:n}=t,o=Math.max(0,e-1),s=i=>{let l=o*n+i,
 d=o*r.n_evaders+i-r.n_pursuers,c=u=>i>=r.n_pursuers&&!!u[d];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:c(t.captured),
 everCaptured:c(t.ever_captured)}},a=Array.from({length:n},(i,l)=>s(l));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
 fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:o,ended:o===t.length,walls:Array.from(t.map.keys()).filter(i=>t.map[i]),pursuers:a.slice(
-0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(o*n,(o+1)*n))}}var nn=.005,gs=.05,xl=["pursuer","evader"],Sl=4,Xe=new Map;function er(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=Xe.get(n)??
-(We(e)?Promise.resolve(null):Ml(t,e,r));return Xe.delete(n),Xe.set(n,o),Xe.size>Sl&&Xe.delete([...Xe.keys()][0]),o}var bs=({n_evaders:t})=>t===1?"capture-time":
-"capture-rate",ys=()=>new Promise(t=>setTimeout(t));async function Ml(t,e,r){await ys();let n=t.solution(e,r);for(;n.goBack();)await ys();return n}function tr(t,e,r){
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(o*n,(o+1)*n))}}var nn=.005,gs=.05,wl=["pursuer","evader"],xl=4,Xe=new Map;function er(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=Xe.get(n)??
+(We(e)?Promise.resolve(null):Sl(t,e,r));return Xe.delete(n),Xe.set(n,o),Xe.size>xl&&Xe.delete([...Xe.keys()][0]),o}var bs=({n_evaders:t})=>t===1?"capture-time":
+"capture-rate",ys=()=>new Promise(t=>setTimeout(t));async function Sl(t,e,r){await ys();let n=t.solution(e,r);for(;n.goBack();)await ys();return n}function tr(t,e,r){
 let{payoff:n}=t;return r.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((d,c)=>a[c]+=d),e.playTurn(o);let i=n==="ca\
-pture-rate"?nn:gs;return xl.map((l,d)=>({step:s+1,team:l,lost:a[d],payoff:n})).filter(l=>l.lost>=i)})}var rr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
+pture-rate"?nn:gs;return wl.map((l,d)=>({step:s+1,team:l,lost:a[d],payoff:n})).filter(l=>l.lost>=i)})}var rr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
 max(1,...t.map(({lost:r})=>r)),text:St(e)})),vs=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,St=t=>`The\
  ${t.team}s lose ${vs(t)} against a perfect opponent`;function ws(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step},\
  lost ${vs(e)} against a perfect opponent.`}function xs({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.
 min(t.max_steps-n,Rr)];return o>s-gs?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function Ss(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,
-action:o})).filter(({share:n})=>n>=nn).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-nn?ue[o]:`${ue[o]} ${n.toFixed(2)}`).join(", ")}function nr(t,e,r){if(r===0)return[{kind:"start",text:Al(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>G(c,t.config.n_pursuers),a=ht(e,n,o),i=t.conflicts(
+action:o})).filter(({share:n})=>n>=nn).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-nn?ue[o]:`${ue[o]} ${n.toFixed(2)}`).join(", ")}function nr(t,e,r){if(r===0)return[{kind:"start",text:Ml(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>G(c,t.config.n_pursuers),a=ht(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(c=>c.doomed)),d=a.map(c=>({kind:"capture",text:`${s(c)} is captured`,agents:[c]}));for(let c of zt(n,o))!a.includes(c)&&!l.has(c)&&d.push(
 {kind:"end",text:`${s(c)} disappears`,agents:[c]});return d.push(...i.map(({kind:c,text:u,agents:m})=>({kind:c,text:u,agents:m}))),r===t.length&&d.unshift({kind:"\
-end",text:El(t),agents:[]}),d}function Al({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function El(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var Tl=60,or=class{element;player=new Me(0,{speed:Ke,still:ie()});inspector;match=null;recording=null;actions;#e;#r;#t;#n;#a=p("h2",{class:"match-title"});#s=p(
+end",text:Al(t),agents:[]}),d}function Ml({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function Al(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}var El=60,or=class{element;player=new Me(0,{speed:Ke,still:ie()});inspector;match=null;recording=null;actions;#e;#r;#t;#n;#a=p("h2",{class:"match-title"});#s=p(
 "p",{class:"tally numbers"});#l=p("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#p=p("p",{class:"problem",role:"a\
 lert"});#c=null;#m=null;#d=0;#i=!1;#h=0;#u=[];constructor(e,r,n){[this.#r,this.#t]=[e,r];let o=p("canvas",{"aria-label":"The match"});this.#e=new Se(o,{numbers:!1}),
 this.#n=new Xt(r),this.inspector=new Qt(s=>this.#x(s)),o.addEventListener("click",s=>this.inspector.choose(this.#e.agentAt(s.clientX,s.clientY))),this.actions=p(
 "div",{class:"beside"},p("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
-dispatchEvent(new Event("takeover"))},"Take over"),fs(()=>this.shown,n)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p("d\
-iv",{class:"match"},p("header",{class:"match-head"},this.#a,this.#s),this.#p,p("div",{class:"stage"},o),p("div",{class:"aside"},this.#l,Qo(),this.actions,this.inspector.
-element),Ze(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.player.addEventListener(
-"step",()=>this.#w()),r.on("match",()=>this.#f()),r.on("rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#r[this.#t.selected.run]}reveal(){
-this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){this.#c=
-e,this.#y()}playSoon(){this.#i=!0,this.#d||this.#g()}goTo(e){this.#h=e,!this.#d&&this.match&&this.#y()}#g(){!this.#i||!this.match||(this.#i=!1,this.player.jump(
-0),ie()||this.player.play())}#f(){this.#v(),clearTimeout(this.#d),this.#d=setTimeout(()=>this.#y(),Tl)}#y(){clearTimeout(this.#d),this.#d=0,this.player.pause(),
+dispatchEvent(new Event("takeover"))},"Take over"),n&&fs(()=>this.shown,n)),this.element=p("section",{class:"card match-card","aria-label":"Match",id:"match"},p(
+"div",{class:"match"},p("header",{class:"match-head"},this.#a,this.#s),this.#p,p("div",{class:"stage"},o),p("div",{class:"aside"},this.#l,Qo(),this.actions,this.
+inspector.element),Ze(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.
+player.addEventListener("step",()=>this.#w()),r.on("match",()=>this.#f()),r.on("rest",()=>this.player.pause()),this.#v(),this.#S(0,0)}get#o(){return this.#r[this.#t.
+selected.run]}reveal(){this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#m&&{match:this.match,step:this.player.step,champions:this.#m}}start(e){
+this.#c=e,this.#y()}playSoon(){this.#i=!0,this.#d||this.#g()}goTo(e){this.#h=e,!this.#d&&this.match&&this.#y()}#g(){!this.#i||!this.match||(this.#i=!1,this.player.
+jump(0),ie()||this.player.play())}#f(){this.#v(),clearTimeout(this.#d),this.#d=setTimeout(()=>this.#y(),El)}#y(){clearTimeout(this.#d),this.#d=0,this.player.pause(),
 this.#v();let{selected:e}=this.#t,r=Z.map(s=>Ce(this.#o,s,e[s])).find(Boolean)??"";if(this.#p.textContent=r,r||!this.#c)return;this.match=Je(this.#c,this.#o,e);
 let[n,o]=this.names(e);this.#m={pursuer:{name:n,policy:J(this.#o,"pursuer",e.pursuer)},evader:{name:o,policy:J(this.#o,"evader",e.evader)}},this.recording=Jt(this.
 match),this.#n.show(this.#o,this.match),this.inspector.show(this.#c,this.#o,this.match,e),this.player.length=this.match.length,this.player.marks=yo(this.recording),
 this.#u=this.player.ticks=[],this.player.jump(this.#h),this.#h=0,this.#w(),this.#b(this.#c,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
- ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,r){let n=await er(e,r.config);if(this.match!==r||!n)return;let o=e.world(r.config);r.seek(o,0),this.#u=tr(n,o,Cl(
+ ${e.episode} ${e.seed??""}`,this.#g()}async#b(e,r){let n=await er(e,r.config);if(this.match!==r||!n)return;let o=e.world(r.config);r.seek(o,0),this.#u=tr(n,o,Tl(
 r)),o.free(),this.player.ticks=rr(this.#u),this.inspector.solution=n,this.#w()}names({run:e,pursuer:r,evader:n}){let{teams:o}=this.#r[e];return[o.pursuer.script??
 `pursuers ${r}`,o.evader.script??`evaders ${n}`]}#v(){let{episode:e,seed:r}=this.#t.selected,{payoff:n}=this.#o,[o,s]=this.names(this.#t.selected),a=r===null?e<
 n.episodes?`episode ${e+1} of ${n.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`;this.#a.replaceChildren(p("span",{class:"pursuer"},o)," against ",
@@ -482,14 +481,14 @@ this.#S(Array.from(n.everCaptured).filter(Boolean).length,r),this.#l.replaceChil
 o))),...nr(e,this.recording,r).map(o=>p("li",{class:o.kind,"data-agents":o.agents.join(" ")},o.text))),this.inspector.at(r),this.#M()}#S(e,r){this.#s.replaceChildren(
 p("strong",{},e),` of ${this.#o.world.n_evaders} captured`,p("span",{class:"muted"},` · step ${r}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#M()}#M(){
 let e=this.inspector.agent;for(let r of this.#l.children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},
-Cl=({actions:t,length:e,n_agents:r})=>Array.from({length:e},(n,o)=>t.subarray(o*r,(o+1)*r));var kl={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},Rl=5;function be(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
-t.addEventListener("keydown",o=>{let s=kl[o.key];if(!s)return;let[a,i]=n==="pursuer"?s:[s[1],s[0]],[l,d]=r(),c=o.shiftKey?Rl:1,{pursuer:u,evader:m}=e.selected;e.
-select({pursuer:Ms(u+c*a,l),evader:Ms(m+c*i,d)}),o.preventDefault(),o.stopPropagation()})}var Ms=(t,e)=>Math.min(e-1,Math.max(0,t));var _l=24,sr=7,Es=t=>t<_l&&matchMedia("(pointer: coarse)").matches;function Ts(t,e,r,n){let[o,s]=t.payoff.shape,[a,i]=[As(e,o),As(r,s)],[l,d]=[Math.min(sr,o),Math.
-min(sr,s)],c=[];for(let y=a+l-1;y>=a;y--){c.push(p("span",{class:"pursuer"},y));for(let f=i;f<i+d;f++)c.push($l(t,y,f,n))}let u=Array.from({length:d},(y,f)=>p("\
+Tl=({actions:t,length:e,n_agents:r})=>Array.from({length:e},(n,o)=>t.subarray(o*r,(o+1)*r));var Cl={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},kl=5;function be(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
+t.addEventListener("keydown",o=>{let s=Cl[o.key];if(!s)return;let[a,i]=n==="pursuer"?s:[s[1],s[0]],[l,d]=r(),c=o.shiftKey?kl:1,{pursuer:u,evader:m}=e.selected;e.
+select({pursuer:Ms(u+c*a,l),evader:Ms(m+c*i,d)}),o.preventDefault(),o.stopPropagation()})}var Ms=(t,e)=>Math.min(e-1,Math.max(0,t));var Rl=24,sr=7,Es=t=>t<Rl&&matchMedia("(pointer: coarse)").matches;function Ts(t,e,r,n){let[o,s]=t.payoff.shape,[a,i]=[As(e,o),As(r,s)],[l,d]=[Math.min(sr,o),Math.
+min(sr,s)],c=[];for(let y=a+l-1;y>=a;y--){c.push(p("span",{class:"pursuer"},y));for(let f=i;f<i+d;f++)c.push(_l(t,y,f,n))}let u=Array.from({length:d},(y,f)=>p("\
 span",{class:"evader"},i+f)),m=p("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=p("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap"},...c,m,...u);return h.style.gridTemplateColumns=`2.4rem repeat(${d}, minmax(0, 1fr))`,h.addEventListener("click",y=>y.stopPropagation()),
-h}function $l(t,e,r,n){let o=He(t,e,r)?.rate,s=p("button",{type:"button","aria-label":`${B(o)}: pursuers ${e} against evaders ${r}`,onclick:()=>n({pursuer:e,evader:r})},
-B(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Kt(o),qt(o)]),s}var As=(t,e)=>Math.max(0,Math.min(e-sr,t-Math.floor(sr/2)));var se={left:52,bottom:46,top:76,right:84},de=10,Pl=160,Mt=se.right-de-14,_e=se.top-de-14,ar=class{element;#e;#r;#t=p("canvas",{"aria-hidden":"true"});#n=M("svg",
+h}function _l(t,e,r,n){let o=He(t,e,r)?.rate,s=p("button",{type:"button","aria-label":`${B(o)}: pursuers ${e} against evaders ${r}`,onclick:()=>n({pursuer:e,evader:r})},
+B(o));return o!==void 0&&([s.style.backgroundColor,s.style.color]=[Kt(o),qt(o)]),s}var As=(t,e)=>Math.max(0,Math.min(e-sr,t-Math.floor(sr/2)));var se={left:52,bottom:46,top:76,right:84},de=10,$l=160,Mt=se.right-de-14,_e=se.top-de-14,ar=class{element;#e;#r;#t=p("canvas",{"aria-hidden":"true"});#n=M("svg",
 {"aria-hidden":"true"});#a=M("g");#s;#l=p("h2");#p=p("strong",{class:"rate numbers"});#c=p("span",{class:"small muted"});#m=p("p",{class:"of-both-teams small mu\
 ted numbers"});#d=null;constructor(e,r){[this.#r,this.#e]=[e,r],this.#s=p("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
 ch, Enter plays it."},this.#t,this.#n);let n=p("header",{class:"readout","aria-live":"polite"},p("div",{},this.#l,this.#m),p("div",{class:"of-cell"},this.#p,this.#c));
@@ -498,9 +497,9 @@ observe(this.#s),this.#s.addEventListener("pointermove",o=>this.#v(o)),this.#s.a
 o=>this.#w(o)),this.#s.addEventListener("mousedown",o=>{o.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),be(this.#s,
 r,()=>this.#i.payoff.shape),this.#s.addEventListener("keydown",o=>{o.key==="Enter"&&this.#x()}),r.on("run",()=>this.#h()),r.on("match",()=>this.#g()),r.on("hove\
 r",()=>this.#g())}get#i(){return this.#r[this.#e.selected.run]}#h(){let[e,r]=this.#i.payoff.shape,{clientWidth:n,clientHeight:o}=this.#s;if(n<50)return;let a=Math.
-max(Pl,Math.min(n-se.left-se.right,o-se.top-se.bottom))/Math.max(e,r),i=Math.max(se.left,(n-r*a-se.right+se.left)/2),l=se.top+Math.max(0,(o-se.top-se.bottom-e*a)/
+max($l,Math.min(n-se.left-se.right,o-se.top-se.bottom))/Math.max(e,r),i=Math.max(se.left,(n-r*a-se.right+se.left)/2),l=se.top+Math.max(0,(o-se.top-se.bottom-e*a)/
 2),d={width:n,height:o,left:i,top:l,cell:a,rows:e,columns:r};this.#d=d,Yt(this.#t,this.#i.payoff,{left:i,top:l,width:r*a,height:e*a}),this.#n.setAttribute("view\
-Box",`0 0 ${n} ${o}`),this.#n.replaceChildren(Ol(d),...Ll(d),...this.#o(d),this.#a),this.#g()}#u(e){let r=this.#i.findings?.generalization;if(!r)return[];let{selected:n,
+Box",`0 0 ${n} ${o}`),this.#n.replaceChildren(Pl(d),...Ol(d),...this.#o(d),this.#a),this.#g()}#u(e){let r=this.#i.findings?.generalization;if(!r)return[];let{selected:n,
 hover:o}=this.#e,[s,a]=[o.pursuer??n.pursuer,o.evader??n.evader],[i,l]=Cs(e,r.pursuers.mean[s]??0,s),[d,c]=ks(e,r.evaders.mean[a]??0,a);return[M("circle",{class:"\
 dot of-pursuers",cx:i,cy:l,r:5}),M("circle",{class:"dot of-evaders",cx:d,cy:c,r:5})]}#o(e){let r=this.#i.findings?.generalization;if(!r)return[];let{left:n,top:o,
 cell:s,rows:a,columns:i}=e,[l,d]=[n+i*s+de,o-de],c={class:"side"};return[M("rect",{...c,x:l,y:o,width:Mt,height:a*s}),M("rect",{...c,x:n,y:d-_e,width:i*s,height:_e}),
@@ -519,23 +518,23 @@ r)}`}#b(e){let r=this.#d;if(!r)return null;let n=this.#s.getBoundingClientRect()
 n.top-r.top)/r.cell),[a,i]=[s>=0&&s<r.rows,o>=0&&o<r.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#v(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.
 g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#b(e);if(r){if(r.inside&&Es(this.#d.cell))return this.#S(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.
 g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#x()}}#S(e,r){let n=Ts(this.#i,e,r,o=>{n.remove(),o&&(this.#e.select(o),this.#x())});this.#s.append(n)}#x(){this.#s.
-dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Ol({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"axes"}),a=e+n*r,i=l=>wt(0,l-1,Math.
+dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Pl({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"axes"}),a=e+n*r,i=l=>wt(0,l-1,Math.
 min(l,l*r/44),!0);for(let l of i(o))s.append(M("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))s.append(M("text",{class:"\
 tick",x:t-7,y:a-(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(M("text",{class:"label of-evaders",x:t+o*r/2,y:a+36,"text-anchor":"\
 middle"},"evader generation"),M("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generat\
-ion")),s}function Ll({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"diagonal"}),a=Math.min(n,o);if(a<3)return[];let i=e+n*r;for(let c of["H","V"]){
+ion")),s}function Ol({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"diagonal"}),a=Math.min(n,o);if(a<3)return[];let i=e+n*r;for(let c of["H","V"]){
 let u=`M${t} ${i}`;for(let m=1;m<=a;m++){let[h,y]=[`H${t+m*r}`,`V${i-m*r}`];u+=c==="H"?h+y:y+h}s.append(M("path",{d:u,class:"under"}),M("path",{d:u}))}let[l,d]=[
 t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[s,M("text",{class:"on-cells",transform:`translate(${l} ${d}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var Cs=({
 left:t,top:e,cell:r,rows:n,columns:o},s,a)=>[t+o*r+de+s*Mt,e+(n-a-.5)*r],ks=({left:t,top:e,cell:r},n,o)=>[t+(o+.5)*r,e-de-n*_e];function Rs(t,e,r){let n=s=>s.map(
 (a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),o=[];return t.low&&t.high&&o.push(M("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("\
-L")}Z`})),o.push(M("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function X(t,e,...r){return p("section",{class:"card panel","aria-label":t},p("header",{},p("h2",{},t),p("p",{class:"small muted"},e)),...r)}function _s(t,e,r){let{findings:n}=t;if(!n?.table.length)return null;let o=p("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&Nl(o,t,i,e,
-l)},a=n.checkerboards.map(i=>Il(t,i,s));return{element:X("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Cli\
+L")}Z`})),o.push(M("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function X(t,e,...r){return p("section",{class:"card panel","aria-label":t},p("header",{},p("h2",{},t),p("p",{class:"small muted"},e)),...r)}function _s(t,e,r){let{findings:n}=t;if(!n?.table.length)return null;let o=p("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&Il(o,t,i,e,
+l)},a=n.checkerboards.map(i=>Ll(t,i,s));return{element:X("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Cli\
 ck one: its four matches side by side.",a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length?
 p("p",{class:"small muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise m\
-akes."):null,o)}}var $s=({pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function Il(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=$s(e).map(([l,d])=>{
+akes."):null,o)}}var $s=({pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function Ll(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=$s(e).map(([l,d])=>{
 let c=t.payoff.capture_rate[l][d],u=p("span",{class:"cell"},B(c));return u.style.backgroundColor=Kt(c),u.style.color=qt(c),u});return p("button",{type:"button",
 class:"miniature numbers",onclick:()=>r(e)},p("span",{},p("span",{class:"heard"},`Four matches of pursuers ${n} and ${o}, evaders ${s} and ${a}:`)),p("span",{class:"\
-evader"},s),p("span",{class:"evader"},a),p("span",{class:"pursuer"},n),i[0],i[1],p("span",{class:"pursuer"},o),i[2],i[3])}function Nl(t,e,r,n,o){let s=$s(r).filter(
+evader"},s),p("span",{class:"evader"},a),p("span",{class:"pursuer"},n),i[0],i[1],p("span",{class:"pursuer"},o),i[2],i[3])}function Il(t,e,r,n,o){let s=$s(r).filter(
 ([m,h])=>!Ce(e,"pursuer",m)&&!Ce(e,"evader",h)),a=s.map(([m,h])=>Je(o,e,{run:n.selected.run,pursuer:m,evader:h,episode:0,seed:null})),i=new Me(Math.max(0,...a.map(
 m=>m.length)),{speed:Ke,still:ie()}),l=a.map((m,h)=>{let[y,f]=s[h],g=p("canvas",{"aria-label":`Pursuers ${y} against evaders ${f}`}),b=p("span",{class:"numbers"}),
 x=()=>{t.close(),n.select({pursuer:y,evader:f})},v=p("figure",{},g,p("figcaption",{class:"small"},b,p("span",{class:"muted"},`cell ${B(e.payoff.capture_rate[y][f])}`),
@@ -547,10 +546,10 @@ let f=m.moments[Math.min(i.step,h.length)];y.textContent=`${Array.from(f.everCap
 ursuer"},`pursuers ${m}`);return y.style.gridArea=`${h+2} / 1`,y}),...l.map(m=>m.element)),Ze(i));let u=m=>{!(m.target instanceof HTMLSelectElement||m.target instanceof
 HTMLButtonElement&&m.key===" ")&&!m.defaultPrevented&&Ae(i,m)&&m.preventDefault()};t.addEventListener("keydown",u),t.addEventListener("close",()=>{t.removeEventListener(
 "keydown",u),i.pause(),l.forEach(m=>m.board.close()),t.replaceChildren()},{once:!0}),n.dispatchEvent(new Event("rest")),t.showModal(),d(),c(),ie()||i.play()}var ir={pursuer:"evader",evader:"pursuer"};function Ps(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
-s`],l=`fading ${B(s)}, stripes ${B(a)}${i===null?"":` every ${i} generations`}`;return Bl(t,o,l,e)});return{element:X("CIAO: current individuals against ancestr\
+s`],l=`fading ${B(s)}, stripes ${B(a)}${i===null?"":` every ${i} generations`}`;return Nl(t,o,l,e)});return{element:X("CIAO: current individuals against ancestr\
 al opponents","The team's own score. Stripes: intransitive, since wins and losses alternate with the age of the opponent; whether a team returns to earlier stra\
 tegies is recurrence, under What happened. Darker away from the diagonal: forgetting.",p("div",{class:"triangles"},...n.map(o=>o.element)),Zt("0 loses","1 wins")),
-update:()=>n.forEach(o=>o.update())}}function Bl(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,w)=>e==="pursuer"?t.payoff.
+update:()=>n.forEach(o=>o.update())}}function Nl(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,w)=>e==="pursuer"?t.payoff.
 capture_rate[v][w]:1-t.payoff.capture_rate[w][v],l=p("canvas",{width:a,height:s,"aria-hidden":"true"}),d=l.getContext("2d"),c=d?.createImageData(a,s);for(let v=0;c&&
 v<s;v++)for(let w=0;w<=Math.min(v,a-1);w++)c.data.set([...Ye(i(v,w)),255],4*((s-1-v)*a+w));c&&d?.putImageData(c,0,0);let u=M("rect",{class:"chosen",width:1,height:1}),
 m=M("rect",{class:"chosen under",width:1,height:1}),h=M("svg",{viewBox:`0 0 ${a} ${s}`,preserveAspectRatio:"none","aria-hidden":"true"},m,u),y=p("div",{class:"t\
@@ -572,10 +571,10 @@ M${[...o(r),...o(e).reverse()].join("L")}Z`,class:`band ${n}`}),t.marks)}functio
 bottom,class:`mark ${r}`})),n!==null&&t.marks.append(M("circle",{cx:o,cy:t.y(n),r:5,class:`dot ${r}`}))}function Et(...t){return p("p",{class:"legend small"},...t.
 map(([e,r])=>p("span",{class:`key ${r}`},e)))}function Tt(t,e,r,n){let o=p("div",{class:"chart chooses",role:"img","aria-label":t}),s=null,a=()=>{s?.marks.replaceChildren(),
 s&&r(s)};o.addEventListener("click",l=>s&&n(s.at(l.clientX),s,l));let i=()=>{let{clientWidth:l,clientHeight:d}=o;l<50||d<50||(s=e(l,d),o.replaceChildren(s.root),
-a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var an=["of-pursuers","of-evaders","of-both"],Ul=2500,Ns="Arrow keys choose generations.",Fl={low:0,high:1,label:"capture rate"};function Bs(t,e){let{training:r}=t,
-{capture_rate:n,generation:o,learner:s,epochs:a}=r,i=n.map((y,f)=>(f+1)*a),l=zl(n,r.window),d=i.at(-1)??1,c=i.length>Ul?"dense":"",u=(y,f)=>{let g=o.flatMap((b,x)=>b===
+a())};return new ResizeObserver(i).observe(o),{element:o,update:a,redraw:i}}var an=["of-pursuers","of-evaders","of-both"],Bl=2500,Ns="Arrow keys choose generations.",Ul={low:0,high:1,label:"capture rate"};function Bs(t,e){let{training:r}=t,
+{capture_rate:n,generation:o,learner:s,epochs:a}=r,i=n.map((y,f)=>(f+1)*a),l=Fl(n,r.window),d=i.at(-1)??1,c=i.length>Bl?"dense":"",u=(y,f)=>{let g=o.flatMap((b,x)=>b===
 y&&(s[x]===f||s[x]===2)?[x]:[]);return g.length?[i[g[0]],i[g.at(-1)]]:null},m=Tt(`Capture rate in ${d} epochs of training. ${Ns}`,(y,f)=>{let g=At(y,f,{low:0,high:d,
-label:"epoch",whole:!0},Fl);for(let[b,x]of[["raw",n],[c,l]])for(let[v,w]of an.entries()){let A=x.map((C,E)=>s[E]===v||s[E+1]===v?C:null);A.some(C=>C!==null)&&on(
+label:"epoch",whole:!0},Ul);for(let[b,x]of[["raw",n],[c,l]])for(let[v,w]of an.entries()){let A=x.map((C,E)=>s[E]===v||s[E+1]===v?C:null);A.some(C=>C!==null)&&on(
 g,i,A,`${w} ${b}`)}return g},y=>Z.forEach((f,g)=>{let b=u(e.hover[f]??e.selected[f],g);b&&sn(y,(b[0]+b[1])/2,an[g])}),y=>{let f=Math.min(i.length-1,Math.max(0,Math.
 round(y/a)-1)),g=o[f];s[f]!==1&&e.select({pursuer:Math.min(g,t.payoff.shape[0]-1)}),s[f]!==0&&e.select({evader:Math.min(g,t.payoff.shape[1]-1)})});be(m.element,
 e,()=>t.payoff.shape);let h=[...new Set(s)].sort().map(y=>[["pursuers learn","evaders learn","both teams learn"][y],an[y]]);return{element:X("Training",`${rs(r.
@@ -586,16 +585,16 @@ label:"generation",whole:!0},{low:a-l,high:i+l,label:"Elo points"});for(let y of
 for(let m of Z){let h=e.hover[m]??e.selected[m];sn(u,h,`of-${m}s`,o[m][h]??null)}},(u,m,h)=>{let y=Math.round(u),f=h.clientY-m.root.getBoundingClientRect().top,
 g=x=>Math.abs(m.y(o[x][y]??1/0)-f),b=g("pursuer")<=g("evader")?"pursuer":"evader";y>=0&&y<o[b].length&&e.select({[b]:y})});return be(c.element,e,()=>t.payoff.shape),
 {element:X("Ratings",`One number for each generation, which cycles do not fit, with 95 % intervals over episodes. The game itself: ${B(r.offset,0)} points for t\
-he pursuers.`,Et(["pursuers","of-pursuers"],["evaders","of-evaders"]),c.element),update:c.update}}function zl(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.
-map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}var Dl={present:"●",absent:"○","cannot tell":"?"};function Fs(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([s,a,i,l],d)=>{
-let c=Wl(e.reasons[d]??"");return p("li",{class:`finding ${a.replace(" ","-")}`},p("span",{class:"sign","aria-hidden":"true"},Dl[a]??""),p("div",{},p("p",{},p("\
+he pursuers.`,Et(["pursuers","of-pursuers"],["evaders","of-evaders"]),c.element),update:c.update}}function Fl(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.
+map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(e/2)+1)];return(r[a]-r[s])/(a-s)})}var zl={present:"●",absent:"○","cannot tell":"?"};function Fs(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([s,a,i,l],d)=>{
+let c=Dl(e.reasons[d]??"");return p("li",{class:`finding ${a.replace(" ","-")}`},p("span",{class:"sign","aria-hidden":"true"},zl[a]??""),p("div",{},p("p",{},p("\
 strong",{},s),` ${a}`,p("span",{class:"muted"},` · ${l}`)),c?p("p",{class:"small"},`${c}.`):null,p("p",{class:"small muted numbers"},i)))}),o=X("What happened",
 "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",p("p",{class:"headline"},e.headline),...e.numbers.map(s=>p(
 "p",{class:"numbers"},`${zs(s)}.`)),p("ul",{class:"findings"},...n),t.limits?p("p",{class:"small"},t.limits):null);return o.classList.add("diagnosis"),{element:o}}
-function Wl(t){let[,e=""]=t.split(/, because (.*)/s);return zs(e.replace(/\.$/,""))}var zs=t=>t.charAt(0).toUpperCase()+t.slice(1);function Ds({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>p("tr",{},p("th",{scope:"row"},`--${a.replaceAll("_","-")}`),p("td",{class:"n\
+function Dl(t){let[,e=""]=t.split(/, because (.*)/s);return zs(e.replace(/\.$/,""))}var zs=t=>t.charAt(0).toUpperCase()+t.slice(1);function Ds({settings:t,schedule:e,seed:r}){let n=t.map(({name:a,value:i,help:l})=>p("tr",{},p("th",{scope:"row"},`--${a.replaceAll("_","-")}`),p("td",{class:"n\
 umbers"},i),p("td",{class:"muted"},l))),o=p("table",{class:"small"},p("caption",{class:"heard"},"Settings other than the default"),...n),s=X("Settings",`${e}, s\
-eed ${r}; all others are the defaults of matrixworld evolve.`,n.length?p("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}var Hl={pursuer:-1,evader:1};function Ws(t,e){let r=t.findings?.spinning_top;if(!r)return null;let n=1.05*Math.max(.05,...r.pursuers.high,...r.evaders.high),o=Z.
-flatMap(l=>{let{generations:d,strength:c,intransitivity:u,low:m,high:h}=r[`${l}s`],y=Hl[l];return d.map((f,g)=>({team:l,generation:f,y:c[g],x:y*u[g],low:y*m[g],
+eed ${r}; all others are the defaults of matrixworld evolve.`,n.length?p("div",{class:"wide-table"},o):null);return s.classList.add("settings"),{element:s}}var Wl={pursuer:-1,evader:1};function Ws(t,e){let r=t.findings?.spinning_top;if(!r)return null;let n=1.05*Math.max(.05,...r.pursuers.high,...r.evaders.high),o=Z.
+flatMap(l=>{let{generations:d,strength:c,intransitivity:u,low:m,high:h}=r[`${l}s`],y=Wl[l];return d.map((f,g)=>({team:l,generation:f,y:c[g],x:y*u[g],low:y*m[g],
 high:y*h[g]}))}),s=(l,{team:d,x:c,y:u},m,h)=>M("circle",{cx:l.x(c),cy:l.y(u),r:m,class:`${h} of-${d}s`}),a=Tt("Intransitivity of each generation at its strength\
 . Arrow keys choose generations.",(l,d)=>{let c=At(l,d,{low:-n,high:n,label:"intransitivity",mirrored:!0},{low:0,high:1,label:"strength"});c.root.insertBefore(M(
 "line",{x1:c.x(0),x2:c.x(0),y1:c.top,y2:c.bottom,class:"axis"}),c.marks);for(let u of o){let m={x1:c.x(u.low),x2:c.x(u.high),y1:c.y(u.y),y2:c.y(u.y)};c.root.insertBefore(
@@ -604,15 +603,15 @@ M("line",{...m,class:`line raw of-${u.team}s`}),c.marks),c.root.insertBefore(s(c
 u.left),d.y(g)-(c.clientY-u.top)),{team:h,generation:y}=o.reduce((f,g)=>m(g)<m(f)?g:f);e.select({[h]:y})});be(a.element,e,()=>t.payoff.shape);let i=X("Strength \
 and cycles","A dot is a generation: the higher, the stronger; the farther out, the more its results deviate from every order of strength. Lines: 95 % intervals,\
  without episode noise.",Et(["pursuers, left","of-pursuers"],["evaders, right","of-evaders"]),a.element,p("p",{class:"small numbers"},(t.findings?.game??[]).join(
-" · ")));return i.classList.add("spinning-top"),{element:i,update:a.update}}function Hs(t,e,r){let n=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??jl(l,e,r),n.set(l,
-s),o.replaceChildren(...s.map(d=>d.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function jl(t,e,r){return[Fs(t),Bs(t,e),_s(t,e,r),Us(
-t,e),Ps(t,e),Ws(t,e),Ds(t)].filter(o=>o!==null)}var pr=Oa(ra(),1);var pn=125,pc=80,mc=10,na=480,hc=[1,.8,.6,.4,.2],fc=5;async function oa(t,e){let r=Math.min(1,yt(t.rows,t.cols)),[n,o]=[Math.round(na*r),Math.round(na*r/yt(t.rows,
+" · ")));return i.classList.add("spinning-top"),{element:i,update:a.update}}function Hs(t,e,r){let n=new Map,o=p("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??Hl(l,e,r),n.set(l,
+s),o.replaceChildren(...s.map(d=>d.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Hl(t,e,r){return[Fs(t),Bs(t,e),_s(t,e,r),Us(
+t,e),Ps(t,e),Ws(t,e),Ds(t)].filter(o=>o!==null)}var pr=Oa(ra(),1);var pn=125,dc=80,pc=10,na=480,mc=[1,.8,.6,.4,.2],hc=5;async function oa(t,e){let r=Math.min(1,yt(t.rows,t.cols)),[n,o]=[Math.round(na*r),Math.round(na*r/yt(t.rows,
 t.cols))],s=document.createElement("canvas");[s.width,s.height]=[n,o];let a=s.getContext("2d",{willReadFrequently:!0}),i=qe(document.documentElement),l={ctx:a,colors:i,
-grid:Gt(t.rows,t.cols,!1,n,o,1)},[d,c]=[yc(i,a),(0,pr.GIFEncoder)()];for(let u=0;u<pn;u++){let m=Math.min(1,u/(pn-mc))*(t.moments.length-1);jt(l,t,m,{...Ht,numbers:!1},
+grid:Gt(t.rows,t.cols,!1,n,o,1)},[d,c]=[fc(i,a),(0,pr.GIFEncoder)()];for(let u=0;u<pn;u++){let m=Math.min(1,u/(pn-pc))*(t.moments.length-1);jt(l,t,m,{...Ht,numbers:!1},
 1),a.globalCompositeOperation="destination-over",a.fillStyle=i.paper,a.fillRect(0,0,n,o),a.globalCompositeOperation="source-over",c.writeFrame((0,pr.applyPalette)(
-a.getImageData(0,0,n,o).data,d),n,o,{palette:d,delay:pc}),u%fc===0&&(e(Math.round(100*u/pn)),await new Promise(h=>setTimeout(h)))}return c.finish(),new Blob([c.
-bytes()],{type:"image/gif"})}function yc(t,e){let r=o=>(e.globalAlpha=1,e.fillStyle=o,e.fillRect(0,0,1,1),[...e.getImageData(0,0,1,1).data.subarray(0,3)]),n=r(t.
-paper);return Object.values(t).map(r).flatMap(o=>hc.map(s=>o.map((a,i)=>Math.round(n[i]+s*(a-n[i])))))}function sa(t,e){let r=p("input",{type:"text",readonly:!0,"aria-label":"Link to this step"}),n=p("p",{class:"muted small",role:"status"}),s=p("button",{type:"bu\
+a.getImageData(0,0,n,o).data,d),n,o,{palette:d,delay:dc}),u%hc===0&&(e(Math.round(100*u/pn)),await new Promise(h=>setTimeout(h)))}return c.finish(),new Blob([c.
+bytes()],{type:"image/gif"})}function fc(t,e){let r=o=>(e.globalAlpha=1,e.fillStyle=o,e.fillRect(0,0,1,1),[...e.getImageData(0,0,1,1).data.subarray(0,3)]),n=r(t.
+paper);return Object.values(t).map(r).flatMap(o=>mc.map(s=>o.map((a,i)=>Math.round(n[i]+s*(a-n[i])))))}function sa(t,e){let r=p("input",{type:"text",readonly:!0,"aria-label":"Link to this step"}),n=p("p",{class:"muted small",role:"status"}),s=p("button",{type:"bu\
 tton",class:"save-gif",onclick:async()=>{if(!t.recording)return;let{pursuer:l,evader:d}=e.selected;s.disabled=!0;let c=await oa(t.recording,m=>n.textContent=`Dr\
 awing: ${m} %`),u=URL.createObjectURL(c);p("a",{href:u,download:`pursuers-${l}-evaders-${d}.gif`}).click(),setTimeout(()=>URL.revokeObjectURL(u),6e4),n.textContent=
 `Saved, ${(c.size/1e6).toFixed(1)} MB.`,s.disabled=!1}},"Save the match as a GIF of 10 s"),a=p("dialog",{class:"share","aria-labelledby":"share-title"},p("h2",{
@@ -634,31 +633,31 @@ for(;!fr(n,e.seat);)n.step(e.policies,e.seat,r);return Qe(n,e.seat)}function la(
 seat:e,from:r,moves:n}){let o={...t,seat:e,...r?{from:r}:{},moves:n.join("")};return`${location.href.split("#")[0]}#${Object.entries(o).map(([s,a])=>`${s}=${a}`).
 join("&")}`}function ua(t,e){let[r,n,o]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
 (e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(o)&&o.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=o.length?{seat:Number(r),from:Number(n),moves:[...o].map(Number)}:
-null}function hn(t,e,r,n,o,s){e.play({title:r,played:n,ending:(a,i)=>[gc(t,a,i,la(o))],again:()=>hn(t,e,r,{...n,moves:n.moves.slice(0,n.from)},o,s),link:a=>ca(s,a)})}
-function gc(t,e,r,n){let o=pe(r.config,r.seat)==="evader",s=o?r.config.max_steps:r.config.n_evaders,a=p("table",{class:"numbers"},p("caption",{},o?"Steps in you\
+null}function hn(t,e,r,n,o,s){e.play({title:r,played:n,ending:(a,i)=>[yc(t,a,i,la(o))],again:()=>hn(t,e,r,{...n,moves:n.moves.slice(0,n.from)},o,s),link:a=>s&&ca(s,a)})}
+function yc(t,e,r,n){let o=pe(r.config,r.seat)==="evader",s=o?r.config.max_steps:r.config.n_evaders,a=p("table",{class:"numbers"},p("caption",{},o?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),i=d=>{let[c,u]=[p("span",{class:o?"bar evader":"bar pursuer"}),p("td",{},"…")];
 return a.append(p("tr",{},p("th",{scope:"row"},d),p("td",{class:"track","aria-hidden":"true"},c),u)),({lasted:m,captured:h})=>{c.style.width=`${100*(o?m:h)/s}%`,
 u.textContent=String(o?m:h)}};i("You")(Qe(e,r.seat));for(let{name:d,policy:c}of n){let u=i(d);setTimeout(()=>u(ia(t,r,c())))}let l=r.from?`You took over at step\
- ${r.from}. `:"";return p("div",{},a,p("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var da=["·","↑","→","↓","←","↗","↘","↙","↖"];var bc={" ":0,s:0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,x:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},fn=[8,1,5,4,0,2,7,3,6],vc=[7,8,9,4,5,6,1,2,3],wc=24,xc=Math.
-tan(Math.PI/8);function ma(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=vc.findIndex(o=>t.code===`Numpad${o}`),n=fn[r]??bc[t.key.length===1?t.key.toLowerCase():
+ ${r.from}. `:"";return p("div",{},a,p("p",{class:"small muted"},`${l}One match: luck has its part in it.`))}var da=["·","↑","→","↓","←","↗","↘","↙","↖"];var gc={" ":0,s:0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,x:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},fn=[8,1,5,4,0,2,7,3,6],bc=[7,8,9,4,5,6,1,2,3],vc=24,wc=Math.
+tan(Math.PI/8);function ma(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=bc.findIndex(o=>t.code===`Numpad${o}`),n=fn[r]??gc[t.key.length===1?t.key.toLowerCase():
 t.key];return n!==void 0&&n>4&&!e?void 0:n}function ha(t){let e=fn.map(r=>p("button",{type:"button","aria-label":ue[r],onclick:()=>t(r)},da[r]));return{element:p(
-"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,o)=>n.classList.toggle("absent",fn[o]>4&&!r))}}function pa(t,e,r){let n=xc*
+"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,o)=>n.classList.toggle("absent",fn[o]>4&&!r))}}function pa(t,e,r){let n=wc*
 Math.max(Math.abs(t),Math.abs(e)),o=s=>Math.abs(s)<n?0:s;return ho([0,0],r?[o(t),o(e)]:[t,e],r)}function fa(t,e,r){let n=null,{canvas:o}=t;o.addEventListener("p\
 ointerdown",({button:s,clientX:a,clientY:i})=>{n=s===0?[a,i]:null}),o.addEventListener("pointercancel",()=>{n=null}),o.addEventListener("pointerup",({clientX:s,
-clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[d,c]=[s-i[0],a-i[1]],u=t.cellAt(s,a);Math.hypot(d,c)>=wc?r(pa(c,d,l.diagonal)):u&&r(pa(u[0]-l.cell[0],
+clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[d,c]=[s-i[0],a-i[1]],u=t.cellAt(s,a);Math.hypot(d,c)>=vc?r(pa(c,d,l.diagonal)):u&&r(pa(u[0]-l.cell[0],
 u[1]-l.cell[1],l.diagonal))})}function ya(t,e){let r=n=>{let o=e[n]-t[n],s=je.findIndex(a=>a[n]===Math.sign(o)&&a[1-n]===0);return o?`${Math.abs(o)} ${ue[s]}`:""};
-return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var va="NUMPY\0",ga=va.length+2,ba=64;function wa(t){return co(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,Sc(r)])))}function Sc({dtype:t,shape:e,
+return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var va="NUMPY\0",ga=va.length+2,ba=64;function wa(t){return co(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,xc(r)])))}function xc({dtype:t,shape:e,
 data:r}){let n=typeof r=="string"?Array.from(r,c=>c.codePointAt(0)):null,o=e.map(c=>`${c}, `).join(""),s=`{'descr': '${n?`<U${n.length}`:t}', 'fortran_order': F\
 alse, 'shape': (${o}), }`,a=Math.ceil((ga+s.length+1)/ba)*ba-ga,i=va+String.fromCharCode(a&255,a>>8)+s.padEnd(a-1)+`
-`,l=n?Int32Array.from(n):r,d=new Uint8Array(i.length+l.byteLength);return d.set(Lt(i,!0)),d.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),d}var Mc="matrixworld episode 3";function xa(t,e,r){let{config:n,actions:o,length:s,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],d={positions:["<i4",
+`,l=n?Int32Array.from(n):r,d=new Uint8Array(i.length+l.byteLength);return d.set(Lt(i,!0)),d.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),d}var Sc="matrixworld episode 3";function xa(t,e,r){let{config:n,actions:o,length:s,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],d={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},c={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},u={},m=v=>{
 for(let w of Object.keys(v))(u[w]??=[]).push(Array.from(h.read(w),Number))},h=t.world(n);h.reset(e.start);let y=[];m(d);for(let v of o)h.step(v),m({...d,...c}),
 y.push(...h.conflictTable());h.free();let f={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},g={};for(let[v,[w,...A]]of Object.entries({...d,...c})){let C=s+
 +(v in d);g[v]={dtype:w,shape:[C,...A],data:f[w].from((u[v]??[]).flat())}}let b=v=>({dtype:"<i8",shape:[],data:Int32Array.of(v,0)}),x=v=>({dtype:"<U",shape:[],data:v});
-return wa({format:x(Mc),n_pursuers:b(n.n_pursuers),config:x(JSON.stringify(n)),seat:b(r),...g,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(v=>[
+return wa({format:x(Sc),n_pursuers:b(n.n_pursuers),config:x(JSON.stringify(n)),seat:b(r),...g,actions:{dtype:"|i1",shape:[s,i],data:Int8Array.from(o.flatMap(v=>[
 ...v]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[y.length/11,11],data:Int32Array.from(
-y)}})}var Ac=[0,1,2,4,8],yr=class{element;player=new Me(0,{speed:4,still:ie()});#e;#r;#t=p("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=p("h2");#a=p("p",{
-class:"play-told",role:"status"});#s=ha(e=>this.act(e));#l=p("select",{},...Ac.map(e=>p("option",{value:e},e?`${e} / s`:"step by step")));#p=p("input",{type:"ch\
+y)}})}var Mc=[0,1,2,4,8],yr=class{element;player=new Me(0,{speed:4,still:ie()});#e;#r;#t=p("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=p("h2");#a=p("p",{
+class:"play-told",role:"status"});#s=ha(e=>this.act(e));#l=p("select",{},...Mc.map(e=>p("option",{value:e},e?`${e} / s`:"step by step")));#p=p("input",{type:"ch\
 eckbox"});#c=p("input",{type:"checkbox"});#m=p("span");#d=p("p",{class:"small muted play-keys",id:"play-keys"});#i=p("section",{class:"play-ending",tabindex:-1,
 "aria-labelledby":"play-headline"});#h=Ze(this.player);#u=null;#o=null;#g=[];#f=null;#y=null;#b=[];#v=0;#w=0;constructor(e){this.#e=e,this.#r=new Se(this.#t,{numbers:!1}),
 this.#t.setAttribute("role","application"),this.#l.addEventListener("change",()=>this.#A()),this.#p.addEventListener("change",()=>this.#x()),this.#c.addEventListener(
@@ -684,40 +683,41 @@ game(this.#y)||null}#$(){let[e,r]=[this.#f,this.#f!==null&&this.#C?.marginal(thi
 ...r))}):null}#A(){clearInterval(this.#w),this.#w=0,this.#a.ariaLive=Number(this.#l.value)?"off":"polite"}#k(){let[{policies:e,seat:r},n]=[this.#u.played,this.#o];
 n.step(e,r,this.#v),this.#g.push(this.#v),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#l.value)||4)),this.player.move(n.length-this.
 player.step),fr(n,r)&&this.#R()}#R(){this.#A();let[e,r,n]=[this.#u,this.#o,this.played],o=ct()?e.link(n):null;this.#i.replaceChildren(p("h3",{id:"play-headline"},
-Cc(r,n.seat)),...e.ending(r,n),p("div",{class:"play-buttons"},p("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),p("button",{type:"button",
-onclick:()=>this.#_()},"Watch it"),p("button",{type:"button",onclick:()=>this.#P(r,n.seat)},"Save"),o&&p("button",{type:"button",onclick:({currentTarget:a})=>Rc(
+Tc(r,n.seat)),...e.ending(r,n),p("div",{class:"play-buttons"},p("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),p("button",{type:"button",
+onclick:()=>this.#_()},"Watch it"),p("button",{type:"button",onclick:()=>this.#P(r,n.seat)},"Save"),o&&p("button",{type:"button",onclick:({currentTarget:a})=>kc(
 a,o)},"Link"))),this.element.dataset.state="ended",this.#T();let s=this.#b.filter(({team:a})=>a===pe(r.config,n.seat));s.length&&this.#i.children[0].after(p("p",
 {class:"small muted"},ws(s))),this.#i.focus({preventScroll:!0}),this.#i.scrollIntoView({block:"nearest"})}#_(){this.element.dataset.state="watched",this.player.
 length=this.#o.length,this.player.jump(0),ie()||this.player.play()}#P(e,r){let n=new Blob([xa(this.#e,e,r)],{type:"application/octet-stream"});p("a",{href:URL.createObjectURL(
 n),download:`${G(r,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#E(){let[e,r,{step:n}]=[this.#o,this.#f,this.player];if(!e||n>e.length)return;let o=nr(
 e,e.recording,n).filter(({agents:i})=>r===null||i.includes(r)),s=[`Step ${n} of ${e.config.max_steps}`,...o.map(({text:i})=>i)];this.#u&&n===0?s.push(this.#u.about??
-"",Ec(e.config,r)):r!==null&&s.push(Tc(e,n,r)),s.push(...this.#b.filter(i=>i.step===n).map(St));let a=n===e.length&&r!==null?this.#C:null;a&&s.push(`Perfect pla\
-y: ${Ss(a,r)||"decided in its turn"}; ${xs(this.#y,a,n)}`),this.#x(),this.#a.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Ec(t,e){let r=t.
+"",Ac(e.config,r)):r!==null&&s.push(Ec(e,n,r)),s.push(...this.#b.filter(i=>i.step===n).map(St));let a=n===e.length&&r!==null?this.#C:null;a&&s.push(`Perfect pla\
+y: ${Ss(a,r)||"decided in its turn"}; ${xs(this.#y,a,n)}`),this.#x(),this.#a.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Ac(t,e){let r=t.
 rules.capture==="SURROUND";return pe(t,e)==="evader"?`Stay free: ${r?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture eva\
-ders: ${r?"surround them together":"reach their cell"}`}function Tc({config:t,recording:e},r,n){let o=e.moments[r],a=pe(t,n)==="pursuer"?"evader":"pursuer";if(!o.
+ders: ${r?"surround them together":"reach their cell"}`}function Ec({config:t,recording:e},r,n){let o=e.moments[r],a=pe(t,n)==="pursuer"?"evader":"pursuer";if(!o.
 alive[n])return"";let i=L(o,n),l=u=>{let[m,h]=L(o,u);return Math.max(Math.abs(m-i[0]),Math.abs(h-i[1]))},d=Array.from({length:o.alive.length},(u,m)=>m).filter(u=>pe(
 t,u)===a&&o.alive[u]&&!o.captured[u-t.n_pursuers]&&2*l(u)<t.fov);if(!d.length)return`No ${a} in view`;let c=d.reduce((u,m)=>l(m)<l(u)?m:u);return`Nearest ${a}: ${ya(
-i,L(o,c))}`}function Cc(t,e){let[{lasted:r,out:n,captured:o},{config:s}]=[Qe(t,e),t];return pe(s,e)==="pursuer"?`Your team captured ${o} of ${kc(s)} in ${r} ste\
-ps.`:n?`You lasted ${r} of ${s.max_steps} steps.`:`You escaped: ${r} steps.`}var kc=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Rc(t,e){let r=p("inpu\
-t",{type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var gr=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#r;#t;#n=null;constructor(e,r,n){[this.#e,this.#r,this.#t]=[e,r,n],
-n.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.view?.key(o)&&o.preventDefault()),this.dialog.addEventListener(
-"close",()=>this.view?.stop())}start(e,r){this.#n=e;let n=ut(r,this.#e,this.#r.selected),o=ua(new URLSearchParams(r.replace(/^#/,"")),this.#e[n.run].world);o&&this.#a(
-n,o)}open(){let e=this.#t.shown;if(!e)return;let{match:r,step:n}=e;this.#t.player.pause();let o=this.#t.inspector.agent,s=n<r.length?n:0,a=(u,m)=>!!r.alive[m*r.
-n_agents+u],i=Array.from({length:r.n_agents},(u,m)=>(m+r.config.n_pursuers)%r.n_agents),l=o??i.find(u=>a(u,s)),d=a(l,s)?s:0,c=Array.from({length:d},(u,m)=>r.actions[m*
-r.n_agents+l]);this.#a(this.#r.selected,{seat:l,from:d,moves:c})}#a(e,r){let[n,o]=[this.#n,this.#e[e.run]];if(!n||Z.some(f=>Ce(o,f,e[f])))return;let{run:s,pursuer:a,
-evader:i,episode:l,seed:d}=e,c=pe(o.world,r.seat),u=o.teams[c].kept.map(f=>({name:o.teams[c].script??`generation ${f}`,text:"",policy:()=>J(o,c,f)}));this.view||
-(this.view=new yr(n),this.dialog.append(p("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Close"),this.view.element)),this.dialog.open||
-this.dialog.showModal();let m=`You are ${G(r.seat,o.world.n_pursuers)}: ${this.#t.names(e).join(" against ")}`,h={pursuer:J(o,"pursuer",a),evader:J(o,"evader",i)},
-y={config:o.world,seed:BigInt(d??o.seeds[a][i]),episode:l,policies:h,...r};hn(n,this.view,m,y,u,{run:s,pursuers:a,evaders:i,episode:l,...d===null?{}:{seed:d}})}};var me=po(),{runs:ee}=me,[_c,$c]=ee[0].payoff.shape,Pc=ut(location.hash,ee,{run:0,pursuer:_c-1,evader:$c-1,episode:0,seed:null}),{step:Ma,...Oc}=Pc,Q=new mr(Oc),
-D=new or(ee,Q,me.playground),Aa=new ar(ee,Q),tt=new gr(ee,Q,D),yn=Zo(),Lc=location.hash,Sa=qo(ee,Q,D),{button:Ic,dialog:Nc}=sa(D,Q);D.actions.append(Ic);var et=null,
-Ea=p("aside",{class:"note small muted"},me.note),Bc="Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to wat\
-ch it.";document.getElementById("page").replaceWith(p("header",{class:"top"},p("div",{},p("h1",{},me.heading),p("p",{class:"lead"},Bc)),p("div",{class:"tools"},
+i,L(o,c))}`}function Tc(t,e){let[{lasted:r,out:n,captured:o},{config:s}]=[Qe(t,e),t];return pe(s,e)==="pursuer"?`Your team captured ${o} of ${Cc(s)} in ${r} ste\
+ps.`:n?`You lasted ${r} of ${s.max_steps} steps.`:`You escaped: ${r} steps.`}var Cc=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function kc(t,e){let r=p("inpu\
+t",{type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var gr=class{dialog=p("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#r;#t;#n;#a=null;constructor(e,r,n,o=!0){[this.#e,this.#r,this.#t,
+this.#n]=[e,r,n,o],n.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",s=>this.view?.key(s)&&s.preventDefault()),this.
+dialog.addEventListener("close",()=>this.view?.stop())}start(e,r=""){this.#a=e;let n=ut(r,this.#e,this.#r.selected),o=ua(new URLSearchParams(r.replace(/^#/,"")),
+this.#e[n.run].world);o&&this.play(n,o)}open(){let e=this.#t.shown;if(!e)return;let{match:r,step:n}=e;this.#t.player.pause();let o=this.#t.inspector.agent,s=n<r.
+length?n:0,a=(u,m)=>!!r.alive[m*r.n_agents+u],i=Array.from({length:r.n_agents},(u,m)=>(m+r.config.n_pursuers)%r.n_agents),l=o??i.find(u=>a(u,s)),d=a(l,s)?s:0,c=Array.
+from({length:d},(u,m)=>r.actions[m*r.n_agents+l]);this.play(this.#r.selected,{seat:l,from:d,moves:c})}play(e,r){let[n,o]=[this.#a,this.#e[e.run]];if(!n||Z.some(
+g=>Ce(o,g,e[g])))return;let{run:s,pursuer:a,evader:i,episode:l,seed:d}=e,c=pe(o.world,r.seat),u=o.teams[c].kept.map(g=>({name:o.teams[c].script??`generation ${g}`,
+text:"",policy:()=>J(o,c,g)}));this.view||(this.view=new yr(n),this.dialog.append(p("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},"Clos\
+e"),this.view.element)),this.dialog.open||this.dialog.showModal();let m=`You are ${G(r.seat,o.world.n_pursuers)}: ${this.#t.names(e).join(" against ")}`,h={pursuer:J(
+o,"pursuer",a),evader:J(o,"evader",i)},y={config:o.world,seed:BigInt(d??o.seeds[a][i]),episode:l,policies:h,...r},f={run:s,pursuers:a,evaders:i,episode:l,...d===
+null?{}:{seed:d}};hn(n,this.view,m,y,u,this.#n?f:null)}};var me=po(),{runs:ee}=me,[Rc,_c]=ee[0].payoff.shape,$c=ut(location.hash,ee,{run:0,pursuer:Rc-1,evader:_c-1,episode:0,seed:null}),{step:Ma,...Pc}=$c,Q=new mr(Pc),
+D=new or(ee,Q,me.playground),Aa=new ar(ee,Q),tt=new gr(ee,Q,D),yn=Zo(),Oc=location.hash,Sa=qo(ee,Q,D),{button:Lc,dialog:Ic}=sa(D,Q);D.actions.append(Lc);var et=null,
+Ea=p("aside",{class:"note small muted"},me.note),Nc="Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to wat\
+ch it.";document.getElementById("page").replaceWith(p("header",{class:"top"},p("div",{},p("h1",{},me.heading),p("p",{class:"lead"},Nc)),p("div",{class:"tools"},
 Sa.button,qn(),p("button",{type:"button",class:"keys-button",title:"Keys (?)","aria-label":"Keys (?)",onclick:()=>yn.showModal()},"?"))),...me.note?[Ea]:[],Yo(ee,
-Q),p("main",{class:"stages"},Aa.element,D.element),Hs(ee,Q,()=>et),p("footer",{class:"muted small"},`${me.title} · matrixworld ${me.version}`),tt.dialog,yn,Nc,
+Q),p("main",{class:"stages"},Aa.element,D.element),Hs(ee,Q,()=>et),p("footer",{class:"muted small"},`${me.title} · matrixworld ${me.version}`),tt.dialog,yn,Ic,
 Sa.bar);Object.assign(window,{matrixworldExplorer:{get match(){return D.match},get step(){return D.player.step},get pace(){return D.player.pace},get playing(){return tt.
 view},play:t=>et&&Je(et,ee[Q.selected.run],{...Q.selected,episode:t}),get shape(){return ee[Q.selected.run].payoff.shape}}});Aa.element.addEventListener("play",
 ()=>{D.playSoon(),D.reveal()});D.goTo(Ma);Ma||D.playSoon();Kn(ee,Q,D);Jo(ee,Q,D,yn,()=>tt.open(),()=>rn(D.shown,me.playground));window.addEventListener("hashcha\
 nge",({newURL:t})=>et&&tt.start(et,new URL(t).hash));me.live!==null&&Xo(me.live,ee,Q,()=>D.player.playing||tt.dialog.open,()=>{Ea.textContent="The command has e\
 nded. This page shows what it had played; explorer.html is beside the runs if they have finished."});requestAnimationFrame(()=>setTimeout(()=>{jn().then(t=>{et=
-t,D.start(t),tt.start(t,Lc),document.body.dataset.ready="true"},t=>{D.element.prepend(p("p",{class:"problem",role:"alert"},`The engine does not start here: ${String(
+t,D.start(t),tt.start(t,Oc),document.body.dataset.ready="true"},t=>{D.element.prepend(p("p",{class:"problem",role:"alert"},`The engine does not start here: ${String(
 t)}`)),document.body.dataset.ready="true"})}));})();

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources acee8ddf3bb8f4c85e7f4f93659a95b8e5b05f7463cc685179a2cd951d9d299a */
+/* built from web/ by "npm run build"; sources 52d1c773a2a27ef2340b754e12e55173ea63dd0bb69c8925694483b302f9534a */
 "use strict";(()=>{var ir={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},lr={OCCUPATION:0,SURROUND:1},ur={FAULT:0,INVOLVED:1};var bt=["obstacle","teammate","adversary"],wt=["vertex","edge","chain"],cr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xt=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Le={"both held":"both bounce","both doomed":"\
@@ -103,21 +103,21 @@ nt,0),Do=Br.b,Ir=Br.r,Ut=new j(32768);for(M=0;M<32768;++M)ae=(M&43690)>>1|(M&218
 8|(ae&255)<<8)>>1;var ae,M,te=(function(t,e,r){for(var n=t.length,o=0,s=new j(e);o<n;++o)t[o]&&++s[t[o]-1];var a=new j(e);for(o=1;o<e;++o)a[o]=a[o-1]+s[o-1]<<1;
 var i;if(r){i=new j(1<<e);var u=15-e;for(o=0;o<n;++o)if(t[o])for(var l=o<<4|t[o],c=e-t[o],f=a[t[o]-1]++<<c,p=f|(1<<c)-1;f<=p;++f)i[Ut[f]>>u]=l}else for(i=new j(
 n),o=0;o<n;++o)t[o]&&(i[o]=Ut[a[t[o]-1]++]>>15-t[o]);return i}),ce=new T(288);for(M=0;M<144;++M)ce[M]=8;var M;for(M=144;M<256;++M)ce[M]=9;var M;for(M=256;M<280;++M)
-ce[M]=7;var M;for(M=280;M<288;++M)ce[M]=8;var M,De=new T(32);for(M=0;M<32;++M)De[M]=5;var M,Bo=te(ce,9,0),Ho=te(ce,9,1),Go=te(De,5,0),jo=te(De,5,1),Nt=function(t){
+ce[M]=7;var M;for(M=280;M<288;++M)ce[M]=8;var M,De=new T(32);for(M=0;M<32;++M)De[M]=5;var M,Bo=te(ce,9,0),Go=te(ce,9,1),Ho=te(De,5,0),jo=te(De,5,1),Nt=function(t){
 for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},J=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},Ot=function(t,e){var r=e/8|0;return(t[r]|
 t[r+1]<<8|t[r+2]<<16)>>(e&7)},Bt=function(t){return(t+7)/8|0},Be=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new T(t.subarray(
 e,r))};var Vo=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],z=function(t,e,r){var n=new Error(e||Vo[t]);
-if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,z),!r)throw n;return n},Hr=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
+if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,z),!r)throw n;return n},Gr=function(t,e,r,n){var o=t.length,s=n?n.length:0;if(!o||e.f&&!e.l)return r||
 new T(0);var a=!r,i=a||e.i!=2,u=e.i;a&&(r=new T(o*3));var l=function(Oe){var Pe=r.length;if(Oe>Pe){var ve=new T(Math.max(Pe*2,Oe));ve.set(r),r=ve}},c=e.f||0,f=e.
-p||0,p=e.b||0,m=e.l,y=e.d,d=e.m,g=e.n,w=o*8;do{if(!m){c=J(t,f,1);var S=J(t,f+1,3);if(f+=3,S)if(S==1)m=Ho,y=jo,d=9,g=5;else if(S==2){var N=J(t,f,31)+257,R=J(t,f+
+p||0,p=e.b||0,m=e.l,y=e.d,d=e.m,g=e.n,w=o*8;do{if(!m){c=J(t,f,1);var S=J(t,f+1,3);if(f+=3,S)if(S==1)m=Go,y=jo,d=9,g=5;else if(S==2){var N=J(t,f,31)+257,R=J(t,f+
 10,15)+4,x=N+J(t,f+5,31)+1;f+=14;for(var b=new T(x),I=new T(19),O=0;O<R;++O)I[Lt[O]]=J(t,f+O*3,7);f+=R*3;for(var W=Nt(I),le=(1<<W)-1,B=te(I,W,1),O=0;O<x;){var F=B[J(
 t,f,le)];f+=F&15;var v=F>>4;if(v<16)b[O++]=v;else{var L=0,_=0;for(v==16?(_=3+J(t,f,3),f+=2,L=b[O-1]):v==17?(_=3+J(t,f,7),f+=3):v==18&&(_=11+J(t,f,127),f+=7);_--;)
 b[O++]=L}}var D=b.subarray(0,N),$=b.subarray(N);d=Nt(D),g=Nt($),m=te(D,d,1),y=te($,g,1)}else z(1);else{var v=Bt(f)+4,A=t[v-4]|t[v-3]<<8,E=v+A;if(E>o){u&&z(0);break}
 i&&l(p+A),r.set(t.subarray(v,E),p),e.b=p+=A,e.p=f=E*8,e.f=c;continue}if(f>w){u&&z(0);break}}i&&l(p+131072);for(var Ne=(1<<d)-1,V=(1<<g)-1,oe=f;;oe=f){var L=m[Ot(
-t,f)&Ne],H=L>>4;if(f+=L&15,f>w){u&&z(0);break}if(L||z(2),H<256)r[p++]=H;else if(H==256){oe=f,m=null;break}else{var G=H-254;if(H>264){var O=H-257,k=rt[O];G=J(t,f,
+t,f)&Ne],G=L>>4;if(f+=L&15,f>w){u&&z(0);break}if(L||z(2),G<256)r[p++]=G;else if(G==256){oe=f,m=null;break}else{var H=G-254;if(G>264){var O=G-257,k=rt[O];H=J(t,f,
 (1<<k)-1)+Dr[O],f+=k}var Q=y[Ot(t,f)&V],ye=Q>>4;Q||z(3),f+=Q&15;var $=Do[ye];if(ye>3){var k=nt[ye];$+=Ot(t,f)&(1<<k)-1,f+=k}if(f>w){u&&z(0);break}i&&l(p+131072);
-var ge=p+G;if(p<$){var Ke=s-$,Ze=Math.min($,ge);for(Ke+p<0&&z(3);p<Ze;++p)r[p]=n[Ke+p]}for(;p<ge;++p)r[p]=r[p-$]}}e.l=m,e.p=oe,e.b=p,e.f=c,m&&(c=1,e.m=d,e.d=y,e.
+var ge=p+H;if(p<$){var Ke=s-$,Ze=Math.min($,ge);for(Ke+p<0&&z(3);p<Ze;++p)r[p]=n[Ke+p]}for(;p<ge;++p)r[p]=r[p-$]}}e.l=m,e.p=oe,e.b=p,e.f=c,m&&(c=1,e.m=d,e.d=y,e.
 n=g)}while(!c);return p!=r.length&&a?Be(r,0,p):r.subarray(0,p)},ie=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},We=function(t,e,r){r<<=e&7;var n=e/
 8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},Pt=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var o=r.length,s=r.slice();if(!o)return{t:jr,
 l:0};if(o==1){var a=new T(r[0].s+1);return a[r[0].s]=1,{t:a,l:1}}r.sort(function(E,N){return E.f-N.f}),r.push({s:-1,f:25001});var i=r[0],u=r[1],l=0,c=1,f=2;for(r[0]=
@@ -127,37 +127,37 @@ if(m[S]>e)d+=w-(1<<y-m[S]),m[S]=e;else break}for(d>>=g;d>0;){var v=s[n].s;m[v]<e
 t:new T(m),l:y}},zt=function(t,e,r){return t.s==-1?Math.max(zt(t.l,e,r+1),zt(t.r,e,r+1)):e[t.s]=r},Lr=function(t){for(var e=t.length;e&&!t[--e];);for(var r=new j(
 ++e),n=0,o=t[0],s=1,a=function(u){r[n++]=u},i=1;i<=e;++i)if(t[i]==o&&i!=e)++s;else{if(!o&&s>2){for(;s>138;s-=138)a(32754);s>2&&(a(s>10?s-11<<5|28690:s-3<<5|12305),
 s=0)}else if(s>3){for(a(o),--s;s>6;s-=6)a(8304);s>2&&(a(s-3<<5|8208),s=0)}for(;s--;)a(o);s=1,o=t[i]}return{c:r.subarray(0,n),n:e}},Fe=function(t,e){for(var r=0,
-n=0;n<e.length;++n)r+=t[n]*e[n];return r},Gr=function(t,e,r){var n=r.length,o=Bt(e+2);t[o]=n&255,t[o+1]=n>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<n;++s)
+n=0;n<e.length;++n)r+=t[n]*e[n];return r},Hr=function(t,e,r){var n=r.length,o=Bt(e+2);t[o]=n&255,t[o+1]=n>>8,t[o+2]=t[o]^255,t[o+3]=t[o+1]^255;for(var s=0;s<n;++s)
 t[o+s+4]=r[s];return(o+4+n)*8},$r=function(t,e,r,n,o,s,a,i,u,l,c){ie(e,c++,r),++o[256];for(var f=Pt(o,15),p=f.t,m=f.l,y=Pt(s,15),d=y.t,g=y.l,w=Lr(p),S=w.c,v=w.n,
 A=Lr(d),E=A.c,N=A.n,R=new j(19),x=0;x<S.length;++x)++R[S[x]&31];for(var x=0;x<E.length;++x)++R[E[x]&31];for(var b=Pt(R,7),I=b.t,O=b.l,W=19;W>4&&!I[Lt[W-1]];--W)
-;var le=l+5<<3,B=Fe(o,ce)+Fe(s,De)+a,F=Fe(o,p)+Fe(s,d)+a+14+3*W+Fe(R,I)+2*R[16]+3*R[17]+7*R[18];if(u>=0&&le<=B&&le<=F)return Gr(e,c,t.subarray(u,u+l));var L,_,D,
+;var le=l+5<<3,B=Fe(o,ce)+Fe(s,De)+a,F=Fe(o,p)+Fe(s,d)+a+14+3*W+Fe(R,I)+2*R[16]+3*R[17]+7*R[18];if(u>=0&&le<=B&&le<=F)return Hr(e,c,t.subarray(u,u+l));var L,_,D,
 $;if(ie(e,c,1+(F<B)),c+=2,F<B){L=te(p,m,0),_=p,D=te(d,g,0),$=d;var Ne=te(I,O,0);ie(e,c,v-257),ie(e,c+5,N-1),ie(e,c+10,W-4),c+=14;for(var x=0;x<W;++x)ie(e,c+3*x,
-I[Lt[x]]);c+=3*W;for(var V=[S,E],oe=0;oe<2;++oe)for(var H=V[oe],x=0;x<H.length;++x){var G=H[x]&31;ie(e,c,Ne[G]),c+=I[G],G>15&&(ie(e,c,H[x]>>5&127),c+=H[x]>>12)}}else
-L=Bo,_=ce,D=Go,$=De;for(var x=0;x<i;++x){var k=n[x];if(k>255){var G=k>>18&31;We(e,c,L[G+257]),c+=_[G+257],G>7&&(ie(e,c,k>>23&31),c+=rt[G]);var Q=k&31;We(e,c,D[Q]),
+I[Lt[x]]);c+=3*W;for(var V=[S,E],oe=0;oe<2;++oe)for(var G=V[oe],x=0;x<G.length;++x){var H=G[x]&31;ie(e,c,Ne[H]),c+=I[H],H>15&&(ie(e,c,G[x]>>5&127),c+=G[x]>>12)}}else
+L=Bo,_=ce,D=Ho,$=De;for(var x=0;x<i;++x){var k=n[x];if(k>255){var H=k>>18&31;We(e,c,L[H+257]),c+=_[H+257],H>7&&(ie(e,c,k>>23&31),c+=rt[H]);var Q=k&31;We(e,c,D[Q]),
 c+=$[Q],Q>3&&(We(e,c,k>>5&8191),c+=nt[Q])}else We(e,c,L[k]),c+=_[k]}return We(e,c,L[256]),c+_[256]},Yo=new Dt([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),jr=new T(0),Ko=function(t,e,r,n,o,s){var a=s.z||t.length,i=new T(n+a+5*(1+Math.ceil(a/7e3))+o),u=i.subarray(n,i.length-o),l=s.l,c=(s.r||0)&7;if(e){
 c&&(u[0]=s.r>>3);for(var f=Yo[e-1],p=f>>13,m=f&8191,y=(1<<r)-1,d=s.p||new j(32768),g=s.h||new j(y+1),w=Math.ceil(r/3),S=2*w,v=function(vt){return(t[vt]^t[vt+1]<<
 w^t[vt+2]<<S)&y},A=new Dt(25e3),E=new j(288),N=new j(32),R=0,x=0,b=s.i||0,I=0,O=s.w||0,W=0;b+2<a;++b){var le=v(b),B=b&32767,F=g[le];if(d[B]=F,g[le]=B,O<=b){var L=a-
 b;if((R>7e3||I>24576)&&(L>423||!l)){c=$r(t,u,0,A,E,N,x,I,W,b-W,c),I=R=x=0,W=b;for(var _=0;_<286;++_)E[_]=0;for(var _=0;_<30;++_)N[_]=0}var D=2,$=0,Ne=m,V=B-F&32767;
-if(L>2&&le==v(b-V))for(var oe=Math.min(p,L)-1,H=Math.min(32767,b),G=Math.min(258,L);V<=H&&--Ne&&B!=F;){if(t[b+D]==t[b+D-V]){for(var k=0;k<G&&t[b+k]==t[b+k-V];++k)
+if(L>2&&le==v(b-V))for(var oe=Math.min(p,L)-1,G=Math.min(32767,b),H=Math.min(258,L);V<=G&&--Ne&&B!=F;){if(t[b+D]==t[b+D-V]){for(var k=0;k<H&&t[b+k]==t[b+k-V];++k)
 ;if(k>D){if(D=k,$=V,k>oe)break;for(var Q=Math.min(V,k-2),ye=0,_=0;_<Q;++_){var ge=b-V+_&32767,Ke=d[ge],Ze=ge-Ke&32767;Ze>ye&&(ye=Ze,F=ge)}}}B=F,F=d[B],V+=B-F&32767}
 if($){A[I++]=268435456|$t[D]<<18|Ir[$];var Oe=$t[D]&31,Pe=Ir[$]&31;x+=rt[Oe]+nt[Pe],++E[257+Oe],++N[Pe],O=b+D,++R}else A[I++]=t[b],++E[t[b]]}}for(b=Math.max(b,O);b<
 a;++b)A[I++]=t[b],++E[t[b]];c=$r(t,u,l,A,E,N,x,I,W,b-W,c),l||(s.r=c&7|u[c/8|0]<<3,c-=7,s.h=g,s.p=d,s.i=b,s.w=O)}else{for(var b=s.w||0;b<a+l;b+=65535){var ve=b+65535;
-ve>=a&&(u[c/8|0]=l,ve=a),c=Gr(u,c+1,t.subarray(b,ve))}s.i=a}return Be(i,0,n+Bt(c)+o)},Zo=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,n=9;--n;)
+ve>=a&&(u[c/8|0]=l,ve=a),c=Hr(u,c+1,t.subarray(b,ve))}s.i=a}return Be(i,0,n+Bt(c)+o)},Zo=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,n=9;--n;)
 r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),qo=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=Zo[r&255^e[n]]^r>>>8;t=r},d:function(){
 return~t}}};var Jo=function(t,e,r,n,o){if(!o&&(o={l:1},e.dictionary)){var s=e.dictionary.subarray(-32768),a=new T(s.length+t.length);a.set(s),a.set(t,s.length),t=a,o.w=s.length}
 return Ko(t,e.level==null?6:e.level,e.mem==null?o.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,o)},Vr=function(t,e){var r={};for(var n in t)
 r[n]=t[n];for(var n in e)r[n]=e[n];return r};var ee=function(t,e){return t[e]|t[e+1]<<8},X=function(t,e){return(t[e]|t[e+1]<<8|t[e+2]<<16|t[e+3]<<24)>>>0},It=function(t,e){return X(t,e)+X(t,e+4)*4294967296},
 U=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var Xo=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&z(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&z(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function Qo(t,e){return Jo(t,e||{},0,0)}function es(t,e){return Hr(t,{i:2},e&&e.out,e&&e.dictionary)}function Yr(t,e){return Hr(t.subarray(Xo(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Kr=function(t,e,r,n){for(var o in t){var s=t[o],a=e+o,i=n;Array.isArray(s)&&(i=Vr(n,s[1]),s=s[0]),s instanceof T?r[a]=[s,i]:(r[a+="/"]=[new T(0),i],Kr(s,a,r,
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function Qo(t,e){return Jo(t,e||{},0,0)}function es(t,e){return Gr(t,{i:2},e&&e.out,e&&e.dictionary)}function Yr(t,e){return Gr(t.subarray(Xo(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Kr=function(t,e,r,n){for(var o in t){var s=t[o],a=e+o,i=n;Array.isArray(s)&&(i=Vr(n,s[1]),s=s[0]),s instanceof T?r[a]=[s,i]:(r[a+="/"]=[new T(0),i],Kr(s,a,r,
 n))}},Ur=typeof TextEncoder<"u"&&new TextEncoder,Wt=typeof TextDecoder<"u"&&new TextDecoder,ts=0;try{Wt.decode(jr,{stream:!0}),ts=1}catch{}var rs=function(t){for(var e="",
 r=0;;){var n=t[r++],o=(n>127)+(n>223)+(n>239);if(r+o>t.length)return{s:e,r:Be(t,r-1)};o?o==3?(n=((n&15)<<18|(t[r++]&63)<<12|(t[r++]&63)<<6|t[r++]&63)-65536,e+=String.
 fromCharCode(55296|n>>10,56320|n&1023)):o&1?e+=String.fromCharCode((n&31)<<6|t[r++]&63):e+=String.fromCharCode((n&15)<<12|(t[r++]&63)<<6|t[r++]&63):e+=String.fromCharCode(
 n)}};function tt(t,e){if(e){for(var r=new T(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Ur)return Ur.encode(t);for(var o=t.length,s=new T(t.length+
 (t.length>>1)),a=0,i=function(c){s[a++]=c},n=0;n<o;++n){if(a+5>s.length){var u=new T(a+8+(o-n<<1));u.set(s),s=u}var l=t.charCodeAt(n);l<128||e?i(l):l<2048?(i(192|
 l>>6),i(128|l&63)):l>55295&&l<57344?(l=65536+(l&1047552)|t.charCodeAt(++n)&1023,i(240|l>>18),i(128|l>>12&63),i(128|l>>6&63),i(128|l&63)):(i(224|l>>12),i(128|l>>
-6&63),i(128|l&63))}return Be(s,0,a)}function Ht(t,e){if(e){for(var r="",n=0;n<t.length;n+=16384)r+=String.fromCharCode.apply(null,t.subarray(n,n+16384));return r}else{
-if(Wt)return Wt.decode(t);var o=rs(t),s=o.s,r=o.r;return r.length&&z(8),s}}var ns=function(t,e){return e+30+ee(t,e+26)+ee(t,e+28)},os=function(t,e,r){var n=ee(t,e+28),o=Ht(t.subarray(e+46,e+46+n),!(ee(t,e+8)&2048)),s=e+46+n,a=X(t,e+20),
+6&63),i(128|l&63))}return Be(s,0,a)}function Gt(t,e){if(e){for(var r="",n=0;n<t.length;n+=16384)r+=String.fromCharCode.apply(null,t.subarray(n,n+16384));return r}else{
+if(Wt)return Wt.decode(t);var o=rs(t),s=o.s,r=o.r;return r.length&&z(8),s}}var ns=function(t,e){return e+30+ee(t,e+26)+ee(t,e+28)},os=function(t,e,r){var n=ee(t,e+28),o=Gt(t.subarray(e+46,e+46+n),!(ee(t,e+8)&2048)),s=e+46+n,a=X(t,e+20),
 i=r&&a==4294967295?ss(t,s):[a,X(t,e+24),X(t,e+42)],u=i[0],l=i[1],c=i[2];return[ee(t,e+10),u,l,o,s+ee(t,e+30)+ee(t,e+32),c]},ss=function(t,e){for(;ee(t,e)!=1;e+=
 4+ee(t,e+2));return[It(t,e+12),It(t,e+4),It(t,e+20)]},Ft=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&z(9),e+=n+4}return e},zr=function(t,e,r,n,o,s,a,i){
 var u=n.length,l=r.extra,c=i&&i.length,f=Ft(l);U(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t[e]=20,e+=2,t[e++]=r.flag<<1|(s<0&&8),t[e++]=
@@ -170,48 +170,47 @@ d,o,compression:c})),o+=30+p+g+S,s+=76+2*(p+g)+(d||0)+S}for(var A=new T(s+22),E=
 f.length+Ft(f.extra);A.set(f.c,f.o+x),zr(A,o,f,f.f,f.u,f.c.length,f.o,f.m),o+=16+x+(f.m?f.m.length:0)}return as(A,o,n.length,N,E),A}function qr(t,e){for(var r={},n=t.length-22;X(t,n)!=101010256;--n)(!n||t.length-n>65558)&&z(13);var o=ee(t,n+8);if(!o)return{};var s=X(t,n+16),a=s==4294967295||
 o==65535;if(a){var i=X(t,n-12);a=X(t,i)==101075792,a&&(o=X(t,i+32),s=X(t,i+48))}for(var u=e&&e.filter,l=0;l<o;++l){var c=os(t,s,a),f=c[0],p=c[1],m=c[2],y=c[3],d=c[4],
 g=c[5],w=ns(t,g);s=d,(!u||u({name:y,size:p,originalSize:m,compression:f}))&&(f?f==8?r[y]=es(t.subarray(w,w+p),{out:new T(m)}):z(14,"unknown compression type "+f):
-r[y]=Be(t,w,w+p))}return r}var Te=["pursuer","evader"];var Gt=4,Jr=new Map;function Xr(t,e){let r=Jr.get(t);if(r)return r;let n=new Float32Array;try{let o=ls(us(t),e);o.every(Number.isFinite)&&(n=o)}catch(o){if(!(o instanceof
-DOMException||o instanceof RangeError||is(o)))throw o}return Jr.set(t,n),n}var is=t=>t instanceof Error&&"code"in t;function ls(t,e){let r=Yr(t),n=r.length/Gt,o=new Uint8Array(
-r.length);for(let a=0;a<o.length;a++)o[a]=r[a%Gt*n+Math.floor(a/Gt)];let s=new Uint32Array(o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(
+r[y]=Be(t,w,w+p))}return r}var Te=["pursuer","evader"];var Ht=4,Jr=new Map;function Xr(t,e){let r=Jr.get(t);if(r)return r;let n=new Float32Array;try{let o=ls(us(t),e);o.every(Number.isFinite)&&(n=o)}catch(o){if(!(o instanceof DOMException||
+o instanceof RangeError||is(o)))throw o}return Jr.set(t,n),n}var is=t=>t instanceof Error&&"code"in t;function ls(t,e){let r=Yr(t),n=r.length/Ht,o=new Uint8Array(
+r.length);for(let a=0;a<o.length;a++)o[a]=r[a%Ht*n+Math.floor(a/Ht)];let s=new Uint32Array(o.buffer);for(let a=e;a<s.length;a++)s[a]^=s[a-e];return new Float32Array(
 o.buffer)}function us(t){let e=atob(jt(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function jt(t){return document.getElementById(
 t)?.textContent??""}var cs="http://www.w3.org/2000/svg";function h(t,e={},...r){return Qr(document.createElement(t),e,r)}function Vt(t,e={},...r){return Qr(document.createElementNS(
 cs,t),e,r)}function Qr(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
 String(o)));return t.append(...r.filter(fs).map(n=>typeof n=="number"?String(n):n)),t}function fs(t){return t!=null&&t!==!1}var en=()=>["file:","http:","https:"].
-includes(location.protocol);var he=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var ps=matchMedia("(prefers-color-scheme: dark)");function ms(){let t=document.documentElement.dataset.theme;return t?t==="dark":ps.matches}function hs(){document.
-documentElement.dataset.theme=ms()?"light":"dark"}function tn(){return h("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:hs},
-"◐")}function rn(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Yt(t,e){return{
+includes(location.protocol);var he=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];function ps(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function ms(){document.documentElement.
+dataset.theme=ps()?"light":"dark"}function tn(){return h("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:ms},"◐")}function rn(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Yt(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
-fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var He=class{config;start;recording;actions=[];#e;#s;#o=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#s=[Yt(this.#e)],
+fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}var Ge=class{config;start;recording;actions=[];#e;#s;#o=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#s=[Yt(this.#e)],
 this.recording=rn(r,this.#e.map(),this.#s)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(e){return this.#o[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#r(e)}step(e,r,n){let[o,s]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(o.n_agents);for(let i=o.n_turns;i>0&&!o.over;--i){let[u,l]=o.actors;u<s&&(a=o.decide(e.pursuer,[u,Math.min(l,s)],a)),l>s&&(a=o.decide(e.evader,
 [Math.max(u,s),l],a)),typeof n=="number"?a[r]=n:u<=r&&r<l&&(a=o.decide(n,[r,r+1],a)),o.playTurn(a)}this.#r(a)}#r(e){this.actions.push(e),this.#s.push(Yt(this.#e,
-e)),this.#o.push(this.#e.conflicts())}};function nn(t,e,r,n){let o=new He(t,e,r);for(let s of n)o.play(s);return o}var fe=(t,e)=>Te[+(e>=t.n_pursuers)];function Kt(t,e){let r=new He(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
+e)),this.#o.push(this.#e.conflicts())}};function nn(t,e,r,n){let o=new Ge(t,e,r);for(let s of n)o.play(s);return o}var fe=(t,e)=>Te[+(e>=t.n_pursuers)];function Kt(t,e){let r=new Ge(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
 seat,n);return r}function pe(t,e){let{moments:r,nPursuers:n}=t.recording,o=r.findIndex(({alive:a,captured:i})=>!a[e]||!!i[e-n]),s=o<0?t.length:o;return{lasted:s,
 out:o>=0,captured:Array.from(r[s].everCaptured).filter(Boolean).length}}var ot=(t,e)=>t.over||pe(t,e).out;function on(t,e,r){let n=Kt(t,{...e,moves:e.moves.slice(
 0,e.from)});for(;!ot(n,e.seat);)n.step(e.policies,e.seat,r);return pe(n,e.seat)}function st(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(r=>t[r])}
 function sn(t,{seat:e,from:r,moves:n}){let o={...t,seat:e,...r?{from:r}:{},moves:n.join("")};return`${location.href.split("#")[0]}#${Object.entries(o).map(([s,a])=>`${s}\
 =${a}`).join("&")}`}function an(t,e){let[r,n,o]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
 (e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(o)&&o.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=o.length?{seat:Number(r),from:Number(n),moves:[...o].map(Number)}:
-null}var at=()=>crypto.getRandomValues(new BigUint64Array(1))[0];function Zt(t,e,r,n,o,s){e.play({title:r,played:n,ending:(a,i)=>[ds(t,a,i,st(o))],again:()=>Zt(t,e,r,{...n,moves:n.moves.slice(0,n.from)},o,s),link:a=>sn(s,a)})}
-function ds(t,e,r,n){let o=fe(r.config,r.seat)==="evader",s=o?r.config.max_steps:r.config.n_evaders,a=h("table",{class:"numbers"},h("caption",{},o?"Steps in you\
+null}var at=()=>crypto.getRandomValues(new BigUint64Array(1))[0];function Zt(t,e,r,n,o,s){e.play({title:r,played:n,ending:(a,i)=>[hs(t,a,i,st(o))],again:()=>Zt(t,e,r,{...n,moves:n.moves.slice(0,n.from)},o,s),link:a=>s&&sn(s,a)})}
+function hs(t,e,r,n){let o=fe(r.config,r.seat)==="evader",s=o?r.config.max_steps:r.config.n_evaders,a=h("table",{class:"numbers"},h("caption",{},o?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),i=l=>{let[c,f]=[h("span",{class:o?"bar evader":"bar pursuer"}),h("td",{},"…")];
 return a.append(h("tr",{},h("th",{scope:"row"},l),h("td",{class:"track","aria-hidden":"true"},c),f)),({lasted:p,captured:m})=>{c.style.width=`${100*(o?p:m)/s}%`,
 f.textContent=String(o?p:m)}};i("You")(pe(e,r.seat));for(let{name:l,policy:c}of n){let f=i(l);setTimeout(()=>f(on(t,r,c())))}let u=r.from?`You took over at step\
- ${r.from}. `:"";return h("div",{},a,h("p",{class:"small muted"},`${u}One match: luck has its part in it.`))}var ys=20,qt=60;function gs(t){let e=t.rules.capture==="SURROUND"?8:4,r=typeof t.obstacles!="number",n=o=>r?o:Math.min(o,ys);return{...t,rows:n(t.rows),cols:n(t.
-cols),max_steps:qt,n_evaders:1,n_pursuers:Math.min(t.n_pursuers,e)}}function it(t,e,r){let[n,o,s]=[gs(e),st(r),[]],a=()=>`${s.reduce((u,l)=>u+l,0)} of ${qt*o.length}`,
+ ${r.from}. `:"";return h("div",{},a,h("p",{class:"small muted"},`${u}One match: luck has its part in it.`))}var ds=20,qt=60;function ys(t){let e=t.rules.capture==="SURROUND"?8:4,r=typeof t.obstacles!="number",n=o=>r?o:Math.min(o,ds);return{...t,rows:n(t.rows),cols:n(t.
+cols),max_steps:qt,n_evaders:1,n_pursuers:Math.min(t.n_pursuers,e)}}function it(t,e,r){let[n,o,s]=[ys(e),st(r),[]],a=()=>`${s.reduce((u,l)=>u+l,0)} of ${qt*o.length}`,
 i=()=>t.play({title:`Can you escape it? Round ${s.length+1} of ${o.length}: ${o[s.length].name}`,about:o[s.length].text&&`${o[s.length].name}: ${o[s.length].text}`,
 played:{config:n,seed:at(),episode:0,seat:n.n_pursuers,from:0,moves:[],policies:{pursuer:o[s.length].policy(),evader:"still"}},ending:u=>{s.push(pe(u,n.n_pursuers).
 lasted);let l=o.map(({name:f},p)=>h("tr",{},h("th",{scope:"row"},f),h("td",{},s[p]??""))),c=s.length<o.length;return[h("table",{class:"numbers"},h("caption",{},
 `Steps of ${qt} in each round`),...l),h("p",{class:"play-score"},c?"Score so far: ":"Your score: ",h("strong",{},a())),c?h("button",{type:"button",class:"primar\
-y",onclick:i},"Next round"):""]},again:()=>it(t,e,r),link:()=>null});i()}var vs={"|b1":t=>new Uint8Array(t),"|i1":t=>new Int8Array(t),"<i4":t=>new Int32Array(t),"<i8":t=>Int32Array.from(new BigInt64Array(t),Number),"<f4":t=>new Float32Array(
-t)},un="NUMPY\0",Ce=un.length+2,ln=64;function cn(t){return Zr(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,bs(r)])))}function bs({dtype:t,shape:e,
+y",onclick:i},"Next round"):""]},again:()=>it(t,e,r),link:()=>null});i()}var gs={"|b1":t=>new Uint8Array(t),"|i1":t=>new Int8Array(t),"<i4":t=>new Int32Array(t),"<i8":t=>Int32Array.from(new BigInt64Array(t),Number),"<f4":t=>new Float32Array(
+t)},un="NUMPY\0",Ce=un.length+2,ln=64;function cn(t){return Zr(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,vs(r)])))}function vs({dtype:t,shape:e,
 data:r}){let n=typeof r=="string"?Array.from(r,c=>c.codePointAt(0)):null,o=e.map(c=>`${c}, `).join(""),s=`{'descr': '${n?`<U${n.length}`:t}', 'fortran_order': F\
 alse, 'shape': (${o}), }`,a=Math.ceil((Ce+s.length+1)/ln)*ln-Ce,i=un+String.fromCharCode(a&255,a>>8)+s.padEnd(a-1)+`
 `,u=n?Int32Array.from(n):r,l=new Uint8Array(i.length+u.byteLength);return l.set(tt(i,!0)),l.set(new Uint8Array(u.buffer,u.byteOffset,u.byteLength),i.length),l}function fn(t){
-return Object.fromEntries(Object.entries(qr(t)).map(([e,r])=>[e.replace(/\.npy$/,""),ws(r)]))}function ws(t){let e=Ce+t[Ce-2]+256*t[Ce-1],r=Ht(t.subarray(Ce,e),
+return Object.fromEntries(Object.entries(qr(t)).map(([e,r])=>[e.replace(/\.npy$/,""),bs(r)]))}function bs(t){let e=Ce+t[Ce-2]+256*t[Ce-1],r=Gt(t.subarray(Ce,e),
 !0),n=/'descr': '([^']+)', 'fortran_order': False, 'shape': \(([\d, ]*)\)/.exec(r),[o,s]=[n?.[1]??"",(n?.[2]??"").split(",").filter(l=>l.trim()).map(Number)],a=t.
-slice(e).buffer,i=o.startsWith("<U")&&String.fromCodePoint(...new Int32Array(a)),u=i===!1?vs[o]?.(a):i.replace(/\0+$/,"");if(u===void 0)throw new TypeError(`exp\
+slice(e).buffer,i=o.startsWith("<U")&&String.fromCodePoint(...new Int32Array(a)),u=i===!1?gs[o]?.(a):i.replace(/\0+$/,"");if(u===void 0)throw new TypeError(`exp\
 ected an array of numbers or a text, got ${r.slice(0,80)}`);return{dtype:o,shape:s,data:u}}var Jt="matrixworld episode 3";function pn(t,e,r){let{config:n,actions:o,length:s,recording:a}=e,[i,u]=[n.n_pursuers+n.n_evaders,n.n_evaders],l={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",u],ever_captured:["|b1",u]},c={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},f={},p=v=>{
 for(let A of Object.keys(v))(f[A]??=[]).push(Array.from(m.read(A),Number))},m=t.world(n);m.reset(e.start);let y=[];p(l);for(let v of o)m.step(v),p({...l,...c}),
@@ -224,26 +223,26 @@ data),s=o.n_pursuers+o.n_evaders,a=n("positions"),i=(m,y)=>Array.from({length:y-
 s),obstacles:Uint8Array.from(n("map"))},l=Uint8Array.from(n("actions")),c=Array.from({length:l.length/s},(m,y)=>l.subarray(y*s,(y+1)*s)),f=nn(t,o,u,c);if(Array.
 from(f.recording.moments.at(-1).positions).join()!==n("last_positions").slice(-2*s).join())throw new Y("expected the moves of this start to lead to its end");return{
 live:f,seat:n("seat")[0]??null}}var Ee=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function hn(t,e,r){let[n,o]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||
-(n=0),Ee.findIndex(([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}var de=(t,e)=>e<t.nPursuers,C=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],xs=(t,e)=>t[0]===e[0]&&
+(n=0),Ee.findIndex(([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}var de=(t,e)=>e<t.nPursuers,C=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],ws=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],Xt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Qt=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),er=(t,e)=>Qt(t.fault,e),dn=(t,e)=>!er(
-t,e)&&Qt(t.involved,e,2);function lt(t,e,r){let n=!xs(C(t,r),C(e,r)),o=e.involved===void 0||Qt(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function ut(t,e,r){
+t,e)&&Qt(t.involved,e,2);function lt(t,e,r){let n=!ws(C(t,r),C(e,r)),o=e.involved===void 0||Qt(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function ut(t,e,r){
 let[n,o]=C(t,r),[s,a]=Ee[e.actions?.[r]??0];return[n+s,o+a]}function ct(t,e,r){return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&
 !e.everCaptured[o]).map(o=>t.nPursuers+o)}function ft(t,e){return Array.from({length:e.alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var yn=[-.31,0,.31],gn=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:yn.flatMap(t=>yn.map(e=>[e,t]))}],As=.3,Ss=.35,Ms=.55;function Ge(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+-.23,-.23],[.23,-.23]]},{size:.36,at:yn.flatMap(t=>yn.map(e=>[e,t]))}],xs=.3,As=.35,Ss=.55;function He(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[o,s]=C(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function vn(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=C(e,o);return{
-x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of Ge(t,e).values()){let o=gn[Math.min(n.length,gn.length)-1];n.forEach((s,a)=>{let[i,u]=o.at[Math.min(a,o.at.length-1)],
+x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of He(t,e).values()){let o=gn[Math.min(n.length,gn.length)-1];n.forEach((s,a)=>{let[i,u]=o.at[Math.min(a,o.at.length-1)],
 l=r[s];l.x+=i,l.y+=u,l.size=o.size,l.alpha=1})}return r}var bn=t=>t*t*(3-2*t),_e=(t,e,r)=>t+(e-t)*r,wn=t=>Math.min(1,Math.max(0,t));function xn(t,e,r,n){let o={
-SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return bn(n);let s=o===r?e:+!de(t,e),a=Math.max(1/o,Ss);return bn(wn((n-s/(o-1)*(1-a))/a))}function pt(t,e){
+SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return bn(n);let s=o===r?e:+!de(t,e),a=Math.max(1/o,As);return bn(wn((n-s/(o-1)*(1-a))/a))}function pt(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=vn(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=vn(t,a);return s.map((u,l)=>{let c=xn(
-t,l,s.length,e-n);return Ts(o,a,l,u,i[l],c)})}function tr(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
-n)]],i=xn(t,e,s.alive.length,r-o),[[u,l],[c,f]]=[C(s,e),C(a,e)];return[_e(l,f,i)+.5,_e(u,c,i)+.5]}function Ts(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:_e(n.x,o.x,
-s),y:_e(n.y,o.y,s),size:a?n.size:_e(n.size,o.size,s),alpha:a?wn((1-s)/(1-Ms)):_e(n.alpha,o.alpha,s)};if(lt(t,e,r)){let[u,l]=C(t,r),[c,f]=ut(t,e,r),p=As*Math.sin(
+t,l,s.length,e-n);return Ms(o,a,l,u,i[l],c)})}function tr(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,
+n)]],i=xn(t,e,s.alive.length,r-o),[[u,l],[c,f]]=[C(s,e),C(a,e)];return[_e(l,f,i)+.5,_e(u,c,i)+.5]}function Ms(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:_e(n.x,o.x,
+s),y:_e(n.y,o.y,s),size:a?n.size:_e(n.size,o.size,s),alpha:a?wn((1-s)/(1-Ss)):_e(n.alpha,o.alpha,s)};if(lt(t,e,r)){let[u,l]=C(t,r),[c,f]=ut(t,e,r),p=xs*Math.sin(
 Math.PI*s);i.x+=(f-l)*p,i.y+=(c-u)*p}return i}var An=2*Math.PI;function je(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,An)}function Sn(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],u)=>{let[l,c]=s[(u+1)%3];t.arcTo(a,i,l,c,n*.09)}),t.closePath()}function Mn(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Tn(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
 2*(o%2?.6:.95),a=An*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function Cn(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var En=4,Cs=1.6,Es=.95,_s=5,ks=.16,Rs=9,Ns=.09,Os=.2,_n=.75,K=(t,e)=>t.left+e*t.cell,Z=(t,e)=>t.top+e*t.cell;function ke(t,e,r){return de(e,r)?t.colors.pursuer:
-t.colors.evader}function kn({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[u,l]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,u,l),s<_s)return;
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var En=4,Ts=1.6,Cs=.95,Es=5,_s=.16,ks=9,Rs=.09,Ns=.2,_n=.75,K=(t,e)=>t.left+e*t.cell,Z=(t,e)=>t.top+e*t.cell;function ke(t,e,r){return de(e,r)?t.colors.pursuer:
+t.colors.evader}function kn({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[u,l]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,u,l),s<Es)return;
 t.fillStyle=r.line;let c=Math.max(1,Math.round(s/60));for(let f=1;f<i;f++)t.fillRect(n+f*s,o,c,l);for(let f=1;f<a;f++)t.fillRect(n,o+f*s,u,c)}function Rn({ctx:t,
 grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:u}=e;t.fillStyle=r.obstacle;for(let l=0;l<i*u;l++){if(!n.obstacles[l])continue;let[c,f]=[Math.floor(l/u),
 l%u];t.fillRect(o+f*a,s+c*a,a,a)}Nn({ctx:t,grid:e,colors:r})}function Nn({ctx:t,grid:{left:e,top:r,cell:n,rows:o,cols:s},colors:a}){let i=Math.min(5,Math.max(2,
@@ -258,41 +257,41 @@ max(s,.6),t.beginPath(),t.roundRect(u-i/2,l-i/2,i,i,i*.2),t.strokeStyle=r.focus,
 .5));t.font=`700 ${Math.round(c)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let f=l-i/2<c*1.2,p=l+(f?1:-1)*(i/2+c*.7);t.strokeStyle=
 r.paper,t.lineJoin="round",t.lineWidth=c*.35,t.strokeText("You",u,p),t.fillStyle=r.ink,t.fillText("You",u,p),t.globalAlpha=1}function $n(t,e,r,n,o){let{ctx:s,grid:a}=t,
 i=Pn(t,e,n,o),u=ke(t,e,r);s.globalAlpha=.11,s.fillStyle=u,s.fillRect(...i),s.globalAlpha=.8,s.strokeStyle=u,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...i),
-s.globalAlpha=1}function Un(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),u=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Rs,
-Math.max(1,a.cell*ks));for(let l=Math.max(1,Math.floor(r-n)+1);l<=i;l++){let[c,f]=[e.moments[l-1],e.moments[l]],p=Math.max(0,Math.min(1,(r-l)/n));s.globalAlpha=
-_n+(Os-_n)*p;for(let m=0;m<f.alive.length;m++){let y=l===i&&r<i;if(!c.alive[m]||!(u.alive[m]||y))continue;let d=(de(e,m)?-1:1)*Ns,[g,w]=C(c,m),[S,v]=C(f,m);if(g===
+s.globalAlpha=1}function Un(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),u=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(ks,
+Math.max(1,a.cell*_s));for(let l=Math.max(1,Math.floor(r-n)+1);l<=i;l++){let[c,f]=[e.moments[l-1],e.moments[l]],p=Math.max(0,Math.min(1,(r-l)/n));s.globalAlpha=
+_n+(Ns-_n)*p;for(let m=0;m<f.alive.length;m++){let y=l===i&&r<i;if(!c.alive[m]||!(u.alive[m]||y))continue;let d=(de(e,m)?-1:1)*Rs,[g,w]=C(c,m),[S,v]=C(f,m);if(g===
 S&&w===v)continue;let A=y?o[m].x:v+.5,E=y?o[m].y:S+.5;s.strokeStyle=ke(t,e,m),s.beginPath(),s.moveTo(K(a,w+.5+d),Z(a,g+.5+d)),s.lineTo(K(a,A+d),Z(a,E+d)),s.stroke()}}
 s.globalAlpha=1}function zn(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-En+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],
-i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/En,u=ct(e,s,a);for(let l of ft(s,a))u.includes(l)||Is(t,C(a,l),i);for(let l of u)Ps(t,C(a,l),i)}t.ctx.globalAlpha=1}function Ps({
-ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Tn(t,K(e,o+.5),Z(e,n+.5),Math.max(8,e.cell*Cs)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
-max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Is({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Mn(t,K(e,o+.5),Z(e,n+.5),Math.max(7,e.cell*Es)),t.strokeStyle=
+i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/En,u=ct(e,s,a);for(let l of ft(s,a))u.includes(l)||Ps(t,C(a,l),i);for(let l of u)Os(t,C(a,l),i)}t.ctx.globalAlpha=1}function Os({
+ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Tn(t,K(e,o+.5),Z(e,n+.5),Math.max(8,e.cell*Ts)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.
+max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Ps({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,Mn(t,K(e,o+.5),Z(e,n+.5),Math.max(7,e.cell*Cs)),t.strokeStyle=
 r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Wn({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=
 t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let u=[
 K(e,i)+s,Z(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...u),t.globalAlpha=o,t.strokeRect(...u)}t.setLineDash([]),t.globalAlpha=1}function Fn({ctx:t,
 grid:e,colors:r},n,o,s,a){t.globalAlpha=a,je(t,K(e,n),Z(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
-s)),t.stroke(),t.globalAlpha=1}var Ls=.8,$s=.92,Us=15,zs=7,rr=9;function Dn(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Ws(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of Ge(e,r).values())a.length>
-rr&&Fs(t,n[a[rr-1]],a.length-rr+1)}function Ws(t,e,r,n,o,s,a){let{ctx:i,grid:u,colors:l}=t,c=de(e,n),[f,p]=[u.left+o.x*u.cell,u.top+o.y*u.cell],m=Math.max(4,u.cell*
-o.size*(c?$s:Ls)),y=ke(t,e,n),d=!c&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(c?Sn:je)(i,f,p,m),m>zs*a&&(i.strokeStyle=l.paper,i.lineWidth=Math.max(
-2,m*.1),i.stroke()),i.fillStyle=d?l.paper:y,i.fill(),d&&(je(i,f,p,m*.82),i.strokeStyle=y,i.lineWidth=m*.18,i.stroke()),!s||m<Us*a)return;let g=String(c?n:n-e.nPursuers);
+s)),t.stroke(),t.globalAlpha=1}var Is=.8,Ls=.92,$s=15,Us=7,rr=9;function Dn(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&zs(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of He(e,r).values())a.length>
+rr&&Ws(t,n[a[rr-1]],a.length-rr+1)}function zs(t,e,r,n,o,s,a){let{ctx:i,grid:u,colors:l}=t,c=de(e,n),[f,p]=[u.left+o.x*u.cell,u.top+o.y*u.cell],m=Math.max(4,u.cell*
+o.size*(c?Ls:Is)),y=ke(t,e,n),d=!c&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(c?Sn:je)(i,f,p,m),m>Us*a&&(i.strokeStyle=l.paper,i.lineWidth=Math.max(
+2,m*.1),i.stroke()),i.fillStyle=d?l.paper:y,i.fill(),d&&(je(i,f,p,m*.82),i.strokeStyle=y,i.lineWidth=m*.18,i.stroke()),!s||m<$s*a)return;let g=String(c?n:n-e.nPursuers);
 i.font=`700 ${Math.round(m*(c?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=d?y:l.paper,i.fillText(
-g,f,p+m*(c?.17:.03))}function Fs({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+g,f,p+m*(c?.17:.03))}function Ws({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
-s,a)}var Ds=.46,Bs=.86,Hs=.66,Bn=.48,Gs=.78,js=.58;function Hn(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:u}=t;a.strokeStyle=
-u.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let l=0;l<s.alive.length;l++)lt(o,s,l)&&Vs(t,e,C(o,l),ut(o,s,l));a.globalAlpha=
-1}function Vs({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=f=>K(e,n[1]+.5+s*f),u=f=>Z(e,n[0]+.5+a*f),l=Xt(r,o)?Gs:js;t.setLineDash([e.cell*.09,e.cell*
+s,a)}var Fs=.46,Ds=.86,Bs=.66,Bn=.48,Gs=.78,Hs=.58;function Gn(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:u}=t;a.strokeStyle=
+u.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let l=0;l<s.alive.length;l++)lt(o,s,l)&&js(t,e,C(o,l),ut(o,s,l));a.globalAlpha=
+1}function js({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=f=>K(e,n[1]+.5+s*f),u=f=>Z(e,n[0]+.5+a*f),l=Xt(r,o)?Gs:Hs;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(Bn),u(Bn)),t.lineTo(i(l),u(l)),t.stroke(),t.setLineDash([]);let c=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(l)-a*c,u(l)+
-s*c),t.lineTo(i(l)+a*c,u(l)-s*c),t.stroke()}function Gn(t,e,r,n,o,s){let a=Ee[s];if(!s||!a)return;let{ctx:i,grid:u,colors:l}=t,c=Xt(e,[n[0]+a[0],n[1]+a[1]])?Bs:
-Hs,f=Ds*o.size,p=[K(u,o.x+a[1]*f),Z(u,o.y+a[0]*f),K(u,o.x+a[1]*c),Z(u,o.y+a[0]*c)],m=Math.max(1.5,u.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,d]of[[l.paper,
+s*c),t.lineTo(i(l)+a*c,u(l)-s*c),t.stroke()}function Hn(t,e,r,n,o,s){let a=Ee[s];if(!s||!a)return;let{ctx:i,grid:u,colors:l}=t,c=Xt(e,[n[0]+a[0],n[1]+a[1]])?Ds:
+Bs,f=Fs*o.size,p=[K(u,o.x+a[1]*f),Z(u,o.y+a[0]*f),K(u,o.x+a[1]*c),Z(u,o.y+a[0]*c)],m=Math.max(1.5,u.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,d]of[[l.paper,
 m*2.1],[ke(t,e,r),m]])i.strokeStyle=y,i.lineWidth=d,Cn(i,...p,u.cell*.2),i.stroke()}var Vn={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Yn(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,u=Math.min(
 Math.ceil(r),e.moments.length-1),l=e.moments[u],c=r===u,f=pt(e,r),p=c?1:Math.max(0,1-2*(u-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),kn(t);for(let d of n.
-viewers)f[d]?.alpha&&$n(t,e,d,...tr(e,d,r));Rn(t,e),n.axes&&On(t,o),Un(t,e,r,n.trail,f),Wn(t,l.contested??[],p),zn(t,e,r),Hn(t,e,u,p),f.forEach(({x:d,y:g,size:w},S)=>{
+viewers)f[d]?.alpha&&$n(t,e,d,...tr(e,d,r));Rn(t,e),n.axes&&On(t,o),Un(t,e,r,n.trail,f),Wn(t,l.contested??[],p),zn(t,e,r),Gn(t,e,u,p),f.forEach(({x:d,y:g,size:w},S)=>{
 let v=dn(l,S)?.4:0,A=er(l,S)?1:v;A&&Fn(t,d,g,w,A*p)});let m=c?l:e.moments[Math.max(0,u-1)];if(Dn(t,e,m,f,n.numbers,o),c&&n.plan)for(let[d,g]of f.entries())g.alpha&&
-Gn(t,e,d,C(l,d),g,n.plan[d]??0);n.you!==null&&(n.fog&&In(t,e,...tr(e,n.you,r)),Ln(t,f[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===
+Hn(t,e,d,C(l,d),g,n.plan[d]??0);n.you!==null&&(n.fog&&In(t,e,...tr(e,n.you,r)),Ln(t,f[n.you],o)),s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===
 null?void 0:f[n.selected];y?.alpha&&jn(t,y.x,y.y,y.size*.96),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),jn(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash(
 []))}function jn({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var Kn=(t,e)=>(e+.24)/(t+.24);function Zn(t,e,r,n,o,s){let a=r?28*s:0,i=(l,c)=>(l-a)/(c+2*.12),u=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
 cell:u,left:Math.round((n-e*u+a)/2),top:Math.round((o-t*u+a)/2)}}function qn(t,e,r){let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=
-0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Ys={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Jn(t){let e=getComputedStyle(t),r=Object.entries(Ys).map(([n,o])=>[n,e.getPropertyValue(
+0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Vs={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Jn(t){let e=getComputedStyle(t),r=Object.entries(Vs).map(([n,o])=>[n,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(r)}var nr=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,mt=class{canvas;#e=null;#s=0;#o;#r={rows:1,cols:1,left:0,top:0,cell:1};#n=0;#a;#i;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#o={...Vn,...r},this.#a=new ResizeObserver(()=>this.#c()),this.#a.observe(e),this.#i=new MutationObserver(
 ()=>this.redraw()),this.#i.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
@@ -301,14 +300,14 @@ return this.#o}set look(e){this.#o={...this.#o,...e},this.#u(),this.redraw()}sho
 redraw()}redraw=()=>{this.#n||(this.#n=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#n),this.#n=0;let e=this.canvas.getContext(
 "2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,o=devicePixelRatio||1;this.#r=Zn(r,n,this.#o.axes,this.canvas.width,this.canvas.height,o);let s={ctx:e,grid:this.#r,
 colors:Jn(this.canvas)};Yn(s,this.#e,this.#s,this.#o,o)}cellAt(e,r){let n=this.canvas.getBoundingClientRect(),o=this.canvas.width/n.width;return qn(this.#r,(e-n.
-left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return null;let o=this.#e.moments[Math.round(this.#s)],s=Ge(this.#e,o).get(n[0]*this.#e.
+left)*o,(r-n.top)*o)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)return null;let o=this.#e.moments[Math.round(this.#s)],s=He(this.#e,o).get(n[0]*this.#e.
 cols+n[1])??[],a=pt(this.#e,Math.round(this.#s)),i=u=>{let[l,c]=this.pointOf(a[u].x,a[u].y);return Math.hypot(l-e,c-r)};return s.length?s.reduce((u,l)=>i(l)<i(u)?
 l:u):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:s,top:a,cell:i}=this.#r;return[n.left+(s+e*i)*o,n.top+(a+r*i)*
 o]}#u(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(Kn(e,r)))}#c(){let e=devicePixelRatio||1,{width:r,height:n}=this.
-canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Ve=[.5,1,2,4,8,16,32,64],Xn=0,dt=12,Ks=2,ht=class extends EventTarget{#e;#s;#o;#r=0;#n=0;#a=!1;#i=null;#u=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
+canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var Ve=[.5,1,2,4,8,16,32,64],Xn=0,dt=12,Ys=2,ht=class extends EventTarget{#e;#s;#o;#r=0;#n=0;#a=!1;#i=null;#u=0;#c=[];#m=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#s=r.speed??4,this.#o=r.still??!1}get step(){return this.#r}get time(){return this.#o?this.#r:this.#n}get arrived(){return this.#n===this.#r}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#r>e&&this.jump(e),this.#t("state")}get marks(){return this.#c}set marks(e){this.#c=e,this.#t(
-"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#t("state")}get pace(){return this.#s||Math.max(Ks,this.#e/dt)}get speed(){return this.#s}set speed(e){
+"state")}get ticks(){return this.#m}set ticks(e){this.#m=e,this.#t("state")}get pace(){return this.#s||Math.max(Ys,this.#e/dt)}get speed(){return this.#s}set speed(e){
 this.#s=e,this.#t("state")}changeSpeed(e){let r=Ve.findIndex(n=>n>=this.pace);this.speed=Ve[Math.min(Ve.length-1,Math.max(0,r+e))]}play(){this.#a||!this.#e||(this.#r===
 this.#e&&this.jump(0),this.#a=!0,this.#t("state"),this.#p())}pause(){this.#a&&(this.#a=!1,this.#t("state"))}toggle(){this.#a?this.pause():this.play()}move(e){this.
 pause();let r=Math.min(this.#e,Math.max(0,this.#r+e));Math.abs(r-this.#n)>1?this.jump(r):this.#h(r),this.#p()}jump(e){this.#n=Math.min(this.#e,Math.max(0,Math.round(
@@ -318,10 +317,10 @@ this.#t("frame"),(this.#a||this.#n!==this.#r)&&(this.#i=requestAnimationFrame(()
 if(this.#r===this.#e)return this.pause();this.#h(this.#r+1)}let n=this.#a?this.pace:1/this.glide,o=this.#r-this.#n,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#n=s===
 Math.abs(o)?this.#r:this.#n+Math.sign(o)*s}this.#a&&this.#n===this.#e&&this.pause()}#t(e){this.dispatchEvent(new Event(e))}};function yt(t,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
-"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var Zs={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function Qn(t){return Vt("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},Vt("path",{d:Zs[t]}))}function Ye(t,e,r,n){return h("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},Qn(t))}function eo(t){let e=Ye("play","Play","Space",()=>t.toggle()),r=qs(t),
-n=h("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=h("div",{class:"losses","aria-hidden":"true"}),s=Js(t),a=h("output",{class:"player-count"}),
+"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var Ks={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function Qn(t){return Vt("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},Vt("path",{d:Ks[t]}))}function Ye(t,e,r,n){return h("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},Qn(t))}function eo(t){let e=Ye("play","Play","Space",()=>t.toggle()),r=Zs(t),
+n=h("div",{class:"captures","aria-hidden":"true",title:"Captures"}),o=h("div",{class:"losses","aria-hidden":"true"}),s=qs(t),a=h("output",{class:"player-count"}),
 i=h("div",{class:"player",role:"group","aria-label":"Player"},Ye("first","First step","Home",()=>t.move(-t.length)),Ye("back","Step back","←",()=>t.move(-1)),
 e,Ye("forward","Step forward","→",()=>t.move(1)),Ye("last","Last step","End",()=>t.move(t.length)),h("div",{class:"scrub"},n,o,r),a,s),u=(f,p={})=>{let m=h("i",
 p);return m.style.left=`${100*f/Math.max(1,t.length)}%`,m},l=()=>{n.replaceChildren(...t.marks.map(f=>u(f))),o.replaceChildren(...t.ticks.map(({step:f,kind:p,size:m,
@@ -329,32 +328,32 @@ text:y})=>{let d=u(f,{class:p,title:`Step ${f}: ${y}`});return d.style.height=`$
 t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
 `${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,s.value=String(t.speed)};return t.addEventListener("step",c),t.addEventListener("s\
 tate",c),t.addEventListener("state",l),i.addEventListener("keydown",f=>{!(f.target instanceof HTMLSelectElement||f.key===" "&&f.target!==r)&&yt(t,f)&&f.preventDefault()}),
-c(),i}function qs(t){let e=h("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function Js(t){let e=`Steps a second, or the whole in ${dt} s (+ and -)`,r=h("select",{class:"player-speed","aria-label":"Speed",title:e},h(
-"option",{value:Xn},`in ${dt} s`),...Ve.map(n=>h("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}function to(t,e,r){if(r===0)return[{kind:"start",text:Xs(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>q(c,t.config.n_pursuers),a=ct(e,n,o),i=t.conflicts(
+c(),i}function Zs(t){let e=h("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function qs(t){let e=`Steps a second, or the whole in ${dt} s (+ and -)`,r=h("select",{class:"player-speed","aria-label":"Speed",title:e},h(
+"option",{value:Xn},`in ${dt} s`),...Ve.map(n=>h("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}function to(t,e,r){if(r===0)return[{kind:"start",text:Js(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>q(c,t.config.n_pursuers),a=ct(e,n,o),i=t.conflicts(
 r),u=new Set(i.flatMap(c=>c.doomed)),l=a.map(c=>({kind:"capture",text:`${s(c)} is captured`,agents:[c]}));for(let c of ft(n,o))!a.includes(c)&&!u.has(c)&&l.push(
 {kind:"end",text:`${s(c)} disappears`,agents:[c]});return l.push(...i.map(({kind:c,text:f,agents:p})=>({kind:c,text:f,agents:p}))),r===t.length&&l.unshift({kind:"\
-end",text:Qs(t),agents:[]}),l}function Xs({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function Qs(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var or=.005,no=.05,ea=["pursuer","evader"],ta=4,Re=new Map;function oo(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=Re.get(n)??
-(et(e)?Promise.resolve(null):ra(t,e,r));return Re.delete(n),Re.set(n,o),Re.size>ta&&Re.delete([...Re.keys()][0]),o}var so=({n_evaders:t})=>t===1?"capture-time":
-"capture-rate",ro=()=>new Promise(t=>setTimeout(t));async function ra(t,e,r){await ro();let n=t.solution(e,r);for(;n.goBack();)await ro();return n}function ao(t,e,r){
+end",text:Xs(t),agents:[]}),l}function Js({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function Xs(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}var or=.005,no=.05,Qs=["pursuer","evader"],ea=4,Re=new Map;function oo(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=Re.get(n)??
+(et(e)?Promise.resolve(null):ta(t,e,r));return Re.delete(n),Re.set(n,o),Re.size>ea&&Re.delete([...Re.keys()][0]),o}var so=({n_evaders:t})=>t===1?"capture-time":
+"capture-rate",ro=()=>new Promise(t=>setTimeout(t));async function ta(t,e,r){await ro();let n=t.solution(e,r);for(;n.goBack();)await ro();return n}function ao(t,e,r){
 let{payoff:n}=t;return r.flatMap((o,s)=>{let a=[0,0];for(let u=e.n_turns;u>0&&!e.over;u--)t.game(e)?.lost(o).forEach((l,c)=>a[c]+=l),e.playTurn(o);let i=n==="ca\
-pture-rate"?or:no;return ea.map((u,l)=>({step:s+1,team:u,lost:a[l],payoff:n})).filter(u=>u.lost>=i)})}var io=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
+pture-rate"?or:no;return Qs.map((u,l)=>({step:s+1,team:u,lost:a[l],payoff:n})).filter(u=>u.lost>=i)})}var io=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
 max(1,...t.map(({lost:r})=>r)),text:sr(e)})),lo=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,sr=t=>`The\
  ${t.team}s lose ${lo(t)} against a perfect opponent`;function uo(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step},\
  lost ${lo(e)} against a perfect opponent.`}function co({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.
 min(t.max_steps-n,kt)];return o>s-no?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function fo(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,
-action:o})).filter(({share:n})=>n>=or).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-or?he[o]:`${he[o]} ${n.toFixed(2)}`).join(", ")}var po=["·","↑","→","↓","←","↗","↘","↙","↖"];var na={" ":0,s:0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,x:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},ar=[8,1,5,4,0,2,7,3,6],oa=[7,8,9,4,5,6,1,2,3],sa=24,aa=Math.
-tan(Math.PI/8);function ho(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=oa.findIndex(o=>t.code===`Numpad${o}`),n=ar[r]??na[t.key.length===1?t.key.toLowerCase():
+action:o})).filter(({share:n})=>n>=or).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-or?he[o]:`${he[o]} ${n.toFixed(2)}`).join(", ")}var po=["·","↑","→","↓","←","↗","↘","↙","↖"];var ra={" ":0,s:0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,x:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},ar=[8,1,5,4,0,2,7,3,6],na=[7,8,9,4,5,6,1,2,3],oa=24,sa=Math.
+tan(Math.PI/8);function ho(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=na.findIndex(o=>t.code===`Numpad${o}`),n=ar[r]??ra[t.key.length===1?t.key.toLowerCase():
 t.key];return n!==void 0&&n>4&&!e?void 0:n}function yo(t){let e=ar.map(r=>h("button",{type:"button","aria-label":he[r],onclick:()=>t(r)},po[r]));return{element:h(
-"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,o)=>n.classList.toggle("absent",ar[o]>4&&!r))}}function mo(t,e,r){let n=aa*
+"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,o)=>n.classList.toggle("absent",ar[o]>4&&!r))}}function mo(t,e,r){let n=sa*
 Math.max(Math.abs(t),Math.abs(e)),o=s=>Math.abs(s)<n?0:s;return hn([0,0],r?[o(t),o(e)]:[t,e],r)}function go(t,e,r){let n=null,{canvas:o}=t;o.addEventListener("p\
 ointerdown",({button:s,clientX:a,clientY:i})=>{n=s===0?[a,i]:null}),o.addEventListener("pointercancel",()=>{n=null}),o.addEventListener("pointerup",({clientX:s,
-clientY:a})=>{let[i,u]=[n,e()];if(n=null,!i||!u)return;let[l,c]=[s-i[0],a-i[1]],f=t.cellAt(s,a);Math.hypot(l,c)>=sa?r(mo(c,l,u.diagonal)):f&&r(mo(f[0]-u.cell[0],
+clientY:a})=>{let[i,u]=[n,e()];if(n=null,!i||!u)return;let[l,c]=[s-i[0],a-i[1]],f=t.cellAt(s,a);Math.hypot(l,c)>=oa?r(mo(c,l,u.diagonal)):f&&r(mo(f[0]-u.cell[0],
 f[1]-u.cell[1],u.diagonal))})}function vo(t,e){let r=n=>{let o=e[n]-t[n],s=Ee.findIndex(a=>a[n]===Math.sign(o)&&a[1-n]===0);return o?`${Math.abs(o)} ${he[s]}`:""};
-return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var ia=[0,1,2,4,8],gt=class{element;player=new ht(0,{speed:4,still:nr()});#e;#s;#o=h("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=h("h2");#n=h("p",{
-class:"play-told",role:"status"});#a=yo(e=>this.act(e));#i=h("select",{},...ia.map(e=>h("option",{value:e},e?`${e} / s`:"step by step")));#u=h("input",{type:"ch\
+return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var aa=[0,1,2,4,8],gt=class{element;player=new ht(0,{speed:4,still:nr()});#e;#s;#o=h("canvas",{tabindex:0,"aria-describedby":"play-keys"});#r=h("h2");#n=h("p",{
+class:"play-told",role:"status"});#a=yo(e=>this.act(e));#i=h("select",{},...aa.map(e=>h("option",{value:e},e?`${e} / s`:"step by step")));#u=h("input",{type:"ch\
 eckbox"});#c=h("input",{type:"checkbox"});#m=h("span");#h=h("p",{class:"small muted play-keys",id:"play-keys"});#p=h("section",{class:"play-ending",tabindex:-1,
 "aria-labelledby":"play-headline"});#g=eo(this.player);#l=null;#t=null;#A=[];#f=null;#d=null;#y=[];#v=0;#b=0;constructor(e){this.#e=e,this.#s=new mt(this.#o,{numbers:!1}),
 this.#o.setAttribute("role","application"),this.#i.addEventListener("change",()=>this.#w()),this.#u.addEventListener("change",()=>this.#M()),this.#c.addEventListener(
@@ -380,21 +379,21 @@ game(this.#d)||null}#N(){let[e,r]=[this.#f,this.#f!==null&&this.#C?.marginal(thi
 ...r))}):null}#w(){clearInterval(this.#b),this.#b=0,this.#n.ariaLive=Number(this.#i.value)?"off":"polite"}#E(){let[{policies:e,seat:r},n]=[this.#l.played,this.#t];
 n.step(e,r,this.#v),this.#A.push(this.#v),this.player.length=n.length,this.player.glide=Math.min(.22,.9/(Number(this.#i.value)||4)),this.player.move(n.length-this.
 player.step),ot(n,r)&&this.#_()}#_(){this.#w();let[e,r,n]=[this.#l,this.#t,this.played],o=en()?e.link(n):null;this.#p.replaceChildren(h("h3",{id:"play-headline"},
-ca(r,n.seat)),...e.ending(r,n),h("div",{class:"play-buttons"},h("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),h("button",{type:"button",
-onclick:()=>this.#k()},"Watch it"),h("button",{type:"button",onclick:()=>this.#O(r,n.seat)},"Save"),o&&h("button",{type:"button",onclick:({currentTarget:a})=>pa(
+ua(r,n.seat)),...e.ending(r,n),h("div",{class:"play-buttons"},h("button",{type:"button",class:"primary",onclick:()=>e.again()},"Again"),h("button",{type:"button",
+onclick:()=>this.#k()},"Watch it"),h("button",{type:"button",onclick:()=>this.#O(r,n.seat)},"Save"),o&&h("button",{type:"button",onclick:({currentTarget:a})=>fa(
 a,o)},"Link"))),this.element.dataset.state="ended",this.#T();let s=this.#y.filter(({team:a})=>a===fe(r.config,n.seat));s.length&&this.#p.children[0].after(h("p",
 {class:"small muted"},uo(s))),this.#p.focus({preventScroll:!0}),this.#p.scrollIntoView({block:"nearest"})}#k(){this.element.dataset.state="watched",this.player.
 length=this.#t.length,this.player.jump(0),nr()||this.player.play()}#O(e,r){let n=new Blob([pn(this.#e,e,r)],{type:"application/octet-stream"});h("a",{href:URL.createObjectURL(
 n),download:`${q(r,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#x(){let[e,r,{step:n}]=[this.#t,this.#f,this.player];if(!e||n>e.length)return;let o=to(
 e,e.recording,n).filter(({agents:i})=>r===null||i.includes(r)),s=[`Step ${n} of ${e.config.max_steps}`,...o.map(({text:i})=>i)];this.#l&&n===0?s.push(this.#l.about??
-"",la(e.config,r)):r!==null&&s.push(ua(e,n,r)),s.push(...this.#y.filter(i=>i.step===n).map(sr));let a=n===e.length&&r!==null?this.#C:null;a&&s.push(`Perfect pla\
-y: ${fo(a,r)||"decided in its turn"}; ${co(this.#d,a,n)}`),this.#M(),this.#n.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function la(t,e){let r=t.
+"",ia(e.config,r)):r!==null&&s.push(la(e,n,r)),s.push(...this.#y.filter(i=>i.step===n).map(sr));let a=n===e.length&&r!==null?this.#C:null;a&&s.push(`Perfect pla\
+y: ${fo(a,r)||"decided in its turn"}; ${co(this.#d,a,n)}`),this.#M(),this.#n.textContent=s.filter(Boolean).map(i=>`${i}.`).join(" ")}};function ia(t,e){let r=t.
 rules.capture==="SURROUND";return fe(t,e)==="evader"?`Stay free: ${r?"pursuers on all sides of you capture":"a pursuer on your cell captures"} you`:`Capture eva\
-ders: ${r?"surround them together":"reach their cell"}`}function ua({config:t,recording:e},r,n){let o=e.moments[r],a=fe(t,n)==="pursuer"?"evader":"pursuer";if(!o.
+ders: ${r?"surround them together":"reach their cell"}`}function la({config:t,recording:e},r,n){let o=e.moments[r],a=fe(t,n)==="pursuer"?"evader":"pursuer";if(!o.
 alive[n])return"";let i=C(o,n),u=f=>{let[p,m]=C(o,f);return Math.max(Math.abs(p-i[0]),Math.abs(m-i[1]))},l=Array.from({length:o.alive.length},(f,p)=>p).filter(f=>fe(
 t,f)===a&&o.alive[f]&&!o.captured[f-t.n_pursuers]&&2*u(f)<t.fov);if(!l.length)return`No ${a} in view`;let c=l.reduce((f,p)=>u(p)<u(f)?p:f);return`Nearest ${a}: ${vo(
-i,C(o,c))}`}function ca(t,e){let[{lasted:r,out:n,captured:o},{config:s}]=[pe(t,e),t];return fe(s,e)==="pursuer"?`Your team captured ${o} of ${fa(s)} in ${r} ste\
-ps.`:n?`You lasted ${r} of ${s.max_steps} steps.`:`You escaped: ${r} steps.`}var fa=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function pa(t,e){let r=h("inpu\
+i,C(o,c))}`}function ua(t,e){let[{lasted:r,out:n,captured:o},{config:s}]=[pe(t,e),t];return fe(s,e)==="pursuer"?`Your team captured ${o} of ${ca(s)} in ${r} ste\
+ps.`:n?`You lasted ${r} of ${s.max_steps} steps.`:`You escaped: ${r} steps.`}var ca=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function fa(t,e){let r=h("inpu\
 t",{type:"text",readonly:!0,value:e,"aria-label":"Link to this match"});t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var re=JSON.parse(jt("data")),ne={pursuer:bo("pursuer"),evader:bo("evader")};function bo(t){let{names:e,texts:r,scripts:n,network:o}=re.teams[t],s=a=>{let i=n[a];
 if(i||!o)return i;let[u,l]=[o.genome_size,n.slice(0,a).filter(c=>c===null).length];return{...o,genome:Xr(t,u).subarray(l*u,(l+1)*u)}};return e.map((a,i)=>({name:a,
 text:r[i],policy:()=>s(i)}))}function Ao(t,e,r,n){let[o,s]=[re.world,Te[+(n.seat>=re.world.n_pursuers)]],a=Te.map(l=>ne[l][r[l]].name),i={pursuer:ne.pursuer[r.pursuer].
@@ -402,15 +401,15 @@ policy(),evader:ne.evader[r.evader].policy()},u=`You are ${q(n.seat,o.n_pursuers
 policies:i,...n},ne[s],{pursuers:r.pursuer,evaders:r.evader,seed:r.seed})}function wo(t,e){let r=new URLSearchParams(location.hash.slice(1)),n=an(r,re.world),[o,
 s]=[Number(r.get("pursuers")??NaN),Number(r.get("evaders")??NaN)],a=/^\d{1,20}$/.test(r.get("seed")??"")?BigInt.asUintN(64,BigInt(r.get("seed"))):null;return!n||
 a===null||!ne.pursuer[o]||!ne.evader[s]?!1:(Ao(t,e,{pursuer:o,evader:s,seed:a},n),!0)}var xo=(t,e)=>h("select",{},...t.map((r,n)=>h("option",{value:n,selected:n===
-e},r)));function ma(t,e){let[r,n,o]=[xo(["an evader","a pursuer"],0),...Te.map(c=>xo(re.teams[c].names,re.teams[c].usual))],s=h("p",{class:"small muted about"}),
+e},r)));function pa(t,e){let[r,n,o]=[xo(["an evader","a pursuer"],0),...Te.map(c=>xo(re.teams[c].names,re.teams[c].usual))],s=h("p",{class:"small muted about"}),
 a=()=>{let c=[ne.pursuer[Number(n.value)],ne.evader[Number(o.value)]];s.textContent=c.filter(f=>f.text).map(f=>`${f.name}: ${f.text}.`).join(" ")};for(let c of[
 n,o])c.addEventListener("change",a);a();let i=h("p",{class:"problem",role:"alert"}),u=()=>Ao(t,e,{pursuer:Number(n.value),evader:Number(o.value),seed:at()},{seat:r.
 value==="0"?re.world.n_pursuers:0,from:0,moves:[]}),l=h("input",{type:"file",accept:".npz",hidden:!0});return l.addEventListener("change",()=>{let[c]=l.files??[];
 i.textContent="",c?.arrayBuffer().then(f=>mn(t,new Uint8Array(f))).then(({live:f,seat:p})=>e.watch(f,p,c.name)).catch(f=>i.textContent=`${c.name} holds no match\
 : ${f.message}`),l.value=""}),h("details",{class:"card setup",open:matchMedia("(min-width: 761px)").matches},h("summary",{},"Play something else"),h("div",{},h(
 "label",{},"You are ",r),h("label",{},"Pursuers ",n),h("label",{},"Evaders ",o),h("button",{type:"button",class:"primary",onclick:u},"Play"),h("button",{type:"b\
-utton",onclick:()=>it(e,re.world,ne.pursuer)},"Can you escape it?"),h("button",{type:"button",onclick:()=>l.click()},"Open a file"),l,i,s))}async function ha(){
-let t=await Pr(),e=new gt(t);document.getElementById("page").replaceWith(h("header",{class:"top"},h("h1",{},re.title),tn()),h("main",{},ma(t,e),h("section",{class:"\
+utton",onclick:()=>it(e,re.world,ne.pursuer)},"Can you escape it?"),h("button",{type:"button",onclick:()=>l.click()},"Open a file"),l,i,s))}async function ma(){
+let t=await Pr(),e=new gt(t);document.getElementById("page").replaceWith(h("header",{class:"top"},h("h1",{},re.title),tn()),h("main",{},pa(t,e),h("section",{class:"\
 card","aria-label":"Match"},e.element))),document.addEventListener("keydown",r=>e.key(r)&&r.preventDefault()),window.addEventListener("hashchange",()=>wo(t,e)),
-wo(t,e)||it(e,re.world,ne.pursuer),Object.assign(window,{matrixworldPlay:e})}ha().catch(t=>{throw(document.getElementById("page")??document.body).append(h("p",{
+wo(t,e)||it(e,re.world,ne.pursuer),Object.assign(window,{matrixworldPlay:e})}ma().catch(t=>{throw(document.getElementById("page")??document.body).append(h("p",{
 class:"card problem",role:"alert"},`The page could not start: ${t instanceof Y?t.message:String(t)}`)),t}).finally(()=>{document.body.dataset.ready="true"});})();

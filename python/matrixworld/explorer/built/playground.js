@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources acee8ddf3bb8f4c85e7f4f93659a95b8e5b05f7463cc685179a2cd951d9d299a */
+/* built from web/ by "npm run build"; sources 52d1c773a2a27ef2340b754e12e55173ea63dd0bb69c8925694483b302f9534a */
 "use strict";(()=>{var xt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},At={OCCUPATION:0,SURROUND:1},Ct={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
@@ -284,60 +284,59 @@ if(e instanceof pe||e instanceof T)return`This link holds no scene. ${e.message}
 try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var qo=100;function dr(e){let[t,n,r]=[he(e.scene,e.data),ve(),0],o=()=>{
 r=0,ve()===n&&(n=t,history.replaceState(null,"",`#${t}`))};e.addEventListener("change",()=>{t=he(e.scene,e.data),t!==n&&!r&&(r=setTimeout(o,qo))}),window.addEventListener(
 "hashchange",()=>{if(n=ve(),n!==t)try{e.change(fe(n,e.data),{example:ur(e.data,n)})}catch(s){e.say(cr(s),!0)}})}function mr(){let e=JSON.parse(document.getElementById("data").textContent),t=document.getElementById("champions")?.textContent;return t?{...e,champions:JSON.parse(
-t,Zo)}:e}var Zo=(e,t)=>e==="genome"?Float32Array.from(t):t;var Qo=matchMedia("(prefers-color-scheme: dark)");function es(){let e=document.documentElement.dataset.theme;return e?e==="dark":Qo.matches}function ft(){document.
-documentElement.dataset.theme=es()?"light":"dark"}function pr(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:ft},
-"◐")}var gr={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},ts={e:5,c:6,y:7,z:7,q:8};function yr(e){let t=u("div",{class:"arena"}),n=[hr(e,0),hr(e,1)];t.append(...n.
+t,Zo)}:e}var Zo=(e,t)=>e==="genome"?Float32Array.from(t):t;function Qo(){let e=document.documentElement.dataset.theme;return e?e==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function ft(){document.documentElement.
+dataset.theme=Qo()?"light":"dark"}function pr(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:ft},"◐")}var gr={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},es={e:5,c:6,y:7,z:7,q:8};function yr(e){let t=u("div",{class:"arena"}),n=[hr(e,0),hr(e,1)];t.append(...n.
 map(o=>o.element));let r=()=>n.forEach(o=>o.update());return e.addEventListener("change",r),e.player.addEventListener("frame",r),r(),t}function hr(e,t){let n=u(
 "canvas",{tabindex:0,"aria-describedby":"board-keys"}),r=u("h2",{class:"arm-name"}),o=u("figure",{class:"arm"},r,n),s=new $e(n,{axes:!0,trail:1}),a={cell:[0,0]};
-ns(e,s);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:c,scene:d}=e;n.setAttribute("role","application"),n.ariaLabel=`Board, ${d.rows} by ${d.cols}\
+ts(e,s);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:c,scene:d}=e;n.setAttribute("role","application"),n.ariaLabel=`Board, ${d.rows} by ${d.cols}\
  cells`,n.dataset.mode=c,r.textContent=I(e,t),r.hidden=e.games.length<2;let m=e.player.arrived&&e.player.step===e.game.length;s.look={plan:c==="act"&&m&&!l.over?
 l.actions(d.next):null,selected:c==="act"?e.selected:null,cursor:c==="build"&&document.activeElement===n?a.cell:null},s.show(l.recording,e.player.time)};return n.
-addEventListener("focus",i),n.addEventListener("blur",i),ss(e,n,a,i),{element:o,update:i}}function I(e,t){let n=t?e.scene.others:e.scene.rules,r=n&&ee(n,e.data.
-variants);return r?`-${r}`:"own rules"}function gt(e,t){let n=k(e.game.scene())[t];return n&&!n.gone?n.cell:null}function ns(e,t){let n=null;t.canvas.addEventListener(
+addEventListener("focus",i),n.addEventListener("blur",i),os(e,n,a,i),{element:o,update:i}}function I(e,t){let n=t?e.scene.others:e.scene.rules,r=n&&ee(n,e.data.
+variants);return r?`-${r}`:"own rules"}function gt(e,t){let n=k(e.game.scene())[t];return n&&!n.gone?n.cell:null}function ts(e,t){let n=null;t.canvas.addEventListener(
 "pointerdown",r=>{let o=t.cellAt(r.clientX,r.clientY);if(!o||r.button!==0||e.running)return;t.canvas.setPointerCapture(r.pointerId);let s=t.agentAt(r.clientX,r.
-clientY);n=e.mode==="build"?os(e,o,s):rs(e,o,s)}),t.canvas.addEventListener("pointermove",r=>{let o=t.cellAt(r.clientX,r.clientY);o&&n?.(o)});for(let r of["poin\
-terup","pointercancel"])t.canvas.addEventListener(r,()=>{n=null})}function rs(e,t,n){if(n===null){let s=e.selected===null?null:gt(e,e.selected);return s&&Math.max(
+clientY);n=e.mode==="build"?rs(e,o,s):ns(e,o,s)}),t.canvas.addEventListener("pointermove",r=>{let o=t.cellAt(r.clientX,r.clientY);o&&n?.(o)});for(let r of["poin\
+terup","pointercancel"])t.canvas.addEventListener(r,()=>{n=null})}function ns(e,t,n){if(n===null){let s=e.selected===null?null:gt(e,e.selected);return s&&Math.max(
 Math.abs(s[0]-t[0]),Math.abs(s[1]-t[1]))===1&&se(e,lt(s,t,e.scene.diagonal)),null}let r=e.selected===n;e.selected=n;let o=gt(e,n);return o?(r&&se(e,0),s=>se(e,lt(
-o,s,e.scene.diagonal))):null}function os(e,t,n){let r=!1,o=i=>{e.change(i,{part:r}),r=!0};if(n!==null)return e.selected=n,i=>{let l=e.game.scene();N(l,i)===null&&
+o,s,e.scene.diagonal))):null}function rs(e,t,n){let r=!1,o=i=>{e.change(i,{part:r}),r=!0};if(n!==null)return e.selected=n,i=>{let l=e.game.scene();N(l,i)===null&&
 !P(l,i)&&o(ot(l,n,i))};let s=!P(e.game.scene(),t),a=i=>{let l=e.game.scene();N(l,i)===null&&P(l,i)!==s&&o(st(l,i,s))};return a(t),a}function se(e,t){let{selected:n,
-scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(ke(r,n,t)),e.say(`${_(r,n)}: ${C[t]}.`))}function ss(e,t,n,r){t.addEventListener("keydown",
-o=>{if(o.ctrlKey||o.metaKey||o.altKey)return;let s=e.mode==="act"?yt(e,o):as(e,o,n);r(),s&&o.preventDefault()})}function yt(e,t){let n=t.key.length===1?t.key.toLowerCase():
-t.key,r=gr[n]??(e.scene.diagonal?ts[n]:void 0)??{s:0,Delete:0}[n];return r!==void 0?(e.selected===null&&fr(e,1),se(e,r),!0):n!=="n"&&n!=="p"?!1:(fr(e,n==="n"?1:
+scene:r}=e;n===null||e.running||e.game.over||(r.next[n]!==t&&e.change(ke(r,n,t)),e.say(`${_(r,n)}: ${C[t]}.`))}function os(e,t,n,r){t.addEventListener("keydown",
+o=>{if(o.ctrlKey||o.metaKey||o.altKey)return;let s=e.mode==="act"?yt(e,o):ss(e,o,n);r(),s&&o.preventDefault()})}function yt(e,t){let n=t.key.length===1?t.key.toLowerCase():
+t.key,r=gr[n]??(e.scene.diagonal?es[n]:void 0)??{s:0,Delete:0}[n];return r!==void 0?(e.selected===null&&fr(e,1),se(e,r),!0):n!=="n"&&n!=="p"?!1:(fr(e,n==="n"?1:
 -1),!0)}function fr(e,t){let n=A(e.scene),r=e.game.recording.moments.at(-1).alive,o=e.selected??(t>0?-1:n);for(let s=0;s<n;s++){if(o=(o+t+n)%n,!r[o])continue;e.
-selected=o;let[a,i]=gt(e,o);return e.say(`${_(e.scene,o)} at (${a}, ${i}).`)}}function as(e,t,n){let r=e.game.scene(),o=gr[t.key];if(o!==void 0){let a=t.shiftKey?
+selected=o;let[a,i]=gt(e,o);return e.say(`${_(e.scene,o)} at (${a}, ${i}).`)}}function ss(e,t,n){let r=e.game.scene(),o=gr[t.key];if(o!==void 0){let a=t.shiftKey?
 N(r,n.cell):null,i=[n.cell[0]+H[o][0],n.cell[1]+H[o][1]];ge(r,i)&&(n.cell=i);let l=N(r,n.cell)===null&&!P(r,n.cell);a!==null&&l&&e.change(ot(r,a,n.cell));let[c,
-d]=n.cell;return e.say(`(${c}, ${d}): ${is(e,n.cell)}.`),!0}let s=N(r,n.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(st(r,n.cell,!P(r,n.cell))):
-e.selected=s,!0):t.key==="Delete"&&s!==null?(e.change(_e(r,s)),!0):!1}function is(e,t){let n=e.game.scene(),r=N(n,t);return r!==null?_(n,r):P(n,t)?"obstacle":"f\
-ree"}var bt=["·","↑","→","↓","←","↗","↘","↙","↖"],br=e=>typeof e=="number"?`${bt[e]} ${C[e]}`:e,ls={obstacle:["obstacle"],teammate:["teammate"],adversary:[
-"evader","pursuer"]},cs=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(", ")} and ${e.at(-1)}`;function De(e,t,n){let[r,o,s]=[t.recording.moments[n-1],t.recording.
-moments[n],t.outcomes[n]];if(!r||!o||!s)return[];let a=[...s.conflicts.map(l=>us(e,t.rules,l)),...ds(e,r,o,s.captors)],i={kind:"calm",text:"No conflict, no capt\
-ure.",turn:0,blame:"",cost:"",used:[]};return[...a.length?a:[i],...ms(e,t,n)]}function us(e,t,n){let r=n.at_fault.map(c=>_(e,c)),o=t.interaction==="SIMULTANEOUS"?
-0:n.turn+1,s=r.length?`At fault: ${cs(r)}.`:"Nobody is at fault.",a=n.held.length+n.doomed.length>0,i=new Set(n.at_fault.map(c=>vr(e,c,le.indexOf(n.kind))));i.delete(
-0);let l=a||!i.size?"":`Allowed, but it costs: ${[...i].map(Be).join(" and ")}.`;return{kind:n.kind,text:`${n.text}.`,turn:o,blame:s,cost:l,used:ls[n.kind]}}function vr({
+d]=n.cell;return e.say(`(${c}, ${d}): ${as(e,n.cell)}.`),!0}let s=N(r,n.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(st(r,n.cell,!P(r,n.cell))):
+e.selected=s,!0):t.key==="Delete"&&s!==null?(e.change(_e(r,s)),!0):!1}function as(e,t){let n=e.game.scene(),r=N(n,t);return r!==null?_(n,r):P(n,t)?"obstacle":"f\
+ree"}var bt=["·","↑","→","↓","←","↗","↘","↙","↖"],br=e=>typeof e=="number"?`${bt[e]} ${C[e]}`:e,is={obstacle:["obstacle"],teammate:["teammate"],adversary:[
+"evader","pursuer"]},ls=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(", ")} and ${e.at(-1)}`;function De(e,t,n){let[r,o,s]=[t.recording.moments[n-1],t.recording.
+moments[n],t.outcomes[n]];if(!r||!o||!s)return[];let a=[...s.conflicts.map(l=>cs(e,t.rules,l)),...us(e,r,o,s.captors)],i={kind:"calm",text:"No conflict, no capt\
+ure.",turn:0,blame:"",cost:"",used:[]};return[...a.length?a:[i],...ds(e,t,n)]}function cs(e,t,n){let r=n.at_fault.map(c=>_(e,c)),o=t.interaction==="SIMULTANEOUS"?
+0:n.turn+1,s=r.length?`At fault: ${ls(r)}.`:"Nobody is at fault.",a=n.held.length+n.doomed.length>0,i=new Set(n.at_fault.map(c=>vr(e,c,le.indexOf(n.kind))));i.delete(
+0);let l=a||!i.size?"":`Allowed, but it costs: ${[...i].map(Be).join(" and ")}.`;return{kind:n.kind,text:`${n.text}.`,turn:o,blame:s,cost:l,used:is[n.kind]}}function vr({
 pursuers:e,rewards:t},n,r){let o=n<e.length?t.pursuer_collide:t.evader_collide;return typeof o=="number"?o:o[r]}function Be(e){let t=String(Number(Math.abs(e).toPrecision(
 5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function wr(e,t,n,r){let[o,s,a]=[t.recording.moments[n-1],t.recording.moments[n],t.outcomes[n]];if(!o?.alive[r]||!s||!a)
 return"";let{rewards:i}=e,l=r<e.pursuers.length?"pursuer":"evader",c=i.blame==="FAULT"?s.fault:s.involved,d=le.reduce((p,g,f)=>p+(c?.[3*r+f]?vr(e,r,f):0),0),m=a.
 rewards[r]-d-i[`${l}_step`],h=Array.from({length:e.evaders.length+1},(p,g)=>g*i[`${l}_capture`]);for(let p of[0,i[`${l}_neighbor`]]){let g=h.find(b=>Math.abs(b+
 p-m)<1e-4);if(g===void 0)continue;let f={collision:d,capture:g,neighbour:p,step:i[`${l}_step`]},y=Object.entries(f).filter(([,b])=>b).map(([b,x])=>`${Be(x)} ${b}`);
-return y.length>1?y.join(", "):""}return""}function ds(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=_(e,a),l=t.alive[a]&&!n.
+return y.length>1?y.join(", "):""}return""}function us(e,t,n,r){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=_(e,a),l=t.alive[a]&&!n.
 alive[a],c=r[s]?` by ${r[s]} ${r[s]===1?"pursuer":"pursuers"}`:"",d=["capture",...l?["captured_disappear"]:[]];n.captured[s]&&!t.captured[s]?o.push({kind:"captu\
 re",text:`${i} is captured${c}${l?" and disappears":""}.`,turn:0,blame:"",cost:"",used:d}):t.captured[s]&&!n.captured[s]&&n.alive[a]&&o.push({kind:"capture",text:`${i}\
- is free again.`,turn:0,blame:"",cost:"",used:["capture"]})}return o}function ms(e,t,n){let{terminated:r,truncated:o}=t.outcomes[n];if(!r&&!o)return[];let s=t.recording.
+ is free again.`,turn:0,blame:"",cost:"",used:["capture"]})}return o}function ds(e,t,n){let{terminated:r,truncated:o}=t.outcomes[n];if(!r&&!o)return[];let s=t.recording.
 moments[n].alive,a=(c,d)=>Array.from(s).slice(c,d).some(Boolean),i=e.pursuers.length,l=`after ${e.maxSteps} steps`;return r&&(l=a(0,i)?"every evader is captured\
  or gone":"no pursuer is left"),r&&!a(i,A(e))&&(l="no evader is left"),[{kind:"end",text:`The episode has ended: ${l}.`,turn:0,blame:"",cost:"",used:[]}]}function we(e){
 return e.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).map((t,n)=>n%2?u("span",{class:"whole"},t):t)}function vt(e){let t=e==="pursuers"?U("path",{d:"M12 3 22 20H2z"}):U("circle",{cx:12,cy:12,r:9.5});return U("svg",{viewBox:"0 0 24 24",class:`glyph ${e}`,"aria-\
 hidden":!0},t)}function Sr(e){let t=[0,1].map(()=>u("th",{class:"reward",scope:"col"})),n=u("tbody"),r=u("table",{class:"agents"},u("thead",{},u("tr",{},u("th",
 {scope:"col"},"agent"),u("th",{scope:"col"},"next"),...t)),n),o=u("section",{class:"card agents-card"},u("h2",{},"Agents"),e.data.champions?u("button",{type:"bu\
-tton",title:"The networks of the match move all agents but the chosen one",onclick:()=>ps(e)},"Networks move all others"):"",u("div",{class:"agents-scroll"},r)),
-s=[],a="",i=()=>{let{scene:l}=e,c=`${l.pursuers.length} ${l.evaders.length} ${l.diagonal}`;c!==a&&(a=c,s=Array.from({length:A(l)},(d,m)=>hs(e,m)),n.replaceChildren(
+tton",title:"The networks of the match move all agents but the chosen one",onclick:()=>ms(e)},"Networks move all others"):"",u("div",{class:"agents-scroll"},r)),
+s=[],a="",i=()=>{let{scene:l}=e,c=`${l.pursuers.length} ${l.evaders.length} ${l.diagonal}`;c!==a&&(a=c,s=Array.from({length:A(l)},(d,m)=>ps(e,m)),n.replaceChildren(
 ...s.map(d=>d.element))),t.forEach((d,m)=>{d.hidden=m>=e.games.length,d.textContent=e.games.length>1&&e.games[m]?I(e,m):"reward",d.title="Reward of the step"}),
-s.forEach((d,m)=>gs(e,d,m))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function ps(e){e.stop(),e.change({...e.scene,next:e.
-scene.next.map((t,n)=>n===e.selected?t:L)})}function hs(e,t){let{scene:n}=e,r=_(n,t),o=u("select",{"aria-label":`${r} does next`},...fs(e,n,t));o.addEventListener(
+s.forEach((d,m)=>fs(e,d,m))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function ms(e){e.stop(),e.change({...e.scene,next:e.
+scene.next.map((t,n)=>n===e.selected?t:L)})}function ps(e,t){let{scene:n}=e,r=_(n,t),o=u("select",{"aria-label":`${r} does next`},...hs(e,n,t));o.addEventListener(
 "change",()=>{let d=o.value;e.stop(),e.change(ke(e.scene,t,/^\d$/.test(d)?Number(d):d))});let s=u("span",{class:"state muted"}),a=u("span",{class:"heard"}),i=u(
 "button",{type:"button",class:"agent-name",onclick:()=>e.selected=t},vt(nt(n,t)),r,a),l=[0,1].map(()=>u("td",{class:"reward numbers"}));return{element:u("tr",{},
-u("th",{scope:"row"},i),u("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function fs(e,t,n){let r=C.slice(0,t.diagonal?9:5).map((i,l)=>u("option",{value:l},
+u("th",{scope:"row"},i),u("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function hs(e,t,n){let r=C.slice(0,t.diagonal?9:5).map((i,l)=>u("option",{value:l},
 br(l))),o=e.data.scripts.map(({name:i,text:l})=>u("option",{value:i,title:l},i)),s=[u("optgroup",{label:"move"},...r),u("optgroup",{label:"script"},...o)],a=e.data.
-champions?.[n<t.pursuers.length?"pursuer":"evader"];return a?[u("option",{value:L},a.name),...s]:s}function gs(e,{element:t,choice:n,state:r,heard:o,rewards:s},a){
+champions?.[n<t.pursuers.length?"pursuer":"evader"];return a?[u("option",{value:L},a.name),...s]:s}function fs(e,{element:t,choice:n,state:r,heard:o,rewards:s},a){
 let{scene:i,game:l,player:c}=e,d=l.recording.moments[Math.min(c.step,l.length)],m=a-i.pursuers.length,h=m>=0&&!!d.captured[m];t.classList.toggle("chosen",e.selected===
 a),t.classList.toggle("gone",!d.alive[a]),n.value=String(i.next[a]),n.disabled=!d.alive[a]||l.over,n.hidden=!d.alive[a],r.hidden=!!d.alive[a],r.textContent=h?"c\
 aptured":"gone",t.classList.toggle("captured",h),o.textContent=h?" captured":"",s.forEach((p,g)=>{let f=e.games[g];p.hidden=!f;let y=f?.outcomes[c.step]?.rewards[a],
@@ -348,32 +347,32 @@ ext",readonly:!0,"aria-label":"Link"}),n=u("input",{type:"text",readonly:!0,"ari
  scene",u("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),u("label",{class:"copy",hidden:!Te()},u("span",{},
 "Link to this page"),t,u("button",{type:"button",onclick:()=>et(t,r)},"Copy")),u("label",{class:"copy"},u("span",{},"Scene, for any copy of the playground"),n,u(
 "button",{type:"button",onclick:()=>et(n,r)},"Copy")),r);return{element:o,open:()=>{n.value=`#${he(e.scene,e.data)}`,t.value=location.href.split("#")[0]+n.value,
-r.textContent="",o.showModal()}}}var ys=[[["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or \
+r.textContent="",o.showModal()}}}var gs=[[["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or \
 stop"],[["N","P"],"choose the next agent, or the one before"],[["↑","→","↓","←"],"the chosen agent moves there next"],[["Q","E","C","Y"],"the same on a \
 diagonal, where the board allows it"],[["S"],"the chosen agent stays"],[["1","… 9"],"choose a variant"],[["M"],"change between Move and Build"],[["Ctrl Z","Ct\
-rl Y"],"undo, redo"],[["L"],"link to this scene"],[["D"],"light or dark"],[["?"],"these keys"]],bs=[[["↑","→","↓","←"],"move the cursor on the board"],[
+rl Y"],"undo, redo"],[["L"],"link to this scene"],[["D"],"light or dark"],[["?"],"these keys"]],ys=[[["↑","→","↓","←"],"move the cursor on the board"],[
 ["Space"],"draw or erase an obstacle, or choose the agent there"],[["Shift ↑"],"carry the agent under the cursor"],[["+","-"],"add a pursuer, an evader"],[["D\
 elete"],"remove the agent under the cursor"]];function Cr(){let e=n=>u("dl",{class:"keys"},...n.flatMap(([r,o])=>[u("dt",{},...r.map(s=>u("kbd",{},s))),u("dd",{},
-o)])),t=u("div",{class:"keys-columns"},u("div",{},u("h3",{},"Anywhere"),e(ys)),u("div",{},u("h3",{},"On the board, in Build"),e(bs),u("h3",{},"With mouse or fin\
+o)])),t=u("div",{class:"keys-columns"},u("div",{},u("h3",{},"Anywhere"),e(gs)),u("div",{},u("h3",{},"On the board, in Build"),e(ys),u("h3",{},"With mouse or fin\
 ger"),u("p",{},"Move: press an agent and drag it towards a cell beside it, or choose it and press that cell."),u("p",{},"Build: drag agents; draw on free cells \
 to make obstacles, on obstacles to erase them.")));return xr("Keys",t)}function Mr(e){let t=e.data.gallery.map(l=>u("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(fe(l.scene,e.data),{example:l}),e.
 selected=0}},l.title)),n=u("p",{class:"example-text"}),r=u("p"),o=u("details",{class:"reveal"},u("summary",{},"Reveal"),r),s=u("nav",{class:"gallery","aria-labe\
 l":"Examples"},u("div",{class:"chips"},...t),n,o),a,i=()=>{e.data.gallery.forEach((l,c)=>t[c].setAttribute("aria-pressed",String(l===e.example))),n.replaceChildren(
 ...we(e.example?.ask??"A scene of your own. Choose an example, or change this one.")),r.replaceChildren(...we(e.example?.text??"")),o.hidden=!e.example,a!==e.example&&
-(o.open=!1),a=e.example};return e.addEventListener("change",i),i(),s}var vs={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function wt(e){return U("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},U("path",{d:vs[e]}))}function Er(e){let t=ws(e),n=Ss(e),r=As(e),o=xs(e),s=u("p",{class:"message",role:"status"});e.addEventListener("message",l=>{let{text:c,problem:d}=l.detail;s.textContent=
+(o.open=!1),a=e.example};return e.addEventListener("change",i),i(),s}var bs={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function wt(e){return U("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},U("path",{d:bs[e]}))}function Er(e){let t=vs(e),n=ws(e),r=xs(e),o=Ss(e),s=u("p",{class:"message",role:"status"});e.addEventListener("message",l=>{let{text:c,problem:d}=l.detail;s.textContent=
 c,s.classList.toggle("problem",d)});let a=[t,n,r,o],i=()=>a.forEach(l=>l.update());return e.addEventListener("change",i),e.addEventListener("change",()=>{s.textContent=
 "",s.classList.remove("problem")}),e.player.addEventListener("step",i),i(),u("div",{class:"toolbar"},...a.map(l=>l.element),s)}function Fe(e,t,n,r){return u("bu\
-tton",{type:"button",title:`${t} (${n})`,onclick:r},wt(e),u("span",{},t))}function ws(e){let t=Fe("first","Restart","Home",()=>e.restart()),n=Fe("back","Back","\
+tton",{type:"button",title:`${t} (${n})`,onclick:r},wt(e),u("span",{},t))}function vs(e){let t=Fe("first","Restart","Home",()=>e.restart()),n=Fe("back","Back","\
 Backspace",()=>e.back()),r=Fe("forward","Step","Enter",()=>e.step()),o=Fe("play","Run","Space",()=>e.run());return r.classList.add("primary"),r.id="step",{element:u(
 "div",{class:"buttons",role:"group","aria-label":"Steps"},t,n,r,o),update:()=>{for(let s of[t,n])s.setAttribute("aria-disabled",String(!e.game.length));r.setAttribute(
 "aria-disabled",String(!e.canStep)),o.setAttribute("aria-disabled",String(!e.canStep&&!e.running)),o.replaceChildren(wt(e.running?"pause":"play"),u("span",{},e.
-running?"Stop":"Run"))}}}function Ss(e){let t={act:"Move",build:"Build"},n={act:"Choose agents and their moves (M)",build:"Place agents and draw obstacles (M)"},
+running?"Stop":"Run"))}}}function ws(e){let t={act:"Move",build:"Build"},n={act:"Choose agents and their moves (M)",build:"Place agents and draw obstacles (M)"},
 r=Object.keys(t),o=r.map(s=>u("button",{type:"button",title:n[s],onclick:()=>e.mode=s},t[s]));return{element:u("div",{class:"buttons joined",role:"group","aria-\
-label":"What the board does"},...o),update:()=>r.forEach((s,a)=>o[a].setAttribute("aria-pressed",String(e.mode===s)))}}function xs(e){let t=(s,a,i)=>u("button",
+label":"What the board does"},...o),update:()=>r.forEach((s,a)=>o[a].setAttribute("aria-pressed",String(e.mode===s)))}}function Ss(e){let t=(s,a,i)=>u("button",
 {type:"button",title:`Add ${a} (${i})`,"aria-label":`Add ${a}`,onclick:()=>He(e,s)},"+",vt(s)),n=u("button",{type:"button",title:"Remove the chosen agent (Delet\
 e)",onclick:()=>St(e)},"Remove"),r=[t("pursuers","a pursuer","+"),t("evaders","an evader","-"),n],o=u("div",{class:"buttons",role:"group","aria-label":"Agents"},
-...r);return{element:o,update:()=>{o.hidden=e.mode!=="build",n.setAttribute("aria-disabled",String(e.selected===null))}}}function As(e){let t=[8,7,4,1,0,3,2,5,6],
+...r);return{element:o,update:()=>{o.hidden=e.mode!=="build",n.setAttribute("aria-disabled",String(e.selected===null))}}}function xs(e){let t=[8,7,4,1,0,3,2,5,6],
 n=t.map(o=>u("button",{type:"button","aria-label":C[o],title:`The chosen agent: ${C[o]}`,onclick:()=>se(e,o)},bt[o])),r=u("div",{class:"buttons pad",role:"group",
 "aria-label":"Move of the chosen agent"},...n);return{element:r,update:()=>{r.hidden=e.mode==="build";let o=e.selected===null?void 0:e.scene.next[e.selected];t.
 forEach((s,a)=>{let i=n[a];i.hidden=s>4&&!e.scene.diagonal,i.setAttribute("aria-disabled",String(e.selected===null||e.game.over)),i.setAttribute("aria-pressed",
@@ -384,48 +383,48 @@ let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let 
 team needs at least one agent.",!0)}function kr(e,t){let n=Object.keys(e.data.variants),r={Enter:()=>e.step(),Backspace:()=>e.back(),Home:()=>e.restart()," ":()=>e.run(),m:()=>e.mode=e.mode==="act"?
 "build":"act",l:t.share,d:ft,"?":t.keys},o={"+":()=>He(e,"pursuers"),"-":()=>He(e,"evaders"),Delete:()=>St(e)};document.addEventListener("keydown",s=>{if(s.defaultPrevented||
 document.querySelector("dialog[open]"))return;let a=s.key.length===1?s.key.toLowerCase():s.key;if((s.ctrlKey||s.metaKey)&&!s.altKey){let c={z:()=>s.shiftKey?e.redo():
-e.undo(),y:()=>e.redo()}[a];c&&!_r(s.target)&&(s.preventDefault(),c());return}if(s.altKey||Cs(s.target,a))return;let i=n[Number(a)-1],l=r[a]??(e.mode==="build"?
+e.undo(),y:()=>e.redo()}[a];c&&!_r(s.target)&&(s.preventDefault(),c());return}if(s.altKey||As(s.target,a))return;let i=n[Number(a)-1],l=r[a]??(e.mode==="build"?
 o[a]:void 0);if(l)l();else if(i)e.change({...e.scene,rules:e.data.variants[i]});else if(e.mode!=="act"||!yt(e,s))return;s.preventDefault()})}var _r=e=>e instanceof
-HTMLInputElement&&!["radio","checkbox"].includes(e.type);function Cs(e,t){return _r(e)||e instanceof HTMLSelectElement?!0:e instanceof HTMLInputElement?t===" "||
+HTMLInputElement&&!["radio","checkbox"].includes(e.type);function As(e,t){return _r(e)||e instanceof HTMLSelectElement?!0:e instanceof HTMLInputElement?t===" "||
 t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}function Rr(e){let t=u("ul",{class:"lines","aria-live":"polite"}),n=u("details",{class:"card perfect"},u("summary",{},u("h2",{},"Perfect play")),t,u("p",{class:"\
 small muted"},"A team is one player here. An agent's shares are its part of the joint moves.")),r=0,o=(...a)=>t.replaceChildren(...a.filter(Boolean).map(i=>u("l\
 i",{class:"line"},`${i}.`))),s=async()=>{let a=++r;if(!n.open)return;let i=Ee(te(e.scene,e.scene.rules));if(i)return o(`Not known: ${i}`);let l=await e.solution();
 if(a!==r||!l)return;let{game:c,losses:d}=e.game.perfect(l),m=Array.from({length:A(e.scene)},(p,g)=>{let f=c&&ir(c,g);return f?`${_(e.scene,g)}: ${f}`:""}),h=e.game.
 over?"The episode has ended":"Not known: no start on distinct free cells leads to this moment";o(...d.map(p=>`In the last step: ${sr(p)}`),c?`From here: ${ar(l,
-c,e.game.length)}`:h,...m)};for(let[a,i]of[[e,"change"],[n,"toggle"]])a.addEventListener(i,()=>{s()});return n}function Or(e){let t=[Ms(e),...e.data.fields.map(r=>Es(e,r)),ks(e),_s(e)],n=()=>t.forEach(r=>r.update());return e.addEventListener("change",n),e.player.addEventListener(
-"step",n),n(),u("section",{class:"card rules"},...t.map(r=>r.element))}var ae=(e,t)=>{e.stop(),e.change(t)};function Ms(e){let t=Object.keys(e.data.variants),n=t.
+c,e.game.length)}`:h,...m)};for(let[a,i]of[[e,"change"],[n,"toggle"]])a.addEventListener(i,()=>{s()});return n}function Or(e){let t=[Cs(e),...e.data.fields.map(r=>Ms(e,r)),Ts(e),ks(e)],n=()=>t.forEach(r=>r.update());return e.addEventListener("change",n),e.player.addEventListener(
+"step",n),n(),u("section",{class:"card rules"},...t.map(r=>r.element))}var ae=(e,t)=>{e.stop(),e.change(t)};function Cs(e){let t=Object.keys(e.data.variants),n=t.
 map(o=>u("button",{type:"button",class:"chip",title:e.data.titles[o],onclick:()=>ae(e,{...e.scene,rules:e.data.variants[o]})},`-${o}`)),r=u("p",{class:"muted sm\
 all variant-title"});return{element:u("div",{class:"variants"},u("h2",{},"Rules"),u("div",{class:"chips",role:"group","aria-label":"Variant"},...n),r),update:()=>{
 let o=ee(e.scene.rules,e.data.variants);t.forEach((s,a)=>n[a].setAttribute("aria-pressed",String(s===o))),r.textContent=o?e.data.titles[o]:"Rules of your own"}}}
-function Es(e,t){let n=t.values.map(({name:a})=>{let i=u("input",{type:"radio",name:t.name,value:a});return i.addEventListener("change",()=>ae(e,{...e.scene,rules:Ts(
+function Ms(e,t){let n=t.values.map(({name:a})=>{let i=u("input",{type:"radio",name:t.name,value:a});return i.addEventListener("change",()=>ae(e,{...e.scene,rules:Es(
 e.scene.rules,t,a)})),i}),r=t.values.map(({label:a},i)=>u("label",{},n[i],u("span",{},a))),o=u("span",{class:"used-mark",title:"This rule decided what happened \
 in the step that is shown"},u("span",{},"decided")),s=u("fieldset",{class:"field",title:t.text},u("legend",{},t.label,o),u("div",{class:"segments"},...r));return{
 element:s,update:()=>{let{rules:a}=e.scene;n.forEach(l=>l.checked=l.value===String(a[t.name])),s.disabled=t.name==="captured_disappear"&&a.capture==="OCCUPATION";
-let i=Math.min(e.player.step,e.game.length);o.hidden=!De(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function Ts(e,t,n){return{...e,[t.name]:n===
-"true"?!0:n==="false"?!1:n}}function ks(e){let t=Object.keys(e.data.variants),n=u("select",{id:"compare"},u("option",{value:""},"nothing"),u("option",{value:"pr\
+let i=Math.min(e.player.step,e.game.length);o.hidden=!De(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function Es(e,t,n){return{...e,[t.name]:n===
+"true"?!0:n==="false"?!1:n}}function Ts(e){let t=Object.keys(e.data.variants),n=u("select",{id:"compare"},u("option",{value:""},"nothing"),u("option",{value:"pr\
 esent"},"the present rules"),u("option",{value:"own",hidden:!0},"own rules"),...t.map(r=>u("option",{value:r},`-${r}: ${e.data.titles[r]}`)));return n.addEventListener(
 "change",()=>{let r={"":null,present:e.scene.rules}[n.value];ae(e,{...e.scene,others:r===void 0?e.data.variants[n.value]:r})}),{element:u("div",{class:"pair"},u(
 "label",{for:"compare"},"Compare with"),n),update:()=>{let{others:r}=e.scene,o=r&&t.find(s=>rt(r,e.data.variants[s]));n.value=r?o??"own":"",n.title=r?`Both boar\
-ds play the same moves: ${I(e,0)} and ${I(e,1)}`:""}}}function _s(e){let t=(a,i)=>{let l=u("input",{type:"number",min:1,max:D,"aria-label":i});return l.addEventListener(
-"change",()=>{let c={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};c[a]>=1&&c[a]<=D?Rs(e,c.rows,c.cols):e.say(`${a}: expected 1 to ${D}, \
+ds play the same moves: ${I(e,0)} and ${I(e,1)}`:""}}}function ks(e){let t=(a,i)=>{let l=u("input",{type:"number",min:1,max:D,"aria-label":i});return l.addEventListener(
+"change",()=>{let c={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};c[a]>=1&&c[a]<=D?_s(e,c.rows,c.cols):e.say(`${a}: expected 1 to ${D}, \
 got ${l.value||"nothing"}`,!0),l.value=String(e.scene[a])}),l},[n,r]=[t("rows","Rows"),t("cols","Columns")],o=u("input",{type:"checkbox",id:"diagonal"});o.addEventListener(
 "change",()=>ae(e,{...e.game.scene(),diagonal:o.checked,next:e.scene.next.map(a=>typeof a=="number"&&a>4?0:a)}));let s=u("select",{id:"rewards"},...Object.keys(
 e.data.rewards).map(a=>u("option",{value:a},a)),u("option",{value:"own",hidden:!0},"those of the link"));return s.addEventListener("change",()=>ae(e,{...e.scene,
 rewards:e.data.rewards[s.value]})),{element:u("div",{class:"board-settings"},u("div",{class:"pair"},u("span",{},"Board"),u("span",{class:"sides"},n,"×",r),u("l\
 abel",{class:"sides"},o,"diagonal")),u("div",{class:"pair"},u("label",{for:"rewards"},"Rewards"),s)),update:()=>{let{scene:a}=e;document.activeElement!==n&&(n.value=
 String(a.rows)),document.activeElement!==r&&(r.value=String(a.cols)),o.checked=a.diagonal;let i=JSON.stringify(a.rewards);s.value=Object.keys(e.data.rewards).find(
-l=>JSON.stringify(e.data.rewards[l])===i)??"own"}}}function Rs(e,t,n){let r=Qt(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?ae(e,r):e.say(`No ${r.pursuers.
+l=>JSON.stringify(e.data.rewards[l])===i)??"own"}}}function _s(e,t,n){let r=Qt(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?ae(e,r):e.say(`No ${r.pursuers.
 length?"evader":"pursuer"} would be left on a ${t} × ${n} board.`,!0)}var Lr={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function Nr(e){let t=u("h2"),n=u("div",{class:"sto\
 ry-body",tabindex:0,role:"region","aria-label":"What happened"}),r=u("div",{class:"heard",role:"status"}),o=u("section",{class:"card story"},t,n,r),s="",a=()=>{
 let i=Math.min(e.player.step,e.game.length),l=e.games.map((d,m)=>{let h=De(e.scene,d,i);return{name:e.games.length>1?I(e,m):"",lines:h,ended:i>d.length}}),c=JSON.
-stringify([i,l]);c!==s&&(s=c,t.textContent=i?`Step ${i}`:"Start",n.replaceChildren(...l.map(d=>Os(d,i))),r.textContent=i?`Step ${i}. ${l.map(Ns).join(" ")}`:"")};
-return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function Os({name:e,lines:t,ended:n},r){let s=n||!r?u("p",{class:"muted"},n?"The\
- episode had ended.":"Give agents their moves, then play a step."):u("ul",{class:"lines"},...t.map(Ls));return u("div",{class:"story-part"},e&&u("h3",{},e),s)}function Ls({
+stringify([i,l]);c!==s&&(s=c,t.textContent=i?`Step ${i}`:"Start",n.replaceChildren(...l.map(d=>Rs(d,i))),r.textContent=i?`Step ${i}. ${l.map(Ls).join(" ")}`:"")};
+return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function Rs({name:e,lines:t,ended:n},r){let s=n||!r?u("p",{class:"muted"},n?"The\
+ episode had ended.":"Give agents their moves, then play a step."):u("ul",{class:"lines"},...t.map(Os));return u("div",{class:"story-part"},e&&u("h3",{},e),s)}function Os({
 kind:e,text:t,turn:n,blame:r,cost:o}){let s=n?`${Lr[e]}, turn ${n}`:Lr[e];return u("li",{class:`line line-${e}`},s&&u("span",{class:"tag"},s),u("span",{class:"l\
-ine-text"},...we(t)),r&&u("span",{class:"line-blame muted"},r),o&&u("strong",{},o))}var Ns=({name:e,lines:t,ended:n})=>[e,...n?["The episode had ended."]:t.map(
+ine-text"},...we(t)),r&&u("span",{class:"line-blame muted"},r),o&&u("strong",{},o))}var Ls=({name:e,lines:t,ended:n})=>[e,...n?["The episode had ended."]:t.map(
 ({text:r,blame:o,cost:s})=>[r,o,s].filter(Boolean).join(" "))].filter(Boolean).join(" ");function Pr(e,t){let n=Ar(t),r=Cr(),o=()=>r.showModal(),s=u("header",{class:"top"},u("h1",{},u("span",{class:"muted"},"matrixworld "),"playground"),u("div",{class:"\
 buttons"},Tr(t),u("button",{type:"button",title:"Link to this scene (L)",onclick:n.open},"Share"),u("button",{type:"button",title:"Keys (?)",onclick:o},"Keys"),
 pr())),a=u("main",{class:"layout"},Or(t),u("section",{class:"card stage","aria-label":"Board"},yr(t),Er(t)),u("div",{class:"side"},Nr(t),Sr(t),Rr(t)));e.classList.
-add("playground"),e.replaceChildren(s,Mr(t),a,n.element,r),kr(t,{share:n.open,keys:o})}async function Ps(e){let t=mr(),{store:n,problem:r}=lr(await Yt(),t,ve()||t.scene);Pr(e,n),Te()&&dr(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var Ir=document.
-getElementById("page");Ps(Ir).catch(e=>{throw Ir.append(u("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
+add("playground"),e.replaceChildren(s,Mr(t),a,n.element,r),kr(t,{share:n.open,keys:o})}async function Ns(e){let t=mr(),{store:n,problem:r}=lr(await Yt(),t,ve()||t.scene);Pr(e,n),Te()&&dr(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var Ir=document.
+getElementById("page");Ns(Ir).catch(e=>{throw Ir.append(u("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
 document.body.dataset.ready="true"});})();

@@ -1,0 +1,118 @@
+"""The page on which a race evolves: one file, and a race that can be watched and changed."""
+
+import time
+import webbrowser
+from pathlib import Path
+
+import pytest
+
+from browser import LAPTOP, PHONE, Browser
+from command_line import matrixworld_command
+from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.explorer.evolve_page import LEARNERS, PAGE, SCHEDULES, evolve_page, race_of
+
+DOCS = Path(__file__).parents[2] / "docs"
+MOST = 1_000_000
+"""Bytes of the page."""
+SMALL = "#population=8&steps=30&pursuers=2&evaders=2&seed=3&walls=60.61.62"
+
+
+def test_the_page_is_small_and_that_of_docs_is_the_present_one() -> None:
+    page = evolve_page()
+    assert len(page.encode()) <= MOST
+    assert (DOCS / PAGE).read_text(encoding="utf-8") == page, "run python docs/make_pages.py"
+
+
+@pytest.mark.parametrize("learner", LEARNERS)
+@pytest.mark.parametrize("schedule", SCHEDULES)
+def test_its_races_are_settings_of_python(schedule: str, learner: str) -> None:
+    race = race_of(schedule, learner)
+    assert RaceSettings.of(race.to_json()) == race
+    assert race.schedule.name == schedule
+
+
+def test_evolve_writes_and_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(webbrowser, "open", lambda address: True)
+    monkeypatch.chdir(tmp_path)
+    assert matrixworld_command("evolve", "--page").output == f"{PAGE}\n"
+    assert Path(PAGE).read_text(encoding="utf-8") == evolve_page()
+
+
+# ---- In a real browser ---------------------------------------------------------------------------
+
+STATE = "document.body.dataset.state"
+NEWEST = "matrixworldEvolve.lanes[0].newestGeneration"
+FACTS = "document.querySelector('.facts').textContent"
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page as a file."""
+    file = tmp_path_factory.mktemp("evolve") / PAGE
+    file.write_text(evolve_page(), encoding="utf-8")
+    return file
+
+
+def opened(browser: Browser, page: Path, settings: str, size: tuple[int, int]) -> None:
+    """Open the page with settings in its address."""
+    browser.resize(*size)
+    browser.driver.get("about:blank")  # another address after the # loads no page
+    browser.driver.get(page.as_uri() + settings)
+    browser.wait("document.body.dataset.ready === 'true'")
+
+
+@pytest.mark.slow
+def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
+    browser: Browser, page: Path
+) -> None:
+    opened(browser, page, SMALL, LAPTOP)
+    assert browser.js(STATE) == "waiting"
+    browser.wait("matrixworldEvolve.lanes[0].newest.player.step > 2")  # a chase runs already
+    began = time.monotonic()
+    browser.click(".evolve")
+    browser.wait(f"{NEWEST} >= 1")
+    first = time.monotonic() - began
+    browser.wait(f"{STATE} === 'ended'", 120)
+    assert browser.js(NEWEST) == 15
+    assert first < 20  # a second on a machine that does nothing else
+    assert "forgetting" in browser.js("document.querySelector('.measures').textContent")
+    # A click on a cell plays its match.
+    box = "document.querySelector('.matrix canvas').getBoundingClientRect()"
+    browser.drag(tuple(browser.js(f"(box => [box.left + 9, box.top + 9])({box})")))
+    browser.wait("document.querySelector('.check').textContent === 'As in the evaluation'")
+    assert browser.js("document.querySelector('.match-title').textContent").startswith(
+        "pursuers 15 against evaders 0"
+    )
+    browser.driver.execute_script("document.querySelector('dialog[open]').close()")
+    # The mask ends all collisions at once, and walls play the matrix again.
+    browser.driver.execute_script("document.querySelector('.controls [type=checkbox]').click()")
+    browser.wait(f"/\\D0 collisions/.test({FACTS})")
+    browser.driver.execute_script(
+        "document.querySelector('.tools [aria-pressed=false]:not(.side)').click()"
+    )
+    box = "document.querySelector('.chase canvas').getBoundingClientRect()"
+    left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
+    cells = [(left + width * (column + 0.5) / 12, top + width * 2.5 / 12) for column in (3, 4, 5)]
+    browser.drag(*cells)
+    world = "matrixworldEvolve.lanes[0].settings.world"
+    browser.wait(f"{world}.obstacles[2] === '...###......'")
+    assert browser.js(f"{world}.obstacles[5]") == "###........."  # those of the link
+    browser.click(".to-link")
+    assert "walls=27.28.29.60.61.62" in browser.js("document.querySelector('.tools input').value")
+    assert browser.errors() == []
+
+
+@pytest.mark.nightly
+def test_two_races_stand_side_by_side_and_a_person_takes_over(browser: Browser, page: Path) -> None:
+    browser.prefer(prefers_reduced_motion="reduce")
+    opened(browser, page, SMALL + "&beside=hall-of-fame&learner=ga", PHONE)
+    assert not browser.js("matrixworldEvolve.lanes[0].newest.runs")  # no motion unless asked for
+    browser.click(".evolve")
+    browser.wait(f"{STATE} === 'ended'", 240)
+    assert browser.js("matrixworldEvolve.lanes.map((lane) => lane.newestGeneration)") == [15, 15]
+    browser.driver.execute_script("document.querySelector('.to-play').click()")
+    browser.press("d")
+    browser.wait("document.querySelector('.take-over .play-told').textContent.includes('Step 1')")
+    assert browser.js("document.documentElement.scrollWidth") <= PHONE[0]
+    assert browser.errors() == []
+    browser.prefer()

@@ -1,0 +1,73 @@
+// What can be turned while a race goes on, and what a new race begins with.
+
+import { html } from "../page/dom.ts";
+import { LEAST_VIEW, MOST_AGENTS, MOST_SEED, POPULATIONS, STEPS, VIEWS } from "./choice.ts";
+import type { Choice } from "./choice.ts";
+import { SCHEDULES } from "./data.ts";
+
+type Option = readonly [value: string | number, text: string];
+
+function select(options: readonly Option[], change: (value: string) => void): HTMLSelectElement {
+  const made = html("select", {}, ...options.map(([value, text]) => html("option", { value }, text)));
+  made.addEventListener("change", () => change(made.value));
+  return made;
+}
+
+function field(name: string, about: string, control: HTMLElement, style = ""): HTMLElement {
+  return html("label", { class: `field ${style}` }, html("span", { class: "field-name" }, name), control, html("span", { class: "small muted" }, about));
+}
+
+/** A slider with its number. */
+function slider(change: (value: number) => void): { element: HTMLElement; show: (value: number) => void } {
+  const [range, number] = [html("input", { type: "range", min: 1, max: MOST_AGENTS, step: 1 }), html("output", { class: "numbers" })];
+  range.addEventListener("input", () => (number.textContent = range.value));
+  range.addEventListener("change", () => change(Number(range.value)));
+  return {
+    element: html("span", { class: "slider" }, range, number),
+    show: (value) => {
+      range.value = number.textContent = String(value);
+    },
+  };
+}
+
+/** What a control asks for: another choice, and whether it needs a new race. */
+export type Ask = (change: Partial<Choice>, anew?: boolean) => void;
+
+/** Return the controls, and what shows a choice in them. */
+export function controls(ask: Ask): { element: HTMLElement; show: (choice: Choice) => void } {
+  const schedules = Object.entries(SCHEDULES);
+  const schedule = select(schedules, (value) => ask({ schedule: value }));
+  const beside = select([["", "Nothing"], ...schedules], (value) => ask({ beside: value || null }, true));
+  const [pursuers, evaders] = [slider((value) => ask({ pursuers: value })), slider((value) => ask({ evaders: value }))];
+  const view = select(VIEWS.map((size) => [size, `${size} x ${size} cells`]), (value) => ask({ view: Number(value), ...(Number(value) < LEAST_VIEW ? { way: false } : {}) }));
+  const way = html("input", { type: "checkbox" });
+  way.addEventListener("change", () => ask({ way: way.checked, ...(way.checked ? { view: Math.max(LEAST_VIEW, Number(view.value)) } : {}) }));
+  const population = select([[0, "usual"], ...POPULATIONS.map((size): Option => [size, String(size)])], (value) => ask({ population: Number(value) }));
+  const steps = select(STEPS.map((count) => [count, String(count)]), (value) => ask({ steps: Number(value) }));
+  const learner = select([["es", "evolution strategy"], ["ga", "genetic algorithm"]], (value) => ask({ learner: value as "es" }, true));
+  const seed = html("input", { type: "number", min: 0, max: MOST_SEED, step: 1, inputmode: "numeric" });
+  seed.addEventListener("change", () => ask({ seed: Math.min(MOST_SEED, Math.max(0, Math.round(Number(seed.value)) || 0)) }, true));
+  const another = html("button", { type: "button", onclick: () => ask({ seed: Math.floor(Math.random() * 1000) }, true) }, "Another seed");
+  const element = html("section", { class: "card controls", "aria-label": "Settings" },
+    html("fieldset", {}, html("legend", {}, "Change it while it evolves"),
+      field("Opponents", "whom the teams meet while they learn", schedule, "wide"),
+      field("Pursuers", "triangles", pursuers.element),
+      field("Evaders", "discs", evaders.element),
+      field("View", "the square that an agent sees", view),
+      field("Right of way", "agents never take a move that could put them at fault", html("span", {}, way)),
+      field("Population", "candidates that are compared at a time", population),
+      field("Steps", "of a match", steps)),
+    html("fieldset", {}, html("legend", {}, "Begin anew with"),
+      field("Side by side with", "a second race of the same seed", beside, "wide"),
+      field("Learner", "how a team learns", learner),
+      field("Seed", "the luck of the race", html("span", { class: "seed" }, seed, another))));
+  return {
+    element,
+    show: (choice) => {
+      [schedule.value, beside.value, view.value, learner.value] = [choice.schedule, choice.beside ?? "", String(choice.view), choice.learner];
+      [population.value, steps.value, seed.value, way.checked] = [String(choice.population), String(choice.steps), String(choice.seed), choice.way];
+      pursuers.show(choice.pursuers);
+      evaders.show(choice.evaders);
+    },
+  };
+}

@@ -1,0 +1,102 @@
+// A race that goes on, as the explorer's parts show a run: cells and generations are added.
+
+import { keepGenomes } from "../explorer/data.ts";
+import type { Band, Curve, Findings, Payoff, Run, TeamData } from "../explorer/data.ts";
+import type { WorldConfig } from "../engine/types.ts";
+import { policyOf } from "./network.ts";
+import type { Mask } from "./network.ts";
+import { joined, shapeOf } from "./race.ts";
+import type { Cell, OfTeams } from "./race.ts";
+import { evaluationSeed } from "./seeds.ts";
+import { TEAMS } from "./settings.ts";
+import type { RaceSettings, Team } from "./settings.ts";
+
+/** Empty rows of a matrix; cells without a value are missing. */
+const rowsOf = <Value>(size: number): Value[][] => Array.from({ length: size }, () => Array<Value>(size));
+
+const mean = (values: readonly number[]): number | null => (values.length ? values.reduce((sum, each) => sum + each, 0) / values.length : null);
+
+export class GrowingRun implements Run {
+  readonly learning = TEAMS;
+  readonly settings = [];
+  readonly training = { capture_rate: [], generation: [], learner: [], epochs: 1, window: 1, matches: 0 };
+  readonly limits = "";
+  readonly name: string;
+  readonly schedule: string;
+  readonly seed: string;
+  readonly seeds: readonly (readonly string[])[];
+  world: WorldConfig;
+  payoff: Payoff & { capture_rate: number[][]; capture_rates: number[][][]; lengths: number[][][] };
+  teams: OfTeams<TeamData>;
+  findings: Findings | null = null;
+  /** Genomes of all generations so far. */
+  readonly genomes: Record<Team, Float32Array[]> = { pursuer: [], evader: [] };
+  readonly #masks: OfTeams<Mask>;
+  /** Tells the genomes of this race from those of others on the page. */
+  readonly #key: string;
+  #settings: RaceSettings;
+
+  constructor(settings: RaceSettings, masks: OfTeams<Mask>, name: string, key: string) {
+    [this.#settings, this.#masks, this.#key, this.name, this.schedule] = [settings, masks, key, name, name];
+    [this.world, this.seed] = [settings.world, String(settings.seed)];
+    const size = settings.schedule.generations + 1;
+    this.seeds = Array.from({ length: size }, (_, g) => Array.from({ length: size }, (_none, h) => String(evaluationSeed(settings.seed, g, h))));
+    this.payoff = this.#empty();
+    this.teams = this.#teams();
+  }
+
+  /** Number of the newest generation; -1 before the first. */
+  get newest(): number {
+    return this.genomes.pursuer.length - 1;
+  }
+
+  #empty(): GrowingRun["payoff"] {
+    const size = this.#settings.schedule.generations + 1;
+    return {
+      first: [0, 0], shape: [size, size], episodes: this.#settings.evaluation_episodes,
+      capture_rate: rowsOf(size), capture_rates: rowsOf(size), lengths: rowsOf(size),
+    };
+  }
+
+  #teams(): OfTeams<TeamData> {
+    const of = (team: Team): TeamData => {
+      const genomes = `${this.#key} ${team}`;
+      keepGenomes(genomes, joined(this.genomes[team]));
+      const { genome, ...network } = policyOf(shapeOf(this.#settings, this.#masks, team), this.genomes[team][0] ?? new Float32Array(0));
+      return { script: null, network: { ...network, genome_size: genome.length }, kept: [...this.genomes[team].keys()], genomes };
+    };
+    return { pursuer: of("pursuer"), evader: of("evader") };
+  }
+
+  add(genomes: OfTeams<Float32Array>): void {
+    for (const team of TEAMS) this.genomes[team].push(genomes[team]);
+    this.teams = this.#teams();
+  }
+
+  /** All generations play in another world, or see it with other eyes. */
+  change(settings: RaceSettings, genomes: OfTeams<readonly Float32Array[]>): void {
+    this.#settings = settings;
+    this.world = settings.world;
+    for (const team of TEAMS) this.genomes[team] = [...genomes[team]];
+    [this.payoff, this.teams, this.findings] = [this.#empty(), this.#teams(), null];
+  }
+
+  addCell({ pursuer, evader, capture_rates, lengths }: Cell): void {
+    this.payoff.capture_rate[pursuer]![evader] = mean(capture_rates)!;
+    this.payoff.capture_rates[pursuer]![evader] = [...capture_rates];
+    this.payoff.lengths[pursuer]![evader] = [...lengths];
+    this.findings = { generalization: this.#scores() } as Findings;
+  }
+
+  /** Mean capture and escape rates of each generation in the cells so far. */
+  #scores(): Findings["generalization"] {
+    const rates = this.payoff.capture_rate;
+    const band = (curve: Curve): Band => ({ mean: curve, low: null, high: null });
+    const known = (values: readonly (number | undefined)[]): number[] => values.filter((value) => value !== undefined);
+    const generations = [...this.genomes.pursuer.keys()];
+    return {
+      pursuers: band(generations.map((g) => mean(known(rates[g]!)))),
+      evaders: band(generations.map((h) => mean(known(rates.map((row) => row[h])).map((rate) => 1 - rate)))),
+    };
+  }
+}

@@ -1,0 +1,211 @@
+// A race of pursuers and evaders that evolves before your eyes. The same script is the worker that plays it.
+
+import "./evolve.css";
+import { loadEngine } from "../engine/engine.ts";
+import type { Engine } from "../engine/engine.ts";
+import { text } from "../explorer/data.ts";
+import { copy, hasAddress, html } from "../page/dom.ts";
+import { changeTheme, themeButton } from "../page/theme.ts";
+import { legend } from "../board/legend.ts";
+import { choiceOf, linkOf, settingsOf, withWall } from "./choice.ts";
+import type { Choice } from "./choice.ts";
+import { controls } from "./controls.ts";
+import type { Ask } from "./controls.ts";
+import { readData, scheduleOf } from "./data.ts";
+import type { EvolveData } from "./data.ts";
+import { Lane } from "./lane.ts";
+import { archiveOf, canSave } from "./save.ts";
+import { work } from "./worker.ts";
+
+/** Milliseconds after the last stroke until a race goes on among new walls. */
+const REST = 250;
+
+/** Return a thread that runs the scripts of this page as a worker. */
+function newWorker(): Worker {
+  const script = new Blob([text("script-engine"), "\n", text("script-evolve")], { type: "text/javascript" });
+  return new Worker(URL.createObjectURL(script));
+}
+
+class Page {
+  readonly #data: EvolveData;
+  readonly #engine: Engine;
+  readonly lanes: Lane[] = [];
+  readonly #room = html("div", { class: "lanes" });
+  readonly #evolve = html("button", { type: "button", class: "evolve", onclick: () => this.#press() });
+  readonly #progress = html("progress", { max: 1, value: 0, "aria-label": "Progress of the race" });
+  readonly #status = html("p", { class: "small muted numbers", role: "status" });
+  readonly #side = html("button", { type: "button", class: "side", title: "A second race of the same seed with another schedule", onclick: () => this.#sideBySide() }, "Side by side");
+  readonly #walls = html("button", { type: "button", "aria-pressed": "false", title: "Drag over the board to draw walls, and over walls to remove them", onclick: () => this.#toggleWalls() }, "Draw walls");
+  readonly #noWalls = html("button", { type: "button", onclick: () => this.#ask({ walls: [] }) }, "No walls");
+  readonly #rest = html("button", { type: "button", onclick: () => this.#toggleBoards() });
+  readonly #link = html("input", { type: "text", readonly: true, hidden: true, "aria-label": "Link to this race" });
+  readonly #told = html("span", { class: "small muted", role: "status" });
+  readonly #controls = controls((change, anew) => this.#ask(change, anew));
+  readonly #save = html("button", { type: "button", onclick: () => void this.#saveRaces(), title: "An archive that matrixworld judge, explore and replay read" }, "Save");
+  #pens: { active: (on: boolean) => void }[] = [];
+  #choice: Choice;
+  #due = 0;
+
+  constructor(data: EvolveData, engine: Engine) {
+    [this.#data, this.#engine, this.#choice] = [data, engine, choiceOf(data, location.hash)];
+    const tools = html("div", { class: "tools", role: "group", "aria-label": "What can be done" },
+      this.#side,
+      html("button", { type: "button", class: "to-play", title: "Play an evader against the newest pursuers", onclick: () => this.lanes[0]!.takeOver() }, "Take over"),
+      this.#walls, this.#noWalls,
+      this.#rest, this.#save,
+      html("button", { type: "button", class: "to-link", onclick: () => this.#showLink() }, "Link"), this.#link, this.#told);
+    document.getElementById("page")!.replaceWith(
+      html("header", { class: "top" },
+        html("div", {}, html("h1", {}, "Evolve a chase"),
+          html("p", { class: "lead" }, "Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other.")),
+        themeButton()),
+      html("main", {},
+        html("div", { class: "start" }, this.#evolve, tools, html("div", { class: "progress" }, this.#progress, this.#status)),
+        this.#room, this.#controls.element,
+        html("div", { class: "card below" }, legend(),
+          html("p", { class: "small muted" }, "The page plays and learns with the engine of matrixworld, in this browser; nothing is sent."),
+          html("p", { class: "small muted of-saving" }, "A saved race is an archive: ", html("code", {}, "matrixworld judge"), ", ", html("code", {}, "explore"),
+            " and ", html("code", {}, "replay"), " read it. Python plays its matches again, and does not continue it."))),
+      html("footer", { class: "muted small" }, `matrixworld ${data.version}`));
+    this.#makeLanes();
+    this.#nameRest();
+  }
+
+  #schedules(): string[] {
+    return [this.#choice.schedule, ...(this.#choice.beside ? [this.#choice.beside] : [])];
+  }
+
+  #makeLanes(): void {
+    for (const lane of this.lanes.splice(0)) lane.close();
+    for (const schedule of this.#schedules()) {
+      const lane = new Lane(this.#data, this.#engine, newWorker(), settingsOf(this.#data, this.#choice, schedule));
+      lane.addEventListener("state", () => this.#tell());
+      this.lanes.push(lane);
+    }
+    this.#pens = this.lanes.map((lane) => lane.newest.drawWalls(([row, col], wall) => this.#draw(row, col, wall)));
+    this.#walls.ariaPressed = "false";
+    this.#room.dataset["count"] = String(this.lanes.length);
+    this.#room.replaceChildren(...this.lanes.map(({ element }) => element));
+    this.#controls.show(this.#choice);
+    this.#tell();
+  }
+
+  // ---- Races ------------------------------------------------------------------------------------
+
+  #press(): void {
+    if (this.lanes.some(({ state }) => state === "evolving")) this.lanes.forEach((lane) => lane.stop());
+    else this.#start();
+  }
+
+  #start(): void {
+    for (const [number, schedule] of this.#schedules().entries()) {
+      const lane = this.lanes[number]!;
+      lane.settings = settingsOf(this.#data, this.#choice, schedule);
+      lane.start();
+    }
+  }
+
+  #sideBySide(): void {
+    const other = this.#choice.schedule === "specialist-specialist" ? "generalist-generalist" : "specialist-specialist";
+    this.#ask({ beside: this.#choice.beside ? null : other }, true);
+  }
+
+  /** Follow a control: at once, or by a new race. */
+  readonly #ask: Ask = (change, anew = false) => {
+    const lanes = this.#schedules().length;
+    const waiting = this.lanes.every(({ state }) => state === "waiting");
+    this.#choice = { ...this.#choice, ...change };
+    this.#controls.show(this.#choice);
+    this.#link.hidden = true;
+    if (this.#schedules().length !== lanes) this.#makeLanes();
+    if (anew && !waiting) this.#start();
+    else this.#schedules().forEach((schedule, number) => this.lanes[number]!.change(settingsOf(this.#data, this.#choice, schedule)));
+  };
+
+  #draw(row: number, col: number, wall: boolean): void {
+    const { rows, cols } = this.lanes[0]!.settings.world;
+    const walls = withWall(this.#choice.walls, row * cols + col, wall, rows * cols);
+    this.#choice = { ...this.#choice, walls };
+    const flags = Uint8Array.from({ length: rows * cols }, (_, cell) => Number(walls.includes(cell)));
+    for (const lane of this.lanes) lane.newest.show(flags);
+    clearTimeout(this.#due);
+    this.#due = setTimeout(() => this.#ask({ walls }), REST);
+  }
+
+  #toggleWalls(): void {
+    const on = this.#walls.ariaPressed !== "true";
+    this.#walls.ariaPressed = String(on);
+    for (const pen of this.#pens) pen.active(on);
+  }
+
+  // ---- What is shown ----------------------------------------------------------------------------
+
+  #toggleBoards(): void {
+    const runs = !this.lanes[0]!.newest.runs;
+    for (const { newest, beginning } of this.lanes) newest.runs = beginning.runs = runs;
+    this.#nameRest();
+  }
+
+  #nameRest(): void {
+    this.#rest.textContent = this.lanes[0]!.newest.runs ? "Pause boards" : "Play boards";
+  }
+
+  #tell(): void {
+    if (!this.lanes.length) return;
+    const states = this.lanes.map(({ state }) => state);
+    const evolving = states.includes("evolving");
+    document.body.dataset["state"] = states.every((state) => state === "waiting") ? "waiting" : evolving ? "evolving" : "ended";
+    this.#evolve.textContent = evolving ? "Stop" : states[0] === "waiting" ? "Evolve" : "Again";
+    this.#side.ariaPressed = String(this.lanes.length > 1);
+    this.#noWalls.hidden = !this.#choice.walls.length;
+    this.#progress.value = Math.min(...this.lanes.map(({ done }) => done));
+    const seconds = Math.max(...this.lanes.map((lane) => lane.seconds));
+    const ended = states.every((state) => state === "ended");
+    const { seed } = this.#choice;
+    this.#status.textContent = evolving ? `Seed ${seed}: generation ${this.lanes.map((lane) => lane.newestGeneration).join(" and ")}`
+      : ended ? `Seed ${seed}: the race took ${seconds.toFixed(1)} seconds.` : states.includes("stopped") ? "Stopped." : "";
+  }
+
+  #showLink(): void {
+    if (!hasAddress()) return;
+    this.#link.hidden = false;
+    this.#link.value = `${location.href.split("#")[0]}#${linkOf(this.#choice)}`;
+    void copy(this.#link, this.#told);
+  }
+
+  async #saveRaces(): Promise<void> {
+    const races = await Promise.all(this.lanes.map(async (lane) => ({ name: scheduleOf(lane.settings), race: await lane.saved() })));
+    if (!races.every(({ race }) => canSave(race))) {
+      this.#told.textContent = "Wait for the next generation, and save then.";
+      return;
+    }
+    const archive = archiveOf(races, { format: this.#data.format, version: this.#data.version });
+    const file = new Blob([archive as BlobPart], { type: "application/zip" });
+    const name = `race-${this.#choice.seed}.zip`;
+    html("a", { href: URL.createObjectURL(file), download: name }).click();
+    this.#told.textContent = `Saved as ${name}.`;
+  }
+}
+
+async function show(): Promise<void> {
+  const page = new Page(readData(), await loadEngine());
+  document.addEventListener("keydown", ({ key, target, ctrlKey, metaKey, altKey }) => {
+    const busy = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || document.querySelector("dialog[open]");
+    if (key.toLowerCase() === "d" && !busy && !ctrlKey && !metaKey && !altKey) changeTheme();
+  });
+  window.addEventListener("hashchange", () => location.reload()); // another link
+  Object.assign(window, { matrixworldEvolve: page }); // for tests, and for the curious
+}
+
+if (typeof document === "undefined") work();
+else {
+  show()
+    .catch((error: unknown) => {
+      const place = document.getElementById("page") ?? document.body;
+      place.append(html("p", { class: "card problem", role: "alert" }, `The page could not start: ${String(error)}`));
+      throw error;
+    })
+    .finally(() => {
+      document.body.dataset["ready"] = "true";
+    });
+}
