@@ -4,6 +4,7 @@ import base64
 import io
 import zipfile
 from collections import defaultdict
+from functools import partialmethod
 from pathlib import Path
 from typing import Any
 
@@ -50,19 +51,22 @@ RACES: dict[str, dict[str, Any]] = {
 }
 
 
-class Recorder:
+class Recorder(np.random.Generator):
     """A generator that keeps what it gives, by the names of its methods."""
 
     def __init__(self, rng: np.random.Generator, given: dict[str, list[Any]]) -> None:
-        self._rng, self._given = rng, given
+        super().__init__(rng.bit_generator)
+        self._given = given
 
-    def __getattr__(self, name: str) -> Any:
-        def drawn(*args: Any, **options: Any) -> Any:
-            found = getattr(self._rng, name)(*args, **options)
-            self._given[name].append(np.ravel(found).tolist())
-            return found
+    def _kept(self, name: str, *args: Any, **options: Any) -> Any:
+        found = getattr(np.random.Generator, name)(self, *args, **options)
+        self._given[name].append(np.ravel(found).tolist())
+        return found
 
-        return drawn
+    standard_normal = partialmethod(_kept, "standard_normal")
+    integers = partialmethod(_kept, "integers")
+    permutation = partialmethod(_kept, "permutation")
+    choice = partialmethod(_kept, "choice")
 
 
 @pytest.mark.parametrize("changes", RACES.values(), ids=RACES)
