@@ -17,6 +17,7 @@ FEW = {
     "bench_peers": [*SHORT, "--rounds", "20", "--size", "2"],
     "bench_scaling": [*SHORT, "--largest", "100", "--out", "scaling.png"],
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
+    "bench_page": ["--races", "1", "--generations", "2"],
     "bench_solve": ["--repeats", "1"],
     "bench_actor_critic": ["--repeats", "1"],
     "bench_learners": ["--quick", "--results", "learners"],

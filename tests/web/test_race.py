@@ -1,8 +1,6 @@
 """The race of the page: with draws of NumPy it has the genomes of Python, and its matches."""
 
 import base64
-import io
-import zipfile
 from collections import defaultdict
 from functools import partialmethod
 from pathlib import Path
@@ -11,9 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from browser import data_of
+from command_line import matrixworld_command
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import judge
 from matrixworld.analysis.strength import late_forgetting
+from matrixworld.cli.runs import unpacked
 from matrixworld.coevolution import RaceSettings, finish, open_run, seeding
 from matrixworld.coevolution import settings as settings_module
 from matrixworld.coevolution.evaluation.tournament import tournament
@@ -128,8 +129,9 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         "format": {"format": FORMAT, "version": __version__},
     }
     told = run_node("race.mjs", given)
-    zipfile.ZipFile(io.BytesIO(base64.b64decode(told["saved"]))).extractall(tmp_path)
-    run = open_run(tmp_path)
+    archive = tmp_path / "race.zip"
+    archive.write_bytes(base64.b64decode(told["saved"]))
+    run = open_run(unpacked(archive))
     assert run.finished
     assert run.settings == last
     payoff = run.payoff()
@@ -148,5 +150,22 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     assert judge(payoff.capture_rates, per_episode=True).runs == 1
     assert "pursuer" in explorer_page([run])
     assert len(run.log()["epoch"]) == len(told["rows"])
-    with pytest.raises(DamagedFileError):
-        finish(last, tmp_path, threads=1)
+    with pytest.raises(DamagedFileError):  # Python does not continue it
+        finish(last, unpacked(archive), threads=1)
+
+
+def test_commands_read_a_saved_race(tmp_path: Path) -> None:
+    settings = RaceSettings.of({**SMALL, **TURNS}).to_json()
+    masks = masks_of(RaceSettings.of(SMALL).world)
+    given = {"settings": settings, "masks": masks, "format": {"format": FORMAT, "version": "1"}}
+    archive = tmp_path / "race.zip"
+    archive.write_bytes(base64.b64decode(run_node("race.mjs", given)["saved"]))
+    assert (
+        "1 run, 4 pursuer and 4 evader generations" in matrixworld_command("judge", archive).output
+    )
+    assert "captured" in matrixworld_command("replay", archive, "--step", -1).output
+    page = tmp_path / "page.html"
+    matrixworld_command("explore", archive, "--no-open", "-o", page)
+    assert data_of(page)["runs"][0]["schedule"] == "generalist-generalist"
+    (tmp_path / "race" / "config.json").write_text("{}")
+    assert "config.json" in matrixworld_command("judge", archive, code=2).output

@@ -27,7 +27,7 @@ from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.analysis.words import all_results, judgement_cells, measure_table
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
 from matrixworld.cli.options import check_exists, check_outputs, integer, options, write_json
-from matrixworld.cli.runs import finished_groups, print_missing
+from matrixworld.cli.runs import finished_groups, print_missing, unpacked
 from matrixworld.cli.setting_options import option_of, usage_errors
 from matrixworld.coevolution import Alternating, RaceSettings
 from matrixworld.coevolution.groups import RunGroup
@@ -47,7 +47,7 @@ STRIP_LEGEND = (
 
 
 def _sources(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
-    paths = [*dict.fromkeys(map(Path, values))]
+    paths = [unpacked(Path(value)) for value in dict.fromkeys(values)]
     for path in paths:
         check_exists(path)
         if not _is_payoff_file(path) and not find_runs(path):

@@ -13,7 +13,7 @@ from matrixworld._util.files import read_content
 from matrixworld.classroom.submissions import read_genome
 from matrixworld.cli.console import say
 from matrixworld.cli.options import check_exists, check_outputs, given_options, option_name, options
-from matrixworld.cli.runs import run_in
+from matrixworld.cli.runs import run_in, unpacked
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -55,8 +55,9 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
 def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
     """Return a file, else a directory that holds runs, else the rules of a variant."""
     # Paths come first: a run may be called O, and `O` in another directory is the variant.
-    if Path(value).is_file() or find_runs(Path(value)):
-        return Path(value)
+    path = unpacked(Path(value))
+    if path.is_file() or find_runs(path):
+        return path
     try:
         return rules_of(value)
     except ValueError:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Sequence
 from pathlib import Path, PurePath
 from typing import Any
+from zipfile import BadZipFile, ZipFile
 
 import click
 
@@ -24,14 +25,37 @@ def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
     """Return the argument of directories of jobs or runs."""
 
     def found(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
-        for value in values:
-            check_exists(value)
-            if not find_runs(Path(value)):
-                raise click.BadParameter(f"expected run directories, got {value!r}")
-        return [*dict.fromkeys(map(Path, values))]
+        paths = [unpacked(Path(value)) for value in dict.fromkeys(values)]
+        for path in paths:
+            check_exists(path)
+            if not find_runs(path):
+                raise click.BadParameter(f"expected run directories, got {str(path)!r}")
+        return paths
 
     metavar = "RUN..." if required else "[RUN...]"
     return click.argument("runs", nargs=-1, required=required, metavar=metavar, callback=found)
+
+
+def unpacked(path: Path) -> Path:
+    """Return the directory of an archive that the page evolve.html has saved, unpacked beside it.
+
+    Any other path is returned as it is. A directory that holds something else is not changed.
+    """
+    if path.suffix.lower() != ".zip" or not path.is_file():
+        return path
+    directory = path.with_suffix("")
+    try:
+        with ZipFile(path) as archive:
+            for name in archive.namelist():
+                file = directory / name
+                if file.is_file() and file.read_bytes() != archive.read(name):
+                    raise click.BadParameter(
+                        f"{path}: expected no other run in {directory}, got another {name} there"
+                    )
+            archive.extractall(directory)
+    except BadZipFile as error:
+        raise click.BadParameter(f"{path}: expected an archive of a race, got: {error}") from error
+    return directory
 
 
 def finished_groups(directories: Sequence[Path], *, unfinished: bool = False) -> list[RunGroup]:

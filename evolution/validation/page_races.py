@@ -1,0 +1,128 @@
+"""Are the races of the page evolve.html those of Python? Mean scores over seeds, with their draws.
+
+    python evolution/validation/page_races.py           50 seeds of each kind, some minutes
+    python evolution/validation/page_races.py --quick   3 seeds, seconds
+
+The page differs from Python in nothing but its random numbers: given those of NumPy, its genomes
+are the same (tests/web/test_race.py). Here both draw their own. A race has three scores: its mean
+capture rate over the payoff matrix, and of each team the mean over its generations against scripts.
+The difference of the means over seeds has an interval of 95 % (Welch). Races are those with which
+the page begins, shorter. ``--results`` receives numbers.npz and table.md.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy import stats
+from tqdm import tqdm
+
+import _paths  # noqa: F401
+from common import markdown, script_parser
+from matrixworld.coevolution import RaceSettings, SavedRun, finish
+from matrixworld.coevolution.types import TEAMS, FloatArray, Team
+from matrixworld.explorer.evolve_page import ES, GA, race_of
+from matrixworld.play.rollout import Matches, match_seed, rollout
+
+sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
+from bench_page import races_in_node
+
+SEEDS, QUICK_SEEDS = 50, 3
+SHORT: Mapping[str, Any] = {"schedule.generations": 8, "evaluation_episodes": 4}
+KINDS = {
+    "specialists, es": ("specialist-specialist", ES),
+    "generalists, es": ("generalist-generalist", ES),
+    "generalists, ga": ("generalist-generalist", GA),
+    "halls of fame, es": ("hall-of-fame", ES),
+}
+SCORES = ("capture rate", "pursuers against scripts", "evaders against scripts")
+LARGEST = 0.1
+"""What a difference must be below, with its interval."""
+FIXED: Mapping[Team, tuple[str, ...]] = {
+    "pursuer": ("random", "clumsy-fleer"),
+    "evader": ("random", "clumsy-chaser"),
+}
+FIXED_EPISODES, FIXED_PHASE = 20, 8
+"""As in web/src/evolve/race.ts."""
+
+
+def against_scripts(run: SavedRun, team: Team) -> float:
+    """Return the mean score of all generations of a team against the scripts of the page."""
+    team_policy: Any = run.teams[team]
+    count = len(team_policy.genomes)
+    rates = []
+    for number, script in enumerate(FIXED[team]):
+        seed = match_seed(run.settings.seed, TEAMS.index(team), number, FIXED_PHASE)
+        own, other = np.arange(count), np.zeros(count, int)
+        sides = (team_policy, script) if team == "pursuer" else (script, team_policy)
+        places = (own, other) if team == "pursuer" else (other, own)
+        matches = Matches.of(*places, np.full(count, seed, np.uint64))
+        scores = rollout(run.settings.world, *sides, matches, episodes=FIXED_EPISODES, threads=1)
+        rates.append(float(scores.capture_rate.mean(dtype=np.float64)))
+    rate = float(np.mean(rates))
+    return rate if team == "pursuer" else 1.0 - rate
+
+
+def of_python(race: RaceSettings) -> list[float]:
+    """Play a race in Python and return its `SCORES`."""
+    with tempfile.TemporaryDirectory() as folder:
+        run = finish(race, Path(folder) / "race", threads=1)
+        capture = float(run.payoff().capture_rate.mean())
+        return [capture, *(against_scripts(run, team) for team in TEAMS)]
+
+
+def of_page(race: RaceSettings) -> list[float]:
+    """Play a race as the page does and return its `SCORES`."""
+    (told,) = races_in_node([race])
+    return [told["capture"], *(float(np.mean(told["scores"][team])) for team in TEAMS)]
+
+
+def play(seeds: int) -> dict[str, FloatArray]:
+    """Return the scores (seeds, 3) of both, by kind."""
+    numbers: dict[str, FloatArray] = {}
+    for kind, (schedule, learner) in KINDS.items():
+        race = race_of(schedule, learner).changed(SHORT)
+        races = [race.changed({"seed": seed}) for seed in range(seeds)]
+        for name, scores_of in (("Python", of_python), ("page", of_page)):
+            scores = [scores_of(each) for each in tqdm(races, f"{kind}, {name}")]
+            numbers[f"{kind} / {name}"] = np.array(scores)
+    return numbers
+
+
+def table(numbers: Mapping[str, FloatArray]) -> str:
+    """Return means and differences, with intervals of 95 %."""
+    rows = []
+    for kind in KINDS:
+        python, page = (numbers[f"{kind} / {name}"] for name in ("Python", "page"))
+        for number, score in enumerate(SCORES):
+            one, other = page[:, number], python[:, number]
+            low, high = stats.ttest_ind(one, other, equal_var=False).confidence_interval(0.95)
+            means = f"{other.mean():.3f}", f"{one.mean():.3f}"
+            difference = f"{one.mean() - other.mean():+.3f} [{low:+.3f}, {high:+.3f}]"
+            alike = "yes" if max(-low, high) < LARGEST else "no"
+            rows.append((kind, str(len(one)), score, *means, difference, alike))
+    heads = ("races", "seeds", "mean score", "Python", "page", "difference", f"within {LARGEST}")
+    return markdown(heads, rows)
+
+
+def main() -> None:
+    """Play the races and print the table."""
+    parser = script_parser(__doc__, quick=f"{QUICK_SEEDS} seeds")
+    parser.add_argument("--results", type=Path, help="folder of numbers.npz and table.md")
+    chosen = parser.parse_args()
+    numbers = play(QUICK_SEEDS if chosen.quick else SEEDS)
+    told = table(numbers)
+    print(told)
+    if chosen.results:
+        chosen.results.mkdir(parents=True, exist_ok=True)
+        np.savez(chosen.results / "numbers.npz", **numbers)
+        (chosen.results / "table.md").write_text(f"{told}\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
