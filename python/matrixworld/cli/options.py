@@ -325,7 +325,8 @@ class Commands(click.Group):
             try:
                 return super().main(*args, **options)
             finally:
-                sys.stdout.flush()
+                if sys.stdout is not None:  # it may be closed
+                    sys.stdout.flush()
         except OSError as error:
             with suppress(OSError):  # or Python would try once more at its end
                 sys.stdout.close()
