@@ -79,7 +79,7 @@ OTHERS = [
     (["solve", "--rows", 4, "--cols", 4, "--obstacles", 0.1], 2, "expected none or a map"),
     (["solve", "--n-pursuers", 0], 2, "--n-pursuers"),
     (["exploit", "race", "--champion", "evader", "--exact", "--matches", 9], 2, "no --matches"),
-    (["play", "walks.npz"], 2, "expected the directory of a run, or a variant, got a file"),
+    (["play", "walks.npz"], 2, "expected a directory that holds a run, got 'walks.npz'"),
     (["playground", "--out", "bad.csv"], 2, "bad.csv: exists; give --force to replace it"),
     (["class", "empty", "--no-open"], 1, "expected a submission that can play, got none"),
     (["class", "empty", "--seconds", 0], 2, "--seconds: expected 1 to 3600, got 0"),

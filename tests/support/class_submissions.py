@@ -124,6 +124,7 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
         "class E(Exception):\n    def __str__(self): raise SystemExit\nraise E",
         "^E$",
     ),
+    "error without a text": (ACTS + "assert rng is None", "^pursue: line 2: AssertionError$"),
     "long error": ("raise ValueError('<b>' + 'x' * 10**6)", r"line 1: ValueError: <b>x+ \.\.\.$"),
     # Answers that are none.
     "shape": (ACTS + "return view", r"pursue returned an array of shape \(3, \d+, \d+\) and dtype"),

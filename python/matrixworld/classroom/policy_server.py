@@ -350,7 +350,7 @@ def _text(error: BaseException) -> str:
     if isinstance(error, OSError) and error.strerror:
         text = error.strerror + (f": {error.filename!r}" if error.filename else "")
     more = next((hint for kind, hint in HINTS.items() if isinstance(error, kind)), "")
-    return f"{place}{type(error).__name__}: {text}{more}"
+    return f"{place}{type(error).__name__}{': ' * bool(text)}{text}{more}"
 
 
 def _line(error: BaseException) -> int:

@@ -257,17 +257,8 @@ def playground_command(out: Path | None, opens: bool, force: bool) -> None:
     open_page(page, opens)
 
 
-def _player(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
-    if Path(value).is_file():
-        raise click.BadParameter(
-            f"expected the directory of a run, or a variant, got a file: {value}; "
-            "a match that you have played opens in the page, and with matrixworld replay"
-        )
-    return source_of(ctx, param, value)
-
-
 @click.command("play", epilog=PLAY_EXAMPLES, short_help="Play an agent yourself on a page.")
-@click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=_player)
+@click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=source_of)
 @options("race")
 @out_option(f"the page  [default: {play_page.PAGE}, of a RUN in its directory]")
 @options("open", "force")

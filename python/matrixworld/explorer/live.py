@@ -115,7 +115,9 @@ class LivePage:
     def _follow(self) -> None:
         while not self._closed.wait(SECONDS):
             for name in self._names:
-                with suppress(OSError):  # such as too many open files: the next look may succeed
+                # The run is being made or mended, or too many files are open: the next look may
+                # succeed, and the end of the job tells what is damaged.
+                with suppress(OSError, DamagedFileError):
                     self._look(name)
 
     def _look(self, name: str) -> None:
@@ -123,10 +125,7 @@ class LivePage:
         stages = len([*(self._root / name).glob("stage-*.npz")])
         if stages == self._stages.get(name, 0) or self._finished:
             return
-        try:
-            run = open_run(self._root / name)
-        except (FileNotFoundError, DamagedFileError):
-            return  # it is being made, or mended: the end of the job tells what is damaged
+        run = open_run(self._root / name)
         if not all(team_size(run.teams[team]) > 1 for team in run.settings.learning_teams):
             return
         known = self._runs[name][1] if name in self._runs else None
