@@ -98,12 +98,8 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     with np.load(made) as again, np.load(run / "payoff.npz") as payoff:
         assert again.files == payoff.files
         assert all(np.array_equal(again[name], payoff[name]) for name in payoff.files)
-        matrix = payoff["capture_rate"]
     assert made.with_suffix(".png").read_bytes().startswith(PNG)
-    assert f"mean capture rate                           {matrix.mean():.3f}" in said
-    assert f"all evaders, capture  {matrix[-1].mean():.3f}" in said
-    assert f"all pursuers, escape   {1 - matrix[:, -1].mean():.3f}" in said
-
+    assert str(open_run(run).payoff()) in said
     # Of several races each has its tournament; generations of two runs are not judged.
     shutil.copytree(run, "job/a")
     start(tiny_race(seed=6), "job/b")

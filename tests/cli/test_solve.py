@@ -25,7 +25,7 @@ def test_the_numbers_of_a_small_world(game, value, time):
     assert found["value"] == found["value_by_step"][-1]
     assert found["gap"] < 1e-9
     assert value is None or found["value"] == pytest.approx(value, abs=0.005)
-    assert "capture rate after 5 steps" in said
+    assert "the mean capture rate over all starts" in said
     # Only where teams take turns there is a time; None is infinite.
     assert found.get("capture_time", "none") == time
     assert ("never: the evaders can escape" in said) == (time is None)

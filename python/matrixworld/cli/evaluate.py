@@ -11,7 +11,7 @@ import click
 
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import generalization, headline, judge
+from matrixworld.analysis import headline, judge
 from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import TERMS, print_head, print_wrapped, progress, say
@@ -26,7 +26,7 @@ from matrixworld.cli.runs import (
     seeds_finished,
 )
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import Payoff, Progress, SavedRun, open_run, tournament
+from matrixworld.coevolution import Progress, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation.scores import (
     HELD_OUT_VERSION,
     HeldOutScores,
@@ -219,7 +219,7 @@ def _play_one(
     save_arrays(target, payoff.arrays())
     plots.save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), figure)
     print_head(str(ours.path))
-    _print_payoff(payoff)
+    say(payoff)
     if judgement is not None:
         print_head(counts(judgement))
         print_judgement(judgement)
@@ -234,16 +234,3 @@ def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
         if other[name] != value:
             got = f"{name} {value!r} and {other[name]!r}"
             raise click.UsageError(f"expected two runs in the same world, got {got}")
-
-
-def _print_payoff(payoff: Payoff) -> None:
-    matrix = payoff.capture_rate
-    scores = generalization(matrix)
-    say(
-        f"{matrix.shape[0]} pursuer generations against {matrix.shape[1]} evader generations, "
-        f"{payoff.lengths.size:,} episodes\n"
-        f"  mean capture rate                           {matrix.mean():.3f}\n"
-        f"  last pursuers against all evaders, capture  {scores.pursuers[-1]:.3f}\n"
-        f"  last evaders against all pursuers, escape   {scores.evaders[-1]:.3f}\n"
-        f"  last against last, capture rate             {matrix[-1, -1]:.3f}"
-    )
