@@ -7,7 +7,6 @@ import re
 import signal
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -33,7 +32,7 @@ from class_submissions import (
 )
 from matrixworld import Network, NetworkPolicy, World, WorldConfig, record_actions
 from matrixworld.classroom import Limits, play_class, save_genome
-from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
+from matrixworld.classroom.policy_process import CAN_FORK, PolicyProcess, PolicyServer
 from matrixworld.classroom.policy_server import FUNCTIONS, MODULES, NOT_CONFINED
 from matrixworld.classroom.results import ClassResult
 from matrixworld.classroom.round_robin import MatchPool, admit
@@ -432,33 +431,23 @@ def test_no_program_can_tell_how_many_matches_were_before(
 
 
 @pytest.mark.parametrize("what", ["server", "program"])
-def test_who_was_killed_from_outside_plays_again(tmp_path: Path, what: str) -> None:
+def test_who_was_killed_from_outside_plays_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, what: str
+) -> None:
+    """In the trial, and in the tournament."""
     write_programs(tmp_path, honest_programs(2))
-    expected = small(tmp_path)
-    killed: list[int] = []
+    expected, ask, asked = small(tmp_path), PolicyProcess.actions, []
 
-    def kill() -> None:
-        while not killed:
-            servers = children(os.getpid())
-            numbers = (
-                [each for n in servers for each in children(n)] if what == "program" else servers
-            )
-            if playing and numbers:
-                os.kill(numbers[0], signal.SIGKILL)
-                killed.append(numbers[0])
+    def actions(program: PolicyProcess, *given: Any) -> Any:
+        asked.append(program)
+        if len(asked) in (2, 60):
+            server = program._server._process.pid
+            os.kill(server if what == "server" else children(server)[0], signal.SIGKILL)
+        return ask(program, *given)
 
-    playing: list[bool] = []
-
-    def report(progress: Progress) -> None:
-        if progress.what == "round robin":
-            playing.append(True)
-
-    thread = threading.Thread(target=kill)
-    thread.start()
-    result = small(tmp_path, progress=lambda unit: contextlib.nullcontext(report))
-    killed.append(0)
-    thread.join()
-    assert killed[0]
+    monkeypatch.setattr(PolicyProcess, "actions", actions)
+    result = small(tmp_path)
+    assert len(asked) > 60
     assert result.refusals == ()
     np.testing.assert_array_equal(result.capture_rates, expected.capture_rates)
 
