@@ -16,7 +16,7 @@ def written(folder: Path, text: str | bytes) -> Path:
     return path
 
 
-NAMED = "note;Evader;Capture_Rate;Pursuer\n;x;0;Zoé\na;y;,25;Zoé\n;z;50%;Zoé\n" + (
+NAMED = "note;Evader;Capture rate;Pursuer\n;x;0;Zoé\na;y;,25;Zoé\n;z;50%;Zoé\n" + (
     "b;x;75 %;Amy\n;y;1,0;Amy\n;z;1,25e-1;Amy\n"
 )
 

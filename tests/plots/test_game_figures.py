@@ -76,9 +76,10 @@ def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
 def test_the_table_shows_the_rules() -> None:
     own = mw.Rules(mw.Interaction.SWARM_TURNS, teammate=mw.Outcome.DISAPPEAR)
     (axes,) = plots.rules_table({**mw.VARIANTS, "mine": own}).axes
+    (table,) = axes.tables
     rows: dict[int, list[str]] = {}
-    for text in axes.texts:
-        rows.setdefault(round(text.get_position()[1]), []).append(text.get_text())
+    for (row, _), cell in sorted(table.get_celld().items()):
+        rows.setdefault(row - 1, []).append(cell.get_text().get_text())
     for row, (name, rules) in enumerate({**mw.VARIANTS, "mine": own}.items()):
         outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
         assert rows[row] == [

@@ -54,8 +54,6 @@ TOO_FEW_TO_RECUR = (
 _ITERATIONS = 200  # the most of a fit; 20 to 100 suffice
 _CONVERGED = 1e-4  # largest change of a cell in the last iteration
 _ROUNDING = 1e-12  # differences of capture rates below this are floating-point noise
-_ONES = np.array([number.bit_count() for number in range(256)], np.uint8)
-"""Bits that are set in a byte."""
 
 
 @dataclass(frozen=True)
@@ -165,19 +163,16 @@ def checkerboards(
     compared = [(matrix, margin)]
     if level is not None:  # both better cells are wins, and both worse are not
         compared.append(((matrix > level).astype(np.float64), 0.0))
+    # [g, e1, e2]: pursuers g do better against e1 than against e2.
     falls = [values[:, :, None] - values[:, None, :] > least for values, least in compared]
-    # A bit for each pair of columns: an array of floats for each row takes ten times as long.
-    first = [np.packbits(each.transpose(0, 2, 1), axis=2) for each in falls]
-    later = [np.packbits(each, axis=2) for each in falls]
     count = 0
     for p in range(len(matrix) - 1):
-        found: Any = 255
-        beaten: Any = True  # by the later rows more than by row p
-        for (values, least), one, other in zip(compared, first, later, strict=True):
+        found: Any = True
+        for (values, least), fall in zip(compared, falls, strict=True):
             gain = values[p] - values[p + 1 :]
-            found = found & other[p + 1 :] & one[p] & np.packbits(gain > least, axis=1)[:, None]
-            beaten = beaten & (-gain > least)
-        count += int(_ONES[found[beaten]].sum(dtype=np.int64))
+            cross = (gain > least)[:, :, None] & (-gain > least)[:, None, :]
+            found = found & fall[p] & fall[p + 1 :].swapaxes(1, 2) & cross
+        count += int(found.sum())
     rows, columns = matrix.shape
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 

@@ -392,7 +392,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     """Return the capture rates of a CSV file, and whether their last dimension is episodes."""
     lines = _lines(path)
     where, head = lines[0]
-    names = [cell.lower() for cell in head]
+    names = [cell.lower().replace(" ", "_") for cell in head]
     for at, row in lines:
         if len(row) != len(head):
             raise ValueError(

@@ -314,31 +314,25 @@ def right_of_way() -> Figure:
 # ---- Rules as a table ----------------------------------------------------------------------------
 
 COLUMNS = {
-    "variant": 0.5,
-    "agents move": 1.7,
-    "obstacle": 3.25,
-    "teammate": 4.55,
-    "evader": 5.85,
-    "pursuer": 7.15,
-    "capture by": 8.5,
-    "the captured": 9.85,
+    "variant": 0.7,
+    "agents move": 1.4,
+    "obstacle": 1.0,
+    "teammate": 1.0,
+    "adversary:\nthe evader": 1.0,
+    "adversary:\nthe pursuer": 1.0,
+    "capture by": 1.2,
+    "the captured": 1.1,
 }
-"""Heads of the columns, and the middle of each in tenths of the width."""
-GROUPS = {
-    "collision with": ("obstacle", "teammate"),
-    "collision of adversaries": ("evader", "pursuer"),
-}
-"""Heads above several columns: the first and the last of them."""
-WIDTH = 10.5
+"""Heads of the columns with their widths; those in the middle are what a collision is with."""
 ROW = 0.34
 """Height of a row, in inches."""
 
 FILLS = {
-    Outcome.DISAPPEAR: (colors.VERMILLION, colors.PAPER),
-    Outcome.REACH: (colors.SKY_BLUE, colors.INK),
-    Outcome.BOUNCE: (colors.GRID, colors.INK),
+    "disappears": (colors.VERMILLION, colors.PAPER),
+    "reaches": (colors.SKY_BLUE, colors.INK),
+    "bounces": (colors.GRID, colors.INK),
 }
-"""Colours of the outcomes: the ground and the text on it."""
+"""Colours of the outcomes, by the first words of their texts: the ground and the text on it."""
 
 
 def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
@@ -350,39 +344,37 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
         The rows, by name. The default is the nine variants.
     """
     check_some(rules, "row")
-    for name, each in rules.items():
-        check_instance(name, each, Rules)
+    rows = [_row(name, each) for name, each in rules.items()]
     figure = new_figure(9.2, 1.15 + ROW * len(rules), shrinks=False)
     axes = figure.add_subplot()
-    axes.set(xlim=(0, WIDTH), ylim=(len(rules) - 0.5, -2.1))
     axes.set_axis_off()
-    for head, place in COLUMNS.items():
-        _write(axes, place, -1.0, head, fontweight="bold")
-    for head, (first, last) in GROUPS.items():
-        left, right = COLUMNS[first], COLUMNS[last]
-        _write(axes, (left + right) / 2, -1.85, head, color=colors.MUTED)
-        axes.plot([left - 0.55, right + 0.55], [-1.45] * 2, color=colors.MUTED, linewidth=0.8)
-    axes.plot([0, WIDTH], [-0.55] * 2, color=colors.INK, linewidth=1.0)
-    for row, (name, each) in enumerate(rules.items()):
-        _write_row(axes, row, name, each)
+    widths = np.array([*COLUMNS.values()]) / sum(COLUMNS.values())
+    table = axes.table(
+        rows, colLabels=[*COLUMNS], colWidths=widths, cellLoc="center", bbox=(0, 0, 1, 1)
+    )
+    table.auto_set_font_size(False)
+    for (row, column), cell in table.get_celld().items():
+        text = cell.get_text()
+        ground, ink = FILLS.get(text.get_text(), (colors.PAPER, colors.INK))
+        bold = row == 0 or column == 0
+        cell.set(facecolor=ground, edgecolor=colors.PAPER, linewidth=3)
+        cell.set_height(2.0 if row == 0 else 1.0)
+        text.set(color=ink, size="small", fontweight="bold" if bold else "normal")
     axes.set_title("The rules of the variants" if rules is VARIANTS else "The rules")
     return figure
 
 
-def _write_row(axes: Axes, row: int, name: str, rules: Rules) -> None:
-    if row:
-        axes.plot([0, WIDTH], [row - 0.5] * 2, color=colors.GRID, linewidth=0.8)
-    _write(axes, COLUMNS["variant"], row, f"-{name}" if name in VARIANTS else name, weight="bold")
-    _write(axes, COLUMNS["agents move"], row, INTERACTION_TEXTS[rules.interaction])
-    for field in ("obstacle", "teammate", "evader", "pursuer"):
-        outcome, place = getattr(rules, field), COLUMNS[field]
-        ground, ink = FILLS[outcome]
-        _draw_box(axes, (place - 0.5, row - 0.3), (1.0, 0.6), 0.12, facecolor=ground, linewidth=0)
-        # The first word: reaches, bounces, disappears.
-        _write(axes, place, row, OUTCOME_TEXTS[outcome].split()[0], color=ink)
-    _write(axes, COLUMNS["capture by"], row, CAPTURE_TEXTS[rules.capture])
+def _row(name: str, rules: Rules) -> list[str]:
+    check_instance(name, rules, Rules)
+    outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
     fate = ("disappear" if rules.removes_captured else "stay") if rules.captures else "none"
-    _write(axes, COLUMNS["the captured"], row, fate)
+    return [
+        f"-{name}" if name in VARIANTS else name,
+        INTERACTION_TEXTS[rules.interaction],
+        *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
+        CAPTURE_TEXTS[rules.capture],
+        fate,
+    ]
 
 
 # ---- Interaction models --------------------------------------------------------------------------
