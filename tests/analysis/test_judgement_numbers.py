@@ -13,6 +13,7 @@ from matrixworld.analysis.measures import over_runs
 from matrixworld.analysis.progress import one_sidedness
 from matrixworld.analysis.strength import (
     gain_of_runs,
+    late_forgetting_over_episodes,
     strength_change,
     strength_gain,
 )
@@ -183,13 +184,13 @@ def test_forgetting_agrees_with_its_definition(matrix: np.ndarray) -> None:
         assert found.evaders[h] == pytest.approx(np.mean(drops))
 
 
-def test_held_out_forgetting_by_hand() -> None:
+def test_late_forgetting_of_two_sets_of_episodes_by_hand() -> None:
     one = np.array([[0.9], [0.2], [0.5]])
     other = np.array([[0.6], [0.7], [0.1]])
     # `one` chooses row 0 always; measured 0, .6 - .7, .6 - .1. `other` chooses rows 0, 1, 1;
-    # measured 0, 0, .2 - .5.
-    found = analysis.forgetting(one, other).pursuers
-    np.testing.assert_allclose(found, [0.0, (-0.1 + 0.0) / 2, (0.5 - 0.3) / 2])
+    # measured 0, 0, .2 - .5. The later half is the last two.
+    found = late_forgetting_over_episodes((one, other), np.zeros((3, 1)), slice(0, 3), 0.95)
+    assert found.biased_low == pytest.approx(((-0.1 + 0.0) / 2 + (0.5 - 0.3) / 2) / 2)
 
 
 # ---- One-sidedness and several runs --------------------------------------------------------------

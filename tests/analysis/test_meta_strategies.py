@@ -1,4 +1,4 @@
-"""Meta-solvers: by hand, against SciPy, and against OpenSpiel where it is installed."""
+"""Meta-solvers: by hand, and against SciPy."""
 
 import numpy as np
 import pytest
@@ -73,31 +73,7 @@ def test_rectified_nash_by_hand() -> None:
     np.testing.assert_allclose(rectified_nash([[0.7, 0.5], [0.5, 0.7]]), [0.0, 1.0], atol=1e-9)
 
 
-def test_meta_strategies_are_those_of_openspiel() -> None:
-    pytest.importorskip("pyspiel", reason="open_spiel is not installed")
-    from open_spiel.python.algorithms import projected_replicator_dynamics as theirs
-    from open_spiel.python.algorithms.psro_v2.meta_strategies import META_STRATEGY_METHODS
-
-    rng = np.random.default_rng(0)
-    for shape in ((2, 2), (3, 5), (8, 7)):
-        matrix = rng.random(shape)
-        solver = type("Solver", (), {"get_meta_game": lambda self, m=matrix: [m, -m]})()
-        expected = META_STRATEGY_METHODS["nash"](solver)
-        # Random payoffs have one equilibrium.
-        np.testing.assert_allclose(META_SOLVERS["nash"](matrix), expected[1], atol=1e-6)
-        for least in (1e-6, 0.05):
-            same = {"prd_iterations": 500, "prd_dt": 0.02, "prd_gamma": least}
-            means = theirs.projected_replicator_dynamics([matrix, -matrix], **same)
-            found = projected_replicator_dynamics(matrix, steps=500, rate=0.02, least=least)
-            np.testing.assert_allclose(found[0], means[0], atol=1e-9)
-            np.testing.assert_allclose(found[1], means[1], atol=1e-9)
-
-
 # The loop with exact responses
-
-
-def uniform(payoff: np.ndarray) -> np.ndarray:
-    return np.full(payoff.shape[1], 1.0 / payoff.shape[1])
 
 
 def loop(game: np.ndarray, solver: MetaSolver, rounds: int) -> tuple[list[float], np.ndarray]:
@@ -128,15 +104,6 @@ def test_double_oracle_ends_in_an_equilibrium() -> None:
     gaps, p = loop(ladder(4), META_SOLVERS["nash"], 13)
     assert gaps[-1] < 1e-6
     np.testing.assert_allclose(p[-3:], [1 / 3] * 3, atol=1e-6)  # the highest cycle has all weight
-
-
-def test_fictitious_play_falls_as_one_over_the_root_of_its_rounds() -> None:
-    """The rate that Karlin (1959) expected; double oracle needs three rounds."""
-    gaps, _ = loop(ROCK_PAPER_SCISSORS, uniform, 400)
-    rounds = np.arange(1, 401)
-    assert (np.array(gaps) * np.sqrt(rounds) < 3.0).all()
-    slope = np.polyfit(np.log(rounds[20:]), np.log(np.array(gaps)[20:]), 1)[0]
-    assert -0.7 < slope < -0.3
 
 
 def test_rectified_responses_miss_an_equilibrium() -> None:

@@ -108,7 +108,7 @@ def test_lag_profile_is_solid_where_it_rests_on_enough_cells() -> None:
 
 def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     rates, learners = [0.5, 0.9, 0.2, 0.8], [0, 0, 1, 0]
-    figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2], unit="team phase")
+    figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2])
     (axes,) = figure.axes
     shade, curve, _ = axes.collections
     # From half an epoch before the evaders' one to half an epoch after it.

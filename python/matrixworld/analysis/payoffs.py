@@ -19,7 +19,7 @@ from typing import Any, Generic, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import check_bool, check_floats, check_integer, check_real
+from matrixworld._util.checks import check_bool, check_floats, check_integer
 from matrixworld._util.files import DamagedFileError, read_content, read_npz
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
@@ -28,7 +28,7 @@ Rates = NDArray[np.float64]
 OfTeam = TypeVar("OfTeam")
 
 SHRINKAGE = 0.01
-"""Default shrinkage towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
+"""Shrinkage towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
 ROUNDING = 1e-9
 """Sums of rates may leave [0, 1] by this."""
 GENERATIONS_TO_JUDGE = 6
@@ -231,22 +231,20 @@ def swap_teams(payoff: ArrayLike) -> Rates:
     return swapped
 
 
-def logits(payoff: ArrayLike, *, shrinkage: float = SHRINKAGE) -> Rates:
-    """Return the logits ``log(x / (1 - x))`` of ``x = s + (1 - 2 s) M``, with the shrinkage s.
+def logits(matrix: Rates) -> Rates:
+    """Return the logits ``log(x / (1 - x))`` of shrunken rates.
 
     Shrinking keeps the order of all cells; clipping would make cells near 0 or 1 equal.
     """
-    x = shrink(check_payoff(payoff), shrinkage)
+    x = shrink(matrix)
     # log1p keeps its digits for rates close to 0.
     odds: Rates = np.log(x) - np.log1p(-x)
     return odds
 
 
-def shrink(rates: Rates, shrinkage: float) -> Rates:
+def shrink(rates: Rates) -> Rates:
     """Return rates moved towards 1/2, away from 0 and 1."""
-    wanted = 0.0 < check_real("shrinkage", shrinkage) < 0.5
-    require(wanted, "a shrinkage in (0, 0.5)", shrinkage)
-    return shrinkage + (1.0 - 2.0 * shrinkage) * rates
+    return SHRINKAGE + (1.0 - 2.0 * SHRINKAGE) * rates
 
 
 def require(condition: bool, expected: str, received: object) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_integer, check_number
+from matrixworld._util.checks import check_floats, check_integer
 from matrixworld._util.readable import Readable
 from matrixworld.analysis.intervals import LEVEL, check_level, t_quantile
 from matrixworld.analysis.payoffs import (
@@ -25,7 +25,7 @@ from matrixworld.analysis.payoffs import (
 ELO_POINTS = 400.0 / math.log(10.0)
 """Points of the chess scale for one unit of these ratings, a natural logit."""
 RIDGE = 1e-3
-"""Default weight of the squared ratings in the fit."""
+"""Weight of the squared ratings in the fit."""
 
 _MOST_STEPS = 100
 _TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates
@@ -36,15 +36,14 @@ class Elo(Readable):
     """Ratings: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
 
     `pursuers` (n,) and `evaders` (m,) are in natural logits, sum 0; higher captures, and escapes,
-    more. The `offset` is the advantage of the pursuers in the game itself, the `shrinkage` that of
-    the rates before the fit. `u` (n, 2 cycles): style of each pursuer generation, strongest
-    dimension first; `v` (m, 2 cycles): weakness of each evader generation against these styles.
+    more. The `offset` is the advantage of the pursuers in the game itself. `u` (n, 2 cycles): style
+    of each pursuer generation, strongest dimension first; `v` (m, 2 cycles): weakness of each
+    evader generation against these styles.
     """
 
     pursuers: Rates
     evaders: Rates
     offset: float
-    shrinkage: float
     u: Rates
     v: Rates
 
@@ -56,13 +55,11 @@ class Elo(Readable):
 
     def predict(self) -> Rates:
         """Return predicted capture rates in [0, 1], shape (n, m)."""
-        rates = (_sigmoid(self.logits) - self.shrinkage) / (1.0 - 2.0 * self.shrinkage)
+        rates = (_sigmoid(self.logits) - SHRINKAGE) / (1.0 - 2.0 * SHRINKAGE)
         return np.clip(rates, 0.0, 1.0)
 
 
-def elo(
-    payoff: ArrayLike, *, cycles: int = 0, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
-) -> Elo:
+def elo(payoff: ArrayLike, *, cycles: int = 0) -> Elo:
     """Fit Elo ratings of both teams to a payoff matrix, and cycles beside them (mElo).
 
     All matches enter at once, so their order does not matter. The ratings are the same with cycles.
@@ -73,38 +70,32 @@ def elo(
     cycles : int, optional
         Number of cycles k, ``0 <= 2 k <= min(n, m)``. Rock-paper-scissors needs one; with
         ``2 k = min(n, m)`` every cell is reproduced.
-    ridge : float, optional
-        Weight of the squared ratings, finite and at least 0.
-    shrinkage : float, optional
-        Shrinkage s before the fit, in (0, 1/2). It keeps the ratings of generations finite that win
-        or lose all matches.
 
     Notes
     -----
     The fit minimises the cross entropy of P with ``x = s + (1 - 2 s) M``, summed over cells, plus
-    ``ridge / 2`` times the sum of the squared ratings. The residual of the ratings on the logits is
-    approximated by its 2 k largest singular values, each divided evenly between u and v.
+    ``r / 2`` times the sum of the squared ratings. The shrinkage s = .01 keeps the ratings of
+    generations finite that win or lose all matches, and the ridge r = .001 those of others unique.
+    The residual of the ratings on the logits is approximated by its 2 k largest singular values,
+    each divided evenly between u and v.
 
     References
     ----------
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
     "Re-evaluating evaluation": the batch form, and mElo.
     """
-    ridge = check_number("ridge", ridge, least=0.0)
-    values = logits(payoff, shrinkage=shrinkage)
-    rows, columns = values.shape
-    most = min(values.shape) // 2
-    check_integer("cycles", cycles, 0, most)
-    rates = shrink(check_payoff(payoff), shrinkage)
+    matrix = check_payoff(payoff)
+    rows, columns = matrix.shape
+    check_integer("cycles", cycles, 0, min(rows, columns) // 2)
     # a: pursuers, b: evaders, in natural logits.
-    a, b, offset = np.split(_fit(rates, ridge), [rows, rows + columns])
+    a, b, offset = np.split(_fit(shrink(matrix)), [rows, rows + columns])
     # Ratings are defined up to a constant, so they are centred and the offset absorbs the means.
     shift = float(offset[0]) + float(a.mean()) - float(b.mean())
     none = np.empty((rows, 0)), np.empty((columns, 0))
-    ratings = Elo(a - a.mean(), b - b.mean(), shift, shrinkage, *none)
+    ratings = Elo(a - a.mean(), b - b.mean(), shift, *none)
     if cycles == 0:
         return ratings
-    left, sizes, right = np.linalg.svd(values - ratings.logits, full_matrices=False)
+    left, sizes, right = np.linalg.svd(logits(matrix) - ratings.logits, full_matrices=False)
     kept = slice(0, 2 * cycles)
     # The sign of a singular pair is arbitrary: make the largest entry of each column of u positive.
     largest = np.take_along_axis(left, np.abs(left).argmax(axis=0)[None], axis=0)
@@ -163,8 +154,8 @@ def _with_variances(scores: Rates) -> tuple[Rates, Rates]:
     """Return the ratings of pursuers, then evaders, in points, and their variances (n + m,)."""
     rows, columns, episodes = scores.shape
     matrix = scores.mean(axis=2)
-    found, rates = elo(matrix), shrink(matrix, SHRINKAGE)
-    _, _, curvature = _loss(_fit(rates, RIDGE), rates, RIDGE)
+    found, rates = elo(matrix), shrink(matrix)
+    _, _, curvature = _loss(_fit(rates), rates)
     changes = (1.0 - 2.0 * SHRINKAGE) * (scores - matrix[:, :, None])
     by_row, by_column = changes.sum(axis=1), changes.sum(axis=0)
     gradients = np.concatenate([by_row, -by_column, by_row.sum(axis=0)[None]])
@@ -208,32 +199,30 @@ def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:
     return max(0.0, loss)  # rounding may leave a perfect prediction just below
 
 
-def _fit(rates: Rates, ridge: float) -> Rates:
+def _fit(rates: Rates) -> Rates:
     """Return parameters (a, b, offset) by Newton's method, halving steps that do not descend."""
     rows, columns = rates.shape
     parameters: Rates = np.zeros(rows + columns + 1)
     for _ in range(_MOST_STEPS):
-        loss, gradient, curvature = _loss(parameters, rates, ridge)
+        loss, gradient, curvature = _loss(parameters, rates)
         if np.abs(gradient).max() < _TOLERANCE:
             break
-        # Without a ridge the constant between ratings and offset is free and the Hessian is
-        # singular: least squares takes the shortest step.
         step = np.linalg.lstsq(curvature, -gradient, rcond=None)[0]
         # A full Newton step may overshoot where rates are close to 0 or 1 and the Hessian is flat.
         size = 1.0
-        while size > 1e-9 and _loss(parameters + size * step, rates, ridge)[0] > loss:
+        while size > 1e-9 and _loss(parameters + size * step, rates)[0] > loss:
             size /= 2.0
         parameters += size * step
     return parameters
 
 
-def _loss(parameters: Rates, rates: Rates, ridge: float) -> tuple[float, Rates, Rates]:
+def _loss(parameters: Rates, rates: Rates) -> tuple[float, Rates, Rates]:
     """Return the penalised cross entropy, its gradient and its Hessian."""
     rows, columns = rates.shape
     a, b, offset = np.split(parameters, [rows, rows + columns])
     x = a[:, None] - b + offset
     p = _sigmoid(x)
-    penalty = np.append(np.full(rows + columns, ridge), 0.0)  # the offset is free
+    penalty = np.append(np.full(rows + columns, RIDGE), 0.0)  # the offset is free
     # Cross entropy in terms of logits, which does not take the logarithm of a rate of 0.
     loss = float(np.sum(np.logaddexp(0.0, x) - rates * x) + penalty @ parameters**2 / 2)
     error, weight = p - rates, p * (1.0 - p)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_ends, t_quantile
-from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, require, swap_teams
+from matrixworld.analysis.payoffs import ByTeam, Rates, check_payoff, swap_teams
 
 GRID = 40
 """Values of each standard deviation over which the posterior is summed."""
@@ -189,31 +189,21 @@ def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rate
 # ---- Forgetting ----------------------------------------------------------------------------------
 
 
-def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> ByTeam[Rates]:
+def forgetting(payoff: ArrayLike) -> ByTeam[Rates]:
     """Return how far each generation falls below the best of its ancestors, over all opponents.
 
-    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
-    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
-    mean nothing. With held-out episodes there is no such bias: one set chooses the best ancestor
-    and the other one measures, then they change roles. Pure noise then gives 0 on average.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-    held_out : array_like of float, shape (n, m), optional
-        Capture rates of the same pairs in other episodes.
+    For pursuers of generation g in `payoff` (n, m): mean over h of ``max(M[:g + 1, h]) - M[g, h]``;
+    for evaders the same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a
+    few hundredths mean nothing; ``MEASURES["pursuer_forgetting"]`` allows for it.
 
     References
     ----------
     Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
     at the end of training only.
     """
-    first = check_payoff(payoff)
-    second = first if held_out is None else check_payoff(held_out)
-    require(first.shape == second.shape, f"two matrices of shape {first.shape}", second.shape)
-    pairs = ((first, second), (swap_teams(first), swap_teams(second)))
-    # Each set of episodes chooses once and measures once, so that no episode is wasted.
-    return ByTeam(*((_drops(a, b) + _drops(b, a)) / 2.0 for a, b in pairs))
+    matrix = check_payoff(payoff)
+    swapped = swap_teams(matrix)
+    return ByTeam(_drops(matrix, matrix), _drops(swapped, swapped))
 
 
 def late_forgetting(payoff: Rates, generations: slice) -> float:
@@ -230,9 +220,10 @@ def late_forgetting_over_episodes(
     """Return `late_forgetting` without selection bias, with an interval over episodes.
 
     The halves (n, m) are payoffs of the row team in two sets of episodes of equal size, the noise
-    (n, m) is the variance of the mean of both. The number is that of `forgetting` with held-out
-    episodes, which is not too high on average; `biased_high` is `late_forgetting`, which is not too
-    low. The interval reaches from below the first to above the second.
+    (n, m) is the variance of the mean of both. One set chooses the best ancestors and the other one
+    measures, then they change roles: the number is not too high on average. `biased_high` is
+    `late_forgetting`, which is not too low. The interval reaches from below the first to above the
+    second.
     """
     (first, second), late = halves, _later_half(generations)
     value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[late].mean())

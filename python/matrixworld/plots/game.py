@@ -32,6 +32,7 @@ from matplotlib.patches import (
     RegularPolygon,
 )
 from matplotlib.patheffects import withStroke
+from matplotlib.transforms import Bbox
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_instance
@@ -348,9 +349,9 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
     figure = new_figure(9.2, 1.15 + ROW * len(rules), shrinks=False)
     axes = figure.add_subplot()
     axes.set_axis_off()
-    widths = np.array([*COLUMNS.values()]) / sum(COLUMNS.values())
+    widths = [width / sum(COLUMNS.values()) for width in COLUMNS.values()]
     table = axes.table(
-        rows, colLabels=[*COLUMNS], colWidths=widths, cellLoc="center", bbox=(0, 0, 1, 1)
+        rows, colLabels=[*COLUMNS], colWidths=widths, cellLoc="center", bbox=Bbox.unit()
     )
     table.auto_set_font_size(False)
     for (row, column), cell in table.get_celld().items():

@@ -30,7 +30,6 @@ def training_curve(
     *,
     generations: ArrayLike | None = None,
     window: int = 1,
-    unit: str = "epoch",
     title: str = "Capture rate while pursuers and evaders learn in turn",
 ) -> Figure:
     """Draw the capture rate over training, coloured by the team that learns.
@@ -38,7 +37,7 @@ def training_curve(
     Parameters
     ----------
     rates : array_like of float, shape (T,)
-        Capture rate at each `unit`.
+        Capture rate at each epoch.
     learners : array_like of int, shape (T,), or None
         0 where the pursuers learn, 1 where the evaders learn. None if both learn all the time.
     generations : array_like of int, shape (T,), optional
@@ -46,8 +45,6 @@ def training_curve(
     window : int, optional
         Points of a centred moving average (the paper's figure uses 30). With more than 1 the raw
         curve is drawn thin behind the mean.
-    unit : str, optional
-        Label of the axis, such as "epoch" or "team phase".
     title : str, optional
     """
     values = check_rates(rates, ndim=1, what="training capture rates")
@@ -70,7 +67,7 @@ def training_curve(
     if len(values) <= _MARKED:
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
     axes.set_title(style.fitting(figure, title))
-    axes.set(xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
+    axes.set(xlabel="epoch", ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
@@ -83,8 +80,8 @@ def training_curve(
         if color in shades
     }
     if window > 1:
-        entries[f"each {unit}"] = Line2D([], [], color=colors.MUTED, alpha=0.5, linewidth=0.6)
-        entries[f"mean of {window} {unit}s"] = Line2D([], [], color=colors.MUTED, linewidth=1.6)
+        entries["each epoch"] = Line2D([], [], color=colors.MUTED, alpha=0.5, linewidth=0.6)
+        entries[f"mean of {window} epochs"] = Line2D([], [], color=colors.MUTED, linewidth=1.6)
     if entries:
         style.legend_below(figure, entries, columns=4)
     return figure
