@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -33,9 +33,8 @@ sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 from bench_page import races_in_node
 
 SEEDS, QUICK_SEEDS = 50, 3
-SHORT: Mapping[str, Any] = {"schedule.generations": 8, "evaluation_episodes": 4}
+SHORT: Mapping[str, Any] = {"schedule.generations": 6, "evaluation_episodes": 4}
 KINDS = {
-    "specialists, es": ("specialist-specialist", ES),
     "generalists, es": ("generalist-generalist", ES),
     "generalists, ga": ("generalist-generalist", GA),
     "halls of fame, es": ("hall-of-fame", ES),
@@ -76,10 +75,13 @@ def of_python(race: RaceSettings) -> list[float]:
         return [capture, *(against_scripts(run, team) for team in TEAMS)]
 
 
-def of_page(race: RaceSettings) -> list[float]:
-    """Play a race as the page does and return its `SCORES`."""
-    (told,) = races_in_node([race])
-    return [told["capture"], *(float(np.mean(told["scores"][team])) for team in TEAMS)]
+def of_pages(races: Sequence[RaceSettings]) -> list[list[float]]:
+    """Play races as the page does and return the `SCORES` of each."""
+    played = races_in_node(races)
+    return [
+        [each["capture"], *(float(np.mean(each["scores"][team])) for team in TEAMS)]
+        for each in played
+    ]
 
 
 def play(seeds: int) -> dict[str, FloatArray]:
@@ -88,9 +90,8 @@ def play(seeds: int) -> dict[str, FloatArray]:
     for kind, (schedule, learner) in KINDS.items():
         race = race_of(schedule, learner).changed(SHORT)
         races = [race.changed({"seed": seed}) for seed in range(seeds)]
-        for name, scores_of in (("Python", of_python), ("page", of_page)):
-            scores = [scores_of(each) for each in tqdm(races, f"{kind}, {name}")]
-            numbers[f"{kind} / {name}"] = np.array(scores)
+        numbers[f"{kind} / Python"] = np.array([of_python(each) for each in tqdm(races, kind)])
+        numbers[f"{kind} / page"] = np.array(of_pages(races))
     return numbers
 
 

@@ -14,32 +14,21 @@ function select(options: readonly Option[], change: (value: string) => void): HT
 }
 
 function field(name: string, about: string, control: HTMLElement, style = ""): HTMLElement {
-  return html("label", { class: `field ${style}` }, html("span", { class: "field-name" }, name), control, html("span", { class: "small muted" }, about));
-}
-
-/** A slider with its number. */
-function slider(change: (value: number) => void): { element: HTMLElement; show: (value: number) => void } {
-  const [range, number] = [html("input", { type: "range", min: 1, max: MOST_AGENTS, step: 1 }), html("output", { class: "numbers" })];
-  range.addEventListener("input", () => (number.textContent = range.value));
-  range.addEventListener("change", () => change(Number(range.value)));
-  return {
-    element: html("span", { class: "slider" }, range, number),
-    show: (value) => {
-      range.value = number.textContent = String(value);
-    },
-  };
+  return html("label", { class: `field ${style}`, title: about }, html("span", { class: "field-name" }, name), control, html("span", { class: "about small muted" }, about));
 }
 
 /** What a control asks for: another choice, and whether it needs a new race. */
 export type Ask = (change: Partial<Choice>, anew?: boolean) => void;
 
-/** Return the controls, and what shows a choice in them. */
-export function controls(ask: Ask): { element: HTMLElement; show: (choice: Choice) => void } {
+/** Return the controls of the race that goes on, those of a new one, and what shows a choice in both. */
+export function controls(ask: Ask): { now: HTMLElement; anew: HTMLElement; show: (choice: Choice) => void } {
   const schedules = Object.entries(SCHEDULES);
   const schedule = select(schedules, (value) => ask({ schedule: value }));
   const beside = select([["", "Nothing"], ...schedules], (value) => ask({ beside: value || null }, true));
-  const [pursuers, evaders] = [slider((value) => ask({ pursuers: value })), slider((value) => ask({ evaders: value }))];
-  const view = select(VIEWS.map((size) => [size, `${size} x ${size} cells`]), (value) => ask({ view: Number(value), ...(Number(value) < LEAST_VIEW ? { way: false } : {}) }));
+  const counts = Array.from({ length: MOST_AGENTS }, (_, i): Option => [i + 1, String(i + 1)]);
+  const pursuers = select(counts, (value) => ask({ pursuers: Number(value) }));
+  const evaders = select(counts, (value) => ask({ evaders: Number(value) }));
+  const view = select(VIEWS.map((size) => [size, `${size} x ${size}`]), (value) => ask({ view: Number(value), ...(Number(value) < LEAST_VIEW ? { way: false } : {}) }));
   const way = html("input", { type: "checkbox" });
   way.addEventListener("change", () => ask({ way: way.checked, ...(way.checked ? { view: Math.max(LEAST_VIEW, Number(view.value)) } : {}) }));
   const population = select([[0, "usual"], ...POPULATIONS.map((size): Option => [size, String(size)])], (value) => ask({ population: Number(value) }));
@@ -48,26 +37,25 @@ export function controls(ask: Ask): { element: HTMLElement; show: (choice: Choic
   const seed = html("input", { type: "number", min: 0, max: MOST_SEED, step: 1, inputmode: "numeric" });
   seed.addEventListener("change", () => ask({ seed: Math.min(MOST_SEED, Math.max(0, Math.round(Number(seed.value)) || 0)) }, true));
   const another = html("button", { type: "button", onclick: () => ask({ seed: Math.floor(Math.random() * 1000) }, true) }, "Another seed");
-  const element = html("section", { class: "card controls", "aria-label": "Settings" },
-    html("fieldset", {}, html("legend", {}, "Change it while it evolves"),
+  const card = (title: string, ...fields: HTMLElement[]): HTMLElement =>
+    html("section", { class: "card controls", "aria-label": title }, html("fieldset", {}, html("legend", {}, title), ...fields));
+  return {
+    now: card("Change it while it evolves",
       field("Opponents", "whom the teams meet while they learn", schedule, "wide"),
-      field("Pursuers", "triangles", pursuers.element),
-      field("Evaders", "discs", evaders.element),
-      field("View", "the square that an agent sees", view),
+      field("Pursuers", "triangles", pursuers),
+      field("Evaders", "discs", evaders),
+      field("View", "cells that an agent sees around itself", view),
       field("Right of way", "agents never take a move that could put them at fault", html("span", {}, way)),
       field("Population", "candidates that are compared at a time", population),
       field("Steps", "of a match", steps)),
-    html("fieldset", {}, html("legend", {}, "Begin anew with"),
+    anew: card("Begin anew",
       field("Side by side with", "a second race of the same seed", beside, "wide"),
-      field("Learner", "how a team learns", learner),
-      field("Seed", "the luck of the race", html("span", { class: "seed" }, seed, another))));
-  return {
-    element,
+      field("Learner", "how a team learns", learner, "wide"),
+      field("Seed", "the luck of the race", html("span", { class: "seed" }, seed, another), "wide")),
     show: (choice) => {
       [schedule.value, beside.value, view.value, learner.value] = [choice.schedule, choice.beside ?? "", String(choice.view), choice.learner];
       [population.value, steps.value, seed.value, way.checked] = [String(choice.population), String(choice.steps), String(choice.seed), choice.way];
-      pursuers.show(choice.pursuers);
-      evaders.show(choice.evaders);
+      [pursuers.value, evaders.value] = [String(choice.pursuers), String(choice.evaders)];
     },
   };
 }

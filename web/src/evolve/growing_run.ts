@@ -2,7 +2,7 @@
 
 import { keepGenomes } from "../explorer/data.ts";
 import type { Band, Curve, Findings, Payoff, Run, TeamData } from "../explorer/data.ts";
-import type { WorldConfig } from "../engine/types.ts";
+import type { NetworkPolicy, WorldConfig } from "../engine/types.ts";
 import { policyOf } from "./network.ts";
 import type { Mask } from "./network.ts";
 import { joined, shapeOf } from "./race.ts";
@@ -66,6 +66,11 @@ export class GrowingRun implements Run {
       return { script: null, network: { ...network, genome_size: genome.length }, kept: [...this.genomes[team].keys()], genomes };
     };
     return { pursuer: of("pursuer"), evader: of("evader") };
+  }
+
+  /** Return what plays for a team: a generation in the present world. */
+  policy(team: Team, generation: number): NetworkPolicy {
+    return policyOf(shapeOf(this.#settings, this.#masks, team), this.genomes[team][generation]!);
   }
 
   add(genomes: OfTeams<Float32Array>): void {

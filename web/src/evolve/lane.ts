@@ -12,11 +12,9 @@ import type { EvolveData } from "./data.ts";
 import { scheduleName } from "./data.ts";
 import { GrowingRun } from "./growing_run.ts";
 import { generalization, lateForgetting } from "./measures.ts";
-import { policyOf } from "./network.ts";
-import { FIXED, Race, shapeOf } from "./race.ts";
+import { FIXED, Race } from "./race.ts";
 import type { Cell, OfTeams } from "./race.ts";
 import type { Finished } from "./save.ts";
-import { evaluationSeed } from "./seeds.ts";
 import { TEAMS } from "./settings.ts";
 import type { RaceSettings } from "./settings.ts";
 import type { Order, Told } from "./worker.ts";
@@ -137,11 +135,12 @@ export class Lane extends EventTarget {
     if (told.type === "generation") {
       if (this.state !== "evolving") return;
       this.#run.add(told.genomes);
-      if (this.#follows) this.#store.select({ pursuer: told.number, evader: told.number });
       this.#renew(told.number === 0);
     } else if (told.type === "cell") {
+      const { pursuer, evader } = told.cell;
       this.#run.addCell(told.cell);
-      this.#cells.set(`${told.cell.pursuer} ${told.cell.evader}`, told.cell);
+      if (this.#follows && pursuer === evader && pursuer === this.#run.newest) this.#store.select({ pursuer, evader });
+      this.#cells.set(`${pursuer} ${evader}`, told.cell);
     } else if (told.type === "scores") {
       for (const team of TEAMS) this.#scores[team][told.number] = told.scores[team];
     } else if (told.type === "anew") {
@@ -227,16 +226,14 @@ export class Lane extends EventTarget {
   #match(pursuer: number): Match | null {
     const evader = this.#run.newest;
     if (evader < 0 || pursuer < 0) return null;
-    const genomes = { pursuer: this.#run.genomes.pursuer[pursuer]!, evader: this.#run.genomes.evader[evader]! };
-    const config = this.#run.world;
-    const settings = { ...this.settings, world: config };
-    const [pursuers, evaders] = TEAMS.map((team) => policyOf(shapeOf(settings, this.#data.masks, team), genomes[team])) as [ReturnType<typeof policyOf>, ReturnType<typeof policyOf>];
-    const episode = this.#episode++ % settings.evaluation_episodes;
-    this.newest.title.textContent = evader ? "Newest pursuers, newest evaders" : "Generation 0: nobody has learned anything yet";
+    const { world, payoff, seeds } = this.#run;
+    const episode = this.#episode++ % payoff.episodes;
+    this.newest.title.textContent = evader ? "Newest against newest" : "Generation 0: nobody has learned anything yet";
     this.beginning.title.textContent = "Generation 0 pursuers, newest evaders";
     for (const chase of [this.newest, this.beginning]) chase.generation = evader;
     for (const chase of [this.newest, this.beginning]) chase.label = `A match. ${chase.title.textContent}`;
-    return this.#engine.match(config, pursuers, evaders, evaluationSeed(settings.seed, pursuer, evader), episode);
+    const [pursuers, evaders] = [this.#run.policy("pursuer", pursuer), this.#run.policy("evader", evader)];
+    return this.#engine.match(world, pursuers, evaders, BigInt(seeds[pursuer]![evader]!), episode);
   }
 
   #renew(at_once: boolean): void {

@@ -61,7 +61,7 @@ class Page {
         themeButton()),
       html("main", {},
         html("div", { class: "start" }, this.#evolve, tools, html("div", { class: "progress" }, this.#progress, this.#status)),
-        this.#room, this.#controls.element,
+        this.#controls.now, this.#room, this.#controls.anew,
         html("div", { class: "card below" }, legend(),
           html("p", { class: "small muted" }, "The page plays and learns with the engine of matrixworld, in this browser; nothing is sent."),
           html("p", { class: "small muted of-saving" }, "A saved race is an archive: ", html("code", {}, "matrixworld judge"), ", ", html("code", {}, "explore"),

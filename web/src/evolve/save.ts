@@ -4,7 +4,6 @@
 import { strToU8, zipSync } from "fflate";
 import { writeNpz } from "../play/npz.ts";
 import type { NpyArray } from "../play/npz.ts";
-import { joined } from "./race.ts";
 import type { Cell, Race, Row } from "./race.ts";
 import { sha256 } from "./sha256.ts";
 import { TEAMS } from "./settings.ts";
@@ -123,6 +122,3 @@ export function archiveOf(races: readonly { readonly name: string; readonly race
 
 /** Return whether a race can be saved: it has a generation, and all cells between its generations. */
 export const canSave = (race: Finished): boolean => race.finished > 1 && race.cells.size >= race.finished ** 2 && TEAMS.every((team) => race.archive[team].length);
-
-/** Return genomes of a team for the page, one after the other. */
-export const genomesOf = (race: Finished, team: "pursuer" | "evader"): Float32Array => joined(race.archive[team]);
