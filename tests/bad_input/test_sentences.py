@@ -30,12 +30,13 @@ VALUES = [
     value(config(rows=0), "1 to 4096 | got 0"),
     kind(config(rows=3.0), "an integer | got 3.0"),
     kind(config(cols=True), "an integer | got True"),  # a bool is an int in Python
-    value(config(n_pursuers=12), "at most 12 agents | got 13"),
+    value(config(n_pursuers=12), "at least 13 cells for 12 pursuers and 1 evaders | got 3 x 4"),
     value(config(fov=4), "an odd number | got 4"),
     value(config(obstacles=1.0), "a number in [0, 1) | got 1.0"),
     value(config(obstacles=0.9), "at most 1 agents | got 3"),
     value(config(obstacles=np.zeros((4, 3), bool)), "shape (3, 4) | got (4, 3)"),
-    kind(config(obstacles=np.zeros((3, 4))), "dtype bool | got float64"),
+    kind(config(obstacles=np.zeros((3, 4))), "dtype bool, or 0 and 1 | got float64"),
+    value(config(obstacles=[[0, 2, 0, 0]] * 3), "0 (free) or 1 (obstacle) | got 2"),
     kind(lambda: mw.Rules(obstacle="B"), "a matrixworld.Outcome | 'B'"),
     value(lambda: mw.Rewards(evader_step=float("nan")), "a finite number | got nan"),
     value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
@@ -47,7 +48,7 @@ VALUES = [
     value(lambda: mw.Population(TEAM.genomes[:, :9], NETWORK), "shape (n >= 1, 329) | got (2, 9)"),
     value(lambda: mw.Population(SPOILT, NETWORK), "finite numbers | got nan (genome 1, number 17)"),
     kind(lambda: mw.Matches.of([0.0], 0, 0), "an integer | got 0.0"),
-    value(lambda: mw.Matches.of(0, [2, -1], 0), "0 to 2147483647 | got -1"),
+    value(lambda: mw.Matches.of(0, [2, -1], 0), "at least 0 | got -1"),
     value(lambda: mw.Matches.of([[0]], 0, 0), "one axis | got shape (1, 1)"),
     value(lambda: mw.rollout(CONFIG, "stalker", TEAM, MATCH), "one of random | got 'stalker'"),
     kind(lambda: mw.rollout(CONFIG, TEAM, GENOME, MATCH), "a Population, a TablePolicy | evaders"),
@@ -65,7 +66,7 @@ VALUES = [
     value(lambda: mw.read_map([]), "at least one row | got []"),
     value(lambda: mw.read_map(["...", ".."]), "3 cells as in row 0 | row 1"),
     value(lambda: mw.read_map(["..?", "..x"]), "'.GS' (free) or '#@OTW' (obstacle) | row 0"),
-    kind(lambda: mw.read_map([[True, False]]), "a bool array, rows of text or a path | True"),
+    kind(lambda: mw.read_map([[True], ["."]]), "a path, rows of text or an array | True"),
 ]
 
 
@@ -84,6 +85,7 @@ HEADER = "type octile\nheight 2\nwidth 3\nmap\n"
 FILES = [
     value("...\n.#.\n", "a MovingAI map | got ['...', '.#.']"),
     value(HEADER, "at least one row | got []"),
+    value(HEADER.replace("3", "-3") + "...\n...\n", "(2, -3) cells | got (2, 3)"),
     value(HEADER + "....\n....\n", "(2, 3) cells as in its header | got (2, 4)"),
     value(HEADER.replace("2", "two") + "...\n...\n", "(two, 3) cells | got (2, 3)"),
     value(HEADER + "..é\n...\n", "'.GS' (free) | row 0"),
@@ -99,17 +101,45 @@ def test_map_files(tmp_path: Path, call: str, error: type[Exception], says: str)
         mw.WorldConfig(obstacles=str(path))
 
 
+def test_maps_are_read_in_all_forms(tmp_path: Path) -> None:
+    expected = np.array([[False, False, True], [True, False, False]])
+    for same in (
+        "..#\n#..",
+        "\n..# \r\n#..\n",
+        ["..#", "#.. "],
+        [[0, 0, 1], [1, 0, 0]],
+        expected.astype(np.uint8),
+        expected.tolist(),
+    ):
+        np.testing.assert_array_equal(mw.read_map(same), expected)
+    path = tmp_path / "x.map"
+    for encoding in ("utf-8", "utf-8-sig", "utf-16"):
+        for header in (HEADER, HEADER.replace(" ", "\t  ") + "\n", HEADER.replace("2", "02 ")):
+            path.write_text(header + "..@ \r\nT..\n\n \n", encoding=encoding)
+            np.testing.assert_array_equal(mw.read_map(path), expected)
+
+
 WORLD_CALLS = [
     value(lambda w: w.step([0, 0]), "shape (3,) | got (2,)"),
-    kind(lambda w: w.step([0.0, 1, 2]), "integers | got dtype float64"),
+    kind(lambda w: w.step([0.0, 1, 2]), "an integer | got 0.0"),
+    kind(lambda w: w.step([[0, 1], 2, 0]), "an integer | got [0, 1]"),
+    kind(lambda w: w.step({0, 1, 2}), "an integer | got {0, 1, 2}"),
+    kind(lambda w: w.step(np.ma.array([0, 1, 2], mask=[0, 1, 0])), "an array of integers | masked"),
+    value(
+        lambda w: w.step([0, 2**63, np.uint64(1)]),
+        "-9223372036854775808 to 9223372036854775807 | got 9223372036854775808",
+    ),
     value(lambda w: w.step([0, -1, 0]), "0 to 4 | got -1 (world 0, agent 1)"),
     value(lambda w: w.step([mw.Action.NORTHEAST, 0, 0]), "0 to 4 | got 5 (world 0, agent 0)"),
-    value(lambda w: w.step(np.array([2**64 - 1, 0, 0], np.uint64)), "0 to 4 | got 92233720"),
+    value(
+        lambda w: w.step(np.array([2**64 - 1, 0, 0], np.uint64)),
+        "-9223372036854775808 to 9223372036854775807 | got 18446744073709551615",
+    ),
     value(lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
     value(lambda w: w.reset(episode=3), "a seed with it | got episode 3"),
     value(lambda w: w.reset(evaders=[[0, 1, 2]]), "shape (1, 2) | (1, 3)"),
     value(lambda w: w.reset(pursuers=[[1, 2], [1, 2]]), "distinct cells | two agents on (1, 2)"),
-    value(lambda w: w.reset(evaders=[[2**40, 0]]), "a cell of the 3 x 4 | (2147483647, 0)"),
+    value(lambda w: w.reset(evaders=[[2**40, 0]]), "-2147483648 to 2147483647 | got 1099511627776"),
     value(
         lambda w: w.reset(evaders=[[1, 1]], obstacles=["....", ".#..", "...."]),
         "a free cell | position (1, 1)",
@@ -137,7 +167,7 @@ def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], 
 ZEROS = np.zeros((2, 3), int)
 BATCH_CALLS = [
     value(lambda b: b.step(ZEROS[0]), "shape (2, 3) | got (3,)"),
-    kind(lambda b: b.step(ZEROS * 1.0), "integers | got dtype float64"),
+    kind(lambda b: b.step(ZEROS * 1.0), "an integer | got 0.0"),
     value(lambda b: b.step([[0, 0, 0], [4, 5, 4]]), "0 to 4 | got 5 (world 1, agent 1)"),
     value(lambda b: b.reset([1]), "shape (2,) | got (1,)"),
     value(lambda b: b.reset([5, -3]), "0 to 1844 | got -3"),

@@ -115,6 +115,9 @@ def test_a_function_gets_the_observations_of_living_agents() -> None:
         ({"evaders": "fleer", "pursuers": "chaser"}, ValueError, "pursuers, evaders"),
         ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders"),
         ({"evaders": "evolved-1", "diagonal": True}, ValueError, "evaders"),
+        ({"evaders": {"still", "random"}}, TypeError, "evaders"),  # their order is not the same
+        ({"evaders": {"still": 0.2, "random": 0.8}}, TypeError, "evaders"),  # in every process
+        ({"evaders": ""}, ValueError, "evaders"),  # which is the current directory
     ],
 )
 def test_what_cannot_play_is_refused(

@@ -185,19 +185,29 @@ def check_threads(threads: int | None) -> int:
     return usable_cores() if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
 
 
-def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) -> NDArray[Any]:
-    """Return integers from 0 to the largest of a dtype as a new array of that dtype."""
-    array = np.asarray(given)
-    if array.dtype == dtype and array.dtype.kind == "u":
-        return array.astype(dtype)
-    high = int(np.iinfo(dtype).max)
+def check_integers(
+    name: str, given: ArrayLike, dtype: type[np.integer[Any]], low: int | None = 0
+) -> NDArray[Any]:
+    """Return integers from `low` (None: the smallest) to the largest of a dtype as a new array.
+
+    TypeError or ValueError as `check_integer`.
+    """
+    limits = np.iinfo(dtype)
+    least, most = int(limits.min) if low is None else low, int(limits.max)
+    if isinstance(given, np.ma.MaskedArray):
+        raise TypeError(f"{name}: expected an array of integers, got a masked array")
+    try:
+        array = np.asarray(given)
+    except ValueError:  # rows of different lengths
+        array = np.asarray(given, object)
     if array.dtype.kind not in "iu":
-        # Integers beyond 2**63 beside smaller ones become floats in NumPy, so each is checked.
+        # Large integers, and signed ones beside unsigned ones, become floats or objects in NumPy.
         numbers = np.asarray(given, object)
-        checked = [check_integer(name, number, 0, high) for number in numbers.flat]
+        checked = [check_integer(name, number, least, most) for number in numbers.flat]
         return np.array(checked, dtype).reshape(numbers.shape)
-    if array.size and (array.min() < 0 or array.max() > high):
-        raise ValueError(f"{name}: expected 0 to {high}, got {array.min()} to {array.max()}")
+    if array.size and (array.dtype != dtype or least > limits.min):
+        for number in (array.min(), array.max()):
+            check_integer(name, number, least, most)
     return array.astype(dtype)
 
 

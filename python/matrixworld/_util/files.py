@@ -13,6 +13,7 @@ import hashlib
 import io
 import json
 import os
+import re
 import secrets
 import stat
 import sys
@@ -62,6 +63,9 @@ NO_COMMENT = b"\0\0"
 """Last two bytes of a zip archive without a comment: the length of the comment."""
 
 NO_MATCH = "altered or from another run, its checksum does not match its content"
+
+BYTE_ORDER_MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
+"""How a text that begins so is encoded."""
 
 LONGEST = 1000
 """Most characters of a message: it may quote what a file holds."""
@@ -143,12 +147,21 @@ def read_content(path: Path) -> bytes:
     return path.read_bytes()
 
 
-def read_text(path: Path, kind: str, *, encoding: str, errors: str = "strict") -> str:
-    """Return the content of a file; DamagedFileError, which names its kind, if it is no text."""
-    try:
-        return read_content(path).decode(encoding, errors)
-    except UnicodeDecodeError as error:
-        raise DamagedFileError(path, f"expected a {kind} file of text, got: {error}") from error
+def read_text(path: Path, kind: str) -> str:
+    """Return the content of a file of text, with newlines at the ends of lines.
+
+    DamagedFileError, which names its kind, if it is no text in UTF-8, with a byte order mark or in
+    Windows-1252.
+    """
+    content = read_content(path)
+    marked = [name for mark, name in BYTE_ORDER_MARKS.items() if content.startswith(mark)]
+    for encoding in marked or ("utf-8", "cp1252"):
+        with suppress(UnicodeDecodeError):
+            text = content.decode(encoding)
+            if "\0" not in text:
+                return re.sub(r"\r\n?", "\n", text)
+    problem = f"expected a {kind} file of text, in UTF-8 or with a byte order mark"
+    raise DamagedFileError(path, problem)
 
 
 def read_json(path: Path) -> dict[str, Any]:

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool, check_floats, check_integer
-from matrixworld._util.files import DamagedFileError, read_content, read_npz
+from matrixworld._util.files import DamagedFileError, read_npz, read_text
 from matrixworld._util.readable import Parts, Readable, matrix_table
 
 Rates = NDArray[np.float64]
@@ -380,7 +380,6 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
 _LABELS = ("", "pursuer", "pursuers", "generation", "id", "index", "name")
 """What stands above a column of labels."""
 _MISSING = ("", "-", "na", "nan", "none", "null", "<na>", "n/a")
-_BYTE_ORDER_MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
 
 Line: TypeAlias = tuple[str, list[str]]
 """A line of a table: where it is, and its cells."""
@@ -406,7 +405,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
 
 def _lines(path: Path) -> list[Line]:
     """Return the lines of a CSV file, as programs of all countries write it, without comments."""
-    text = _text(path)
+    text = read_text(path, "CSV")
     # Comments and lines without a cell have none of the delimiters that count.
     raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text.split("\n")]
     declared = re.fullmatch(r"sep=(.)", raw[0], re.IGNORECASE)  # as spreadsheets write it
@@ -425,19 +424,6 @@ def _lines(path: Path) -> list[Line]:
     if not rows:
         raise ValueError(f"{path}: expected a table of capture rates, got no lines")
     return [(f"{path}, line {number}", row) for number, row in rows if row]
-
-
-def _text(path: Path) -> str:
-    content = read_content(path)
-    marked = [name for mark, name in _BYTE_ORDER_MARKS.items() if content.startswith(mark)]
-    for encoding in marked or ("utf-8", "cp1252"):
-        try:
-            text = content.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-        if "\0" not in text:
-            return re.sub(r"\r\n?", "\n", text)
-    raise DamagedFileError(path, "expected a CSV file of text, in UTF-8 or with a byte order mark")
 
 
 def _matrix(path: Path, lines: list[Line]) -> Rates:

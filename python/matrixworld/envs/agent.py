@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import gymnasium
 import numpy as np
 from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
 
 from matrixworld._util.checks import check_choice
 from matrixworld.envs.opponents import BuiltInTeam, Opponents
@@ -59,6 +61,8 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     (3, 11, 11)
     """
 
+    _spec: EnvSpec | None = None
+
     def __init__(
         self,
         config: WorldConfig | Rules | str = "O",
@@ -80,6 +84,17 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         self.action_space: spaces.Discrete = self.env.action_space(agent)
         self.metadata: dict[str, Any] = self.env.metadata
         self.render_mode: str | None = self.env.render_mode
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """Gymnasium's specification, in which wrappers look for `max_steps`."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: EnvSpec | None) -> None:
+        if spec is not None and spec.max_episode_steps is None:
+            spec = replace(spec, max_episode_steps=self.env.config.max_steps)
+        self._spec = spec
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None

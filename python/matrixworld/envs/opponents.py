@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
+from matrixworld._util.checks import check_sequence
 from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.solve import solve
@@ -66,7 +67,7 @@ class BuiltInTeam:
         name = f"{self._team}s"
         found = [
             policy
-            for given in _several(opponents)
+            for given in _several(name, opponents)
             for policy in _resolved(name, self._team, given, self._config)
         ]
         if not found:
@@ -212,10 +213,10 @@ class HasOpponents:
         return self._team.resolve(opponents)
 
 
-def _several(opponents: Any) -> list[Any]:
+def _several(name: str, opponents: Any) -> list[Any]:
     # Functions can be iterable: torch.nn.Sequential iterates over its layers.
     one = isinstance(opponents, str) or callable(opponents) or not isinstance(opponents, Iterable)
-    return [opponents] if one else list(opponents)
+    return [opponents] if one else list(check_sequence(name, opponents, "opponents"))
 
 
 def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterable[Plays]:
@@ -254,7 +255,7 @@ def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Pop
     }
     if str(given) in evolved:
         return evolved[str(given)]
-    if not Path(given).is_dir():
+    if not str(given) or not Path(given).is_dir():  # an empty path is the current directory
         known = ", ".join([*SCRIPTS, SOLVED, *evolved])
         raise ValueError(f"{name}: expected one of {known}, or a run directory, got {str(given)!r}")
     return last_generation(given, team)

@@ -17,7 +17,7 @@ from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one
 from matrixworld.episodes.display import Drawing
 from matrixworld.episodes.episode import Episode
 from matrixworld.world.arrays import WORLD_FIELDS, WorldArrays, python_value
-from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules, variant_name
 from matrixworld.world.world import World
@@ -110,15 +110,12 @@ class MatrixWorldBase(HasOpponents):
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
-        if max_cycles is not None and "max_steps" in changes:
-            raise ValueError("max_cycles, max_steps: expected one of them, got both")
-        if max_cycles is not None:
-            changes["max_steps"] = max_cycles
         if render_mode not in (None, *RENDER_MODES):
             raise ValueError(
                 f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
             )
-        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        limited = with_limit("max_cycles", max_cycles, changes)
+        self.config: WorldConfig = WorldConfig.of(config, **limited)
         self._masks = ActionMasks(action_mask, self.config)
         self.world = World(self.config)
         self.render_mode = render_mode

@@ -23,7 +23,7 @@ from matrixworld._util.files import load_toml
 from matrixworld.envs.agent import AgentEnv
 from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldParallel
 from matrixworld.envs.vector import VectorEnv
-from matrixworld.world.config import WorldConfig
+from matrixworld.world.config import WorldConfig, with_limit
 from matrixworld.world.rules import INTERACTION_TEXTS, OUTCOME_TEXTS, Capture, Rules
 
 AECWrapper: TypeAlias = OrderEnforcingWrapper
@@ -103,9 +103,12 @@ class VariantModule(ModuleType):
     vector_env: Callable[..., VectorEnv]
 
 
-def _vector_env(variant: str, num_envs: int = 1, **settings: Any) -> VectorEnv:
+def _vector_env(
+    variant: str, num_envs: int = 1, max_episode_steps: int | None = None, **settings: Any
+) -> VectorEnv:
     """Make many worlds with Gymnasium's interface; see `matrixworld.VectorEnv`."""
-    return VectorEnv(variant, num_envs, **settings)
+    limited = with_limit("max_episode_steps", max_episode_steps, settings)
+    return VectorEnv(variant, num_envs, **limited)
 
 
 def add_module(variant: str, package: str) -> None:

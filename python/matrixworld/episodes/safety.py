@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_naturals
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_integers
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
@@ -216,7 +216,7 @@ class SafetyMonitor:
 
 
 def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:
-    array = check_naturals(name, given, np.int64)
+    array = check_integers(name, given, np.int64)
     if array.shape != shape:
         raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
     return array

@@ -14,8 +14,8 @@ from matrixworld._util.checks import (
     EPISODE_BYTES,
     SEED_MAX,
     check_integer,
+    check_integers,
     check_memory,
-    check_naturals,
     check_threads,
 )
 from matrixworld._util.readable import Readable
@@ -50,9 +50,9 @@ class Matches(NamedTuple):
             If the values are no integers from 0 on, or the shapes do not broadcast to one axis.
         """
         parts = (
-            check_naturals("pursuer", pursuer, np.int32),
-            check_naturals("evader", evader, np.int32),
-            check_naturals("seed", seed, np.uint64),
+            check_integers("pursuer", pursuer, np.int32),
+            check_integers("evader", evader, np.int32),
+            check_integers("seed", seed, np.uint64),
         )
         broadcast = np.atleast_1d(*parts)
         # `broadcast_arrays` is slow beside a short rollout, and rarely needed.

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_memory
+from matrixworld._util.checks import check_integers, check_memory
 from matrixworld.world.config import WorldConfig
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
@@ -186,19 +186,10 @@ def workspace_bytes(config: WorldConfig) -> int:
 
 
 def integers(name: str, given: ArrayLike) -> NDArray[Any]:
-    """Return integers as an array of a dtype that the engine takes, uint8 or int64.
-
-    Raises TypeError for other values. Integers above the largest int64 become that one: they are
-    out of range for every argument of the engine, which then names them in its own message.
-    """
-    array = np.asarray(given)
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name}: expected integers, got dtype {array.dtype}")
-    if array.dtype in (np.uint8, np.int64):
-        return array
-    if array.dtype.kind == "u" and array.itemsize == 8:
-        array = array.clip(max=np.iinfo(np.int64).max)  # a cast alone would make them negative
-    return array.astype(np.int64)
+    """Return integers as an array of a dtype that the engine takes, uint8 or int64."""
+    if type(given) is np.ndarray and given.dtype in (np.uint8, np.int64):
+        return given
+    return check_integers(name, given, np.int64, None)
 
 
 def positions_of(
@@ -207,11 +198,9 @@ def positions_of(
     """Return positions of n agents, (n, 2), or of n agents in each world, (n_worlds, n, 2)."""
     if given is None:
         return None
-    array = integers(name, given)
+    array = check_integers(name, given, np.int32, None)
     shapes = [(n, 2)] if n_worlds is None else [(n, 2), (n_worlds, n, 2)]
     if array.shape not in shapes:
         expected = " or ".join(map(str, shapes))
         raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
-    # Clipped cells are still outside the grid, so the engine refuses them with its own message.
-    whole = np.broadcast_to(array, shapes[-1]).clip(-(2**31), 2**31 - 1)
-    return np.ascontiguousarray(whole, dtype=np.int32)
+    return np.ascontiguousarray(np.broadcast_to(array, shapes[-1]))

@@ -14,9 +14,9 @@ from matrixworld._core import Autoreset
 from matrixworld._util.checks import (
     SEED_MAX,
     check_integer,
+    check_integers,
     check_keywords,
     check_memory,
-    check_naturals,
     check_threads,
 )
 from matrixworld.world.arrays import (
@@ -154,7 +154,7 @@ class Batch:
             first = check_integer("seed", seed, 0, SEED_MAX)
             # Seeds are 64 bits wide and wrap around after the largest one.
             return np.add(np.arange(self.n_worlds, dtype=np.uint64), first, dtype=np.uint64)
-        return np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
+        return np.ascontiguousarray(check_integers("seed", seed, np.uint64))
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
         """Play one round in every world with actions (W, A), and return the buffers.
@@ -191,7 +191,7 @@ class Batch:
         teams = [
             policy if policy is None else check_team("policies", policy) for policy in policies
         ]
-        numbers = np.ascontiguousarray(check_naturals("chosen", chosen, np.int32))
+        numbers = np.ascontiguousarray(check_integers("chosen", chosen, np.int32))
         self._core.decide(teams, numbers, *check_agents(agents), actions)
 
     def __getstate__(self) -> dict[str, Any]:

@@ -49,6 +49,15 @@ class WorldSettings(TypedDict, total=False):
     rewards: Rewards | None
 
 
+def with_limit(name: str, steps: int | None, settings: Any) -> Any:
+    """Return settings whose `max_steps` are those of an argument that other libraries call so."""
+    if steps is None:
+        return settings
+    if "max_steps" in settings:
+        raise ValueError(f"{name}, max_steps: expected one of them, got both")
+    return {**settings, "max_steps": check_integer(name, steps, 1)}
+
+
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
     if given is None:
         return 0.0
@@ -189,6 +198,12 @@ class WorldConfig:
             rewards=Rewards() if rewards is None else rewards,
         )
         self.check_map(self.map)
+        sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders
+        if min(sizes) > 0 and self.n_agents > self.rows * self.cols:
+            raise ValueError(
+                f"rows, cols: expected at least {self.n_agents} cells for {self.n_pursuers} "
+                f"pursuers and {self.n_evaders} evaders, got {self.rows} x {self.cols}"
+            )
         # Building the engine's form checks the ranges, so a bad config fails here and not later.
         self.setup  # noqa: B018
         if not row.captures:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.checks import shown
 from matrixworld._util.files import read_text
 
 MapLike: TypeAlias = "NDArray[np.bool_] | Sequence[str] | str | PathLike[str]"
@@ -26,9 +28,9 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
 
     Parameters
     ----------
-    source : ndarray of bool, sequence of str, or path
-        A NumPy array of dtype bool and shape (rows, cols); rows of text with the characters of
-        `FREE` and `BLOCKED`; or the path of a MovingAI ``.map`` file.
+    source : array_like of bool, str, sequence of str, or path
+        An array of shape (rows, cols) of bools, or of 0 and 1; rows of text with the characters of
+        `FREE` and `BLOCKED`, or all rows as one text; or the path of a MovingAI ``.map`` file.
 
     Raises
     ------
@@ -47,24 +49,33 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
     array([[False, False,  True],
            [ True, False, False]])
     """
-    if isinstance(source, np.ndarray):
-        return _from_array(source)
+    if isinstance(source, str) and "\n" in source:
+        return _from_rows(source.strip().splitlines(), "map")
     if isinstance(source, str | PathLike):
         return _from_file(Path(fspath(source)))
     if isinstance(source, Sequence) and all(isinstance(row, str) for row in source):
         return _from_rows(list(source), "map")
-    raise TypeError(f"map: expected a bool array, rows of text or a path, got {source!r}")
+    array = np.array(None)
+    with suppress(ValueError):  # of rows of different lengths
+        array = np.asanyarray(source)
+    if array.ndim == 0 or array.dtype.kind in "OUS":
+        raise TypeError(f"map: expected a path, rows of text or an array, got {shown(source)}")
+    return _from_array(array)
 
 
-def _from_array(array: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    if array.dtype != np.bool_:
-        raise TypeError(f"map: expected dtype bool, got {array.dtype}")
+def _from_array(array: NDArray[Any]) -> NDArray[np.bool_]:
+    if array.dtype.kind not in "biu" or isinstance(array, np.ma.MaskedArray):
+        raise TypeError(f"map: expected dtype bool, or 0 and 1, got {array.dtype}")
     if array.ndim != 2 or array.size == 0:
         raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
-    return np.array(array, np.bool_)  # a copy: the caller may change its array later
+    unknown = array[(array != 0) & (array != 1)]
+    if unknown.size:
+        raise ValueError(f"map: expected 0 (free) or 1 (obstacle), got {unknown[0]}")
+    return array.astype(np.bool_)  # a copy: the caller may change its array later
 
 
 def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
+    rows = [row.strip() for row in rows]  # programs leave blanks at the ends of lines
     if not rows or not rows[0]:
         raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
     for number, row in enumerate(rows):
@@ -82,15 +93,16 @@ def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
 
 
 def _from_file(path: Path) -> NDArray[np.bool_]:
-    # A character beyond ASCII is replaced, and then reported as unknown with the number of its row.
-    lines = read_text(path, "map", encoding="ascii", errors="replace").rstrip().splitlines()
+    lines = [line.strip() for line in read_text(path, "map").splitlines()]
+    lines = [line for line in lines if line]
     header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
     if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
         raise ValueError(
             f"{path}: expected a MovingAI map (lines type, height, width and map), got {lines[:4]}"
         )
     array = _from_rows(lines[4:], str(path))
-    expected = f"({header['height'].strip()}, {header['width'].strip()})"
-    if str(array.shape) != expected:
-        raise ValueError(f"{path}: expected {expected} cells as in its header, got {array.shape}")
+    sizes = header["height"], header["width"]
+    if [int(size) if size.isdecimal() else size for size in sizes] != list(array.shape):
+        expected = ", ".join(sizes)
+        raise ValueError(f"{path}: expected ({expected}) cells as in its header, got {array.shape}")
     return array
