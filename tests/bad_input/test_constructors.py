@@ -10,12 +10,14 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import coevolution
+from matrixworld import coevolution, solve
 from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.sections import Section
-from matrixworld.episodes import replay
+from matrixworld.episodes import render, replay
+from matrixworld.play import capture_rates
 from matrixworld.play.rollout import match_seed
+from matrixworld.world.policy import TEAMS as TEAM_NAMES
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
 from tiny_race import tiny_race, tiny_single
@@ -53,6 +55,16 @@ PICTURE = {"episode": EPISODE, "cell": 4, "trail": 2, "fov": 3}
 def with_all(call: Callable[..., object]) -> partial[object]:
     """Return a call in which every parameter is tried; None stands for its default."""
     return partial(call, **dict.fromkeys(inspect.signature(call).parameters))
+
+
+WORLD = mw.World(CONFIG)
+MOMENT = WORLD._core.snapshot()
+ACTIONS = np.zeros(CONFIG.n_agents, np.int64)
+ROWS = ACTIONS[None].copy()
+ENV, TURNS = mw.parallel_env(CONFIG), mw.aec_env(CONFIG).unwrapped
+ENV.reset(seed=0)
+TURNS.reset(seed=0)
+STATES = solve.States(mw.WorldConfig(rows=2, cols=2, n_pursuers=1, n_evaders=1))
 
 
 CALLS = [
@@ -108,10 +120,43 @@ CALLS = [
     partial(replay.save, **PICTURE, path="new.gif", fps=10.0, every=1, hold=1.0, step=-1),
     partial(replay.animation, **PICTURE, fps=10.0, every=1),
     partial(replay.contact_sheet, **PICTURE, rows=1, cols=1),
+    partial(render.rgb, scene=WORLD.scene(), cell=4, fov=3, viewers=[0], numbers=False),
+    partial(render.ansi, scene=WORLD.scene(), color="true", compact=False),
+    partial(EPISODE.explain, step=1),
+    partial(mw.Recorder, world=WORLD),
+    partial(mw.Recorder(mw.World(CONFIG)).scene, trail=2),
+    partial(mw.record_actions, config=CONFIG, actions=[ACTIONS], seed=0, episode=0),
+    partial(WORLD.decide, policy="random", agents=range(1), actions=ACTIONS),
+    partial(mw.World.at, config=CONFIG, moment=MOMENT),
+    partial(mw.Batch(1, CONFIG).decide, policies=[None], chosen=[0], agents=range(1), actions=ROWS),
+    partial(ENV.reset, seed=1, options=None),
+    partial(ENV.step, actions=dict.fromkeys(ENV.possible_agents, 0)),
+    partial(ENV.action_space, agent="pursuer_0"),
+    partial(TURNS.observe, agent="pursuer_0"),
+    partial(mw.AgentEnv(CONFIG).reset, seed=1, options=None),
+    partial(NETWORK.initial, rng=np.random.default_rng(0), weight=0.1, head=0.1),
+    partial(NETWORK.advance, genome=GENOME, views=WORLD.views(), states=None),
+    partial(mw.Network.for_config, config=CONFIG),
+    partial(capture_rates, **TEAMS, seed=0, episodes=1),
+    partial(mw.array_specs, config=CONFIG),
+    partial(mw.read_map, source=["..", ".#"]),
+    partial(MONITOR.add_episode, episode=EPISODE),
+    partial(MONITOR.add_infos, infos=None),
+    partial(MONITOR.add_statistics, statistics=None),
+    partial(solve.States, config=STATES.config, threads=1),
+    partial(STATES.cells, turn=0),
+    partial(STATES.decisions, policy="still", team="pursuer"),
+    partial(solve.solve, world=STATES, steps=1, payoff="capture-rate"),
+    partial(solve.best_response, world=STATES, champion="still", team="pursuer", steps=1),
+    partial(solve.guarantees, world=STATES, teams=dict.fromkeys(TEAM_NAMES, "still"), steps=1),
+    partial(solve.mixture_bounds, world=STATES, mixture=[(1.0, "still")], team="evader", steps=1),
+    partial(solve.solve(STATES).probabilities, team="pursuer", rounds=1, turn=0),
 ]  # fmt: skip
 """Calls with legal arguments, each of which is tried."""
 ACCEPTED = {
     ("Batch", "buffers", "a dict"): "no arrays are written",
+    ("MatrixWorldParallel.reset", "options", "a dict"): "no options",
+    ("AgentEnv.reset", "options", "a dict"): "no options",
     ("Episode", "config", "a dict"): "no settings",
     **{
         ("RaceSettings", section, "a dict"): "the default one"
@@ -153,3 +198,9 @@ def test_a_malformed_value_is_a_value_or_type_error(
             call.func(**{**others, parameter: wrong})
         # `start` and `save` write files if they are not refused.
         assert list(tmp_path.iterdir()) == [], what
+
+
+@pytest.mark.parametrize("steps", [2**70, float("inf"), "x", None])
+def test_a_moment_of_other_values_is_refused(steps: object) -> None:
+    with pytest.raises(TypeError, match="^moment: expected that of a copied world"):
+        mw.World.at(CONFIG, {**MOMENT, "steps": steps})

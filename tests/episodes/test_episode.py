@@ -39,6 +39,8 @@ def test_round_trip(tmp_path: Path) -> None:
     episode.save(path)
     assert path.read_bytes() == written
     assert os.listdir(tmp_path) == [path.name]
+    with pytest.raises(ValueError, match=r"^path: expected a name that ends in \.npz, got .*gif"):
+        episode.save(tmp_path / "x.gif")
 
 
 @pytest.mark.parametrize(

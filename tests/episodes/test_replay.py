@@ -207,3 +207,19 @@ def test_the_cursor_comes_back_after_ctrl_c(
     printed = terminal.readouterr().out
     assert printed.count(term.HOME) == 3
     assert printed.endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
+
+
+def test_numbers_of_numpy_are_numbers(tmp_path: Path) -> None:
+    """Small ones would overflow in sums of pixels."""
+    small = np.uint8
+    plain: dict[str, Any] = {"cell": 12, "fov": 5, "trail": 3}
+    sizes = {name: small(number) for name, number in plain.items()}
+    sheets = [
+        contact_sheet(EPISODE, rows=rows, cols=cols, viewers=[viewer], **look).tobytes()
+        for rows, cols, viewer, look in ((2, 3, 1, plain), (small(2), small(3), small(1), sizes))
+    ]
+    assert sheets[0] == sheets[1]
+    files = [tmp_path / "plain.gif", tmp_path / "small.gif"]
+    save(EPISODE, files[0], every=7, fps=10, hold=1, cell=12)
+    save(EPISODE, files[1], every=small(7), fps=small(10), hold=small(1), cell=small(12))
+    assert files[0].read_bytes() == files[1].read_bytes()

@@ -104,7 +104,7 @@ class AgentEnv(gymnasium.Env[Any, Any]):
         Without a seed the next episode of the present seed starts.
         """
         observations, infos = self.env.reset(seed, options)
-        super().reset(seed=seed)
+        super().reset(seed=None if seed is None else int(seed))
         self._mates.draw(0, self.env.world.seed, self.env.world.episode)
         return observations[self.agent], infos[self.agent]
 

@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 from pettingzoo import AECEnv, ParallelEnv
 from typing_extensions import Unpack
 
-from matrixworld._util.checks import check_bool, check_integer, check_keywords, shown
+from matrixworld._util.checks import (
+    check_bool,
+    check_choice,
+    check_integer,
+    check_keywords,
+    shown,
+)
 from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
 from matrixworld.episodes.display import Drawing
 from matrixworld.episodes.episode import Episode
@@ -148,10 +154,12 @@ class MatrixWorldBase(HasOpponents):
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
+        check_choice("agent", agent, self._index)
         return self.observation_spaces[agent]
 
     def action_space(self, agent: str) -> spaces.Discrete:
         """Return ``Discrete(5)``, or 9 with diagonal moves; see `matrixworld.Action`."""
+        check_choice("agent", agent, self._index)
         return self.action_spaces[agent]
 
     def state(self) -> NDArray[np.uint8]:
@@ -422,6 +430,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
 
     def observe(self, agent: str) -> View:
         """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
+        check_choice("agent", agent, self._index)
         return np.array(self._views[self._index[agent]])
 
     def step(self, action: Any) -> None:

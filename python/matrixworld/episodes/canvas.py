@@ -47,8 +47,9 @@ class Layout:
     def of(cls, shape: tuple[int, int], cell: int | None = None, *, least: int = 1) -> Layout:
         """Return the layout with a given cell size, or with one that suits the grid."""
         rows, cols = shape
-        chosen = fitting_cell(shape, FIELD_PIXELS, least) if cell is None else cell
-        if not least <= check_integer("cell", chosen) <= LARGEST_SIDE // max(rows, cols):
+        given = fitting_cell(shape, FIELD_PIXELS, least) if cell is None else cell
+        chosen = check_integer("cell", given)
+        if not least <= chosen <= LARGEST_SIDE // max(rows, cols):
             raise ValueError(
                 f"cell: expected {least} to {LARGEST_SIDE // max(rows, cols)} pixels "
                 f"for {rows} x {cols} cells, got {chosen}"

@@ -101,7 +101,8 @@ class Episode:
     seat: int | None = None
 
     def __post_init__(self) -> None:
-        check_integer("n_pursuers", self.n_pursuers)
+        # A frozen dataclass lets its fields be set in this way only.
+        object.__setattr__(self, "n_pursuers", check_integer("n_pursuers", self.n_pursuers))
         if not isinstance(self.config, Mapping):
             raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
         arrays = self._arrays()
@@ -121,7 +122,7 @@ class Episode:
             if array.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
         if self.seat is not None:
-            check_integer("seat", self.seat, 0, agents - 1)
+            object.__setattr__(self, "seat", check_integer("seat", self.seat, 0, agents - 1))
         # Gone agents keep whatever action was passed for them.
         played = self.actions[self.alive[:-1]]
         if ((played < 0) | (played > 8)).any():
@@ -130,7 +131,11 @@ class Episode:
     def _arrays(self) -> dict[str, Any]:
         """Return the arrays that this recording has."""
         arrays = {name: getattr(self, name) for name in _ARRAYS}
-        return {name: array for name, array in arrays.items() if array is not None}
+        return {
+            name: array
+            for name, array in arrays.items()
+            if array is not None or name not in OPTIONAL
+        }
 
     def __repr__(self) -> str:
         rows, cols = self.map.shape
@@ -187,8 +192,13 @@ class Episode:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the episode to a file of the format npz, without pickle.
 
-        The file appears complete or not at all, and replaces an older one of this name.
+        The file appears complete or not at all, and replaces an older one of this name. ValueError
+        for a name that ends otherwise than in ``.npz``, such as that of a picture.
         """
+        if Path(path).suffix not in ("", ".npz"):
+            raise ValueError(
+                f"path: expected a name that ends in .npz, got {path}; replay.save writes pictures"
+            )
         arrays = self._arrays()
         if self.seat is not None:
             arrays["seat"] = np.array(self.seat)
@@ -232,9 +242,10 @@ class Episode:
 
 def step_number(step: int, length: int) -> int:
     """Return a number of steps, 0 to the length, from one that may count from the end."""
-    if not -length - 1 <= step <= length:
-        raise IndexError(f"step: expected {-length - 1} to {length}, got {step}")
-    return step % (length + 1)
+    number = check_integer("step", step)
+    if not -length - 1 <= number <= length:
+        raise IndexError(f"step: expected {-length - 1} to {length}, got {number}")
+    return number % (length + 1)
 
 
 def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
@@ -258,8 +269,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
         If the step is outside the episode.
     """
     check_instance("episode", episode, Episode)
-    now = step_number(check_integer("step", step), episode.length)
-    check_integer("trail", trail, 0)
+    now, trail = step_number(step, episode.length), check_integer("trail", trail, 0)
     if title is None:
         title = capture_title(episode, now, f"step {now} of {episode.length}")
     captures, deaths = _marks(episode, now)

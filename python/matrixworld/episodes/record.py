@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import INT_MAX, SEED_MAX, check_integer
+from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
 from matrixworld.episodes.render import MARK_STEPS, Scene
 from matrixworld.world.arrays import array_specs, integers
@@ -31,6 +31,7 @@ class Recorder:
     """
 
     def __init__(self, world: World) -> None:
+        check_instance("world", world, World)
         self.world = world
         world.keeps_conflicts = True
         self._config = world.config.to_json()
@@ -78,7 +79,7 @@ class Recorder:
 
     def scene(self, *, trail: int = 6) -> Scene:
         """Return a drawing of the present moment with trails of `trail` steps."""
-        steps = len(self._kept["actions"])
+        steps, trail = len(self._kept["actions"]), check_integer("trail", trail, 0)
         # A picture shows few steps; a copy of the whole recording for each would cost its length.
         window = self._last(min(steps, max(trail, MARK_STEPS)))
         title = capture_title(window, window.length, f"step {self.world.steps}")
@@ -130,7 +131,7 @@ def record_actions(
     world = World(config)
     world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
     recorder = Recorder(world)
-    for row in np.asarray(actions):
+    for row in integers("actions", actions):
         if world.terminated or world.truncated:
             break
         world.step(row)

@@ -18,7 +18,13 @@ from numpy.typing import NDArray
 from PIL import Image, ImageColor, ImageDraw
 
 from matrixworld._util import colors
-from matrixworld._util.checks import check_integer
+from matrixworld._util.checks import (
+    check_bool,
+    check_choice,
+    check_instance,
+    check_integer,
+    check_sequence,
+)
 from matrixworld.episodes.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
 from matrixworld.world.conflicts import agent_name
 
@@ -95,13 +101,10 @@ class Scene:
     def agent(self, who: int | str) -> int:
         """Return the number of an agent given by number or name; ValueError if there is none."""
         names = [agent_name(agent, self.n_pursuers) for agent in range(len(self.alive))]
-        if isinstance(who, str) and who in names:
-            return names.index(who)
-        if isinstance(who, str) or who not in range(len(names)):
-            raise ValueError(
-                f"viewers: expected 0 to {len(names) - 1} or a name such as pursuer_0, got {who!r}"
-            )
-        return who
+        if not isinstance(who, str):
+            return check_integer("viewers", who, 0, len(names) - 1)
+        check_choice("viewers", who, names)
+        return names.index(who)
 
     def occupied_cells(self) -> dict[Cell, CellContents]:
         """Return what is on each cell that has living agents."""
@@ -173,10 +176,12 @@ def rgb(
         If `cell` is below 1 (20 with numbers) or gives too large a picture, `fov` is even, or a
         viewer is unknown.
     """
-    if check_integer("fov", fov, 1) % 2 == 0:
+    check_instance("scene", scene, Scene)
+    fov = check_integer("fov", fov, 1)
+    if fov % 2 == 0:
         raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
-    agents = [scene.agent(viewer) for viewer in viewers]
-    least = SMALLEST_NUMBERED if numbers else 1
+    agents = [scene.agent(each) for each in check_sequence("viewers", viewers, "agents")]
+    least = SMALLEST_NUMBERED if check_bool("numbers", numbers) else 1
     picture = _Picture(scene, Layout.of(scene.shape, cell, least=least), numbers)
     for agent in agents:
         picture.draw_view(agent, fov // 2)
@@ -438,9 +443,9 @@ def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
     ValueError
         If `color` is unknown, or `compact` is combined with "none".
     """
-    if color not in MODES:
-        raise ValueError(f"color: expected one of {MODES}, got {color!r}")
-    if compact and color == "none":
+    check_instance("scene", scene, Scene)
+    check_choice("color", color, MODES)
+    if check_bool("compact", compact) and color == "none":
         raise ValueError("compact: expected color 'true' or '256', got 'none'")
     glyphs = ASCII if color == "none" else UNICODE
     pursuers, evaders = scene.team_sizes()

@@ -26,7 +26,6 @@ from matrixworld._util.checks import (
     check_integer,
     check_keywords,
     check_number,
-    check_real,
     shown,
 )
 from matrixworld._util.files import replacing
@@ -62,7 +61,7 @@ def animate_terminal(episode: Episode, *, fps: float = 10.0, every: int = 1) -> 
     A grid too large for the terminal is drawn in half blocks. Where there is no terminal, the last
     moment is printed as plain text.
     """
-    check_number("fps", fps, least=0.0, positive=True)
+    fps = check_number("fps", fps, least=0.0, positive=True)
     times, stream = _times(episode, every), sys.stdout
     if not stream.isatty():
         print_moment(episode)
@@ -137,7 +136,7 @@ def save(
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
     check_keywords(look, Look.__annotations__, save)
-    check_integer("step", step)
+    step = check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
@@ -146,7 +145,8 @@ def save(
         picture, drawn = Image.fromarray(pictures.draw(step)), PngInfo()
         drawn.add_text("Software", "matrixworld")
     else:
-        pictures.check_frames(times := _times(episode, every), fps=fps, hold=hold)
+        times = _times(episode, every)
+        fps, hold = pictures.check_frames(times, fps=fps, hold=hold)
     with replacing(path) as file:
         if suffix == ".png":
             picture.save(file, "PNG", pnginfo=drawn)
@@ -202,9 +202,9 @@ def animation(
     if every is None:
         every = -(-episode.length // FRAMES) or 1
     times = _times(episode, every)
-    pictures.check_frames(times, fps=fps, hold=2.0)
+    fps, hold = pictures.check_frames(times, fps=fps, hold=2.0)
     buffer = io.BytesIO()
-    write_gif(buffer, pictures.draw, times, fps=fps, hold=2.0)
+    write_gif(buffer, pictures.draw, times, fps=fps, hold=hold)
     return Animation(buffer.getvalue())
 
 
@@ -229,7 +229,8 @@ def contact_sheet(
     """
     check_keywords(look, Look.__annotations__, contact_sheet)
     pictures = _Pictures(episode, look)
-    count = check_integer("rows", rows, 1) * check_integer("cols", cols, 1)
+    rows, cols = check_integer("rows", rows, 1), check_integer("cols", cols, 1)
+    count = rows * cols
     _check_pixels("contact sheet", count * pictures.pixels, MOST_PIXELS)
     times = np.linspace(0, episode.length, count).round().astype(int)
     drawn = [pictures.draw(t) for t in times.tolist()]
@@ -256,13 +257,13 @@ class _Pictures:
     def draw(self, step: int) -> NDArray[np.uint8]:
         return rgb(scene(self._episode, step, trail=self._trail), **self._look)
 
-    def check_frames(self, times: list[int], *, fps: float, hold: float) -> None:
-        """Raise ValueError or TypeError before a file is begun."""
-        if not SLOWEST <= check_real("fps", fps) <= FASTEST:
-            raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
-        if not 0 <= check_real("hold", hold) <= LONGEST_HOLD:
-            raise ValueError(f"hold: expected 0 to {LONGEST_HOLD:g} seconds, got {hold}")
+    def check_frames(self, times: list[int], *, fps: float, hold: float) -> tuple[float, float]:
+        """Return fps and hold, or raise ValueError or TypeError before a file is begun."""
         _check_pixels("animation", len(times) * self.pixels, MOST_ANIMATED)
+        return (
+            check_number("fps", fps, least=SLOWEST, most=FASTEST),
+            check_number("hold", hold, least=0.0, most=LONGEST_HOLD),
+        )
 
 
 def _check_pixels(what: str, pixels: int, most: int) -> None:
@@ -271,7 +272,7 @@ def _check_pixels(what: str, pixels: int, most: int) -> None:
 
 
 def _times(episode: Episode, every: int) -> list[int]:
-    check_integer("every", every, 1)
+    every = check_integer("every", every, 1)
     times = list(range(0, episode.length + 1, every))
     # The end is the most interesting moment, so it is shown whatever the stride.
     return times if times[-1] == episode.length else [*times, episode.length]

@@ -9,7 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_integers
+from matrixworld._util.checks import (
+    SEED_MAX,
+    check_floats,
+    check_instance,
+    check_integer,
+    check_integers,
+    shown,
+)
 from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
@@ -151,7 +158,7 @@ class SafetyMonitor:
         ValueError, TypeError
             If the shapes do not fit, or not 0 <= faults <= collisions <= agent_steps.
         """
-        rates = np.array(capture_rate, np.float64)
+        rates = check_floats("capture_rate", capture_rate)
         if not ((rates >= 0) & (rates <= 1)).all():
             raise ValueError(f"capture_rate: expected shares, 0 to 1, got {rates.tolist()}")
         involved = _counts("collisions", collisions, (*rates.shape, 2, 3))
@@ -164,10 +171,13 @@ class SafetyMonitor:
 
     def add_statistics(self, statistics: EpisodeStatistics) -> None:
         """Collect all episodes of a `rollout`."""
+        check_instance("statistics", statistics, EpisodeStatistics)
         self.add(*(getattr(statistics, name) for name in _COUNTED))
 
     def add_infos(self, infos: Mapping[str, Any]) -> None:
         """Collect the episodes that ended in a step of a `VectorEnv`, if any did."""
+        if not isinstance(infos, Mapping) or not {"_episode", "episode"} <= infos.keys():
+            raise TypeError(f"infos: expected those of a matrixworld.VectorEnv, got {shown(infos)}")
         ended, statistics = infos["_episode"], infos["episode"]
         if ended.any():
             self.add(*(statistics[name][ended] for name in _COUNTED))

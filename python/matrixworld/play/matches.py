@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
 from matrixworld.play.network_policy import check_fits
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
@@ -61,6 +62,9 @@ def capture_rates(
     episodes : int
         Number of episodes.
     """
+    check_instance("config", config, WorldConfig)
+    seed = check_integer("seed", seed, 0, SEED_MAX)
+    episodes = check_integer("episodes", episodes, 1)
     first = _chooser("pursuers", pursuers, config)
     second = _chooser("evaders", evaders, config)
     return play_episodes(config, first, second, seed=seed, episodes=episodes)

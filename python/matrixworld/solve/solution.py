@@ -144,7 +144,7 @@ class Solution(Readable):
         """
         check_choice("team", team, TEAMS)
         left = check_integer("rounds", self.steps if rounds is None else rounds, 1, self.steps)
-        check_integer("turn", turn, 0, self.states.n_turns - 1)
+        turn = check_integer("turn", turn, 0, self.states.n_turns - 1)
         if team in self.fixed:
             return self.fixed[team].at(turn, left)
         found = _backup(
@@ -365,6 +365,7 @@ def best_response(
     >>> round(1 - best_response(config, "chaser", "pursuer").value, 3)
     0.674
     """
+    check_choice("team", team, TEAMS)
     return induct(world, steps, payoff, {team: champion})
 
 

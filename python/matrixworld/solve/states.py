@@ -16,12 +16,14 @@ from matrixworld._util.checks import (
     INT_MAX,
     OutOfMemoryError,
     available_memory,
+    check_choice,
     check_instance,
+    check_integer,
     check_memory,
     check_threads,
 )
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Team, TeamPolicy, check_team
+from matrixworld.world.policy import TEAMS, Team, TeamPolicy, check_team
 
 _MOST_BYTES = 2**31
 """More states would take hours to solve, wherever they fit."""
@@ -119,21 +121,24 @@ class States:
         """Return the number S of the states of a turn."""
         return len(self.successors(turn))
 
+    def _turn(self, turn: int) -> int:
+        return check_integer("turn", turn, 0, self.n_turns - 1)
+
     def successors(self, turn: int = 0) -> NDArray[np.int32]:
         """Return states of the next turn, int32 (S, P, Q), for P and Q joint actions of the teams.
 
         After the last turn of a round they are states of the first. An end leads to itself. The
         array is read-only: it is the engine's own.
         """
-        return self.core.successors(turn)
+        return self.core.successors(self._turn(turn))
 
     def cells(self, turn: int = 0) -> NDArray[np.int32]:
         """Return the cells of the agents, int32 (S, A), as row * cols + col; -1 for gone ones."""
-        return self.core.describe(turn)[0]
+        return self.core.describe(self._turn(turn))[0]
 
     def captured(self, turn: int = 0) -> NDArray[np.bool_]:
         """Return which evaders count as captured, bool (S, E), sorted as the cells are."""
-        return self.core.describe(turn)[1]
+        return self.core.describe(self._turn(turn))[1]
 
     @cached_property
     def payoffs(self) -> NDArray[np.float64]:
@@ -147,6 +152,7 @@ class States:
         in float64; the engine draws with 24 bits. ValueError if a script sees nothing that it looks
         for in some state, and so walks on as before.
         """
+        check_choice("team", team, TEAMS)
         plain, evaders = check_team("champion", policy), team == "evader"
         return tuple(
             self.core.weigh(turn, evaders, plain, self.threads) for turn in range(self.n_turns)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_integers, check_memory
+from matrixworld._util.checks import check_instance, check_integers, check_memory
 from matrixworld.world.config import WorldConfig
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
@@ -158,6 +158,7 @@ def episode_specs(config: WorldConfig) -> Specs:
 
 
 def _specs(fields: dict[str, OutputField], config: WorldConfig) -> Specs:
+    check_instance("config", config, WorldConfig)
     sizes = config.setup.axis_sizes()
     return {
         name: (tuple(sizes[axis] for axis in field.axes), field.dtype)
@@ -190,6 +191,13 @@ def integers(name: str, given: ArrayLike) -> NDArray[Any]:
     if type(given) is np.ndarray and given.dtype in (np.uint8, np.int64):
         return given
     return check_integers(name, given, np.int64, None)
+
+
+def check_written(name: str, array: NDArray[np.int64]) -> None:
+    """Raise TypeError unless the engine can write actions into an array."""
+    if not isinstance(array, np.ndarray) or array.dtype != np.int64:
+        got = getattr(array, "dtype", type(array).__name__)
+        raise TypeError(f"{name}: expected an array of int64, got {got}")
 
 
 def positions_of(

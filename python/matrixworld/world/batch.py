@@ -21,6 +21,7 @@ from matrixworld._util.checks import (
 )
 from matrixworld.world.arrays import (
     array_specs,
+    check_written,
     integers,
     new_arrays,
     positions_of,
@@ -191,6 +192,7 @@ class Batch:
         teams = [
             policy if policy is None else check_team("policies", policy) for policy in policies
         ]
+        check_written("actions", actions)
         numbers = np.ascontiguousarray(check_integers("chosen", chosen, np.int32))
         self._core.decide(teams, numbers, *check_agents(agents), actions)
 

@@ -246,14 +246,14 @@ class WorldConfig:
 
     def agent_name(self, agent: int) -> str:
         """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
-        return agent_name(agent, self.n_pursuers)
+        return agent_name(check_integer("agent", agent, 0, self.n_agents - 1), self.n_pursuers)
 
     def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
         """Raise ValueError unless a map has the size of the world; None passes."""
-        if obstacles is not None and obstacles.shape != (self.rows, self.cols):
+        if obstacles is not None and np.shape(obstacles) != (self.rows, self.cols):
             raise ValueError(
                 f"obstacle map: expected shape {(self.rows, self.cols)}, the rows and cols, "
-                f"got {obstacles.shape}"
+                f"got {np.shape(obstacles)}"
             )
 
     def to_json(self) -> dict[str, Any]:

@@ -14,8 +14,10 @@ from matrixworld import _core
 from matrixworld._util.checks import (
     check_bool,
     check_choice,
+    check_instance,
     check_integer,
     check_memory,
+    check_number,
     check_sequence,
     shown,
 )
@@ -184,6 +186,7 @@ class Network:
         cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
     ) -> Network:
         """Return a network for the views and actions of a world; `more` are its other fields."""
+        check_instance("config", config, WorldConfig)
         return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
     @property
@@ -216,6 +219,7 @@ class Network:
 
         Changing a returned array changes the genome. Raises ValueError if it has another shape.
         """
+        check_instance("genome", genome, np.ndarray)
         if genome.shape != (self.genome_size,):
             raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
         layers, start = [], 0
@@ -245,10 +249,12 @@ class Network:
         ValueError if an array has another shape.
         """
         expected = (CHANNELS, self.fov, self.fov)
+        check_instance("views", views, np.ndarray)
         if views.shape[1:] != expected:
             raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
         room = len(views), self.state_size
         states = np.zeros(room, np.float32) if states is None else states
+        check_instance("states", states, np.ndarray)
         if states.shape != room:
             raise ValueError(f"states: expected shape {room}, got {states.shape}")
         x = views.reshape(len(views), self.sizes[0]).astype(np.float32)
@@ -284,6 +290,9 @@ class Network:
         the last layer. That of a recurrent layer of n units is 1 / sqrt(2 n): states of all sizes
         then last about as long.
         """
+        check_instance("rng", rng, np.random.Generator)
+        weight = check_number("weight", weight, least=0.0)
+        head = check_number("head", head, least=0.0)
         # Twice: the random numbers of a layer come as an array of their own.
         check_memory("genome", weights=2 * 4 * self.genome_size)
         genome = np.zeros(self.genome_size, np.float32)

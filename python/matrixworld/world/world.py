@@ -9,13 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld import _core
-from matrixworld._util.checks import SEED_MAX, check_integer, check_memory
+from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, check_memory, shown
 from matrixworld.episodes.render import Scene
 from matrixworld.world.arrays import (
     CHANNEL,
     WORLD_FIELDS,
     WorldArrays,
     array_specs,
+    check_written,
     integers,
     positions_of,
     python_value,
@@ -171,7 +172,7 @@ class World(WorldArrays):
             raise RuntimeError(
                 f"turn {self.turn} of {self.n_turns} is next: finish the round by play_turn()"
             )
-        keeps_list = explain or self.keeps_conflicts
+        keeps_list = check_bool("explain", explain) or self.keeps_conflicts
         self._core.step(integers("actions", actions), keeps_list)
         self._explained = keeps_list
         return self.rewards
@@ -188,7 +189,7 @@ class World(WorldArrays):
         if not self.turn:
             self._require_open()
         # A list that misses the first turns of a round would be incomplete, so it is not kept.
-        wanted = explain or self.keeps_conflicts
+        wanted = check_bool("explain", explain) or self.keeps_conflicts
         keeps_list = wanted and (self._explained or not self.turn)
         self._core.play_turn(integers("actions", actions), keeps_list)
         self._explained = keeps_list
@@ -202,6 +203,7 @@ class World(WorldArrays):
         Entries of `actions`, int64 of shape (A,), of gone agents and of agents that are not in
         `agents` stay as they are; in an ended episode all do.
         """
+        check_written("actions", actions)
         self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
 
     def _require_open(self) -> None:
@@ -326,5 +328,10 @@ class World(WorldArrays):
         world = cls.__new__(cls)
         world._begin(config, keeps_conflicts)
         # The engine's world starts anew with the same settings and is then set to the moment.
-        world._core.restore(moment)
+        try:
+            world._core.restore(moment)
+        except (OverflowError, RuntimeError, TypeError) as error:  # other values than its own
+            raise TypeError(
+                f"moment: expected that of a copied world, got {shown(moment)}"
+            ) from error
         return world
