@@ -17,7 +17,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager, nullcontext
-from itertools import product
+from itertools import compress, product
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
@@ -345,22 +345,17 @@ def _tried(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
             team, population = read_genome(path, content)
             check_fits("genome", population.network, pool.config)
             return [Entry(name, team, "genome", file, population)]
-        teams = _teams_of(content, pool)
-    except RefusedError as error:
-        return [Refusal(name, file, str(error))]
-    except ValueError as error:
+        if pool.problem:
+            raise RefusedError(f"programs are not played here: {pool.problem}")
+        found = pool.functions(content)
+        if not any(found):
+            raise RefusedError(
+                "expected a function pursue(view, rng) or evade(view, rng), got none"
+            )
+    except (RefusedError, ValueError) as error:
         return [Refusal(name, file, told(error))]
-    return [_after_trial(Entry(name, team, "program", file, content), pool) for team in teams]
-
-
-def _teams_of(code: bytes, pool: MatchPool) -> list[Team]:
-    """Return the teams for which a program has a function; RefusedError if it fails or has none."""
-    if pool.problem:
-        raise RefusedError(f"programs are not played here: {pool.problem}")
-    teams = [team for team, there in zip(TEAMS, pool.functions(code), strict=True) if there]
-    if not teams:
-        raise RefusedError("expected a function pursue(view, rng) or evade(view, rng), got none")
-    return teams
+    entries = [Entry(name, team, "program", file, content) for team in compress(TEAMS, found)]
+    return [_after_trial(entry, pool) for entry in entries]
 
 
 def _after_trial(entry: Entry, pool: MatchPool) -> Entry | Refusal:
