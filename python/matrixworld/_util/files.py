@@ -115,7 +115,7 @@ def one_line(text: object) -> str:
     return line if len(line) <= LONGEST else f"{line[:LONGEST]} ..."
 
 
-def told(error: BaseException) -> str:
+def sentence_of(error: BaseException) -> str:
     """Return the sentence of an error; that of the system begins with the file."""
     if not (isinstance(error, OSError) and error.strerror):
         return str(error)

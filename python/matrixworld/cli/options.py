@@ -23,7 +23,7 @@ from matrixworld._util.files import (
     check_replaceable,
     printable,
     save_json,
-    told,
+    sentence_of,
 )
 from matrixworld.cli.cluster import cluster_option
 from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
@@ -314,7 +314,7 @@ class Commands(click.Group):
             problem = "this machine has too little memory for these sizes"
             raise click.ClickException(problem) from error
         except FAILURES as error:
-            raise click.ClickException(printable(told(error))) from error
+            raise click.ClickException(printable(sentence_of(error))) from error
         except KeyboardInterrupt:
             note("\nStopped. No file is half written.")
             raise click.exceptions.Exit(INTERRUPTED) from None
@@ -330,5 +330,5 @@ class Commands(click.Group):
         except OSError as error:
             with suppress(OSError):  # or Python would try once more at its end
                 sys.stdout.close()
-            click.echo(f"Error: standard output: {told(error)}", err=True)
+            click.echo(f"Error: standard output: {sentence_of(error)}", err=True)
             sys.exit(1)

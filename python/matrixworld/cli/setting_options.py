@@ -17,7 +17,7 @@ from typing import Any, get_args
 
 import click
 
-from matrixworld._util.files import DamagedFileError, load_toml, told
+from matrixworld._util.files import DamagedFileError, load_toml, sentence_of
 from matrixworld.cli.console import say
 from matrixworld.cli.options import Existing, option_name
 from matrixworld.cli.runs import run_in
@@ -161,7 +161,7 @@ def usage_errors() -> Iterator[None]:
         # ValueErrors, too, but the fault of a file and not of an argument: see `failures`.
         raise
     except (FileNotFoundError, IndexError, TypeError, ValueError) as error:
-        raise click.UsageError(_in_options(told(error))) from error
+        raise click.UsageError(_in_options(sentence_of(error))) from error
 
 
 def _in_options(message: str) -> str:

@@ -40,7 +40,7 @@ from typing import Any
 
 from matrixworld._util import HAS_PROCESSES
 from matrixworld._util.checks import check_instance, check_threads, shown
-from matrixworld._util.files import DamagedFileError, locked, save_json
+from matrixworld._util.files import DamagedFileError, locked, save_json, sentence_of
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
 from matrixworld.coevolution.runs import check_own_code, finish
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
@@ -184,7 +184,7 @@ class FailedRunsError(RuntimeError):
 
 def described(path: Path, error: BaseException) -> str:
     """Return an error of a run in words, without the path if the message begins with it."""
-    kind, text = type(error), f"{error}" or type(error).__name__
+    kind, text = type(error), sentence_of(error) or type(error).__name__
     # Such as KeyError, in the user's own code: its message alone says little.
     if kind.__module__ == "builtins" and not isinstance(error, OSError | ValueError):
         text = f"{kind.__name__}: {error}"
