@@ -107,7 +107,7 @@ def test_episodes_may_share_their_worlds() -> None:
 
 
 def test_few_or_unknown_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
-    few = of_scores(played(logistic(15, 0.3), 2)).headline
+    few = of_scores(played(logistic(15, 0.3), 2)).findings
     assert {few[name].verdict for name in (*CIRCLES, "forgetting")} == {CANNOT_TELL}
     matrix = played(circular(31), 10, evaders=30).mean(axis=2)
     assert verdicts(judge(matrix))["intransitivity"] == CANNOT_TELL
@@ -155,11 +155,11 @@ def test_several_runs_are_judged_over_runs() -> None:
     found = gain(judgement, "pursuer")
     assert (found.across, found.samples) == ("runs", 5)
     assert verdicts(judgement)["arms race"] == PRESENT
-    assert judgement.headline["arms race"].by_run == (PRESENT,) * 5
+    assert judgement.findings["arms race"].by_run == (PRESENT,) * 5
     # Runs that differ give no verdict.
     kinds = (STEADY, circular(31), STEADY, circular(31))
     differ = of_scores(np.stack([played(chance, 20, evaders=30) for chance in kinds]))
-    found = differ.headline["intransitivity"]
+    found = differ.findings["intransitivity"]
     assert (found.verdict, found.by_run) == (CANNOT_TELL, (ABSENT, PRESENT, ABSENT, PRESENT))
 
 

@@ -40,7 +40,7 @@ def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
     for scores in (SCORES, np.stack([SCORES, SCORES[::-1]]), SCORES[:8, :8]):
         payoffs = analysis.read_payoffs(scores, per_episode=True)
         found, judgement = analysis.measure_all(payoffs), analysis.judge(payoffs)
-        for finding in judgement.headline.values():
+        for finding in judgement.findings.values():
             assert all(found[name] == one for name, one in finding.estimates.items())
 
 

@@ -45,7 +45,7 @@ def test_runs_of_several_seeds_and_files(tmp_path):
         assert found[group.name] == expected.to_json()
         part = told.partition(f"\n{group.name}\n")[2].partition("\nWhat to try")[0]
         assert part.splitlines()[0] == headline(expected)
-        verdicts = {name: finding.verdict for name, finding in expected.headline.items()}
+        verdicts = {name: finding.verdict for name, finding in expected.findings.items()}
         assert judged_in(part) == verdicts
         for name in CONDITIONS:
             assert re.search(rf"{name.capitalize()}: (present|absent|cannot tell), because ", part)
@@ -79,7 +79,7 @@ def test_a_strip_of_many_seeds_is_in_parts(capsys):
     signs = {"present": "+", "absent": "-", "cannot tell": "?"}
     rows = [line for line in lines if line.startswith("cycling")]
     shown = [sign for row in rows for sign in re.findall(r"(?<=  )[-+?.](?=\s|$)", row)]
-    assert shown == [*(signs[verdict] for verdict in judgement.headline["cycling"].by_run), "."]
+    assert shown == [*(signs[verdict] for verdict in judgement.findings["cycling"].by_run), "."]
 
 
 def test_files_of_means_need_their_number_of_episodes():

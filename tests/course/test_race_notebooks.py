@@ -113,7 +113,7 @@ def test_the_four_races_are_what_the_solution_says() -> None:
 )
 def test_verdicts_on_ten_seeds(schedule: str, race: str, cycling: str) -> None:
     races = kept("paper_races")
-    found = analysis.judge(races[schedule] / int(races["evaders"]), per_episode=True).headline
+    found = analysis.judge(races[schedule] / int(races["evaders"]), per_episode=True).findings
     assert (found["arms race"].verdict, found["cycling"].verdict) == (race, cycling)
 
 

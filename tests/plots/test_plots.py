@@ -209,7 +209,7 @@ def test_the_strip_has_a_cell_for_each_verdict() -> None:
     judgement = judged_seeds(3)
     figure = plots.verdict_strip({"a": judgement}, {"a": (2, 5, 9)}, {"a": (7,)})
     (axes,) = figure.axes
-    findings = judgement.headline
+    findings = judgement.findings
     looks = {"present": colors.BLUE, "absent": colors.GRID, "cannot tell": colors.PAPER}
     drawn = {(round(c.get_x()), round(c.get_y())): c for c in axes.patches}
     for column, run in ((0, 0), (1, 1), (3, 2)):

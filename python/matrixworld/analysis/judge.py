@@ -87,7 +87,7 @@ class Judgement(Readable):
         return [judgement_cells(self)]
 
     @property
-    def headline(self) -> Findings:
+    def findings(self) -> Findings:
         """The findings on the window that headlines speak of."""
         return self.windows[self.window]
 

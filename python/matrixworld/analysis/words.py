@@ -62,7 +62,7 @@ def headline(judgement: Judgement) -> str:
         return ", ".join(at[OVERALL])
     parts = [f"{' and '.join(names)} {time}" for time, names in at.items() if names]
     if not (at["late"] or at[OVERALL]):
-        early = (judgement.headline[name.lower()].verdict for name in at["early"])
+        early = (judgement.findings[name.lower()].verdict for name in at["early"])
         parts.append("later undecided" if CANNOT_TELL in early else "not later")
     return ", ".join(parts)
 
@@ -132,7 +132,7 @@ def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
 def _told(judgement: Judgement) -> list[tuple[str, Finding, str]]:
     """Return condition, finding and window of what `judgement_table` lists."""
     check_instance("judgement", judgement, Judgement)
-    told = [(name, found, judgement.window) for name, found in judgement.headline.items()]
+    told = [(name, found, judgement.window) for name, found in judgement.findings.items()]
     # A wave that is over belongs into the table, too.
     for window, findings in judgement.windows.items():
         others = [each for each in judgement.present(window) if each not in judgement.present()]

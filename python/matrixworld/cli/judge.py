@@ -192,7 +192,7 @@ def print_strip(judgement: Judgement, seeds: Sequence[int], missing: Sequence[in
         part, is_last = every[first : first + beside], first + beside >= len(every)
         together = f"together (seeds: {', '.join(SIGNS.values())})" if is_last else ""
         rows = [("seed", *map(str, part), together)]
-        for name, finding in judgement.headline.items():
+        for name, finding in judgement.findings.items():
             found = dict(zip(seeds, finding.by_run, strict=True))
             signs = [SIGNS[found[seed]] if seed in found else NOT_FINISHED for seed in part]
             numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)

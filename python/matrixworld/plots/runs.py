@@ -376,7 +376,7 @@ def verdict_strip(
         if len(finished) != judgement.runs:
             raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(finished)}")
         verdicts = {
-            seed: {each: found.by_run[run] for each, found in judgement.headline.items()}
+            seed: {each: found.by_run[run] for each, found in judgement.findings.items()}
             for run, seed in enumerate(finished)
         }
         for seed in _seeds(f"missing of {name}", absent.get(name, ())):
@@ -409,7 +409,7 @@ def _draw_verdicts(
     # The verdict on all seeds is apart from the single ones, and always in words.
     width = max(2.4, 0.13 * most)
     for row, name in enumerate(CONDITIONS):
-        verdict = judgement.headline[name].verdict
+        verdict = judgement.findings[name].verdict
         _draw_cell(axes, most + 0.5, row, width, verdict, verdict)
     every = -(-most // 30)
     places = [*range(0, len(columns), every)]
