@@ -115,7 +115,8 @@ export class Chase {
       if (!active || !this.#recording || !(move || event.key === " ")) return;
       event.preventDefault();
       const within = (value: number, size: number): number => Math.min(size - 1, Math.max(0, value));
-      if (move) cursor = [within(cursor[0] + move[0]!, this.#recording.rows), within(cursor[1] + move[1]!, this.#recording.cols)];
+      const { rows, cols } = this.#recording;
+      if (move) cursor = [within(cursor[0] + move[0]!, rows), within(cursor[1] + move[1]!, cols)];
       else set(cursor, !isWall(cursor));
       this.#board.look = { cursor };
     });

@@ -14,7 +14,8 @@ function select(options: readonly Option[], change: (value: string) => void): HT
 }
 
 function field(name: string, about: string, control: HTMLElement, style = ""): HTMLElement {
-  return html("label", { class: `field ${style}`, title: about }, html("span", { class: "field-name" }, name), control, html("span", { class: "about small muted" }, about));
+  return html("label", { class: `field ${style}`, title: about },
+    html("span", { class: "field-name" }, name), control, html("span", { class: "about small muted" }, about));
 }
 
 /** What a control asks for: another choice, and whether it needs a new race. */

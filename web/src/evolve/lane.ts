@@ -266,9 +266,11 @@ export class Lane extends EventTarget {
     this.#measures.replaceChildren(
       html("h3", {}, "What came out"),
       html("table", { class: "numbers" },
-        html("thead", {}, html("tr", {}, html("td"), html("th", { scope: "col", class: "pursuer" }, "pursuers"), html("th", { scope: "col", class: "evader" }, "evaders"))),
-        html("tbody", {}, ...rows.map(([name, value]) => html("tr", {}, html("th", { scope: "row" }, name), ...TEAMS.map((team) => html("td", {}, value(team))))))),
-      html("p", { class: "small muted" }, "These are measures without a verdict: one race proves little. Save it, and ", html("code", {}, "matrixworld judge"), " weighs luck and says what happened."));
+        html("thead", {}, html("tr", {}, html("td"), ...TEAMS.map((team) => html("th", { scope: "col", class: team }, `${team}s`)))),
+        html("tbody", {}, ...rows.map(([name, value]) =>
+          html("tr", {}, html("th", { scope: "row" }, name), ...TEAMS.map((team) => html("td", {}, value(team))))))),
+      html("p", { class: "small muted" }, "These are measures without a verdict: one race proves little. Save it, and ",
+        html("code", {}, "matrixworld judge"), " weighs luck and says what happened."));
     this.#measures.hidden = false;
   }
 }

@@ -34,8 +34,13 @@ class Page {
   readonly #evolve = html("button", { type: "button", class: "evolve", onclick: () => this.#press() });
   readonly #progress = html("progress", { max: 1, value: 0, "aria-label": "Progress of the race" });
   readonly #status = html("p", { class: "small muted numbers", role: "status" });
-  readonly #side = html("button", { type: "button", class: "side", title: "A second race of the same seed with another schedule", onclick: () => this.#sideBySide() }, "Side by side");
-  readonly #walls = html("button", { type: "button", "aria-pressed": "false", title: "Drag over the board to draw walls, and over walls to remove them", onclick: () => this.#toggleWalls() }, "Draw walls");
+  readonly #side = html("button", {
+    type: "button", class: "side", title: "A second race of the same seed with another schedule", onclick: () => this.#sideBySide(),
+  }, "Side by side");
+  readonly #walls = html("button", {
+    type: "button", "aria-pressed": "false", title: "Drag over the board to draw walls, and over walls to remove them",
+    onclick: () => this.#toggleWalls(),
+  }, "Draw walls");
   readonly #noWalls = html("button", { type: "button", onclick: () => this.#ask({ walls: [] }) }, "No walls");
   readonly #rest = html("button", { type: "button", onclick: () => this.#toggleBoards() });
   readonly #link = html("input", { type: "text", readonly: true, hidden: true, "aria-label": "Link to this race" });
@@ -98,6 +103,7 @@ class Page {
   }
 
   #start(): void {
+    this.#told.textContent = "";
     for (const [number, schedule] of this.#schedules().entries()) {
       const lane = this.lanes[number]!;
       lane.settings = settingsOf(this.#data, this.#choice, schedule);
@@ -117,6 +123,7 @@ class Page {
     this.#choice = { ...this.#choice, ...change };
     this.#controls.show(this.#choice);
     this.#link.hidden = true;
+    this.#told.textContent = "";
     if (this.#schedules().length !== lanes) this.#makeLanes();
     if (anew && !waiting) this.#start();
     else this.#schedules().forEach((schedule, number) => this.lanes[number]!.change(settingsOf(this.#data, this.#choice, schedule)));
@@ -181,7 +188,7 @@ class Page {
     }
     const archive = archiveOf(races, { format: this.#data.format, version: this.#data.version });
     const file = new Blob([archive as BlobPart], { type: "application/zip" });
-    const name = `race-${this.#choice.seed}.zip`;
+    const name = `${races.map((each) => each.name).join("-and-")}-seed-${this.#choice.seed}.zip`;
     html("a", { href: URL.createObjectURL(file), download: name }).click();
     this.#told.textContent = `Saved as ${name}.`;
   }

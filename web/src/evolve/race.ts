@@ -125,7 +125,8 @@ export class Race {
   /** Go on with other settings, from where both teams are. The seed and the learner stay. */
   change(settings: RaceSettings): RaceEvent | null {
     const before = this.settings;
-    const [shapes, same] = [{ pursuer: this.shape("pursuer"), evader: this.shape("evader") }, (key: (each: RaceSettings) => unknown) => JSON.stringify(key(before)) === JSON.stringify(key(settings))];
+    const shapes = { pursuer: this.shape("pursuer"), evader: this.shape("evader") };
+    const same = (part: (each: RaceSettings) => unknown): boolean => JSON.stringify(part(before)) === JSON.stringify(part(settings));
     this.settings = settings;
     const network = same((each) => [each.world.fov, each.policy]);
     if (!network || !same((each) => each.learner)) {
@@ -156,7 +157,9 @@ export class Race {
     const genes = fixedOf(shape);
     const table = new NoiseTable(genesOf(shape), this.#source("noise", TEAMS.indexOf(team)), sigma, genes?.fixed ?? null);
     const start = genomes.map((genome) => masked(genome, genes));
-    this.#learners[team] = learner.kind === "ga" ? new GeneticAlgorithm(joined(start), table, learner) : new EvolutionStrategy(start[0]!, table, learner);
+    this.#learners[team] = learner.kind === "ga"
+      ? new GeneticAlgorithm(joined(start), table, learner)
+      : new EvolutionStrategy(start[0]!, table, learner);
   }
 
   // ---- Learning ---------------------------------------------------------------------------------
@@ -198,7 +201,8 @@ export class Race {
       const sizes = [sampled.evader.length, sampled.pursuer.length] as const; // members of each hall, pursuers' first
       const pairs = pairings(this.#learners.pursuer.groups, living, sizes, draws);
       const seeds = seedsOf([this.settings.seed, generation, generation, PHASE.both, epoch], Math.max(...pairs.group) + 1);
-      const scores = this.#play({ pursuer: everyone("pursuer"), evader: everyone("evader") }, pairs, BigUint64Array.from(pairs.group, (group) => seeds[group]!));
+      const sides = { pursuer: everyone("pursuer"), evader: everyone("evader") };
+      const scores = this.#play(sides, pairs, BigUint64Array.from(pairs.group, (group) => seeds[group]!));
       for (const team of TEAMS) {
         const fitness = tableMeans(pairs[team], pairs[otherOf(team)], n, this.#fitness(scores, team));
         this.#log(scores, fitness, { generation, team, epoch, opponent: SEVERAL });
