@@ -76,7 +76,7 @@ from matrixworld.explorer import evolve_page
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
-from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
+from matrixworld.world.rules import VARIANTS
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
 RUNS = Path("runs")
@@ -97,11 +97,6 @@ Examples:
 
 # The table of variants:
 
-HEADS = (
-    "variant", "moves", "obstacle", "teammate", "adversary: evader / pursuer", "capture by",
-    "the captured",
-)  # fmt: skip
-OUTCOMES = {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()}
 VARIANT_LEGEND = """\
 Obstacle, teammate, adversary: what happens to an agent that collides with an obstacle or the
 border, with a teammate, with an adversary. It reaches the cell, bounces back to its own cell, or
@@ -113,22 +108,12 @@ Other rules can be made in Python: matrixworld.Rules(...)."""
 
 def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     if value:
-        rows = [HEADS, *(_variant_row(name, rules) for name, rules in VARIANTS.items())]
-        print_table(rows, "<" * len(HEADS))
+        from matrixworld.plots.game import COLUMNS, rules_row
+
+        rows = [[*COLUMNS], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
+        print_table(rows, "<" * len(COLUMNS))
         say(f"\n{VARIANT_LEGEND}")
         ctx.exit()
-
-
-def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
-    return (
-        name,
-        INTERACTION_TEXTS[rules.interaction],
-        OUTCOMES[rules.obstacle],
-        OUTCOMES[rules.teammate],
-        f"{OUTCOMES[rules.evader]} / {OUTCOMES[rules.pursuer]}",
-        CAPTURE_TEXTS[rules.capture],
-        "disappear" if rules.removes_captured else "stay",
-    )
 
 
 def _write_page(ctx: click.Context, param: click.Parameter, value: bool) -> None:

@@ -345,7 +345,7 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
         The rows, by name. The default is the nine variants.
     """
     check_some(rules, "row")
-    rows = [_row(name, each) for name, each in rules.items()]
+    rows = [rules_row(name, each) for name, each in rules.items()]
     figure = new_figure(9.2, 1.15 + ROW * len(rules), shrinks=False)
     axes = figure.add_subplot()
     axes.set_axis_off()
@@ -365,7 +365,8 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
     return figure
 
 
-def _row(name: str, rules: Rules) -> list[str]:
+def rules_row(name: str, rules: Rules) -> list[str]:
+    """Return the cells of a row, below `COLUMNS`."""
     check_instance(name, rules, Rules)
     outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
     fate = ("disappear" if rules.removes_captured else "stay") if rules.captures else "none"
