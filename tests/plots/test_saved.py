@@ -55,6 +55,9 @@ def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
     assert files_of(runs, "job", name="payoff") == [f"job/seed-{n}/payoff.png" for n in (5, 6)]
     baselines = {"alone": open_runs(runs / "pursuers")}
     assert files_of(runs, "job", baselines=baselines)[-1] == "generalization.png"
+    for chosen in ({"name": "payof"}, {"suffix": "bmp"}):  # would be no figure, without a word
+        with pytest.raises(ValueError, match=r"expected one of .* got"):
+            files_of(runs, "hall", **chosen)
     both = [f"{place}/{name}" for place in ("hall", "job/seed-5") for name in of_run]
     assert files_of(runs, "hall", "job/seed-5") == [*both, "comparison.png"]
 

@@ -159,7 +159,7 @@ def checkerboards(
     matrix = check_payoff(payoff)
     require(0.0 <= check_real("margin", margin) < 1.0, "a margin in [0, 1)", margin)
     if level is not None:
-        check_number("level", level, least=0.0, most=1.0)
+        level = check_number("level", level, least=0.0, most=1.0)
     compared = [(matrix, margin)]
     if level is not None:  # both better cells are wins, and both worse are not
         compared.append(((matrix > level).astype(np.float64), 0.0))

@@ -86,7 +86,7 @@ def elo(payoff: ArrayLike, *, cycles: int = 0) -> Elo:
     """
     matrix = check_payoff(payoff)
     rows, columns = matrix.shape
-    check_integer("cycles", cycles, 0, min(rows, columns) // 2)
+    cycles = check_integer("cycles", cycles, 0, min(rows, columns) // 2)
     # a: pursuers, b: evaders, in natural logits.
     a, b, offset = np.split(_fit(shrink(matrix)), [rows, rows + columns])
     # Ratings are defined up to a constant, so they are centred and the offset absorbs the means.

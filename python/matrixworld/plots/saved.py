@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import plots
+from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Judgement, headline
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.tournament import tournament
@@ -21,6 +22,7 @@ from matrixworld.coevolution.groups import RunGroup
 from matrixworld.coevolution.schedules import Against, Simultaneous, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.plots.style import FORMATS
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -57,6 +59,9 @@ def figures_of(
     each : bool, optional
         Whether those of each run are drawn beside those of several seeds.
     """
+    if name is not None:
+        check_choice("name", name, {**OF_RUN, **OF_GROUPS})
+    check_choice("suffix", suffix, FORMATS)
     baselines = baselines or {}
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]

@@ -48,7 +48,7 @@ def training_curve(
     title : str, optional
     """
     values = check_rates(rates, ndim=1, what="training capture rates")
-    check_integer("window", window, 1)
+    window = check_integer("window", window, 1)
     shades = _shades(learners, len(values))
     evaders_learn = [shade == colors.EVADER for shade in shades]
     figure = style.new_figure(8.0, 3.8)
