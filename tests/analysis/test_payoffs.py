@@ -78,7 +78,7 @@ LONG = "pursuer,evader,capture_rate\n"
     [
         ("", "expected a table of capture rates, got no lines"),
         ("a,b\n", "expected lines of capture rates, got a header only"),
-        ("0,1\n0\n", "line 2: expected 2 cells as in the line before, got 1"),
+        ("0,1\n0\n", "line 2: expected 2 cells as in the first line, got 1"),
         ("0,1\n\n0,x\n", r"line 3: expected a capture rate in \[0, 1\], got 'x'"),
         # A line with a number is no header, and no line vanishes.
         ("0.5,,0.7\n0.4,0.5,0.6\n", r"line 1: expected a capture rate in \[0, 1\], got ''"),

@@ -182,13 +182,9 @@ def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates"
     outside are clipped.
     """
     rates = _numbers(values, ndim, what)
-    with np.errstate(invalid="ignore"):
-        # The negated test also finds NaN, which compares as false with everything.
-        _refuse(
-            ~((rates >= -ROUNDING) & (rates <= 1.0 + ROUNDING)),
-            rates,
-            f"{what} with finite values in [0, 1]",
-        )
+    # The negated test also finds NaN, which compares as false with everything.
+    bad = ~((rates >= -ROUNDING) & (rates <= 1.0 + ROUNDING))
+    _refuse(bad, rates, f"{what} with finite values in [0, 1]")
     outside = rates.min() < 0.0 or rates.max() > 1.0
     return np.clip(rates, 0.0, 1.0) if outside else rates
 
@@ -393,7 +389,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
     for at, row in lines:
         if len(row) != len(head):
             raise ValueError(
-                f"{at}: expected {len(head)} cells as in the line before, got {len(row)}"
+                f"{at}: expected {len(head)} cells as in the first line, got {len(row)}"
             )
     if {*_PAIR} <= {*names} or _RATE in names:
         if any(names.count(name) != 1 for name in (*_PAIR, _RATE)):
@@ -406,7 +402,7 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
 def _lines(path: Path) -> list[Line]:
     """Return the lines of a CSV file, as programs of all countries write it, without comments."""
     text = read_text(path, "CSV")
-    # Comments and lines without a cell have none of the delimiters that count.
+    # A comment becomes an empty line, so that the numbers of lines stay.
     raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text.split("\n")]
     declared = re.fullmatch(r"sep=(.)", raw[0], re.IGNORECASE)  # as spreadsheets write it
     raw[0] = "" if declared else raw[0]
@@ -457,7 +453,7 @@ def _long(path: Path, names: list[str], lines: list[Line]) -> Rates:
             raise ValueError(f"{where}: expected {expected}, got {', '.join(map(repr, row))}")
     # Whole numbers, which may start anywhere, in their order, and names in that of the file.
     columns = [
-        [int(float(cell)) for cell in column] if all(map(_is_whole, column)) else column
+        [int(cell.partition(".")[0]) for cell in column] if all(map(_is_whole, column)) else column
         for column in zip(*cells, strict=True)
     ]
     found: dict[tuple[int | str, ...], float] = {}
