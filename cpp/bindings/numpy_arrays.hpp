@@ -49,9 +49,15 @@ inline std::string text(const py::dtype& dtype) {
     return py::str(py::handle(dtype)).cast<std::string>();
 }
 
+// Equal dtypes may be several objects, as that of an array from a pickle.
+inline bool has_dtype(const py::array& array, const py::dtype& expected) {
+    const py::dtype own = array.dtype();
+    return own.is(expected) || own.equal(expected);
+}
+
 inline void require_dtype(const std::string& name, const py::array& array,
                           const py::dtype& expected) {
-    if (array.dtype().is(expected)) return;
+    if (has_dtype(array, expected)) return;
     throw py::type_error(name + ": expected dtype " + text(expected) + ", got " +
                          text(array.dtype()));
 }
@@ -64,7 +70,7 @@ void with_integers(const std::string& name, const py::array& given, const Shape&
     // A copy only where the array is not contiguous.
     const py::array array = py::array::ensure(given, py::array::c_style);
     const auto is = [&](auto integer) {
-        return array.dtype().is(py::dtype::of<decltype(integer)>());
+        return has_dtype(array, py::dtype::of<decltype(integer)>());
     };
     if (is(std::uint8_t{})) return use(static_cast<const std::uint8_t*>(array.data()));
     if (is(std::int8_t{})) return use(static_cast<const std::int8_t*>(array.data()));

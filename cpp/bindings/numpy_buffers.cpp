@@ -57,7 +57,7 @@ void add_array(const OutputField& field, const Config& config, const Shape& lead
     }
     const auto array = py::reinterpret_borrow<py::array>(given);
     // Views are the one kind of field with a choice of dtypes.
-    const bool floats = field.write_floats && array.dtype().is(py::dtype::of<float>());
+    const bool floats = field.write_floats && has_dtype(array, py::dtype::of<float>());
     if (!floats) require_dtype(field.name, array, numpy_dtype(field.dtype));
     void* const data = writeable(field.name, array, shape_of(field, config, leading));
     buffers.add(field, config, data, floats);

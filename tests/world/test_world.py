@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -206,3 +207,13 @@ def test_penalties_agree_with_the_reported_fault_and_involvement(
         rewards = world.step(actions)
         to_blame = world.fault if blame is mw.Blame.FAULT else world.involved
         np.testing.assert_array_equal(rewards, (tariff * to_blame).sum(axis=1))
+
+
+def test_equal_dtypes_are_one() -> None:
+    """As those of arrays from a pickle, or of another integer of C of the same size."""
+    world, batch = small(), mw.Batch(1, small().config)
+    stay = np.zeros(3, np.int64)
+    for row in (pickle.loads(pickle.dumps(stay)), stay.astype(np.longlong)):  # noqa: S301
+        world.step(row)
+        batch.step(row[None])
+        batch.reset(mask=pickle.loads(pickle.dumps(np.array([True]))))  # noqa: S301

@@ -166,13 +166,16 @@ def _specs(fields: dict[str, OutputField], config: WorldConfig) -> Specs:
     }
 
 
+def bytes_of(specs: Specs) -> dict[str, int]:
+    """Return the size of each array in bytes."""
+    return {
+        name: math.prod(shape) * np.dtype(dtype).itemsize for name, (shape, dtype) in specs.items()
+    }
+
+
 def new_arrays(specs: Specs, n_worlds: int) -> dict[str, NDArray[Any]]:
     """Return an array of zeros for each of some specs, with a leading axis of worlds."""
-    sizes = {
-        name: n_worlds * math.prod(shape) * np.dtype(dtype).itemsize
-        for name, (shape, dtype) in specs.items()
-    }
-    check_memory("arrays", **sizes)
+    check_memory("arrays", **{name: n_worlds * size for name, size in bytes_of(specs).items()})
     return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs.items()}
 
 

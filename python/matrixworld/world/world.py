@@ -16,6 +16,7 @@ from matrixworld.world.arrays import (
     WORLD_FIELDS,
     WorldArrays,
     array_specs,
+    bytes_of,
     check_written,
     integers,
     positions_of,
@@ -99,6 +100,7 @@ class World(WorldArrays):
     def _begin(self, config: WorldConfig, keeps_conflicts: bool = False) -> None:
         self.config, self.keeps_conflicts = config, keeps_conflicts
         self._specs = array_specs(config)
+        self._bytes = bytes_of(self._specs)
         self._core = _core.World(config.setup)
         self._explained = False
 
@@ -249,6 +251,8 @@ class World(WorldArrays):
         unknown = set(names) - set(self._specs)
         if unknown:
             raise ValueError(f"read: expected some of {list(self._specs)}, got {sorted(unknown)}")
+        for large in {"views", "state"}.intersection(names):
+            check_memory(large, cells=self._bytes[large])
         arrays = {name: np.empty(*self._specs[name]) for name in names}
         self._core.write(arrays)
         return arrays

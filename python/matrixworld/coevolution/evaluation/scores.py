@@ -511,6 +511,7 @@ def score_policy(
     left_out = ""
     if opponents is None:
         opponents, left_out = opponents_of(team, config)
+    check_instance("opponents", opponents, Mapping)
     mine = _plays("policy", policy)
     theirs = {name: _plays("opponents", each, most=1) for name, each in opponents.items()}
     if not theirs:
