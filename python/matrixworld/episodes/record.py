@@ -37,7 +37,6 @@ class Recorder:
         check_instance("world", world, World)
         self.world = world
         world.keeps_conflicts = True
-        self._config = world.config.to_json()
         self.begin()
 
     def begin(self) -> None:
@@ -103,9 +102,9 @@ class Recorder:
         none = np.empty((0, 1 + len(CONFLICT_COLUMNS)), np.int32)
         return Episode(
             **arrays,
-            map=self._map,
+            map=self._map.copy(),
             n_pursuers=config.n_pursuers,
-            config=self._config,
+            config=config.to_json(),
             conflict_table=np.concatenate([none, *numbered]),
         )
 

@@ -351,8 +351,9 @@ class Population(Readable):
         if not isinstance(self.network, Network):
             raise TypeError(f"network: expected a Network, got {self.network!r}")
         genomes = np.atleast_2d(self.genomes)
-        if genomes.dtype != np.float32:
-            raise TypeError(f"genomes: expected dtype float32, got {genomes.dtype}")
+        if genomes.dtype != np.float32 or isinstance(genomes, np.ma.MaskedArray):
+            got = type(genomes).__name__ if genomes.dtype == np.float32 else genomes.dtype
+            raise TypeError(f"genomes: expected dtype float32, got {got}")
         expected = (len(genomes), self.network.genome_size)
         if genomes.shape != expected or len(genomes) == 0:
             raise ValueError(
