@@ -2,6 +2,7 @@
 
 import multiprocessing
 import sys
+import tempfile
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -13,7 +14,7 @@ import pytest
 import matrixworld as mw
 from matrixworld import solve
 from matrixworld._util import checks
-from matrixworld.coevolution import score_policy, start
+from matrixworld.coevolution import evolve, score_policy, start
 from matrixworld.coevolution import tournament as play_tournament
 from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
@@ -102,6 +103,11 @@ def team_of(number: int) -> mw.Population:
     return mw.Population(np.repeat(GENOME[None], number, axis=0), NETWORK)
 
 
+def run_large() -> object:
+    with tempfile.TemporaryDirectory() as folder:
+        return evolve(tiny_race(hidden=(50_000,)), Path(folder) / "run", threads=1)
+
+
 def solved_policy() -> object:
     return solve.solve(mw.WorldConfig(rows=7, cols=7, n_pursuers=2, n_evaders=1), steps=40).policy(
         "pursuer"
@@ -147,6 +153,7 @@ ENTRIES: dict[str, tuple[Callable[[], object], str]] = {
         partial(score_policy, "still", "pursuer", SMALL, episodes=50_000, threads=1),
         "scores",
     ),
+    "evolve": (run_large, "run"),
     "Network.initial": (partial(LARGE.initial, np.random.default_rng(0)), "genome"),
     "States": (partial(solve.States, SOLVED), "states"),
     "States, turns": (partial(solve.States, COPS), "states"),

@@ -34,6 +34,9 @@ MOST_THREADS = 1024
 EPISODE_BYTES = 240
 """Statistics of an episode, as `rollout` holds them until it returns: twice."""
 
+PAYOFF_BYTES = 90
+"""What a tournament keeps of an episode until its end."""
+
 _LONGEST = 100  # characters of a value in a message
 _SMALL = 2**26  # 64 MiB: to read what is available would take longer than such an allocation
 _MEMINFO = Path("/proc/meminfo")

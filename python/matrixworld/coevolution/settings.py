@@ -16,6 +16,7 @@ import numpy as np
 
 from matrixworld._util.checks import (
     EPISODE_BYTES,
+    PAYOFF_BYTES,
     OutOfMemoryError,
     available_memory,
     check_memory,
@@ -420,7 +421,9 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     needed = {
         "candidates": COPIES * population * genome,
         "archive": archives * teams * schedule.entries * genome,
-        "episodes": EPISODE_BYTES * max(episodes, pairs * settings.evaluation_episodes),
+        "episodes": max(
+            EPISODE_BYTES * episodes, PAYOFF_BYTES * pairs * settings.evaluation_episodes
+        ),
     }
     if settings.learner.by_gradients:
         agents = max(settings.world.n_pursuers, settings.world.n_evaders)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import (
     EPISODE_BYTES,
+    PAYOFF_BYTES,
     check_instance,
     check_integer,
     check_memory,
@@ -85,8 +86,8 @@ def tournament(
     episodes = check_integer("episodes", episodes, 1)
     check_threads(threads)
     size = team_size(pursuers), team_size(evaders)
-    # The statistics of all episodes are kept until the end.
-    check_memory("tournament", episodes=EPISODE_BYTES * size[0] * size[1] * episodes)
+    row = size[1] * episodes
+    check_memory("tournament", kept=PAYOFF_BYTES * size[0] * row, row=EPISODE_BYTES * row)
     generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
     seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*generations)], np.uint64)
     columns = np.arange(size[1])
