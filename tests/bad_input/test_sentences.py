@@ -30,7 +30,10 @@ VALUES = [
     value(config(rows=0), "1 to 4096 | got 0"),
     kind(config(rows=3.0), "an integer | got 3.0"),
     kind(config(cols=True), "an integer | got True"),  # a bool is an int in Python
-    value(config(n_pursuers=12), "at least 13 cells for 12 pursuers and 1 evaders | got 3 x 4"),
+    value(
+        config(n_pursuers=12),
+        "at least 13 cells (rows x cols) for 12 pursuers and 1 evaders | got 3 x 4",
+    ),
     value(config(fov=4), "an odd number | got 4"),
     value(config(obstacles=1.0), "a number in [0, 1) | got 1.0"),
     value(config(obstacles=0.9), "at most 1 agents | got 3"),

@@ -151,7 +151,7 @@ def test_the_default_directory_is_named_after_variant_and_seeds(options, name):
 
 ALONE = ["--schedule", "against"]
 BAD = [
-    (["--n-pursuers", "30", *words(WORLD)[:4]], "Error: world: rows, cols: expected at least "),
+    (["--n-pursuers", "30", *words(WORLD)[:4]], "Error: --rows: expected at least "),
     (["--set", "learner.population=7"], "learner.population: expected an even number for es, got"),
     (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB"),
     (["--set", "world.obstacles=no.map"], "no.map: no such file or directory"),

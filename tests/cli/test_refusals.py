@@ -42,7 +42,7 @@ REPLAY = [
     (["race", "--evader", "pursuer.npz"], 2, "--evader: expected a file of evaders, got one of pu"),
     (["race", "--seed", "1"], 2, "is a run: expected no --seed with it"),
     (["O", "--pursuer", "3"], 2, "--pursuer: expected one of random, still, chaser, fleer, "),
-    (["O", "--rows", "1", "--cols", "3"], 2, "rows, cols: expected at least 38 cells"),
+    (["O", "--rows", "1", "--cols", "3"], 2, "rows: expected at least 38 cells"),
     (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
     (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),
     (["O", "--view", "pursuer_0"], 2, "--view: expected a picture to --out together with it"),

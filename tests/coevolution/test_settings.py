@@ -168,7 +168,7 @@ REFUSED = {
                                 for changes in (GRADIENTS, AGAINST, {"world.rules": "SB"})],
     "world": [{"world": "O"}],
     "world.fov": [{"world.fov": 4}],
-    "world.n_pursuers": [{"world.rows": 2, "world.cols": 2}],
+    "world.rows": [{"world.rows": 2, "world.cols": 2}],
     "world.predators": [{"world.predators": 2}],
     "world.rules": [{**GRADIENTS, "world.rules": "TO"}],
     "world.rules.evader": [{"world.rules.evader": "JUMP"}],

@@ -24,7 +24,12 @@ from matrixworld._util.checks import (
 from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
 from matrixworld.coevolution.learners import BuiltInLearner
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.learners.learner import Learner, LearnerSettings, Task
+from matrixworld.coevolution.learners.learner import (
+    Learner,
+    LearnerSettings,
+    Task,
+    table_length,
+)
 from matrixworld.coevolution.learners.masked_network import (
     FixedWeights,
     mask_weights,
@@ -69,6 +74,7 @@ MOST_SEED = 2**63 - 1
 REDUCED = {
     "candidates": "policy.hidden or learner.population",
     "archive": "policy.hidden or schedule.generations",
+    "noise": "policy.hidden",
     "episodes": "schedule.generations or evaluation_episodes",
     "views": "train_steps or match_episodes",
 }
@@ -420,7 +426,9 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
     pairs = schedule.entries**2 if settings.is_race else 1
     needed = {
         "candidates": COPIES * population * genome,
-        "archive": archives * teams * schedule.entries * genome,
+        # A file of it is made in memory.
+        "archive": (archives + 3) * teams * schedule.entries * genome,
+        "noise": teams * 4 * table_length(settings.network.genome_size),
         "episodes": max(
             EPISODE_BYTES * episodes, PAYOFF_BYTES * pairs * settings.evaluation_episodes
         ),

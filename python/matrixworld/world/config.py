@@ -201,8 +201,9 @@ class WorldConfig:
         sizes = self.rows, self.cols, self.n_pursuers, self.n_evaders
         if min(sizes) > 0 and self.n_agents > self.rows * self.cols:
             raise ValueError(
-                f"rows, cols: expected at least {self.n_agents} cells for {self.n_pursuers} "
-                f"pursuers and {self.n_evaders} evaders, got {self.rows} x {self.cols}"
+                f"rows: expected at least {self.n_agents} cells (rows x cols) for "
+                f"{self.n_pursuers} pursuers and {self.n_evaders} evaders, got {self.rows} x "
+                f"{self.cols}"
             )
         # Building the engine's form checks the ranges, so a bad config fails here and not later.
         self.setup  # noqa: B018

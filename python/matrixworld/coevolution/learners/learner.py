@@ -201,6 +201,11 @@ MOST_EXTRA_NUMBERS = 2**24
 """Bound of the table's memory: 64 MiB beyond one noise vector."""
 
 
+def table_length(size: int) -> int:
+    """Return how many numbers the table of noise vectors of a size has."""
+    return size + min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
+
+
 class NoiseTable:
     """Noise vectors as windows of one long row of normal numbers.
 
@@ -232,8 +237,7 @@ class NoiseTable:
         self.sigma: float = check_number("sigma", sigma, least=0.0, positive=True)
         self.fixed: BoolArray | None = fixed
         check_instance("rng", rng, np.random.Generator)
-        numbers = size + min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
-        self._numbers = rng.standard_normal(numbers, dtype=np.float32)
+        self._numbers = rng.standard_normal(table_length(size), dtype=np.float32)
         with np.errstate(over="ignore"):
             self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.
