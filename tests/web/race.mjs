@@ -25,8 +25,10 @@ function source(...key) {
 
 const race = new Race(engine, settings, masks, draws ? source : undefined);
 const events = [];
+const scores = { pursuer: [], evader: [] };
 for (const event of race.run()) {
   events.push(event.type);
+  if (event.type === "scores") for (const team of ["pursuer", "evader"]) scores[team][event.number] = event.scores[team];
   // Other settings from a generation on.
   const change = event.type === "generation" && changes?.[event.number];
   if (change && race.change(change)) events.push("anew");
@@ -37,4 +39,4 @@ const rates = race.archive.pursuer.map((_, g) => race.archive.evader.map((_none,
   return capture_rates.reduce((sum, each) => sum + each, 0) / capture_rates.length;
 }));
 const measures = ["pursuer", "evader"].map((team) => [generalization(rates, team), lateForgetting(rates, team)]);
-output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, saved, measures });
+output({ archive: race.archive, cells: [...race.cells.values()], rows: race.rows, events, scores, saved, measures });

@@ -25,6 +25,7 @@ from matrixworld.explorer.evolve_page import masks_of
 from matrixworld.explorer.runs_page import explorer_page
 from matrixworld.version import __version__
 from node import run_node
+from page_races import against_scripts
 
 SMALL: dict[str, Any] = {
     "world.rows": 7,
@@ -147,6 +148,8 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         for side in (matrix, 1.0 - matrix.T)
     ]
     np.testing.assert_allclose(told["measures"], expected, atol=1e-12)
+    for team in TEAMS:
+        assert np.mean(told["scores"][team]) == pytest.approx(against_scripts(run, team))
     assert judge(payoff.capture_rates, per_episode=True).runs == 1
     assert "pursuer" in explorer_page([run])
     assert len(run.log()["epoch"]) == len(told["rows"])
