@@ -21,7 +21,7 @@ import type { Order, Told } from "./worker.ts";
 
 const percent = (rate: number): string => `${Math.round(100 * rate)} %`;
 /** Milliseconds between two drawings of what grows. */
-const REST = 50;
+const REST = 100;
 let count = 0;
 
 /** A race, and all that shows it. It dispatches `state` when it begins, gets on or ends. */

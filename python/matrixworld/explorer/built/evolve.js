@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 12af6fb123f30904deffbeb5cc5c805c1f3631bbdf4887c17f41681d29b9b39c */
+/* built from web/ by "npm run build"; sources 77a9ba899cfda9dc2a06233c0143871b24bc4bb1409667b74091ff1457f58182 */
 "use strict";(()=>{var $n={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},Nn={OCCUPATION:0,SURROUND:1},In={FAULT:0,INVOLVED:1};var _r=["obstacle","teammate","adversary"],Or=["vertex","edge","chain"],Fn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Rr=["p\
 ursuer_{number}","evader_{number}"],Un={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\
@@ -665,7 +665,7 @@ this.genomes[n]=[...t[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this
 capture_rate[e][t]=On(n),this.payoff.capture_rates[e][t]=[...n],this.payoff.lengths[e][t]=[...s],this.findings={generalization:this.#o()}}#o(){let e=this.payoff.
 capture_rate,t=o=>({mean:o,low:null,high:null}),n=o=>o.filter(a=>a!==void 0),s=[...this.genomes.pursuer.keys()];return{pursuers:t(s.map(o=>On(n(e[o])))),evaders:t(
 s.map(o=>On(n(e.map(a=>a[o])).map(a=>1-a))))}}};var Rn=r=>r.reduce((e,t)=>e+t,0)/r.length,Oa=(r,e)=>e==="pursuer"?r:r[0].map((t,n)=>r.map(s=>1-s[n])),Ra=(r,e)=>Rn(Oa(r,e).at(-1));function Pa(r,e){let t=[],n=Oa(
-r,e).map(s=>Rn(s.map((o,a)=>(t[a]=Math.max(t[a]??0,o),t[a]-o))));return Rn(n.slice(Math.floor(n.length/2)))}var Mt=r=>`${Math.round(100*r)} %`,au=50,iu=0,Er=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#r;#t;#n=m("h2",
+r,e).map(s=>Rn(s.map((o,a)=>(t[a]=Math.max(t[a]??0,o),t[a]-o))));return Rn(n.slice(Math.floor(n.length/2)))}var Mt=r=>`${Math.round(100*r)} %`,au=100,iu=0,Er=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#r;#t;#n=m("h2",
 {class:"lane-title"});#s=m("p",{class:"facts numbers"});#o=m("div",{class:"lane-room",hidden:!0});#u=m("section",{class:"card measures",hidden:!0});#d=m("div");#a;#m={
 pursuer:[],evader:[]};#h=new Map;#l;#f;#p=()=>{};#i=0;#c=!0;#g=0;#y=null;constructor(e,t,n,s){super(),[this.#e,this.#r,this.#t,this.settings]=[e,t,n,s],this.newest=
 new vt(()=>this.#A(this.#a.newest)),this.beginning=new vt(()=>this.#A(0)),this.beginning.element.classList.add("beginning");let o=m("div",{class:"boards"},this.
