@@ -18,6 +18,7 @@ import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
+import page_races
 import paper_claims
 import paper_surrounding
 import psro
@@ -47,6 +48,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "hall_of_fame/table.md": of(hall_of_fame.table),
     "judgement/errors.md": judgement_tables.report_of,
     "learned_exploitability/table.md": of(learned.table),
+    "page_races/table.md": of(page_races.table),
     "paper_claims/table.md": of(paper_claims.tables),
     "paper_surrounding/table.md": of(paper_surrounding.tables),
     "psro/table.md": of(psro.table),
