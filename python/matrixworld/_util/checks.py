@@ -37,8 +37,10 @@ EPISODE_BYTES = 240
 PAYOFF_BYTES = 90
 """What a tournament keeps of an episode until its end."""
 
+LARGE = 2**26
+"""64 MiB: to read what is available would take longer than a smaller allocation."""
+
 _LONGEST = 100  # characters of a value in a message
-_SMALL = 2**26  # 64 MiB: to read what is available would take longer than such an allocation
 _MEMINFO = Path("/proc/meminfo")
 _OWN_GROUP = Path("/proc/self/cgroup")
 _GROUPS = Path("/sys/fs/cgroup")
@@ -243,7 +245,7 @@ def control_group_cores() -> float:
 def check_memory(what: str, **parts: float) -> None:
     """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts."""
     needed = sum(parts.values())
-    available = available_memory() if needed > _SMALL else None
+    available = available_memory() if needed > LARGE else None
     if available is not None and needed > available:
         largest = max(parts, key=parts.__getitem__)
         raise OutOfMemoryError(

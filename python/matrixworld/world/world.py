@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld import _core
-from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, check_memory, shown
+from matrixworld._util.checks import LARGE, SEED_MAX, check_bool, check_integer, check_memory, shown
 from matrixworld.episodes.render import Scene
 from matrixworld.world.arrays import (
     CHANNEL,
@@ -100,7 +100,8 @@ class World(WorldArrays):
     def _begin(self, config: WorldConfig, keeps_conflicts: bool = False) -> None:
         self.config, self.keeps_conflicts = config, keeps_conflicts
         self._specs = array_specs(config)
-        self._bytes = bytes_of(self._specs)
+        sizes = bytes_of(self._specs)
+        self._large = {name: size for name, size in sizes.items() if size > LARGE}
         self._core = _core.World(config.setup)
         self._explained = False
 
@@ -251,8 +252,8 @@ class World(WorldArrays):
         unknown = set(names) - set(self._specs)
         if unknown:
             raise ValueError(f"read: expected some of {list(self._specs)}, got {sorted(unknown)}")
-        for large in {"views", "state"}.intersection(names):
-            check_memory(large, cells=self._bytes[large])
+        for large in self._large.keys() & names if self._large else ():
+            check_memory(large, numbers=self._large[large])
         arrays = {name: np.empty(*self._specs[name]) for name in names}
         self._core.write(arrays)
         return arrays
