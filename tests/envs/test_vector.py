@@ -107,6 +107,11 @@ def test_seeds() -> None:
     assert not np.array_equal(first, second)
     np.testing.assert_array_equal(other.reset()[0], second)
     np.testing.assert_array_equal(env.reset(seed=9, options={"episode": 1})[0], second)
+    env.reset(seed=[20, None, None, 21])
+    assert env.infos["seed"].tolist() == [20, 10, 11, 21]
+    assert env.infos["episode_number"].tolist() == [0, 2, 2, 0]
+    with pytest.raises(TypeError, match="^seed: expected an integer, got None"):
+        env.reset(seed=[None, 1])  # type: ignore[list-item]  # of two worlds
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)

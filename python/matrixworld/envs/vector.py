@@ -274,8 +274,9 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         Parameters
         ----------
         seed : int or array_like of int, shape (W,), optional
-            An int s gives world w the seed s + w. Without a seed each world starts its seed's next
-            episode; worlds that never had a seed draw one from the operating system.
+            An int s gives world w the seed s + w. Without a seed, or with None in a list, a world
+            starts its seed's next episode; worlds that never had a seed draw one from the operating
+            system.
         options : mapping, optional
             Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
             ``pursuers``, ``evaders`` and ``obstacles`` as for `Batch.reset`. With a built-in team
@@ -299,13 +300,26 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
         mask, opponents = given.pop("reset_mask", None), self._take_opponents(given)
-        self._batch.reset(seed, mask=mask, **given)
+        unseeded = isinstance(seed, list | tuple) and len(seed) == self.num_envs and None in seed
+        if unseeded:
+            self._reset_with_some_seeds(seed, mask, given)
+        else:
+            self._batch.reset(seed, mask=mask, **given)
         if self._team is not None:
             self._team.opponents = opponents
             everywhere = np.ones(self.num_envs, np.bool_)
             self._team.begin(everywhere if mask is None else np.asarray(mask))
         self._seeded = True
         self._write_masks()
+
+    def _reset_with_some_seeds(self, seeds: Any, mask: Any, given: dict[str, Any]) -> None:
+        """Reset as Gymnasium does: worlds whose seed is None start their seed's next episode."""
+        anew = np.array([each is None for each in seeds])
+        chosen = np.ones_like(anew) if mask is None else np.asarray(mask)
+        known = [0 if each is None else each for each in seeds]
+        self._batch.reset(known, mask=chosen & ~anew, **given)
+        places = {name: value for name, value in given.items() if name != "episode"}
+        self._batch.reset(mask=chosen & anew, **places)
 
     def step(
         self, actions: ArrayLike | None = None
