@@ -139,7 +139,8 @@ export class Race {
     if (network && same((each) => each.world)) return null;
     this.cells.clear();
     this.#scored.clear();
-    return { type: "anew", settings, genomes: this.archive };
+    const { pursuer, evader } = this.archive; // a team may be a generation ahead of the other
+    return { type: "anew", settings, genomes: { pursuer: pursuer.slice(0, this.finished), evader: evader.slice(0, this.finished) } };
   }
 
   /** The genomes from which a learner goes on: as many as its settings want. */

@@ -5,7 +5,7 @@ export const rate = (value: number | null | undefined, digits = 2): string =>
   value === null || value === undefined ? "-" : value.toFixed(digits);
 
 /** A value and its interval, where it has one. */
-export function interval(value: number, low: number | null, high: number | null): string {
+export function interval(value: number | null, low: number | null, high: number | null): string {
   return low === null || high === null ? rate(value) : `${rate(value)} (${rate(low)} to ${rate(high)})`;
 }
 

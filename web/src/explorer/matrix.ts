@@ -159,14 +159,14 @@ export class MatrixPanel {
     this.#pair.replaceChildren(
       html("span", { class: "pursuer" }, `Pursuers ${g}`), " against ", html("span", { class: "evader" }, `evaders ${h}`));
     this.#rate.textContent = cell ? rate(cell.rate, 3) : "-";
-    this.#more.textContent = cell ? `capture rate, mean of ${cell.rates.length} episodes` : "the evaluation played no episodes";
+    this.#more.textContent = cell ? `capture rate, mean of ${cell.rates.length} episodes` : "no episodes were played";
     this.#all.textContent = this.#scores(g, h);
   }
 
   #scores(g: number, h: number): string {
     const scores = this.#run.findings?.generalization;
     if (!scores) return "";
-    const one = (band: Band, at: number): string => interval(band.mean[at] ?? 0, band.low?.[at] ?? null, band.high?.[at] ?? null);
+    const one = (band: Band, at: number): string => interval(band.mean[at] ?? null, band.low?.[at] ?? null, band.high?.[at] ?? null);
     return `Against all: captures ${one(scores.pursuers, g)}, escapes ${one(scores.evaders, h)}`;
   }
 

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 77a9ba899cfda9dc2a06233c0143871b24bc4bb1409667b74091ff1457f58182 */
+/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
 "use strict";(()=>{var $n={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},Nn={OCCUPATION:0,SURROUND:1},In={FAULT:0,INVOLVED:1};var _r=["obstacle","teammate","adversary"],Or=["vertex","edge","chain"],Fn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Rr=["p\
 ursuer_{number}","evader_{number}"],Un={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\
@@ -453,22 +453,22 @@ t.pursuer,"strip pursuer"),d(t.evader,"strip evader")),n.pursuer!==null&&n.pursu
 evader,"strip hover")),h.push(...this.#p(e));let f={x:s+t.evader*a,y:u(t.pursuer),width:a,height:a};h.push(w("rect",{class:"chosen under",...f}),w("rect",{class:"\
 chosen",...f})),this.#s.replaceChildren(...h),this.#g()}#g(){let{selected:e,hover:t}=this.#e,n=t.pursuer??e.pursuer,s=t.evader??e.evader,o=je(this.#l,n,s);this.#u.
 replaceChildren(m("span",{class:"pursuer"},`Pursuers ${n}`)," against ",m("span",{class:"evader"},`evaders ${s}`)),this.#d.textContent=o?V(o.rate,3):"-",this.#a.
-textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"the evaluation played no episodes",this.#m.textContent=this.#y(n,s)}#y(e,t){let n=this.#l.findings?.
-generalization;if(!n)return"";let s=(o,a)=>_s(o.mean[a]??0,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,
-t)}`}#b(e){let t=this.#h;if(!t)return null;let n=this.#o.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-t.left)/t.cell),o=t.rows-1-Math.floor((e.clientY-
-n.top-t.top)/t.cell),[a,i]=[o>=0&&o<t.rows,s>=0&&s<t.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#x(e){let t=this.#b(e);this.#e.point(t?{pursuer:t.
-g<0?null:t.g,evader:t.h<0?null:t.h}:{})}#v(e){let t=this.#b(e);if(t){if(t.inside&&Zo(this.#h.cell))return this.#S(t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.
-g},...t.h<0?{}:{evader:t.h}}),t.inside&&this.#w()}}#S(e,t){let n=Jo(this.#l,e,t,s=>{n.remove(),s&&(this.#e.select(s),this.#w())});this.#o.append(n)}#w(){this.#o.
-dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Nl({left:r,top:e,cell:t,rows:n,columns:s}){let o=w("g",{class:"axes"}),a=e+n*t,i=l=>ct(0,l-1,Math.
-min(l,l*t/44),!0);for(let l of i(s))o.append(w("text",{class:"tick",x:r+(l+.5)*t,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))o.append(w("text",{class:"\
-tick",x:r-7,y:a-(l+.5)*t,"text-anchor":"end","dominant-baseline":"middle"},l));return o.append(w("text",{class:"label of-evaders",x:r+s*t/2,y:a+36,"text-anchor":"\
-middle"},"evader generation"),w("text",{class:"label of-pursuers",transform:`translate(${r-36} ${e+n*t/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generat\
-ion")),o}function Il({left:r,top:e,cell:t,rows:n,columns:s}){let o=w("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*t;for(let h of["H","V"]){
-let c=`M${r} ${i}`;for(let d=1;d<=a;d++){let[f,y]=[`H${r+d*t}`,`V${i-d*t}`];c+=h==="H"?f+y:y+f}o.append(w("path",{d:c,class:"under"}),w("path",{d:c}))}let[l,u]=[
-r+a/2*t-.7*t-4,i-a/2*t-.7*t-4];return[o,w("text",{class:"on-cells",transform:`translate(${l} ${u}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var Xo=({
-left:r,top:e,cell:t,rows:n,columns:s},o,a)=>[r+s*t+le+o*bt,e+(n-a-.5)*t],Qo=({left:r,top:e,cell:t},n,s)=>[r+(s+.5)*t,e-le-n*ke];function ea(r,e,t){let n=o=>o.map(
-(a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),s=[];return r.low&&r.high&&s.push(w("path",{class:`band ${t}`,d:`M${[...n(r.high),...n(r.low).reverse()].join("\
-L")}Z`})),s.push(w("path",{class:`line ${t}`,d:`M${n(r.mean).join("L")}`})),s}var ta={pursuer:null,evader:null},dr=class extends EventTarget{#e;#r=ta;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#r}select(e){
+textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#m.textContent=this.#y(n,s)}#y(e,t){let n=this.#l.findings?.generalization;
+if(!n)return"";let s=(o,a)=>_s(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,t)}`}#b(e){
+let t=this.#h;if(!t)return null;let n=this.#o.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-t.left)/t.cell),o=t.rows-1-Math.floor((e.clientY-n.top-t.top)/
+t.cell),[a,i]=[o>=0&&o<t.rows,s>=0&&s<t.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#x(e){let t=this.#b(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,
+evader:t.h<0?null:t.h}:{})}#v(e){let t=this.#b(e);if(t){if(t.inside&&Zo(this.#h.cell))return this.#S(t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?
+{}:{evader:t.h}}),t.inside&&this.#w()}}#S(e,t){let n=Jo(this.#l,e,t,s=>{n.remove(),s&&(this.#e.select(s),this.#w())});this.#o.append(n)}#w(){this.#o.dispatchEvent(
+new CustomEvent("play",{bubbles:!0}))}};function Nl({left:r,top:e,cell:t,rows:n,columns:s}){let o=w("g",{class:"axes"}),a=e+n*t,i=l=>ct(0,l-1,Math.min(l,l*t/44),
+!0);for(let l of i(s))o.append(w("text",{class:"tick",x:r+(l+.5)*t,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))o.append(w("text",{class:"tick",x:r-7,y:a-
+(l+.5)*t,"text-anchor":"end","dominant-baseline":"middle"},l));return o.append(w("text",{class:"label of-evaders",x:r+s*t/2,y:a+36,"text-anchor":"middle"},"evad\
+er generation"),w("text",{class:"label of-pursuers",transform:`translate(${r-36} ${e+n*t/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function Il({
+left:r,top:e,cell:t,rows:n,columns:s}){let o=w("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*t;for(let h of["H","V"]){let c=`M${r} ${i}`;for(let d=1;d<=
+a;d++){let[f,y]=[`H${r+d*t}`,`V${i-d*t}`];c+=h==="H"?f+y:y+f}o.append(w("path",{d:c,class:"under"}),w("path",{d:c}))}let[l,u]=[r+a/2*t-.7*t-4,i-a/2*t-.7*t-4];return[
+o,w("text",{class:"on-cells",transform:`translate(${l} ${u}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var Xo=({left:r,top:e,cell:t,rows:n,columns:s},o,a)=>[
+r+s*t+le+o*bt,e+(n-a-.5)*t],Qo=({left:r,top:e,cell:t},n,s)=>[r+(s+.5)*t,e-le-n*ke];function ea(r,e,t){let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(
+" ")),s=[];return r.low&&r.high&&s.push(w("path",{class:`band ${t}`,d:`M${[...n(r.high),...n(r.low).reverse()].join("L")}Z`})),s.push(w("path",{class:`line ${t}`,
+d:`M${n(r.mean).join("L")}`})),s}var ta={pursuer:null,evader:null},dr=class extends EventTarget{#e;#r=ta;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#r}select(e){
 let t=this.#e,n=["run","pursuer","evader"].some(s=>s in e&&e[s]!==t[s]);this.#e={...t,...n?{episode:0,seed:null}:{},...e},this.#e.run!==t.run&&this.dispatchEvent(
 new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let t={...ta,...e};t.pursuer===this.#r.pursuer&&t.evader===this.#r.evader||(this.#r=t,this.dispatchEvent(
 new Event("hover")))}on(e,t){this.addEventListener(e,t)}};var mr=class{config;start;recording;actions=[];#e;#r;#t=[[]];constructor(e,t,n){[this.config,this.start]=[t,n],this.#e=e.world(t),this.#e.reset(n),this.#r=[mn(this.#e)],
@@ -621,39 +621,40 @@ t.seed)){[this.#e,this.settings,this.#r,this.#t]=[e,t,n,s];for(let o of C){let{i
 kind==="ga"?t.learner.population:1,h=Array.from({length:u},()=>wa(this.shape(o),l,a,i));this.#m(o,h),this.archive[o].push(this.#n[o].genome)}this.#v()}shape(e){
 return Ar(this.settings,this.#r,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#S(0);for(let e=1;e<=
 this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of C)yield*this.#h(t,e);else yield*this.#l(e);this.#v(),yield*this.#S(
-e)}}change(e){let t=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=a=>JSON.stringify(a(t))===JSON.stringify(a(e));this.settings=e;
-let o=s(a=>[a.world.fov,a.policy]);if(!o||!s(a=>a.learner))for(let a of C){let i=l=>xa(l,n[a],this.shape(a));this.archive[a]=this.archive[a].map(i),this.#m(a,this.#a(
-a).map(i))}return o&&s(a=>a.world)?null:(this.cells.clear(),this.#s.clear(),{type:"anew",settings:e,genomes:this.archive})}#a(e){let t=this.#n[e];if(!(t instanceof
-At))return[t.genome];let n=t.genome.length,s=Array.from({length:t.population.length/n},(o,a)=>t.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.
-learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#m(e,t){let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=xn(s),i=new vr(
-Ke(s),this.#t("noise",C.indexOf(e)),o,a?.fixed??null),l=t.map(u=>Sn(u,a));this.#n[e]=n.kind==="ga"?new At(xr(l),i,n):new wr(l[0],i,n)}*#h(e,t){for(let n=0;n<this.#i(
-e);n++){let s=this.archive[Oe(e)].length,o=this.settings.schedule[`${e}s_meet`].rule,a=o==="latest"?s-1:o==="round-robin"?n%s:this.#t("opponents",C.indexOf(e),t,
-n).choice(s,1)[0],i=e==="pursuer"?[t,a]:[a,t],l=this.#n[e],{groups:u}=l,h=St([this.settings.seed,...i,Mn[e],n],Math.max(...u)+1),c=l.ask(this.#t("learn",C.indexOf(
-e),t,n)),[d,f]=[Int32Array.from(u.keys()),new Int32Array(u.length)],y={[e]:c,[Oe(e)]:this.archive[Oe(e)][a]},p={[e]:d,[Oe(e)]:f},g=this.#g(y,p,BigUint64Array.from(
-u,x=>h[x])),b=this.#b(g,e);this.#x(g,b,{generation:t,team:e,epoch:n,opponent:a}),l.tell(b),yield*this.#c(t,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let t=0;t<
-this.#i("pursuer");t++){let{schedule:n,learner:{population:s}}=this.settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#f(
-"pursuer",e,t),evader:this.#f("evader",e,t)},l=this.#t("opponents",0,e,t),u={pursuer:this.#p(o,l),evader:this.#p(o,l)},h=g=>xr([i[g],...Array.from(u[Oe(g)],b=>this.
-archive[g][b])]),c=[u.evader.length,u.pursuer.length],d=Ca(this.#n.pursuer.groups,a,c,l),f=St([this.settings.seed,e,e,Mn.both,t],Math.max(...d.group)+1),y={pursuer:h(
-"pursuer"),evader:h("evader")},p=this.#g(y,d,BigUint64Array.from(d.group,g=>f[g]));for(let g of C){let b=ka(d[g],d[Oe(g)],s,this.#b(p,g));this.#x(p,b,{generation:e,
-team:g,epoch:t,opponent:ou}),this.#n[g].tell(b)}yield*this.#c(e,t,"both")}for(let t of C)this.archive[t].push(this.#n[t].genome)}#f(e,t,n){return this.#n[e].ask(
-this.#t("learn",C.indexOf(e),t,n))}#p(e,t){let n=this.archive.pursuer.length;return e?t.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:t}=this.settings;
-return t.kind==="hall-of-fame"?t.joint_epochs:t[`${e}_epochs`]}*#c(e,t,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i(
-"pursuer"),this.#i("evader")],a=t+1+(n==="evader"?s:0),i=s+o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#g(e,t,n){
-let s={...this.settings.world,max_steps:this.settings.train_steps},o=this.#e.rollouts(s,this.#y("pursuer",e.pursuer),this.#y("evader",e.evader),{...t,seed:n},1);
-this.#o+=o.length.length;for(let a of o.length)this.#u+=Number(a);for(let a of o.agent_steps)this.#d+=Number(a);return o}#y(e,t){return xt(this.shape(e),t)}#b({
-captured_fraction:e,overlap:t},n){let s=_a(this.settings);return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#x(e,t,n){let s=Re(t),o=[0,0];
-e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=Number(a)),this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(Re(t.map(a=>(a-s)**2))),fitness_best:Math.max(
-...t),capture_rate:Re(e.capture_rate),length:Re(e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#o,steps:this.#u})}#v(){
-this.counters.push({matches:this.#o,steps:this.#u,agent_steps:this.#d})}*#S(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.
-archive.evader[e]}},yield*this.catchUp()}*catchUp(){for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[n,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.
-cells.has(`${n} ${s}`))continue;let o=this.#w(n,s);this.cells.set(`${n} ${s}`,o),yield{type:"cell",cell:o}}this.#s.has(e)||(this.#s.add(e),yield{type:"scores",number:e,
-scores:{pursuer:this.#A("pursuer",e),evader:this.#A("evader",e)}})}}#w(e,t){let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),
-evader:new Int32Array(1),seed:BigUint64Array.of(br(o,e,t))},i=C.map(h=>this.#y(h,this.archive[h][h==="pursuer"?e:t])),l=this.#e.rollouts(n,...i,a,s),u=h=>{let c=Array.
-from(l[h],Number),d=c.length/s;return Array.from({length:d},(f,y)=>Re(c.filter((p,g)=>g%d===y)))};return{pursuer:e,evader:t,capture_rates:Array.from(l.capture_rate),
-lengths:Array.from(l.length),means:{collisions:u("collisions"),faults:u("faults"),agent_steps:u("agent_steps"),survivors:u("survivors")}}}#A(e,t){let{world:n,seed:s}=this.
-settings,[o,a]=[this.#y(e,this.archive[e][t]),new Int32Array(1)];return Re(Sr[e].map((i,l)=>{let u=St([s,C.indexOf(e),l,su],1),h=e==="pursuer"?[o,i]:[i,o],c=Re(
-this.#e.rollouts(n,...h,{pursuer:a,evader:a,seed:u},nu).capture_rate);return e==="pursuer"?c:1-c}))}};function xr(r){let e=new Float32Array(r.reduce((n,{length:s})=>n+
-s,0)),t=0;for(let n of r)e.set(n,t),t+=n.length;return e}var _n=r=>Array.from({length:r},()=>Array(r)),On=r=>r.length?r.reduce((e,t)=>e+t,0)/r.length:null,Mr=class{learning=C;settings=[];training={capture_rate:[],generation:[],
+e)}}change(e){let t=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(e));this.settings=e;
+let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of C){let u=h=>xa(h,n[l],this.shape(l));this.archive[l]=this.archive[l].map(u),this.#m(l,this.#a(
+l).map(u))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#s.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.
+slice(0,this.finished),evader:i.slice(0,this.finished)}}}#a(e){let t=this.#n[e];if(!(t instanceof At))return[t.genome];let n=t.genome.length,s=Array.from({length:t.
+population.length/n},(o,a)=>t.population.slice(a*n,(a+1)*n));return Array.from({length:this.settings.learner.population},(o,a)=>a===0?t.genome:s[a%s.length])}#m(e,t){
+let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sigma],a=xn(s),i=new vr(Ke(s),this.#t("noise",C.indexOf(e)),o,a?.fixed??null),l=t.map(
+u=>Sn(u,a));this.#n[e]=n.kind==="ga"?new At(xr(l),i,n):new wr(l[0],i,n)}*#h(e,t){for(let n=0;n<this.#i(e);n++){let s=this.archive[Oe(e)].length,o=this.settings.
+schedule[`${e}s_meet`].rule,a=o==="latest"?s-1:o==="round-robin"?n%s:this.#t("opponents",C.indexOf(e),t,n).choice(s,1)[0],i=e==="pursuer"?[t,a]:[a,t],l=this.#n[e],
+{groups:u}=l,h=St([this.settings.seed,...i,Mn[e],n],Math.max(...u)+1),c=l.ask(this.#t("learn",C.indexOf(e),t,n)),[d,f]=[Int32Array.from(u.keys()),new Int32Array(
+u.length)],y={[e]:c,[Oe(e)]:this.archive[Oe(e)][a]},p={[e]:d,[Oe(e)]:f},g=this.#g(y,p,BigUint64Array.from(u,x=>h[x])),b=this.#b(g,e);this.#x(g,b,{generation:t,team:e,
+epoch:n,opponent:a}),l.tell(b),yield*this.#c(t,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let t=0;t<this.#i("pursuer");t++){let{schedule:n,learner:{
+population:s}}=this.settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#f("pursuer",e,t),evader:this.#f("evader",e,t)},
+l=this.#t("opponents",0,e,t),u={pursuer:this.#p(o,l),evader:this.#p(o,l)},h=g=>xr([i[g],...Array.from(u[Oe(g)],b=>this.archive[g][b])]),c=[u.evader.length,u.pursuer.
+length],d=Ca(this.#n.pursuer.groups,a,c,l),f=St([this.settings.seed,e,e,Mn.both,t],Math.max(...d.group)+1),y={pursuer:h("pursuer"),evader:h("evader")},p=this.#g(
+y,d,BigUint64Array.from(d.group,g=>f[g]));for(let g of C){let b=ka(d[g],d[Oe(g)],s,this.#b(p,g));this.#x(p,b,{generation:e,team:g,epoch:t,opponent:ou}),this.#n[g].
+tell(b)}yield*this.#c(e,t,"both")}for(let t of C)this.archive[t].push(this.#n[t].genome)}#f(e,t,n){return this.#n[e].ask(this.#t("learn",C.indexOf(e),t,n))}#p(e,t){
+let n=this.archive.pursuer.length;return e?t.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:t}=this.settings;return t.kind==="hall-of-fame"?t.joint_epochs:
+t[`${e}_epochs`]}*#c(e,t,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("evader")],a=t+1+(n==="evad\
+er"?s:0),i=s+o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#g(e,t,n){let s={...this.settings.world,max_steps:this.
+settings.train_steps},o=this.#e.rollouts(s,this.#y("pursuer",e.pursuer),this.#y("evader",e.evader),{...t,seed:n},1);this.#o+=o.length.length;for(let a of o.length)
+this.#u+=Number(a);for(let a of o.agent_steps)this.#d+=Number(a);return o}#y(e,t){return xt(this.shape(e),t)}#b({captured_fraction:e,overlap:t},n){let s=_a(this.
+settings);return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#x(e,t,n){let s=Re(t),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=
+Number(a)),this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt(Re(t.map(a=>(a-s)**2))),fitness_best:Math.max(...t),capture_rate:Re(e.capture_rate),length:Re(
+e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#o,steps:this.#u})}#v(){this.counters.push({matches:this.#o,steps:this.#u,
+agent_steps:this.#d})}*#S(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){
+for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[n,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#w(n,s);
+this.cells.set(`${n} ${s}`,o),yield{type:"cell",cell:o}}this.#s.has(e)||(this.#s.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#A("pursuer",e),evader:this.#A(
+"evader",e)}})}}#w(e,t){let{world:n,evaluation_episodes:s,seed:o}=this.settings,a={pursuer:new Int32Array(1),evader:new Int32Array(1),seed:BigUint64Array.of(br(
+o,e,t))},i=C.map(h=>this.#y(h,this.archive[h][h==="pursuer"?e:t])),l=this.#e.rollouts(n,...i,a,s),u=h=>{let c=Array.from(l[h],Number),d=c.length/s;return Array.
+from({length:d},(f,y)=>Re(c.filter((p,g)=>g%d===y)))};return{pursuer:e,evader:t,capture_rates:Array.from(l.capture_rate),lengths:Array.from(l.length),means:{collisions:u(
+"collisions"),faults:u("faults"),agent_steps:u("agent_steps"),survivors:u("survivors")}}}#A(e,t){let{world:n,seed:s}=this.settings,[o,a]=[this.#y(e,this.archive[e][t]),
+new Int32Array(1)];return Re(Sr[e].map((i,l)=>{let u=St([s,C.indexOf(e),l,su],1),h=e==="pursuer"?[o,i]:[i,o],c=Re(this.#e.rollouts(n,...h,{pursuer:a,evader:a,seed:u},
+nu).capture_rate);return e==="pursuer"?c:1-c}))}};function xr(r){let e=new Float32Array(r.reduce((n,{length:s})=>n+s,0)),t=0;for(let n of r)e.set(n,t),t+=n.length;
+return e}var _n=r=>Array.from({length:r},()=>Array(r)),On=r=>r.length?r.reduce((e,t)=>e+t,0)/r.length:null,Mr=class{learning=C;settings=[];training={capture_rate:[],generation:[],
 learner:[],epochs:1,window:1,matches:0};limits="";name;schedule;seed;seeds;world;payoff;teams;findings=null;genomes={pursuer:[],evader:[]};#e;#r;#t;constructor(e,t,n,s){
 [this.#t,this.#e,this.#r,this.name,this.schedule]=[e,t,s,n,n],[this.world,this.seed]=[e.world,String(e.seed)];let o=e.schedule.generations+1;this.seeds=Array.from(
 {length:o},(a,i)=>Array.from({length:o},(l,u)=>String(br(e.seed,i,u)))),this.payoff=this.#n(),this.teams=this.#s()}get newest(){return this.genomes.pursuer.length-

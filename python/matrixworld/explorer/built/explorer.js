@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 77a9ba899cfda9dc2a06233c0143871b24bc4bb1409667b74091ff1457f58182 */
+/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
 "use strict";(()=>{var Ta=Object.create;var gn=Object.defineProperty;var Ca=Object.getOwnPropertyDescriptor;var ka=Object.getOwnPropertyNames;var Ra=Object.getPrototypeOf,_a=Object.prototype.hasOwnProperty;var $a=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Pa=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ka(e))!_a.call(t,o)&&o!==r&&gn(t,o,{get:()=>e[o],enumerable:!(n=Ca(e,o))||n.enumerable});
 return t};var Oa=(t,e,r)=>(r=t!=null?Ta(Ra(t)):{},Pa(e||!t||!t.__esModule?gn(r,"default",{value:t,enumerable:!0}):r,t));var ra=$a(dn=>{var qs=Object.defineProperty,jl=t=>qs(t,"__esModule",{value:!0}),Gl=(t,e)=>{for(var r in e)qs(t,r,{get:e[r],enumerable:!0})};jl(dn);Gl(dn,{GIFEncoder:()=>ea,
 applyPalette:()=>ec,default:()=>uc,nearestColor:()=>oc,nearestColorIndex:()=>Xs,nearestColorIndexWithDistance:()=>Qs,prequantize:()=>Ql,quantize:()=>Jl,snapColorsToPalette:()=>nc});
@@ -512,22 +512,22 @@ r.pursuer,"strip pursuer"),m(r.evader,"strip evader")),n.pursuer!==null&&n.pursu
 evader,"strip hover")),c.push(...this.#u(e));let h={x:o+r.evader*a,y:d(r.pursuer),width:a,height:a};c.push(M("rect",{class:"chosen under",...h}),M("rect",{class:"\
 chosen",...h})),this.#a.replaceChildren(...c),this.#f()}#f(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,o=r.evader??e.evader,s=He(this.#i,n,o);this.#l.
 replaceChildren(p("span",{class:"pursuer"},`Pursuers ${n}`)," against ",p("span",{class:"evader"},`evaders ${o}`)),this.#p.textContent=s?B(s.rate,3):"-",this.#c.
-textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"the evaluation played no episodes",this.#m.textContent=this.#y(n,o)}#y(e,r){let n=this.#i.findings?.
-generalization;if(!n)return"";let o=(s,a)=>ts(s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(n.pursuers,e)}, escapes ${o(n.evaders,
-r)}`}#b(e){let r=this.#d;if(!r)return null;let n=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-
-n.top-r.top)/r.cell),[a,i]=[s>=0&&s<r.rows,o>=0&&o<r.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#v(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.
-g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#b(e);if(r){if(r.inside&&Es(this.#d.cell))return this.#S(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.
-g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#x()}}#S(e,r){let n=Ts(this.#i,e,r,o=>{n.remove(),o&&(this.#e.select(o),this.#x())});this.#s.append(n)}#x(){this.#s.
-dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Pl({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"axes"}),a=e+n*r,i=l=>wt(0,l-1,Math.
-min(l,l*r/44),!0);for(let l of i(o))s.append(M("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))s.append(M("text",{class:"\
-tick",x:t-7,y:a-(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(M("text",{class:"label of-evaders",x:t+o*r/2,y:a+36,"text-anchor":"\
-middle"},"evader generation"),M("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generat\
-ion")),s}function Ol({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"diagonal"}),a=Math.min(n,o);if(a<3)return[];let i=e+n*r;for(let c of["H","V"]){
-let u=`M${t} ${i}`;for(let m=1;m<=a;m++){let[h,y]=[`H${t+m*r}`,`V${i-m*r}`];u+=c==="H"?h+y:y+h}s.append(M("path",{d:u,class:"under"}),M("path",{d:u}))}let[l,d]=[
-t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[s,M("text",{class:"on-cells",transform:`translate(${l} ${d}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var Cs=({
-left:t,top:e,cell:r,rows:n,columns:o},s,a)=>[t+o*r+de+s*Mt,e+(n-a-.5)*r],ks=({left:t,top:e,cell:r},n,o)=>[t+(o+.5)*r,e-de-n*_e];function Rs(t,e,r){let n=s=>s.map(
-(a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),o=[];return t.low&&t.high&&o.push(M("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("\
-L")}Z`})),o.push(M("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function X(t,e,...r){return p("section",{class:"card panel","aria-label":t},p("header",{},p("h2",{},t),p("p",{class:"small muted"},e)),...r)}function _s(t,e,r){let{findings:n}=t;if(!n?.table.length)return null;let o=p("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&Il(o,t,i,e,
+textContent=s?`capture rate, mean of ${s.rates.length} episodes`:"no episodes were played",this.#m.textContent=this.#y(n,o)}#y(e,r){let n=this.#i.findings?.generalization;
+if(!n)return"";let o=(s,a)=>ts(s.mean[a]??null,s.low?.[a]??null,s.high?.[a]??null);return`Against all: captures ${o(n.pursuers,e)}, escapes ${o(n.evaders,r)}`}#b(e){
+let r=this.#d;if(!r)return null;let n=this.#s.getBoundingClientRect(),o=Math.floor((e.clientX-n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-n.top-r.top)/
+r.cell),[a,i]=[s>=0&&s<r.rows,o>=0&&o<r.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#v(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,
+evader:r.h<0?null:r.h}:{})}#w(e){let r=this.#b(e);if(r){if(r.inside&&Es(this.#d.cell))return this.#S(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?
+{}:{evader:r.h}}),r.inside&&this.#x()}}#S(e,r){let n=Ts(this.#i,e,r,o=>{n.remove(),o&&(this.#e.select(o),this.#x())});this.#s.append(n)}#x(){this.#s.dispatchEvent(
+new CustomEvent("play",{bubbles:!0}))}};function Pl({left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"axes"}),a=e+n*r,i=l=>wt(0,l-1,Math.min(l,l*r/44),
+!0);for(let l of i(o))s.append(M("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))s.append(M("text",{class:"tick",x:t-7,y:a-
+(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(M("text",{class:"label of-evaders",x:t+o*r/2,y:a+36,"text-anchor":"middle"},"evad\
+er generation"),M("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),s}function Ol({
+left:t,top:e,cell:r,rows:n,columns:o}){let s=M("g",{class:"diagonal"}),a=Math.min(n,o);if(a<3)return[];let i=e+n*r;for(let c of["H","V"]){let u=`M${t} ${i}`;for(let m=1;m<=
+a;m++){let[h,y]=[`H${t+m*r}`,`V${i-m*r}`];u+=c==="H"?h+y:y+h}s.append(M("path",{d:u,class:"under"}),M("path",{d:u}))}let[l,d]=[t+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[
+s,M("text",{class:"on-cells",transform:`translate(${l} ${d}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var Cs=({left:t,top:e,cell:r,rows:n,columns:o},s,a)=>[
+t+o*r+de+s*Mt,e+(n-a-.5)*r],ks=({left:t,top:e,cell:r},n,o)=>[t+(o+.5)*r,e-de-n*_e];function Rs(t,e,r){let n=s=>s.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(
+" ")),o=[];return t.low&&t.high&&o.push(M("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),o.push(M("path",{class:`line ${r}`,
+d:`M${n(t.mean).join("L")}`})),o}function X(t,e,...r){return p("section",{class:"card panel","aria-label":t},p("header",{},p("h2",{},t),p("p",{class:"small muted"},e)),...r)}function _s(t,e,r){let{findings:n}=t;if(!n?.table.length)return null;let o=p("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&Il(o,t,i,e,
 l)},a=n.checkerboards.map(i=>Ll(t,i,s));return{element:X("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Cli\
 ck one: its four matches side by side.",a.length?p("div",{class:"boards"},...a):p("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length?
 p("p",{class:"small muted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise m\

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 77a9ba899cfda9dc2a06233c0143871b24bc4bb1409667b74091ff1457f58182 */
+/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
 "use strict";(()=>{var Lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},$e={DISAPPEAR:0,REACH:1,BOUNCE:2},Nr={OCCUPATION:0,SURROUND:1},Ir={FAULT:0,INVOLVED:1};var Fr=["obstacle","teammate","adversary"],zt=["vertex","edge","chain"],zr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ht=["p\
 ursuer_{number}","evader_{number}"],Hr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Pe={"both held":"both bounce","both doomed":"\
@@ -478,22 +478,21 @@ evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&d.push(m(n.pursuer,"strip
 ...this.#h(t));let h={x:s+r.evader*a,y:u(r.pursuer),width:a,height:a};d.push(f("rect",{class:"chosen under",...h}),f("rect",{class:"chosen",...h})),this.#o.replaceChildren(
 ...d),this.#x()}#x(){let{selected:t,hover:r}=this.#e,n=r.pursuer??t.pursuer,s=r.evader??t.evader,o=xe(this.#a,n,s);this.#l.replaceChildren(l("span",{class:"purs\
 uer"},`Pursuers ${n}`)," against ",l("span",{class:"evader"},`evaders ${s}`)),this.#d.textContent=o?C(o.rate,3):"-",this.#u.textContent=o?`capture rate, mean of\
- ${o.rates.length} episodes`:"the evaluation played no episodes",this.#p.textContent=this.#g(n,s)}#g(t,r){let n=this.#a.findings?.generalization;if(!n)return"";
-let s=(o,a)=>hs(o.mean[a]??0,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,t)}, escapes ${s(n.evaders,r)}`}#w(t){let r=this.#c;
-if(!r)return null;let n=this.#r.getBoundingClientRect(),s=Math.floor((t.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((t.clientY-n.top-r.top)/r.cell),[a,
-i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#y(t){let r=this.#w(t);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<
-0?null:r.h}:{})}#v(t){let r=this.#w(t);if(r){if(r.inside&&mo(this.#c.cell))return this.#S(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?{}:{evader:r.
-h}}),r.inside&&this.#b()}}#S(t,r){let n=po(this.#a,t,r,s=>{n.remove(),s&&(this.#e.select(s),this.#b())});this.#r.append(n)}#b(){this.#r.dispatchEvent(new CustomEvent(
-"play",{bubbles:!0}))}};function Gi({left:e,top:t,cell:r,rows:n,columns:s}){let o=f("g",{class:"axes"}),a=t+n*r,i=c=>Ge(0,c-1,Math.min(c,c*r/44),!0);for(let c of i(
-s))o.append(f("text",{class:"tick",x:e+(c+.5)*r,y:a+16,"text-anchor":"middle"},c));for(let c of i(n))o.append(f("text",{class:"tick",x:e-7,y:a-(c+.5)*r,"text-an\
-chor":"end","dominant-baseline":"middle"},c));return o.append(f("text",{class:"label of-evaders",x:e+s*r/2,y:a+36,"text-anchor":"middle"},"evader generation"),f(
-"text",{class:"label of-pursuers",transform:`translate(${e-36} ${t+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function ji({left:e,top:t,
-cell:r,rows:n,columns:s}){let o=f("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=t+n*r;for(let d of["H","V"]){let m=`M${e} ${i}`;for(let p=1;p<=a;p++){
-let[h,v]=[`H${e+p*r}`,`V${i-p*r}`];m+=d==="H"?h+v:v+h}o.append(f("path",{d:m,class:"under"}),f("path",{d:m}))}let[c,u]=[e+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[o,
-f("text",{class:"on-cells",transform:`translate(${c} ${u}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var ho=({left:e,top:t,cell:r,rows:n,columns:s},o,a)=>[
-e+s*r+W+o*Ke,t+(n-a-.5)*r],fo=({left:e,top:t,cell:r},n,s)=>[e+(s+.5)*r,t-W-n*ce];function go(e,t,r){let n=o=>o.map((a,i)=>t(a??0,i).map(c=>c.toFixed(1)).join(" ")),
-s=[];return e.low&&e.high&&s.push(f("path",{class:`band ${r}`,d:`M${[...n(e.high),...n(e.low).reverse()].join("L")}Z`})),s.push(f("path",{class:`line ${r}`,d:`M${n(
-e.mean).join("L")}`})),s}var Vi=84;function yo(e,t){let r=e.map((o,a)=>qi(o,a,t)),n=l("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
+ ${o.rates.length} episodes`:"no episodes were played",this.#p.textContent=this.#g(n,s)}#g(t,r){let n=this.#a.findings?.generalization;if(!n)return"";let s=(o,a)=>hs(
+o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,t)}, escapes ${s(n.evaders,r)}`}#w(t){let r=this.#c;if(!r)return null;
+let n=this.#r.getBoundingClientRect(),s=Math.floor((t.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((t.clientY-n.top-r.top)/r.cell),[a,i]=[o>=0&&o<r.rows,
+s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#y(t){let r=this.#w(t);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#v(t){
+let r=this.#w(t);if(r){if(r.inside&&mo(this.#c.cell))return this.#S(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#b()}}#S(t,r){
+let n=po(this.#a,t,r,s=>{n.remove(),s&&(this.#e.select(s),this.#b())});this.#r.append(n)}#b(){this.#r.dispatchEvent(new CustomEvent("play",{bubbles:!0}))}};function Gi({
+left:e,top:t,cell:r,rows:n,columns:s}){let o=f("g",{class:"axes"}),a=t+n*r,i=c=>Ge(0,c-1,Math.min(c,c*r/44),!0);for(let c of i(s))o.append(f("text",{class:"tick",
+x:e+(c+.5)*r,y:a+16,"text-anchor":"middle"},c));for(let c of i(n))o.append(f("text",{class:"tick",x:e-7,y:a-(c+.5)*r,"text-anchor":"end","dominant-baseline":"mi\
+ddle"},c));return o.append(f("text",{class:"label of-evaders",x:e+s*r/2,y:a+36,"text-anchor":"middle"},"evader generation"),f("text",{class:"label of-pursuers",
+transform:`translate(${e-36} ${t+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function ji({left:e,top:t,cell:r,rows:n,columns:s}){let o=f(
+"g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=t+n*r;for(let d of["H","V"]){let m=`M${e} ${i}`;for(let p=1;p<=a;p++){let[h,v]=[`H${e+p*r}`,`V${i-
+p*r}`];m+=d==="H"?h+v:v+h}o.append(f("path",{d:m,class:"under"}),f("path",{d:m}))}let[c,u]=[e+a/2*r-.7*r-4,i-a/2*r-.7*r-4];return[o,f("text",{class:"on-cells",transform:`\
+translate(${c} ${u}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var ho=({left:e,top:t,cell:r,rows:n,columns:s},o,a)=>[e+s*r+W+o*Ke,t+(n-a-.5)*r],fo=({
+left:e,top:t,cell:r},n,s)=>[e+(s+.5)*r,t-W-n*ce];function go(e,t,r){let n=o=>o.map((a,i)=>t(a??0,i).map(c=>c.toFixed(1)).join(" ")),s=[];return e.low&&e.high&&s.
+push(f("path",{class:`band ${r}`,d:`M${[...n(e.high),...n(e.low).reverse()].join("L")}Z`})),s.push(f("path",{class:`line ${r}`,d:`M${n(e.mean).join("L")}`})),s}var Vi=84;function yo(e,t){let r=e.map((o,a)=>qi(o,a,t)),n=l("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
 t.selected.run));return t.on("match",s),t.on("hover",s),s(),n.hidden=e.length<2,n}function qi(e,t,r){let[n,s]=e.payoff.shape,o=!e.name.startsWith(e.schedule),a=Vi/
 Math.max(n,s),i=l("canvas",{"aria-hidden":"true"});Ee(i,e.payoff,{left:0,top:0,width:s*a,height:n*a});let c=l("span",{class:"place"}),u=l("button",{type:"button",
 class:"race",title:`${e.name} (key ${t+1})`,onclick:()=>Yi(e,t,r)},l("span",{class:"small-matrix"},i,c),l("span",{class:"race-text"},l("strong",{},o?e.name:e.schedule),

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 77a9ba899cfda9dc2a06233c0143871b24bc4bb1409667b74091ff1457f58182 */
+/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
 "use strict";(()=>{var xt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},At={OCCUPATION:0,SURROUND:1},Ct={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
