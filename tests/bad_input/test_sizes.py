@@ -160,11 +160,11 @@ ENTRIES: dict[str, tuple[Callable[[], object], str]] = {
     "solve": (partial(solve.solve, SOLVED, steps=40), "states, values"),
     "best_response": (
         partial(solve.best_response, SOLVED, "chaser", "pursuer", steps=20),
-        "states, values",
+        "champions, values",
     ),
     "expected_payoff": (
         partial(solve.expected_payoff, SOLVED, "chaser", "fleer", steps=3),
-        "states, values",
+        "champions, values",
     ),
     "guarantees": (
         partial(solve.guarantees, SOLVED, {"pursuer": "chaser", "evader": "fleer"}, steps=20),
@@ -172,7 +172,7 @@ ENTRIES: dict[str, tuple[Callable[[], object], str]] = {
     ),
     "mixture_bounds": (
         partial(solve.mixture_bounds, SOLVED, HALF, "pursuer", steps=20),
-        "states, values",
+        "mixture, values",
     ),
     "Solution.policy": (solved_policy, "states, values, policy"),
 }
@@ -204,9 +204,9 @@ def told_and_taken(name: str, connection: Any) -> None:
         told[what] = max(told.get(what, 0), sum(parts.values()))
         check_memory(what, **parts)
 
-    def size(config: mw.WorldConfig, more: int = 0) -> None:
-        told["states"] = max(told.get("states", 0), int(states.size_of(config)[1]) + more)
-        check_size(config, more)
+    def size(config: mw.WorldConfig) -> None:
+        told["states"] = int(states.size_of(config)[1])
+        check_size(config)
 
     for module in list(sys.modules.values()):
         if getattr(module, "check_memory", None) is check_memory:

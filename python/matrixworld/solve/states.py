@@ -100,7 +100,8 @@ class States:
         if isinstance(world, States):
             check_memory(what, **parts)
             return world
-        check_size(config_of(world), sum(parts.values()))
+        check_size(config_of(world))
+        check_memory(what, states=size_of(world)[1], **parts)
         return cls(world)
 
     def __repr__(self) -> str:
@@ -229,25 +230,20 @@ def _count(config: WorldConfig) -> int:
     return count
 
 
-def check_size(config: WorldConfig, more: float = 0) -> None:
-    """Raise OutOfMemoryError unless states, and `more` bytes, fit; say which board would."""
-    available = available_memory() or inf
-
-    def fits(world: WorldConfig) -> bool:
-        size = size_of(world)[1]
-        return size <= _MOST_BYTES and size + more <= available
-
-    if fits(config):
+def check_size(config: WorldConfig) -> None:
+    """Raise OutOfMemoryError unless the states fit, and say which board would."""
+    count, needed = size_of(config)
+    available = min(available_memory() or inf, _MOST_BYTES)
+    if needed <= available:
         return
     most = isqrt(config.rows * config.cols) if config.n_agents <= _MOST_AGENTS else 0
     sides = range(most, isqrt(config.n_agents), -1)
     boards = (replace(config, rows=side, cols=side, obstacles=0.0) for side in sides)
-    largest = next((board.rows for board in boards if fits(board)), None)
+    largest = next((board.rows for board in boards if size_of(board)[1] <= available), None)
     would = f"{largest} x {largest} cells would fit" if largest else "no smaller board would fit"
-    count, needed = size_of(config)
-    size = f"about {count:,} states and {(needed + more) / 10**9:,.1f} GB"
+    size = f"about {count:,} states and {needed / 10**9:,.1f} GB"
     raise OutOfMemoryError(
-        f"states: expected at most {min(available, _MOST_BYTES) / 10**9:,.1f} GB, got "
+        f"states: expected at most {available / 10**9:,.1f} GB, got "
         f"{size if count < inf else 'more than 2^31 joint places'} for {config.n_pursuers} "
         f"against {config.n_evaders} agents on {config.rows} x {config.cols} cells; {would}"
     )
