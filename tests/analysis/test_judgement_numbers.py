@@ -63,16 +63,18 @@ def test_a_jump_has_a_change_and_no_trend() -> None:
     assert strength_change(jump, noise).low > 0.3
 
 
-@pytest.mark.parametrize("runs", [2, 3, 5, 10])
+@pytest.mark.parametrize("runs", [3, 5, 10])
 def test_runs_that_jump_once_at_their_own_times_do_not_gain(runs: int) -> None:
     rng, t = np.random.default_rng(runs), np.linspace(0, 1, 31)
-    moments = np.linspace(0.1, 0.9, runs)[:, None]
-    noise = rng.normal(0, 0.01, (runs, 31))
-    jumps, climbs = 0.3 + 0.4 * (t > moments), 0.3 + 0.4 * t[None]
     known = np.full((runs, 31), 0.01**2)
-    assert gain_of_runs(jumps + noise, known).low <= 0.0
-    assert gain_of_runs(climbs + noise, known).low > 0.3
-    assert gain_of_runs(1 - jumps - noise, known).high >= 0.0
+    gains = []
+    for _ in range(40):
+        noise, moments = rng.normal(0, 0.01, (runs, 31)), rng.uniform(0.1, 0.9, (runs, 1))
+        jumps, climbs = 0.3 + 0.4 * (t > moments) + noise, 0.3 + 0.4 * t + noise
+        assert gain_of_runs(climbs, known).low > 0.3
+        gains.append(gain_of_runs(jumps, known).low > 0.0)
+        assert gains[-1] == (gain_of_runs(1 - jumps, known).high < 0.0)
+    assert sum(gains) <= 5  # 2 of 40 are allowed; more than 5 are unlikely by chance
 
 
 @pytest.mark.parametrize("runs", [1, 5, 40])
