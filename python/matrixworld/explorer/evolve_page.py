@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from matrixworld import _core
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.schedules import PAPER, Simultaneous
@@ -18,6 +17,7 @@ from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.page import render_page
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.masks import right_of_way_cells
 
 PAGE = "evolve.html"
 """Name of the page."""
@@ -55,11 +55,8 @@ def race_of(schedule: str, learner: str = ES) -> RaceSettings:
 
 
 def masks_of(config: WorldConfig) -> dict[str, Any]:
-    """Return the cells of a view that forbid each move of a team with right of way.
-
-    They are (channel, rows down, columns to the right) from the middle of the view.
-    """
-    return {team: _core.right_of_way(config.setup, team == "evader")[1:] for team in TEAMS}
+    """Return the `right_of_way_cells` of each team."""
+    return {team: right_of_way_cells(config, team) for team in TEAMS}
 
 
 def evolve_page(title: str = "Evolve a chase - matrixworld") -> str:

@@ -45,6 +45,15 @@ def check_script(name: str, player: str, config: WorldConfig) -> None:
         )
 
 
+def right_of_way_cells(config: WorldConfig, team: Team) -> list[list[tuple[int, int, int]]]:
+    """Return the cells of a view in which an agent forbids each move, without staying, of a team.
+
+    They are (channel, rows down, columns to the right) from the middle of the view.
+    """
+    _, *cells = _core.right_of_way(config.setup, team == "evader")
+    return cells
+
+
 def forbidding_cells(config: WorldConfig, mask: str, team: Team) -> NDArray[np.intp]:
     """Return which numbers of a view forbid each move: indices (n_actions - 1, k) of a flat view.
 
@@ -56,7 +65,7 @@ def forbidding_cells(config: WorldConfig, mask: str, team: Team) -> NDArray[np.i
     if mask == "obstacles":
         cells = [[(CHANNEL["obstacle"], *MOVES[move])] for move in moves]
     else:
-        _, *cells = _core.right_of_way(config.setup, team == "evader")
+        cells = right_of_way_cells(config, team)
     most = max(map(len, cells))
     channels, rows, cols = np.moveaxis(
         np.array([each + each[:1] * (most - len(each)) for each in cells]), -1, 0
