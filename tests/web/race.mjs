@@ -4,8 +4,6 @@ import { engine, input, output } from "./engine.mjs";
 
 const { Race } = await import(new URL("../../web/src/evolve/race.ts", import.meta.url));
 
-const { archiveOf } = await import(new URL("../../web/src/evolve/save.ts", import.meta.url));
-
 const { generalization, lateForgetting } = await import(new URL("../../web/src/evolve/measures.ts", import.meta.url));
 
 const { settings, changes, masks, draws, format } = input();
@@ -33,7 +31,12 @@ for (const event of race.run()) {
   const change = event.type === "generation" && changes?.[event.number];
   if (change && race.change(change)) events.push("anew");
 }
-const saved = format && Buffer.from(archiveOf([{ name: "race", race }], format)).toString("base64");
+let saved;
+if (format) {
+  // Only here: it takes a package of npm.
+  const { archiveOf } = await import(new URL("../../web/src/evolve/save.ts", import.meta.url));
+  saved = Buffer.from(archiveOf([{ name: "race", race }], format)).toString("base64");
+}
 const rates = race.archive.pursuer.map((_, g) => race.archive.evader.map((_none, h) => {
   const { capture_rates } = race.cells.get(`${g} ${h}`);
   return capture_rates.reduce((sum, each) => sum + each, 0) / capture_rates.length;

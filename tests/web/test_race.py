@@ -53,6 +53,12 @@ RACES: dict[str, dict[str, Any]] = {
 }
 
 
+needs_packages = pytest.mark.skipif(
+    not (Path(__file__).parents[2] / "web" / "node_modules" / "fflate").exists(),
+    reason="expected packages in web/node_modules (npm ci in web/), found none",
+)
+
+
 class Recorder(np.random.Generator):
     """A generator that keeps what it gives, by the names of its methods."""
 
@@ -115,6 +121,8 @@ SAVED: dict[str, list[dict[str, Any]]] = {
 }
 
 
+@pytest.mark.slow
+@needs_packages
 @pytest.mark.parametrize("parts", SAVED.values(), ids=SAVED)
 def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
     parts: list[dict[str, Any]], tmp_path: Path
@@ -157,6 +165,8 @@ def test_a_saved_race_is_a_run_that_python_reads_and_plays_again_bit_for_bit(
         finish(last, unpacked(archive), threads=1)
 
 
+@pytest.mark.slow
+@needs_packages
 def test_commands_read_a_saved_race(tmp_path: Path) -> None:
     settings = RaceSettings.of({**SMALL, **TURNS}).to_json()
     masks = masks_of(RaceSettings.of(SMALL).world)
