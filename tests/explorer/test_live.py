@@ -75,6 +75,7 @@ def test_only_the_page_is_served_and_only_to_this_machine(live: LivePage, job: P
         assert urlsplit(other.url).path != token
 
 
+@pytest.mark.slow
 def test_connections_that_ask_nothing_take_no_files_from_the_run(live: LivePage) -> None:
     """Nor do slow ones, and the page is still there for others."""
     until_shown(live)
