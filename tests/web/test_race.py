@@ -180,5 +180,10 @@ def test_commands_read_a_saved_race(tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     matrixworld_command("explore", archive, "--no-open", "-o", page)
     assert data_of(page)["runs"][0]["schedule"] == "generalist-generalist"
+    (tmp_path / "race" / "payoff.npz").unlink()
+    assert "got another payoff.npz there, or none" in matrixworld_command(
+        "judge", archive, code=2
+    ).output.replace("\n", " ")
+    assert not (tmp_path / "race" / "payoff.npz").exists()  # the directory is not changed
     (tmp_path / "race" / "config.json").write_text("{}")
     assert "config.json" in matrixworld_command("judge", archive, code=2).output

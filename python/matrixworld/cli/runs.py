@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path, PurePath
+from tempfile import TemporaryDirectory
 from typing import Any
 from zipfile import BadZipFile, ZipFile
 
@@ -46,13 +47,20 @@ def unpacked(path: Path) -> Path:
     directory = path.with_suffix("")
     try:
         with ZipFile(path) as archive:
+            if not directory.exists():
+                with TemporaryDirectory(prefix=".", dir=path.parent) as place:
+                    archive.extractall(Path(place) / "run")
+                    # In one moment: a command that is killed leaves no half of a run.
+                    (Path(place) / "run").rename(directory)
             for name in archive.namelist():
                 file = directory / name
-                if file.is_file() and file.read_bytes() != archive.read(name):
+                if not file.exists() or (
+                    file.is_file() and file.read_bytes() != archive.read(name)
+                ):
                     raise click.BadParameter(
-                        f"{path}: expected no other run in {directory}, got another {name} there"
+                        f"{path}: expected its own run in {directory}, got another {name} there, "
+                        f"or none"
                     )
-            archive.extractall(directory)
     except BadZipFile as error:
         raise click.BadParameter(f"{path}: expected an archive of a race, got: {error}") from error
     return directory

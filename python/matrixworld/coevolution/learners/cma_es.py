@@ -136,7 +136,8 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         self._samples = self._samples[:0]
 
     def _diverged(self) -> DivergedError:
-        other = "larger" if self.sigma < 1.0 else "smaller"
+        # The largest deviation of a sample: where it is small, squares of the step size are 0.
+        other = "larger" if self.sigma * self.diagD[-1] < 1.0 else "smaller"
         return DivergedError(
             f"candidates: expected finite genes, got a step size of {self.sigma:g} and deviations "
             f"along the axes from {self.diagD[0]:g} to {self.diagD[-1]:g}; start with a {other} "
