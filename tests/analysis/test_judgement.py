@@ -1,6 +1,7 @@
 """The judgement of races: verdicts on races whose truth is known, windows, runs and bad input."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -188,16 +189,30 @@ def test_words_and_json() -> None:
     assert plain["windows"]["last half"]["cycling"]["verdict"] == PRESENT
 
 
-def when(**found: str) -> Judgement:
+BOTH = ("pursuers", "evaders")
+WINDOWS = ("whole", "first half", "last half")
+
+
+def with_verdicts(found: dict[str, dict[str, tuple[str, tuple[str, ...]]]]) -> Judgement:
+    """Return a judgement with verdicts and teams by window and condition."""
+    windows = {
+        window: {name: Finding(verdict, "", teams) for name, (verdict, teams) in one.items()}
+        for window, one in found.items()
+    }
+    return Judgement(1, (31, 31), 20, 0.95, "last half", windows)
+
+
+def when(teams: tuple[str, ...] = BOTH, **found: str) -> Judgement:
     """Return a judgement in which conditions are present in the windows of these letters."""
-    windows = {}
-    for letter, window in (("w", "whole"), ("f", "first half"), ("l", "last half")):
-        said = {name: found.get(name.split()[0], "") for name in CONDITIONS}
-        windows[window] = {
-            name: Finding(PRESENT if letter in at else CANNOT_TELL if "?" in at else ABSENT, "")
+    said = {name: found.get(name.split()[0], "") for name in CONDITIONS}
+    return with_verdicts({
+        window: {
+            name: (PRESENT, teams) if window[0] in at
+            else (CANNOT_TELL if "?" in at else ABSENT, ())
             for name, at in said.items()
         }
-    return Judgement(1, (31, 31), 20, 0.95, "last half", windows)
+        for window in WINDOWS
+    })  # fmt: skip
 
 
 def test_a_headline_says_when() -> None:
@@ -216,6 +231,90 @@ def test_a_headline_says_when() -> None:
     }
     assert [*map(analysis.headline, said.values())] == [*said]
     assert analysis.headline(judge(logistic(5))) == "cannot tell"
+
+
+def test_a_plain_sentence_says_who_improved_until_when_and_what_was_lost() -> None:
+    one_sided = {"one-sided": "wfl"}
+    said = {
+        "Both teams improved at least until generation 14.": when(arms="wf?"),
+        "Both teams improved until generation 14; from generation 15 on, neither team became "
+        "stronger or weaker and both teams lost old skills.": when(
+            arms="f", stagnation="l", forgetting="l"
+        ),
+        "Only the pursuers improved throughout the race.": when(("pursuers",), **one_sided),
+        "The evaders became stronger (perhaps by chance) over the whole race; the evaders lost old "
+        "skills at least from generation 15 on.": when(("evaders",), rise="w", forgetting="l?"),
+        "It cannot be told whether a team improved; until generation 14, both teams returned to "
+        "earlier strategies and both teams lost old skills.": when(
+            arms="?", cycling="f", forgetting="f"
+        ),
+        "Neither team improved throughout the race.": when(),
+    }
+    assert [*map(analysis.sentence, said.values())] == [*said]
+    several = [played(STEADY, 10, seed, evaders=30) for seed in range(2)]
+    assert analysis.sentence(of_scores(np.stack(several))).startswith("In the mean of 2 runs, both")
+    assert analysis.sentence(judge(logistic(5))) == "It cannot be told whether a team improved."
+
+
+WHO = {"both teams": BOTH, "the pursuers": ("pursuers",), "the evaders": ("evaders",)}
+HAPPENED = {
+    "one team often won nearly all matches": "disengagement",
+    "WHO improved": "arms race",
+    "only WHO improved": "one-sided progress",
+    "WHO became stronger (perhaps by chance)": "rise",
+    "some generations beat each other in a circle": "intransitivity",
+    "WHO returned to earlier strategies": "cycling",
+    "WHO lost old skills": "forgetting",
+    "neither team became stronger or weaker": "stagnation",
+}
+FIRST, LAST = "first half", "last half"
+WHEN = {  # the verdicts that words of time claim
+    "at least until generation 14": {FIRST: PRESENT, LAST: CANNOT_TELL},
+    "at least from generation 15 on": {FIRST: CANNOT_TELL, LAST: PRESENT},
+    "until generation 14": {FIRST: PRESENT, LAST: ABSENT},
+    "from generation 15 on": {FIRST: ABSENT, LAST: PRESENT},
+    "in the first half": {FIRST: PRESENT},
+    "in the last half": {LAST: PRESENT},
+    "throughout the race": {FIRST: PRESENT, LAST: PRESENT},
+    "over the whole race": {"whole": PRESENT},
+}
+TEAMS = {"arms race": [BOTH], "one-sided progress": [BOTH[:1], BOTH[1:]]}
+TEAMS |= {name: [BOTH, BOTH[:1], BOTH[1:]] for name in ("rise", "cycling", "forgetting")}
+ANY_FINDINGS = st.fixed_dictionaries({
+    name: st.sampled_from(
+        [(ABSENT, ()), (CANNOT_TELL, ()), *((PRESENT, who) for who in TEAMS.get(name, [()]))]
+    )
+    for name in CONDITIONS
+})  # fmt: skip
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.fixed_dictionaries(dict.fromkeys(WINDOWS, ANY_FINDINGS)))
+def test_a_plain_sentence_contradicts_no_verdict_and_names_all_that_is_present(found: dict) -> None:
+    said = analysis.sentence(with_verdicts(found))
+    told, unknown = set(), "it cannot be told whether a team improved"
+    for part in (said[0].lower() + said[1:-1]).split("; "):
+        time = next((each for each in WHEN if part.startswith(each) or part.endswith(each)), "")
+        for clause in re.split(", | and ", part.replace(time, "").strip(" ,")):
+            who = next((each for each in WHO if each in clause), "")
+            name = HAPPENED.get(clause.replace(who, "WHO") if who else clause)
+            for window, verdict in WHEN[time].items() if time else ():
+                if name:
+                    assert found[window][name] == (verdict, WHO.get(who, ())) or verdict != PRESENT
+                    assert found[window][name][0] == verdict
+                    told.add((name, window))
+                else:
+                    assert clause == "neither team improved"
+                    verdicts = {found[window][each][0] for each in PROGRESS}
+                    assert (verdicts == {ABSENT}) == (verdict == PRESENT)
+            assert time or clause == unknown
+    for window, findings in found.items():
+        present = {name for name, (verdict, _) in findings.items() if verdict == PRESENT}
+        present -= {"rise"} if present & {"arms race", "one-sided progress"} else set()
+        present -= {"intransitivity"} if "cycling" in present else set()
+        halves = {window} if window != "whole" else {*WINDOWS}
+        assert all({(name, each) for each in halves} & told for name in present)
+        assert unknown not in said.lower() or not present & {*PROGRESS}
 
 
 @settings(max_examples=10, deadline=None)

@@ -15,7 +15,7 @@ import pytest
 from browser import READY, Browser
 from matrixworld import World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
-from matrixworld.analysis.words import all_results, headline_numbers
+from matrixworld.analysis.words import all_results, summary
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
@@ -219,8 +219,7 @@ def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     found, rates = as_read(race)["findings"], race.payoff().capture_rates
     judgement = analysis.judge(rates, per_episode=True)
-    assert found["headline"] == analysis.headline(judgement)
-    assert found["numbers"] == headline_numbers(judgement)
+    assert [found["sentence"], found["headline"], *found["numbers"]] == summary(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
     # Its numbers as a game, and the dots of the panel, are those of `judge --all`.

@@ -62,6 +62,7 @@ from matrixworld.analysis.words import (
     headline,
     judgement_table,
     measure_table,
+    sentence,
 )
 
 __all__ = [
@@ -102,6 +103,7 @@ __all__ = [
     "probability_of_improvement",
     "read_payoffs",
     "replicator_dynamics",
+    "sentence",
     "spinning_top",
     "team_phase_rates",
     "transitive_share",

@@ -5,7 +5,7 @@ All commands, figures and pages take their verdicts from `judge`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -45,11 +45,13 @@ class Finding:
     """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``.
 
     The `reason` is a clause after "because". The `estimates` are the numbers that decide, by their
-    names in `MEASURES`; none if some are not known. `by_run`: verdict on each single run.
+    names in `MEASURES`; none if some are not known. `teams`: those of which a condition is present.
+    `by_run`: verdict on each single run.
     """
 
     verdict: str
     reason: str
+    teams: tuple[str, ...] = ()
     estimates: Estimates = field(default_factory=dict)
     by_run: tuple[str, ...] = ()
 
@@ -82,9 +84,9 @@ class Judgement(Readable):
     windows: Mapping[str, Findings]
 
     def _parts(self) -> Parts:
-        from matrixworld.analysis.words import judgement_cells
+        from matrixworld.analysis.words import judgement_cells, summary
 
-        return [judgement_cells(self)]
+        return [*summary(self), judgement_cells(self)]
 
     @property
     def findings(self) -> Findings:
@@ -154,7 +156,7 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
             others = _findings(payoffs.select(engaged), window, level)
         else:
             others = {
-                name: replace(each, verdict=CANNOT_TELL, reason=ALL_DISENGAGED)
+                name: replace(each, verdict=CANNOT_TELL, reason=ALL_DISENGAGED, teams=())
                 for name, each in found.items()
             }
         found = {**others, "disengagement": found["disengagement"]}
@@ -177,8 +179,8 @@ def _findings(payoffs: Payoffs, window: Window, level: float) -> Findings:
             key: MEASURES[key].estimate(payoffs, window, level) for key in condition.measures
         }
         hidden = name != "disengagement" and _is_disengaged(found)
-        verdict, reason = (CANNOT_TELL, HIDDEN) if hidden else condition.rule(estimates, found)
-        found[name] = Finding(verdict, reason, estimates)
+        decided = Finding(CANNOT_TELL, HIDDEN) if hidden else condition.rule(estimates, found)
+        found[name] = replace(decided, estimates=estimates)
     return found
 
 
@@ -188,30 +190,25 @@ def _is_disengaged(findings: Findings) -> bool:
 
 # ---- The rules -----------------------------------------------------------------------------------
 
-Decision = tuple[str, str]
-"""Verdict and its reason."""
 
-
-def _against(estimate: Estimate, margin: float, above: str, below: str) -> Decision:
+def _against(estimate: Estimate, margin: float, above: str, below: str) -> Finding:
     """Return present above the margin, absent below it, and "cannot tell" if it is inside."""
     low, high = estimate.ends
     if low > margin:
-        return PRESENT, above
+        return Finding(PRESENT, above)
     if high < margin:
-        return ABSENT, below
-    return CANNOT_TELL, "the interval contains the margin"
+        return Finding(ABSENT, below)
+    return Finding(CANNOT_TELL, "the interval contains the margin")
 
 
-def _against_all(
-    estimates: Estimates, keys: tuple[str, ...], margin: float, below: str
-) -> Decision:
+def _against_all(estimates: Estimates, keys: tuple[str, ...], margin: float, below: str) -> Finding:
     """Return absent if the numbers of both teams are below the margin, else "cannot tell"."""
     if all(high < margin for _, high in _ends(estimates, *keys)):
-        return ABSENT, below.format(margin)
-    return CANNOT_TELL, "the interval contains the margin"
+        return Finding(ABSENT, below.format(margin))
+    return Finding(CANNOT_TELL, "the interval contains the margin")
 
 
-def _disengagement(estimates: Estimates, known: Findings) -> Decision:
+def _disengagement(estimates: Estimates, known: Findings) -> Finding:
     return _against(
         estimates["one_sidedness"],
         PURSUERS_WIN,
@@ -220,88 +217,93 @@ def _disengagement(estimates: Estimates, known: Findings) -> Decision:
     )
 
 
-def _arms_race(estimates: Estimates, known: Findings) -> Decision:
+def _arms_race(estimates: Estimates, known: Findings) -> Finding:
     gains = _ends(estimates, *GAINS)
     if all(low > 0.0 for low, _ in gains):
-        return PRESENT, "both teams rise by more than a random walk with such steps would"
+        reason = "both teams rise by more than a random walk with such steps would"
+        return Finding(PRESENT, reason, _teams(GAINS))
     if any(_does_not_gain(gain) for gain in gains):
-        return ABSENT, f"a team has no trend: its gain is not above 0, and below {LEAST_GAIN}"
-    return CANNOT_TELL, "a random walk may explain the gain of at least one team"
+        reason = f"a team has no trend: its gain is not above 0, and below {LEAST_GAIN}"
+        return Finding(ABSENT, reason)
+    return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
 
 
-def _one_sided_progress(estimates: Estimates, known: Findings) -> Decision:
+def _one_sided_progress(estimates: Estimates, known: Findings) -> Finding:
     gains = _ends(estimates, *GAINS)
     if known["arms race"].verdict == PRESENT:
-        return ABSENT, "both teams have a trend"
+        return Finding(ABSENT, "both teams have a trend")
     if all(_does_not_gain(gain) for gain in gains):
-        return ABSENT, "neither team has a trend"
-    for (low, _), other in zip(gains, gains[::-1], strict=True):
+        return Finding(ABSENT, "neither team has a trend")
+    for key, (low, _), other in zip(GAINS, gains, gains[::-1], strict=True):
         if low > 0.0 and _does_not_gain(other):
-            return PRESENT, "only one team rises by more than a random walk with such steps would"
-    return CANNOT_TELL, "a random walk may explain the gain of at least one team"
+            reason = "only one team rises by more than a random walk with such steps would"
+            return Finding(PRESENT, reason, _teams([key]))
+    return Finding(CANNOT_TELL, "a random walk may explain the gain of at least one team")
 
 
-def _rise(estimates: Estimates, known: Findings) -> Decision:
+def _rise(estimates: Estimates, known: Findings) -> Finding:
     rose = [key for key in CHANGES if estimates[key].ends[0] > LEAST_GAIN]
-    teams = [f"the {key.split('_')[0]}s" for key in rose if estimates[key].note != NOT_SUSTAINED]
+    teams = _teams(key for key in rose if estimates[key].note != NOT_SUSTAINED)
     if teams:
-        return PRESENT, f"{' and '.join(teams)} became stronger by more than {LEAST_GAIN} this time"
+        reason = f"{_listed(teams)} became stronger by more than {LEAST_GAIN} this time"
+        return Finding(PRESENT, reason, teams)
     if rose:
-        return CANNOT_TELL, "a team became stronger, but mostly in a jump or with a setback"
+        return Finding(
+            CANNOT_TELL, "a team became stronger, but mostly in a jump or with a setback"
+        )
     return _against_all(estimates, CHANGES, LEAST_GAIN, "neither team became {} stronger this time")
 
 
-def _intransitivity(estimates: Estimates, known: Findings) -> Decision:
+def _intransitivity(estimates: Estimates, known: Findings) -> Finding:
     found = _against(
         estimates["squared_intransitivity"],
         LEAST_INTRANSITIVITY**2,
         "neither an order of strength nor episode noise explains the capture rates",
         "an order of strength and episode noise explain the capture rates",
     )
-    if found[0] == PRESENT and estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
-        return (
-            CANNOT_TELL,
-            "no order of strength explains the capture rates, but checkerboards are rare",
-        )
+    if found.verdict == PRESENT and estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
+        reason = "no order of strength explains the capture rates, but checkerboards are rare"
+        return Finding(CANNOT_TELL, reason)
     return found
 
 
-def _cycling(estimates: Estimates, known: Findings) -> Decision:
+def _cycling(estimates: Estimates, known: Findings) -> Finding:
     verdict = known["intransitivity"].verdict
     if verdict == ABSENT:
-        return ABSENT, "generations do not beat each other in a circle"
+        return Finding(ABSENT, "generations do not beat each other in a circle")
     unknown = [estimates[key].note for key in RECURRENCES if estimates[key].low is None]
     if unknown:
-        return CANNOT_TELL, unknown[0]
+        return Finding(CANNOT_TELL, unknown[0])
     back = [key for key in RECURRENCES if estimates[key].ends[0] > LEAST_RECURRENCE]
     if back and verdict == CANNOT_TELL:
-        return CANNOT_TELL, "strategies return, but an order of strength may explain them"
+        return Finding(CANNOT_TELL, "strategies return, but an order of strength may explain them")
     if back:
-        teams = " and ".join(f"the {key.split('_')[0]}s" for key in back)
-        return PRESENT, f"strategies of {teams} return"
+        return Finding(PRESENT, f"strategies of {_listed(_teams(back))} return", _teams(back))
     return _against_all(estimates, RECURRENCES, LEAST_RECURRENCE, "no strategies return")
 
 
-def _forgetting(estimates: Estimates, known: Findings) -> Decision:
-    drops = _ends(estimates, *DROPS)
-    if any(low > LEAST_FORGETTING for low, _ in drops):
-        return PRESENT, f"a team falls more than {LEAST_FORGETTING} below its best ancestors"
+def _forgetting(estimates: Estimates, known: Findings) -> Finding:
+    teams = _teams(key for key in DROPS if estimates[key].ends[0] > LEAST_FORGETTING)
+    if teams:
+        reason = f"a team falls more than {LEAST_FORGETTING} below its best ancestors"
+        return Finding(PRESENT, reason, teams)
     below = "neither team falls {} below its best ancestors"
     return _against_all(estimates, DROPS, LEAST_FORGETTING, below)
 
 
-def _stagnation(estimates: Estimates, known: Findings) -> Decision:
+def _stagnation(estimates: Estimates, known: Findings) -> Finding:
     changes = _ends(estimates, *CHANGES)
     for name in ("arms race", "one-sided progress", "intransitivity"):
         if known[name].verdict == PRESENT:
-            return ABSENT, f"{name} is present"
+            return Finding(ABSENT, f"{name} is present")
     if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in changes):
-        return ABSENT, f"the strength of a team changes by {LEAST_GAIN} or more"
+        return Finding(ABSENT, f"the strength of a team changes by {LEAST_GAIN} or more")
     if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in changes):
-        return CANNOT_TELL, f"a change of {LEAST_GAIN} cannot be ruled out"
+        return Finding(CANNOT_TELL, f"a change of {LEAST_GAIN} cannot be ruled out")
     if known["intransitivity"].verdict == CANNOT_TELL:
-        return CANNOT_TELL, "neither team becomes stronger, but the race may be intransitive"
-    return PRESENT, f"neither team's strength changes by {LEAST_GAIN}, nor who beats whom"
+        reason = "neither team becomes stronger, but the race may be intransitive"
+        return Finding(CANNOT_TELL, reason)
+    return Finding(PRESENT, f"neither team's strength changes by {LEAST_GAIN}, nor who beats whom")
 
 
 def _does_not_gain(gain: tuple[float, float]) -> bool:
@@ -312,6 +314,15 @@ def _does_not_gain(gain: tuple[float, float]) -> bool:
 
 def _ends(estimates: Estimates, *keys: str) -> list[tuple[float, float]]:
     return [estimates[key].ends for key in keys]
+
+
+def _teams(keys: Iterable[str]) -> tuple[str, ...]:
+    """Return the teams of some measures."""
+    return tuple(f"{key.partition('_')[0]}s" for key in keys)
+
+
+def _listed(teams: tuple[str, ...]) -> str:
+    return " and ".join(f"the {team}" for team in teams)
 
 
 # ---- The table -----------------------------------------------------------------------------------
@@ -339,15 +350,16 @@ class Condition:
 
     `measures`: the numbers that decide, by their names in `MEASURES`. `rule`: the verdict from
     these, and from the findings on the rows above. `missing`: what it would take to know them,
-    empty if they are known. A headline leaves out the condition that this one `implies`.
-    `numbers`: what its numbers are called in the line under a headline, which has one if it is
-    present; empty for none. `advice`: what to try next where it is present, and `changes` the
-    settings of a race that may do it.
+    empty if they are known. `happened`: what a plain sentence says of its ``{teams}``. A headline
+    leaves out the condition that this one `implies`. `numbers`: what its numbers are called in the
+    line under a headline, which has one if it is present; empty for none. `advice`: what to try
+    next where it is present, and `changes` the settings of a race that may do it.
     """
 
     measures: tuple[str, ...]
-    rule: Callable[[Estimates, Findings], Decision]
+    rule: Callable[[Estimates, Findings], Finding]
     missing: Callable[[Payoffs], str]
+    happened: str
     implies: str = ""
     numbers: str = ""
     advice: str = ""
@@ -408,6 +420,7 @@ MORE_EPOCHS = (
 RULES: Mapping[str, Condition] = {
     "disengagement": Condition(
         ("one_sidedness",), _disengagement, _noise,
+        "one team often won nearly all matches",
         advice="make the weaker team stronger, or reward no candidate for winning everything",
         changes=(
             Change((FULL_VIRULENCE,), {"fitness.pursuer_virulence": 0.75},
@@ -418,10 +431,12 @@ RULES: Mapping[str, Condition] = {
         ),
     ),
     "arms race": Condition(
-        GAINS, _arms_race, _nothing, implies="rise", numbers="gains", **GO_ON
+        GAINS, _arms_race, _nothing, "{teams} improved",
+        implies="rise", numbers="gains", **GO_ON
     ),
     "one-sided progress": Condition(
-        GAINS, _one_sided_progress, _nothing, implies="rise", numbers="gains",
+        GAINS, _one_sided_progress, _nothing, "only {teams} improved",
+        implies="rise", numbers="gains",
         advice="give the team that does not gain more time to learn",
         changes=(
             *MORE_EPOCHS,
@@ -429,18 +444,24 @@ RULES: Mapping[str, Condition] = {
                    "more time for the team that does not gain"),
         ),
     ),
-    "rise": Condition(CHANGES, _rise, _nothing, numbers="changes", **GO_ON),
+    "rise": Condition(
+        CHANGES, _rise, _nothing, "{teams} became stronger (perhaps by chance)",
+        numbers="changes", **GO_ON
+    ),
     "intransitivity": Condition(
-        ("squared_intransitivity", "checkerboards"), _intransitivity, _noise, **AGAINST_CYCLES
+        ("squared_intransitivity", "checkerboards"), _intransitivity, _noise,
+        "some generations beat each other in a circle", **AGAINST_CYCLES
     ),
     "cycling": Condition(
-        RECURRENCES, _cycling, _noise, implies="intransitivity", **AGAINST_CYCLES
+        RECURRENCES, _cycling, _noise, "{teams} returned to earlier strategies",
+        implies="intransitivity", **AGAINST_CYCLES
     ),
     "forgetting": Condition(
-        DROPS, _forgetting, _single_episodes, numbers="drops", **AGAINST_CYCLES
+        DROPS, _forgetting, _single_episodes, "{teams} lost old skills",
+        numbers="drops", **AGAINST_CYCLES
     ),
     "stagnation": Condition(
-        CHANGES, _stagnation, _nothing,
+        CHANGES, _stagnation, _nothing, "neither team became stronger or weaker",
         advice="more candidates, another learner or a larger network",
         changes=(
             Change((ANY,), {"learner.population": TWICE},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,6 @@ from matrixworld.analysis.judge import (
     ABSENT,
     CANNOT_TELL,
     CONDITIONS,
-    LEAST_FORGETTING,
     PRESENT,
     RULES,
     Finding,
@@ -33,11 +32,127 @@ from matrixworld.analysis.strength import forgetting
 TIMES = {"first half": "early", "last half": "late"}
 """Windows in a headline."""
 OVERALL = "overall"
+WHEN = {
+    "first half": {ABSENT: "until {}", CANNOT_TELL: "at least until {}"},
+    "last half": {ABSENT: "from {} on", CANNOT_TELL: "at least from {} on"},
+}
+"""When something happened in one half only, by the verdict on the other half."""
+IMPROVEMENTS = ("arms race", "one-sided progress", "rise")
+BETTER_OR_NOT = {"disengagement", "stagnation", *IMPROVEMENTS}
+"""Conditions that say whether a team improved, or why that is not known."""
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
 
 
 # ---- A judgement ---------------------------------------------------------------------------------
+
+
+def summary(judgement: Judgement) -> list[str]:
+    """Return what happened, in lines: `sentence`, `headline` and `headline_numbers`.
+
+    Parameters
+    ----------
+    judgement : Judgement
+    """
+    return [sentence(judgement), headline(judgement), *headline_numbers(judgement)]
+
+
+def sentence(judgement: Judgement) -> str:
+    """Return in one plain sentence who improved, until when, and what was lost.
+
+    Such as ``"Both teams improved until generation 14; the pursuers lost old skills from
+    generation 15 on."``. It says what the verdicts say, and no more: "until" if a condition is
+    absent in the other half, "at least until" if this cannot be told.
+
+    Parameters
+    ----------
+    judgement : Judgement
+    """
+    parts: dict[str, list[_Claim]] = {}
+    for claim in _claims(judgement):
+        parts.setdefault(claim.window, []).append(claim)
+    # Whether a team improved comes first, then what holds for the whole race, then the halves.
+    order = ["", "whole", "both", *TIMES]
+    told = "; ".join(
+        _part(parts[window])
+        for window in sorted(
+            parts, key=lambda each: (not any(c.better for c in parts[each]), order.index(each))
+        )
+    )
+    if judgement.runs > 1:
+        told = f"in the mean of {judgement.runs} runs, {told}"
+    return f"{told[0].upper()}{told[1:]}."
+
+
+class _Claim(NamedTuple):
+    """What happened, in which window, and in words when; and whether it is about improvement."""
+
+    what: str
+    window: str
+    when: str
+    better: bool
+
+
+def _part(claims: list[_Claim]) -> str:
+    """Return what happened in a window as a part of a sentence."""
+    (first, *others), [when, *different] = claims, dict.fromkeys(each.when for each in claims)
+    if not others:
+        return f"{first.what} {when}".rstrip()
+    when = f"in the {first.window}" if different else when
+    *listed, last = (each.what for each in claims)
+    return f"{when}, {', '.join(listed)} and {last}".removeprefix(", ")
+
+
+def _claims(judgement: Judgement) -> list[_Claim]:
+    """Return what is present, and whether a team improved if nothing present says it."""
+    claims, present = [], _present(judgement)
+    for name in sorted(present, key=lambda each: (each not in BETTER_OR_NOT, each)):
+        by_teams: dict[tuple[str, ...], list[str]] = {}
+        for window in _halves(present[name]):
+            by_teams.setdefault(judgement.windows[window][name].teams, []).append(window)
+        verdicts = {at: found[name].verdict for at, found in judgement.windows.items()}
+        for teams, windows in by_teams.items():
+            who = "both teams" if len(teams) == 2 else "".join(f"the {team}" for team in teams)
+            time = _time(judgement, windows, verdicts)
+            what = RULES[name].happened.format(teams=who)
+            claims.append(_Claim(what, *time, name in BETTER_OR_NOT))
+    if not BETTER_OR_NOT & present.keys():
+        claims.insert(0, _no_improvement(judgement))
+    return claims
+
+
+def _no_improvement(judgement: Judgement) -> _Claim:
+    """Return where no team improved; if that is not known anywhere, so much."""
+    verdicts = {
+        at: PRESENT if {found[name].verdict for name in IMPROVEMENTS} == {ABSENT} else CANNOT_TELL
+        for at, found in judgement.windows.items()
+    }
+    windows = _halves([at for at, verdict in verdicts.items() if verdict == PRESENT])
+    if not windows:
+        return _Claim("it cannot be told whether a team improved", "", "", True)
+    return _Claim("neither team improved", *_time(judgement, windows, verdicts), True)
+
+
+def _halves(windows: list[str]) -> list[str]:
+    """Return the halves among windows, or else the whole race."""
+    return [window for window in windows if window in TIMES] or windows
+
+
+def _time(judgement: Judgement, windows: list[str], verdicts: Mapping[str, str]) -> tuple[str, str]:
+    """Return the window in which something holds, and when it did in words."""
+    if judgement.window not in TIMES:
+        return "whole", ""  # too short to have halves
+    if len(windows) == 2:
+        return "both", "throughout the race"
+    [window] = windows
+    if window == "whole":
+        return window, "over the whole race"
+    [other] = TIMES.keys() - windows
+    words = WHEN[window].get(verdicts[other], f"in the {window}")
+    pursuers, evaders = judgement.shape
+    # The last half begins with the middle generation; teams of different length share no number.
+    middle = f"generation {pursuers // 2 - (window == 'first half')}"
+    return window, words.format(middle if pursuers == evaders else "the middle of the race")
 
 
 def headline(judgement: Judgement) -> str:
@@ -83,43 +198,45 @@ def _present(judgement: Judgement) -> dict[str, list[str]]:
 def headline_numbers(judgement: Judgement) -> list[str]:
     """Return the numbers under a headline: gains, and how far teams fall below their best.
 
-    Such as ``"gains: pursuers +0.42, evaders +0.70"``; about the window that the
+    Such as ``"gains: pursuers +0.42, evaders +0.70 (whole race)"``; about the window that the
     headline names, or about the whole race. No line stands for numbers that are not known.
     """
-    lines, present = [], _present(judgement)
-    told = {name: RULES[name].numbers for name in CONDITIONS if name in present}
-    # A rise is a change in what was played; a gain would come again. One of them is enough.
-    rising = [name for name, numbers in told.items() if numbers in ("gains", "changes")]
-    falling = [name for name, numbers in told.items() if numbers == "drops"]
-    if rising or not falling:
-        name = rising[0] if rising else "arms race"
-        window, about = _where(present.get(name, []))
-        known = judgement.windows[window][name].estimates
-        numbers = [f"{MEASURES[key].short} {each.value:+.2f}" for key, each in known.items()]
-        lines += [f"{RULES[name].numbers}: {', '.join(numbers)}{about}"] if numbers else []
-    for name in falling:
-        window, about = _where(present[name])
-        # Only of teams that are known to forget.
-        numbers = [
-            f"{MEASURES[key].short} {each.value:.2f}"
-            for key, each in judgement.windows[window][name].estimates.items()
-            if each.ends[0] > LEAST_FORGETTING
-        ]
-        lines.append(f"{', '.join(numbers)} below their best{about}")
+    lines = []
+    for name, window in _numbered(judgement):
+        found, kind = judgement.windows[window][name], RULES[name].numbers
+        known = {MEASURES[key].short: each for key, each in found.estimates.items()}
+        if kind == "drops":  # only of teams that are known to forget
+            drops = [f"{team} {known[team].value:.2f}" for team in found.teams]
+            lines.append(f"{', '.join(drops)} below their best ({_named(window)})")
+        elif known:
+            gains = [f"{team} {each.value:+.2f}" for team, each in known.items()]
+            lines.append(f"{kind}: {', '.join(gains)} ({_named(window)})")
     return lines
 
 
-def _where(windows: list[str]) -> tuple[str, str]:
-    halves = [window for window in windows if window in TIMES]
-    window = halves[0] if len(halves) == 1 else "whole"
-    return window, "" if window == "whole" else f" ({window})"
+def _numbered(judgement: Judgement) -> list[tuple[str, str]]:
+    """Return the conditions whose numbers stand under a headline, each with a window."""
+    present = _present(judgement)
+    told = [name for name in CONDITIONS if name in present and RULES[name].numbers]
+    # A rise is a change in what was played; a gain would come again. One of them is enough.
+    falling = [name for name in told if RULES[name].numbers == "drops"]
+    rising = [name for name in told if name not in falling][:1]
+    numbered = []
+    for name in rising + falling or ["arms race"]:
+        halves = _halves(present.get(name, []))
+        numbered.append((name, halves[0] if len(halves) == 1 else "whole"))
+    return numbered
+
+
+def _named(window: str) -> str:
+    return "whole race" if window == "whole" else window
 
 
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     """Return the rows of a table: condition, verdict, numbers with intervals, window.
 
     After the heads all findings of the headline window; then those that are present in another
-    window only.
+    window only, and those whose numbers stand under the headline.
 
     Parameters
     ----------
@@ -134,9 +251,11 @@ def _told(judgement: Judgement) -> list[tuple[str, Finding, str]]:
     check_instance("judgement", judgement, Judgement)
     told = [(name, found, judgement.window) for name, found in judgement.findings.items()]
     # A wave that is over belongs into the table, too.
+    numbered = _numbered(judgement)
     for window, findings in judgement.windows.items():
         others = [each for each in judgement.present(window) if each not in judgement.present()]
-        told += [(name, findings[name], window) for name in others]
+        others += [name for name, at in numbered if at == window and name not in others]
+        told += [(name, findings[name], window) for name in others if window != judgement.window]
     return told
 
 
@@ -157,7 +276,7 @@ def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, 
         f"{MEASURES[key].short or MEASURES[key].label} {MEASURES[key].shown(estimate)}"
         for key, estimate in finding.estimates.items()
     )
-    return condition, finding.verdict, numbers, window
+    return condition, finding.verdict, numbers, _named(window)
 
 
 def explain(judgement: Judgement) -> str:
@@ -168,7 +287,7 @@ def explain(judgement: Judgement) -> str:
     judgement : Judgement
     """
     return "\n".join(
-        f"{name.capitalize()}{'' if window == judgement.window else f' ({window})'}: "
+        f"{name.capitalize()}{'' if window == judgement.window else f' ({_named(window)})'}: "
         f"{finding.verdict}, because {finding.reason}.{_counts(finding.by_run)}"
         for name, finding, window in _told(judgement)
     )
@@ -201,7 +320,7 @@ def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
     for name, estimate in estimates.items():
         window = MEASURES[name].window_in(payoffs).name
         if window != last:
-            lines.append("  whole race" if window == "whole" else f"  {window}")
+            lines.append(f"  {_named(window)}")
             last = window
         text = f"{MEASURES[name].label:53}{MEASURES[name].shown(estimate)}"
         lines.append(f"    {text} {notes.get(estimate.note, '')}".rstrip())

@@ -15,7 +15,7 @@ from matrixworld.analysis import headline, judge
 from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import TERMS, print_head, print_wrapped, progress, say
-from matrixworld.cli.judge import counts, print_judgement
+from matrixworld.cli.judge import print_judgement
 from matrixworld.cli.options import check_outputs, options, out_option, write_json
 from matrixworld.cli.runs import (
     dashed_name,
@@ -221,7 +221,7 @@ def _play_one(
     print_head(str(ours.path))
     say(payoff)
     if judgement is not None:
-        print_head(counts(judgement))
+        say()
         print_judgement(judgement)
         say(f"\n{TERMS}")
     say(f"\nWritten: {target}, {figure.name}")

@@ -15,8 +15,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld._util.files import LockedError, save_json
-from matrixworld.analysis import headline
-from matrixworld.analysis.words import headline_numbers
+from matrixworld.analysis.words import summary
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
@@ -447,7 +446,7 @@ def report(
         print_wrapped("\n".join(_lines(group)))
         print_missing(group)
     if races:
-        print_head("Against opponents nobody trained on (1 = best)")
+        print_head("Score against opponents nobody trained on (from 0 to 1, more is better)")
         print_table([("", "pursuers", "evaders"), *map(_held_out_row, races)], "<>>")
     for path, problem in failed.items():
         print_wrapped(f"Failed: {path}: {problem}")
@@ -477,7 +476,7 @@ def _lines(group: RunGroup) -> list[str]:
     if not group.runs:
         return [seeds_finished(group)]
     if group.is_race:
-        return [headline(group.judgement), *headline_numbers(group.judgement)]
+        return summary(group.judgement)
     schedule, means = group.runs[0].settings.schedule, group.means()
     assert isinstance(schedule, Against)  # one team evolved
     return [

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from matrixworld.analysis import Judgement, explain, headline, judge, read_payoffs
+from matrixworld.analysis import Judgement, explain, judge, read_payoffs
 from matrixworld.analysis.judge import (
     ABSENT,
     ANY,
@@ -24,7 +24,7 @@ from matrixworld.analysis.judge import (
     Change,
 )
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
-from matrixworld.analysis.words import all_results, judgement_cells, measure_table
+from matrixworld.analysis.words import all_results, judgement_cells, measure_table, summary
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
 from matrixworld.cli.options import check_exists, check_outputs, integer, options, write_json
 from matrixworld.cli.runs import finished_groups, print_missing, unpacked
@@ -133,7 +133,6 @@ def _print(
     explained: bool,
 ) -> None:
     print_head(name)
-    say(f"{headline(judgement)}\n{counts(judgement)}")
     print_judgement(judgement)
     if group is not None and group.several:
         say()
@@ -165,7 +164,10 @@ def counts(judgement: Judgement) -> str:
 
 
 def print_judgement(judgement: Judgement) -> None:
-    """Print the table of a judgement, and what limits it."""
+    """Print a judgement: in words, the numbers of what was judged, its table, what limits it."""
+    for line in summary(judgement):
+        print_wrapped(line)
+    say(f"\n{counts(judgement)}")
     print_table(judgement_cells(judgement), "<<<<")
     if judgement.episodes is None:
         print_wrapped(

@@ -324,6 +324,7 @@ def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
     judgement = analysis.judge(scores)
     of_game = (analysis.MEASURES[name] for name in OF_GAME)
     return {
+        "sentence": analysis.sentence(judgement),
         "headline": analysis.headline(judgement),
         "numbers": headline_numbers(judgement),
         "table": [list(row) for row in analysis.judgement_table(judgement)],
