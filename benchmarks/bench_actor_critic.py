@@ -27,8 +27,8 @@ SURROUND = {"world.rules": "S", "world.n_pursuers": 20, "world.n_evaders": 5}
 ROWS: dict[str, tuple[Team, dict[str, Any]]] = {
     "8 pursuers, 400-300, 1 of 500 steps: the defaults": ("pursuer", {}),
     "30 evaders, 400-300, 1 of 500 steps: the defaults": ("evader", {}),
-    "20 pursuers of -S, 400-300, 1 of 500 steps: as published": ("pursuer", SURROUND),
-    "20 pursuers of -S, 64, 2 of 500 steps, 12 updates of a quarter": (
+    "20 pursuers of S, 400-300, 1 of 500 steps: as published": ("pursuer", SURROUND),
+    "20 pursuers of S, 64, 2 of 500 steps, 12 updates of a quarter": (
         "pursuer",
         {
             **SURROUND, "policy.hidden": (64,), "learner.population": 2, "learner.minibatches": 4,

@@ -60,7 +60,7 @@ POPULATIONS = (8, 16, 24, 32, 48, 64, 96)
 WEIGHT, HEAD = 0.05, 0.1
 """Standard deviations of untrained weights, as in races."""
 PENALTY = 0.2
-"""Of evaders that share a cell, as in races of -O."""
+"""Of evaders that share a cell, as in races of O."""
 
 ROUNDS = 150
 RACE = mw.WorldConfig("O", max_steps=ROUNDS)
@@ -105,7 +105,7 @@ LARGE = {
     "pursuers, random": Task(RACE, "pursuer", "random", (0.18, 0.4)),
     "pursuers, clumsy-fleer": Task(FIELD, "pursuer", "clumsy-fleer", (0.02, 0.08)),
     "evaders, evolved-2": Task(RACE, "evader", "evolved-2", (0.55, 0.9)),
-    "-SB pursuers, random": Task(CROWD, "pursuer", "random", (0.01, 0.1)),
+    "SB pursuers, random": Task(CROWD, "pursuer", "random", (0.01, 0.1)),
 }
 """Networks of 11,813 genes."""
 SMALL = {

@@ -2,9 +2,9 @@
 
     python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5] [--out scaling.png]
 
-Agents: one world of -SB, where no agent disappears, on grids of constant density and on grids of
-two constant sizes, which show what the caches cost. Worlds: batches of -SB with views.
-Genomes: rollouts of -O over 20 rounds, each genome in one world. Each number is the median of some
+Agents: one world of SB, where no agent disappears, on grids of constant density and on grids of
+two constant sizes, which show what the caches cost. Worlds: batches of SB with views.
+Genomes: rollouts of O over 20 rounds, each genome in one world. Each number is the median of some
 repeats on one core, to which the process is bound if the system supports it. A fitted exponent is
 the slope of log seconds over log size in the upper half of the sizes. Before the measurement,
 batches and rollouts are compared with single worlds and matches.

@@ -20,9 +20,9 @@ from matrixworld.solve import States, best_response, solve
 from timing import bind, n_cores, print_table
 
 LIMITS = {
-    "-O, 6 x 6, 2 against 1, 20 steps": 20.0,
-    "-TO, 8 x 8, 2 against 1, to the end": 1.0,
-    "-O, 6 x 6, best response to a network": 1.0,
+    "O, 6 x 6, 2 against 1, 20 steps": 20.0,
+    "TO, 8 x 8, 2 against 1, to the end": 1.0,
+    "O, 6 x 6, best response to a network": 1.0,
 }
 """Seconds."""
 SPEEDUP = 1.8

@@ -1,6 +1,6 @@
 """Co-evolution with NumPy and DEAP only, as it is written without an engine.
 
-The game is -O. Agents move simultaneously. An agent whose way is blocked by an obstacle or the
+The game is O. Agents move simultaneously. An agent whose way is blocked by an obstacle or the
 border stays on its cell. An evader is captured and disappears if a pursuer moves to the same cell
 or swaps cells with it.
 """

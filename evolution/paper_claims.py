@@ -63,13 +63,13 @@ from paper_runs import (
 CLEARLY = 0.05
 """Difference of rates below which a team is not clearly better."""
 PUBLISHED_SURROUNDING = 0.53
-"""Evaders captured in the last step of the published -S, mean of the last 500 of 5,000 epochs; half
+"""Evaders captured in the last step of the published S, mean of the last 500 of 5,000 epochs; half
 of it would count as reproduced."""
 LEAST_COLLISIONS = 1.0
 """Collisions per 1000 agent-steps that count as some: ten of a team of 20 in 500 steps."""
 
 AT_ITS_SIZE = Path(__file__).parent / "results" / "paper_surrounding" / "numbers.npz"
-ASSURANCE = """Rewards do not make pursuers safe in -S, and the paper asks for assurance. These
+ASSURANCE = """Rewards do not make pursuers safe in S, and the paper asks for assurance. These
 learned at the paper's size by policy gradients, as `paper_surrounding.py` plays it."""
 
 PARTS = ("whole", "first half", "last half")

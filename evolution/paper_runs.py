@@ -242,7 +242,7 @@ def _safety(runs: Runs, quick: bool) -> Numbers:
             rewards.append(tested.pursuer_return.mean(axis=1))
             colliding.append((tested.collisions[1, :, 0, 1] > 0).mean())
             last = slice(-max(1, len(log["epoch"]) // 10), None)
-            # All pursuers of -S live to the end.
+            # All pursuers of S live to the end.
             steps = world.n_pursuers * log["length"][last].sum()
             in_test = tested.faults[1, :, 0].sum() / tested.agent_steps[1, :, 0].sum()
             faults.append([log["pursuer_faults"][last].sum() / steps, in_test])

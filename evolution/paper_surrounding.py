@@ -1,11 +1,11 @@
-"""Do pursuers learn to capture, and safely, at the paper's size? -S as published, and masked.
+"""Do pursuers learn to capture, and safely, at the paper's size? S as published, and masked.
 
     python evolution/paper_surrounding.py                        ten runs: four hours of one core
     python evolution/paper_surrounding.py --kinds right-of-way   five runs: 40 minutes of one core
     python evolution/paper_surrounding.py --quick                a small world: some seconds
 
 Twenty pursuers learn by actor-critic to surround five evaders that move at random, on 40 x 40
-cells, in episodes of 500 steps (-S). Three kinds of training:
+cells, in episodes of 500 steps (S). Three kinds of training:
 
 published     settings and rewards of the code that the paper's authors published, 5,000 epochs
 no mask       other settings; rewards of the paper without penalties for collisions, 2,500 epochs

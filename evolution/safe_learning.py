@@ -3,8 +3,8 @@
     python evolution/safe_learning.py             two variants, ten seeds: an hour of one core
     python evolution/safe_learning.py --quick     a small world, two seeds: some seconds
 
-Pursuers learn to surround an evader that moves at random, in -S (teammates may share a cell) and in
--SB (they bounce). Each method changes one thing of the same training: the penalty of a collision, a
+Pursuers learn to surround an evader that moves at random, in S (teammates may share a cell) and in
+SB (they bounce). Each method changes one thing of the same training: the penalty of a collision, a
 limit of collisions, a mask of moves. Afterwards all archived generations play new episodes.
 
 Methods: policy gradients with the clipped objective of PPO; a Lagrangian multiplier on costs (Ray,
@@ -136,7 +136,7 @@ def table(numbers: Numbers) -> str:
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
               for name in names if EVOLVED in name),
         ]  # fmt: skip
-        parts.append(markdown([f"-{variant}", *HEADS], rows))
+        parts.append(markdown([f"{variant}", *HEADS], rows))
     steps, faults = numbers["long test"]
     tested = (
         f"With right of way, pursuers were at fault {faults:,} times in {steps:,} agent-steps of "
@@ -165,7 +165,7 @@ def comparisons(numbers: Numbers) -> str:
         return f"{mean(found[row, variant], digits, '+')}; {shown_p(p)}{unknown}"
 
     return markdown(
-        ["difference of", "between", *(f"-{variant}" for variant in variants)],
+        ["difference of", "between", *(f"{variant}" for variant in variants)],
         [
             [NUMBERS[row[0]], f"{row[1]}, minus {row[2]}", *(cell(row, v) for v in variants)]
             for row in COMPARED
@@ -192,11 +192,11 @@ def training_figure(numbers: Numbers) -> Figure:
     drawn = Figure(figsize=(16.0, 3.5 * len(variants)), dpi=120, layout="constrained")
     panels = drawn.subplots(len(variants), 1 + len(DRAWN), squeeze=False, sharex=True)
     for variant, (captures, *faults) in zip(variants, panels, strict=True):
-        captures.set(title=f"-{variant}", ylabel="capture rate", ylim=(-0.02, 1.02))
+        captures.set(title=f"{variant}", ylabel="capture rate", ylim=(-0.02, 1.02))
         for (method, color), axes in zip(DRAWN.items(), faults, strict=True):
             name, label = f"{variant} {method}", method.partition(": ")[2]
             curve(captures, numbers, name, "capture rate", color=color, label=label)
-            axes.set_title(f"-{variant}: {label}", color=color, fontsize="medium")
+            axes.set_title(f"{variant}: {label}", color=color, fontsize="medium")
             for k, (kind, of_kind) in enumerate(
                 zip(COLLISION_KINDS, colors.CONFLICTS, strict=True)
             ):
@@ -230,7 +230,7 @@ def methods_figure(numbers: Numbers) -> Figure:
                 label=name.removeprefix(f"{variant} "), **style,
             )  # fmt: skip
         axes.set_xscale("symlog", linthresh=1.0)
-        axes.set(title=f"-{variant}", xlabel="collisions at fault per 1000 agent-steps")
+        axes.set(title=f"{variant}", xlabel="collisions at fault per 1000 agent-steps")
         axes.set(ylim=(-0.02, 1.02), xlim=(-0.2, 3000.0))
         axes.grid(color=colors.GRID)
     panels[0].set_ylabel("capture rate")

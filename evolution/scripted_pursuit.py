@@ -7,7 +7,7 @@
 The rows are those of FSC2 (Sun et al., 2022, "Toward multi-target self-organizing pursuit in a
 partially observable Markov game", arXiv:2206.12330): pursuers with a view of 11 x 11 cells and
 without communication surround evaders on 40 x 40 cells within 500 steps. Here all act at the same
-time (-SB), and evaders play a script. The *authors' setting* is theirs but for one thing: their
+time (SB), and evaders play a script. The *authors' setting* is theirs but for one thing: their
 evaders act before the pursuers of a step, here they act after them. Evaders move one by one to a
 free cell beside them, drawn at random; all four neighbours of a captured evader are taken, by
 whatever it is; and an episode ends when all evaders are captured at one moment.
@@ -60,15 +60,15 @@ class Kind(NamedTuple):
 
 
 KINDS = (
-    Kind("-SB, evaders at random", BEST),
+    Kind("SB, evaders at random", BEST),
     Kind("the authors' setting", BEST, authors=True),
-    Kind("-SDB, evaders at random", BEST, variant="SDB"),
-    Kind("-SB, fleers", BEST, "fleer"),
-    Kind("-SB, dodgers", BEST, "dodger"),
-    Kind("-SB, 5 % obstacles", BEST, obstacles=0.05),
-    Kind("-SB, 10 % obstacles", BEST, obstacles=0.1),
-    Kind("-SB, careful-surrounder", "careful-surrounder"),
-    Kind("-SB, surrounder", BEFORE),
+    Kind("SDB, evaders at random", BEST, variant="SDB"),
+    Kind("SB, fleers", BEST, "fleer"),
+    Kind("SB, dodgers", BEST, "dodger"),
+    Kind("SB, 5 % obstacles", BEST, obstacles=0.05),
+    Kind("SB, 10 % obstacles", BEST, obstacles=0.1),
+    Kind("SB, careful-surrounder", "careful-surrounder"),
+    Kind("SB, surrounder", BEFORE),
 )
 
 
@@ -216,7 +216,7 @@ def main() -> None:
     args = parser.parse_args()
     kinds = list(KINDS)
     if args.networks is not None:
-        kinds.append(Kind("-SB, networks with right of way", networks_in(args.networks)))
+        kinds.append(Kind("SB, networks with right of way", networks_in(args.networks)))
     rows = rows_of(kinds, args.quick)
     text = table(rows)
     print(text)

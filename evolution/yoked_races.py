@@ -13,7 +13,7 @@ are those of the replayed race for a yoked one. Rises against *common* opponents
 seeds that neither the race nor the yoked one has met. In the world *turns*, exact payoffs against
 perfect play and against the best response (docs/ground_truth.md).
 
-Worlds: *turns* is that of ``small_world.toml``; *small* is -O, 2 pursuers against 1 evader on 6 x 6
+Worlds: *turns* is that of ``small_world.toml``; *small* is O, 2 pursuers against 1 evader on 6 x 6
 cells for 8 steps.
 
 Look at the last columns: the difference of each seed, race minus yoked race, with its interval over

@@ -289,7 +289,7 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        small(tmp_path, threads=2, progress=lambda unit: contextlib.nullcontext(interrupt))
+        small(tmp_path, threads=2, report=interrupt)
     wait_until(lambda: not processes_of_programs(), "end of all programs", 5.0)
     with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads
         assert pool.submit(int).result() == 0

@@ -25,7 +25,7 @@ def quick_jobs(no_processes: None) -> None:
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no figures and write no page, in tests of something else."""
-    monkeypatch.setattr(evolve, "draw", lambda groups, root: None)
+    monkeypatch.setattr(evolve, "draw", lambda *args: None)
 
 
 @pytest.fixture

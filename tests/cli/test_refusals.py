@@ -33,7 +33,7 @@ JUDGE = [
 ]
 REPLAY = [
     (["nothing"], 2, "nothing: no such file or directory; expected the directory of a run"),
-    (["several"], 2, "expected --race with one of its races, 1, 2, got none"),
+    (["several", "--race", "3"], 2, "several: expected --race with one of its races, 1, 2, got 3"),
     (["race", "--race", "x"], 2, "race: expected --race with one of its races, ., got x"),
     (["race", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
     (["race/log.csv"], 1, "cut, altered or not an npz file"),

@@ -103,6 +103,9 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(run):
     # Of several races each has its tournament; generations of two runs are not judged.
     shutil.copytree(run, "job/a")
     start(tiny_race(seed=6), "job/b")
+    shown = matrixworld_command("replay", "job", "--step", 1)
+    assert "job/a: the first of 2 races; --race chooses another: a, b\n" in shown.stderr
+    assert shown.stdout == replayed("job/a", "--step", 1)
     said = played("job", "--episodes", 2)
     assert "\njob/a\n" in said
     assert "\njob/b\n" in said

@@ -10,8 +10,8 @@ from scipy import stats
 from command_line import matrixworld_command, run_together
 from matrixworld._util.files import load_json
 from matrixworld.analysis.words import summary
-from matrixworld.cli.evolve import report
-from matrixworld.coevolution import SavedRun, finish, open_run, score
+from matrixworld.cli.evolve import Whole, report
+from matrixworld.coevolution import Progress, SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups
 from matrixworld.coevolution.jobs import job_of, save_job
 from matrixworld.coevolution.types import TEAMS
@@ -40,6 +40,24 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def job(made: Path) -> Path:
     """A copy of the job in the working directory."""
     return Path(shutil.copytree(made, "job"))
+
+
+def test_one_progress_counts_what_comes_after_the_runs():
+    told: list[Progress] = []
+    bar = Whole(JOB, told.append)
+    bar.played(Progress("0 of 8 runs", 100, 1000))
+    bar.played(Progress("8 of 8 runs", 1000, 1000))
+    for share in (0.5, 1.0):
+        bar.scored(Progress("pursuers", int(10 * share), 10))
+    bar.drawn(0.5)
+    bar.drawn(1.0)
+    shares = [each.share for each in told]
+    assert shares == sorted(shares)
+    assert shares[1] < shares[3] < shares[4] < shares[5] == 1.0
+    assert told[0].share < 100 / 1000  # as announced without scores and figures
+    assert [each.what.partition(",")[0] for each in told] == [
+        *["evolve"] * 2, *["score"] * 2, *["draw figures and page"] * 2
+    ]  # fmt: skip
 
 
 def results(root: Path) -> list[SavedRun]:

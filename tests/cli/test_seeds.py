@@ -28,7 +28,7 @@ def test_a_directory_for_each_schedule_and_seed(undrawn):
     assert [*open_job("out")] == names
     finish(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
     assert results(Path("out") / names[3]) == results(Path("alone"))
-    assert ", 4 of 4 runs\n" in said.stderr
+    assert "score, [4/4] evaders" in said.stderr
     before = {path: path.read_bytes() for path in Path("out").rglob("*.*") if path.is_file()}
     again = evolved("--resume", "out")
     # The first line has the time.

@@ -33,7 +33,7 @@ def from_the_right(own: tuple[int, int], other: tuple[int, int]) -> bool:
 
 
 def forbidden_in_s(view: np.ndarray, team: str, n_actions: int) -> list[bool]:
-    """Return which actions right of way forbids in -S, from one view (3, fov, fov)."""
+    """Return which actions right of way forbids in S, from one view (3, fov, fov)."""
     own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
     middle = view.shape[-1] // 2
     agents = {

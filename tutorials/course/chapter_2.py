@@ -48,7 +48,7 @@ NOT_YET = "not yet. Add up the four rows of the table for this agent alone."
 
 
 def exercise_2(answer: Any) -> None:
-    """Compute the rewards of a step under the rules -O."""
+    """Compute the rewards of a step under the rules O."""
     world = drawn_world("O", MARKET)
     world.step(MARKET_ACTIONS)
     given = numbers(answer, "a list of 5 numbers", 5)
@@ -96,7 +96,7 @@ def exercise_4(answer: Any) -> None:
 
 
 def true_cells(cells: list[Cell], targets: list[Cell], side: int = 4) -> list[Cell]:
-    """Return the cells of a pack on a square after a step under -SB; no target is outside."""
+    """Return the cells of a pack on a square after a step under SB; no target is outside."""
     world = after_step((cells, targets), side)
     return [(row, col) for row, col in world.positions[:-1].tolist()]
 

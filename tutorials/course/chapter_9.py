@@ -32,7 +32,7 @@ from matrixworld.world.masks import action_masks, forbidding_cells
 # ---- Packs ---------------------------------------------------------------------------------------
 
 WORLD = WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
-"""Six pursuers have to surround one evader. In -S pursuers may share a cell; it is a collision."""
+"""Six pursuers have to surround one evader. In S pursuers may share a cell; it is a collision."""
 
 WEIGHTS = ("approach", "hold", "wall", "teammate", "crowd", "stay")
 """What a pack weighs. The wish for an action is the sum of each weight times what it counts:

@@ -11,7 +11,7 @@ STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 # east or south, or pursuer 1 north or south.
 exercise_1 = [EAST, EAST, STAY, EAST, SOUTH]
 
-# 2.2  The rewards of a step under -O.
+# 2.2  The rewards of a step under O.
 #
 # Each agent gets -0.05 for the step. Pursuers 0 and 1 enter one cell: teammates are both at fault,
 # -12 each. Pursuer 2 captures evader 0: +10 and -10, and nobody is at fault, because contact is the

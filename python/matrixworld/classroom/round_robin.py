@@ -16,7 +16,7 @@ import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import AbstractContextManager, ExitStack, closing, contextmanager, nullcontext
+from contextlib import ExitStack, closing, contextmanager
 from itertools import compress, product
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -71,7 +71,7 @@ def play_class(
     limits: Limits | None = None,
     trust: bool = False,
     threads: int | None = None,
-    progress: Callable[[str], AbstractContextManager[Report]] = lambda unit: nullcontext(silent),
+    report: Report = silent,
 ) -> ClassResult:
     """Play all pairs of a directory of submissions; what breaks a rule is left out.
 
@@ -94,9 +94,8 @@ def play_class(
     threads : int, optional
         Matches that are played side by side. The default is one for each core. The result does not
         depend on it.
-    progress : callable, optional
-        Takes the unit of a part of the work and returns a context, which gives a function
-        that is called with each `coevolution.Progress`. By default nothing is reported.
+    report : callable, optional
+        Called with each `coevolution.Progress`. By default nothing is reported.
 
     Raises
     ------
@@ -116,11 +115,9 @@ def play_class(
         config, seed, limits or Limits(), trust=trust, threads=threads, programs=programs
     )
     with _one_interruption(), closing(pool):
-        with progress("submissions") as report:
-            students, refused = admit(submissions, pool, report)
-        with progress("episodes") as report:
-            teams = {team: _with_scripts(students, team) for team in TEAMS}
-            played, failed = _round_robin(teams, pool, episodes, report)
+        students, refused = admit(submissions, pool, report)
+        teams = {team: _with_scripts(students, team) for team in TEAMS}
+        played, failed = _round_robin(teams, pool, episodes, report)
     refusals += [*spoilt, *refused]
     refusals += [Refusal(each.name, each.file, reason) for each, reason in failed.items()]
     if not (votes or any(each not in failed for each in students)):

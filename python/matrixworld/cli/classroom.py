@@ -113,7 +113,7 @@ def play_command(
     processes, with limits of time and memory. What breaks a rule is left out, and the page says
     why; docs/class.md tells the rules.
 
-    By default 4 pursuers play against 4 evaders in -O, on 16 x 16 cells or a map, for at most 100
+    By default 4 pursuers play against 4 evaders in O, on 16 x 16 cells or a map, for at most 100
     steps.
     """
     page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
@@ -123,16 +123,17 @@ def play_command(
     if trust:
         note("Programs run with the rights of your own (--trust).")
     try:
-        result = play_class(
-            directory,
-            config,
-            seed=seed,
-            episodes=episodes,
-            limits=limits,
-            trust=trust,
-            threads=threads,
-            progress=lambda unit: progress(unit=unit),
-        )
+        with progress() as bar:
+            result = play_class(
+                directory,
+                config,
+                seed=seed,
+                episodes=episodes,
+                limits=limits,
+                trust=trust,
+                threads=threads,
+                report=bar,
+            )
     except ValueError as error:
         raise click.ClickException(str(error)) from error
     say(result)  # first: a page that cannot be written must not lose the results

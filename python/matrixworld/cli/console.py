@@ -26,9 +26,9 @@ TO_STDOUT = "matrixworld.json"
 """Key in the context of a command whose numbers take standard output, and its text the other."""
 
 
-def progress(unit: str = "matches") -> ProgressBar:
-    """Return what shows progress on standard error: bars in a terminal, else lines."""
-    return ProgressBar(unit, sys.stderr)
+def progress() -> ProgressBar:
+    """Return what shows progress on standard error: a bar in a terminal, else lines."""
+    return ProgressBar(sys.stderr)
 
 
 def say(text: object = "", *, bold: bool = False) -> None:

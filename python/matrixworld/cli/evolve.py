@@ -55,7 +55,7 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import Progress, RaceSettings, SavedRun
+from matrixworld.coevolution import Progress, ProgressBar, RaceSettings, SavedRun
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.jobs import (
@@ -67,6 +67,7 @@ from matrixworld.coevolution.jobs import (
     open_job,
     play_job,
 )
+from matrixworld.coevolution.progress import SECONDS, Report, silent
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
@@ -78,6 +79,10 @@ from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
 from matrixworld.world.rules import VARIANTS
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
+SCORED = 1300
+"""About so many matches score a race."""
+SECONDS_TO_DRAW = 2.0
+"""About so long take the figures and the page of a run, or of runs that differ in their seed."""
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
 # \b keeps click from wrapping the lines.
@@ -237,9 +242,13 @@ def evolve_command(
             note(PAGE_HINT)
         began = time.monotonic()
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
-            with on_cluster(where, threads) as executor:
-                results, failed = play_runs(job, root, threads, executor, new=resumed is None)
-            report(job, results, root, failed, threads, began=began)
+            with progress() as bar:
+                whole = Whole(job, bar)
+                with on_cluster(where, threads) as executor:
+                    results, failed = play_runs(
+                        job, root, threads, executor, new=resumed is None, report=whole.played
+                    )
+                report(job, results, root, failed, threads, began=began, whole=whole)
             if page is not None and results:
                 page.finish(root / PAGE)
         if failed:
@@ -309,10 +318,9 @@ def _plan(job: Job, root: Path) -> str:
     """Return what is going to be played, and where."""
     first, *_ = settings = [*job.values()]
     world, what = first.world, "race" if all(each.is_race for each in settings) else "run"
-    variant = f"-{first.variant}" if first.variant in VARIANTS else first.variant
     teams = f"{world.n_pursuers} pursuers and {world.n_evaders} evaders"
     count = f"{len(settings)} {what}{'s' * (len(settings) > 1)}"
-    return f"{variant}, {teams}, {count}, in {root}"
+    return f"{first.variant}, {teams}, {count}, in {root}"
 
 
 # Jobs:
@@ -387,15 +395,59 @@ def _found_job(root: Path) -> Job:
     return {run.relative_to(root).as_posix(): SavedRun(run).settings for run in runs}
 
 
+class Whole:
+    """The progress of a whole `evolve`: it plays runs, scores them, and draws figures and a page.
+
+    Progress counts matches. What comes after the runs counts as so many of them as would be played
+    in the same time.
+    """
+
+    def __init__(self, job: Job, bar: ProgressBar) -> None:
+        races = [settings for settings in job.values() if settings.is_race]
+        # A match takes as long as its steps. Seeds have few figures of their own.
+        self._score = sum(SCORED * each.world.max_steps / each.train_steps for each in races)
+        groups = {settings.method for settings in job.values()}
+        self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
+        self._bar, self._began = bar, time.monotonic()
+        self._done, self._draw = Progress("", 0, 1), 0.0
+
+    def played(self, progress: Progress) -> None:
+        """Show the progress of the runs."""
+        rate = (progress.done - progress.before) / max(time.monotonic() - self._began, SECONDS)
+        self._done, self._draw = progress, self._seconds * rate
+        self._show(f"evolve, {progress.what}", 0.0)
+
+    def scored(self, progress: Progress) -> None:
+        """Show the progress of matches against held-out opponents."""
+        self._show(f"score, {progress.what}", self._score * progress.share)
+
+    def drawn(self, share: float) -> None:
+        """Show the progress of figures and page, from 0 to 1."""
+        self._show("draw figures and page", self._score + self._draw * share)
+
+    def close(self) -> None:
+        """End the bar's line."""
+        self._bar.__exit__()
+
+    def _show(self, what: str, after: float) -> None:
+        one, total = self._done, self._done.total + self._score + self._draw
+        self._bar(replace(one, what=what, done=round(one.done + after), total=round(total)))
+
+
 def play_runs(
-    job: Job, root: Path, threads: int | None, executor: Executor | None = None, *, new: bool
+    job: Job,
+    root: Path,
+    threads: int | None,
+    executor: Executor | None = None,
+    *,
+    new: bool,
+    report: Report = silent,
 ) -> tuple[list[SavedRun], dict[Path, str]]:
     """Play the runs of a job; return the finished ones, and why the others failed.
 
     The error of a single run is raised.
     """
-    with progress() as bar:
-        errors = play_job(job, root, keep=new, executor=executor, threads=threads, report=bar)
+    errors = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
     for error in errors.values():
         if len(job) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code
@@ -418,21 +470,23 @@ def report(
     threads: int | None = None,
     *,
     began: float | None = None,
+    whole: Whole | None = None,
 ) -> None:
     """Score and judge the finished runs of a job, draw figures, and print the results.
 
     `failed` says why the other runs of the job failed, by their directories; `began` is when the
-    job began, by `time.monotonic`.
+    job began, by `time.monotonic`; `whole` shows the progress.
     """
+    whole = whole or Whole(job, progress())
     runs = {root / name: settings for name, settings in job.items()}
     groups = grouped(runs, finished=[run.path for run in results])
     groups = [group.inside(root) for group in groups]
     finished = [group for group in groups if group.runs]
     races = [group for group in finished if group.is_race]
-    with progress() as bar:
-        kept_scores([run for g in races for run in g.runs], threads=threads, report=bar)
+    kept_scores([run for g in races for run in g.runs], threads=threads, report=whole.scored)
     if finished:
-        draw(finished, root)
+        draw(finished, root, whole.drawn)
+    whole.close()  # text below a bar would break it
     # The summary of a run that was started by itself lies in the same directory.
     if root not in [run.path for run in results]:
         _save(groups, root, failed)
@@ -455,18 +509,21 @@ def report(
             say(f"\n{why}\n  {typed}")
 
 
-def draw(groups: Sequence[RunGroup], root: Path) -> None:
-    """Draw the figures and write the page; figures of an earlier report are replaced."""
+def draw(groups: Sequence[RunGroup], root: Path, tell: Callable[[float], None]) -> None:
+    """Draw the figures and write the page; figures of an earlier report are replaced.
+
+    `tell` is called with the share that is done.
+    """
     from matrixworld import plots
     from matrixworld.plots.saved import figures_of
 
     files = figures_of(groups, root)
-    with progress("files") as bar:
-        for number, (file, figure) in enumerate(files.items()):
-            bar(Progress("figures, page", number, len(files) + 1))
-            plots.save_figure(figure(), file)
-        write_explorer(groups, root / PAGE)
-        bar(Progress("figures, page", len(files) + 1, len(files) + 1))
+    for number, (file, figure) in enumerate(files.items()):
+        tell(number / (len(files) + 1))
+        plots.save_figure(figure(), file)
+    tell(len(files) / (len(files) + 1))
+    write_explorer(groups, root / PAGE)
+    tell(1.0)
 
 
 # What is printed:

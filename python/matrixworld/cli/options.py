@@ -175,7 +175,8 @@ SHARED: dict[str, Option] = {
     "race": click.option(
         "--race",
         metavar="NAME",
-        help="which race of RUN, if it holds several, such as hall-of-fame or hall-of-fame/seed-3",
+        help="which race of RUN, if it holds several, such as hall-of-fame or hall-of-fame/seed-3  "
+        "[default: the first]",
     ),
     "cluster": cluster_option,
     "variant": click.option(

@@ -98,9 +98,10 @@ def run_in(
     expected: str = "a directory that holds a run",
     race: str | None = None,
 ) -> Path:
-    """Return the run of a directory that is one or holds exactly one; else name the setting.
+    """Return the run of a directory, which a setting names or else an argument.
 
-    Of several runs `race` chooses the one below the directory of this name.
+    Of several runs `race` chooses those below the directory of this name. The first one of them is
+    taken, and a note says so; a setting has to name exactly one.
     """
     runs = {run.relative_to(path): run for run in find_runs(Path(path))}
     wanted = PurePath(race or "").parts
@@ -114,6 +115,9 @@ def run_in(
         check_exists(path, f"; expected {expected}", setting)
         raise click.BadParameter(f"expected {expected}, got {str(path)!r}", param_hint=setting)
     listed = ", ".join([*map(str, runs)][:MOST_NAMES]) + ", ..." * (len(runs) > MOST_NAMES)
+    if chosen and setting is None:
+        note(f"{chosen[0]}: the first of {len(chosen)} races; --race chooses another: {listed}")
+        return chosen[0]
     if setting is not None:
         got = f"a directory of several: {listed}"
         raise click.BadParameter(f"expected one run, got {got}", param_hint=setting)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -13,21 +12,15 @@ from tqdm import tqdm
 
 SECONDS = 0.5
 """Minimum time between two updates, in seconds."""
-MOST_RUNS = 16
-"""Most runs in work that are shown."""
 TENTH = 0.1
 """Share of the work from one line to the next, if there is no terminal."""
 
-# What matters most comes first: in a narrow terminal tqdm cuts the line at its right end.
-LINE = "{percentage:3.0f}%  {remaining} left, {rate_fmt}, {n_fmt} of {total_fmt}, {desc}"
+LINE = "{desc}: {percentage:3.0f}%  {remaining} left"
 """The parts of a line, as tqdm names them."""
 BAR = LINE.replace("%  ", "%|{bar:16}| ")
-"""The same with a bar; 60 columns show bar, time left and rate."""
-STARTING = "{percentage:3.0f}%|{bar:16}| {n_fmt} of {total_fmt}, {desc}"
-"""The line of a bar before anything has been played: there is no rate yet."""
-
-JOB = ""
-"""Name of the bar of the job, or of the only run."""
+"""The same with a bar."""
+STARTING = "{desc}: {percentage:3.0f}%|{bar:16}|"
+"""The line of a bar before anything has been played: the time that is left is not known yet."""
 
 
 @dataclass(frozen=True)
@@ -75,12 +68,10 @@ def silent(progress: Progress) -> None:
 
 
 class ProgressBar:
-    """Rate and time left: bars in a terminal, one for each run in work; else plain lines.
+    """What is being done, and the time left: a bar in a terminal, else plain lines.
 
     Parameters
     ----------
-    unit : str, optional
-        Name of the counted items.
     stream : TextIO, optional
         Where the progress is shown. The default is standard error.
     clock : callable, optional
@@ -97,18 +88,15 @@ class ProgressBar:
     """
 
     def __init__(
-        self,
-        unit: str = "matches",
-        stream: TextIO | None = None,
-        clock: Callable[[], float] = time.monotonic,
+        self, stream: TextIO | None = None, clock: Callable[[], float] = time.monotonic
     ) -> None:
-        self._unit, self._stream, self._clock = unit, stream or sys.stderr, clock
+        self._stream, self._clock = stream or sys.stderr, clock
         self._began: float | None = None
         self._next_time, self._next_share = 0.0, 0.0
-        self._bars: dict[str, tqdm[None]] = {}
+        self._bar: tqdm[None] | None = None
 
     def __call__(self, progress: Progress) -> None:
-        """Show the progress of a run, or of a job with all its runs in work."""
+        """Show the progress of a run, or of a job."""
         now = self._clock()
         if self._began is None:
             self._began, self._next_time, self._next_share = now, now, progress.share + TENTH
@@ -124,33 +112,20 @@ class ProgressBar:
         return self
 
     def __exit__(self, *error: object) -> None:
-        # The lowest first: the line of the job stays.
-        for bar in reversed(self._bars.values()):
-            bar.close()
+        if self._bar is not None:
+            self._bar.close()
 
     def _draw(self, progress: Progress) -> None:
-        # The last line stays free, else every update scrolls.
-        most = max(1, min(MOST_RUNS, shutil.get_terminal_size().lines - 3))
-        runs = dict(list(progress.runs.items())[:most])
-        for name in self._bars.keys() - runs.keys() - {JOB}:
-            self._bars.pop(name).close()
-        self._draw_bar(JOB, progress.what, progress)
-        for name, each in runs.items():
-            self._draw_bar(name, f"{name}: {each.what}", each)
-
-    def _draw_bar(self, name: str, what: str, progress: Progress) -> None:
-        if name not in self._bars:
-            self._bars[name] = tqdm(
-                desc=what, total=progress.total, initial=progress.done, leave=name == JOB,
-                unit=f" {self._unit}", unit_scale=True, dynamic_ncols=True, bar_format=STARTING,
-                file=self._stream,
+        if self._bar is None:
+            self._bar = tqdm(
+                desc=progress.what, initial=progress.done, dynamic_ncols=True,
+                bar_format=STARTING, file=self._stream,
             )  # fmt: skip
-        bar = self._bars[name]
-        if name == JOB:
-            bar.initial = progress.before  # more and more runs tell what was played before
+        bar = self._bar
+        bar.initial = progress.before  # more and more runs tell what was played before
         bar.total, bar.n = progress.total, min(progress.done, progress.total)
         bar.bar_format = BAR if bar.n > bar.initial else STARTING
-        bar.set_description_str(what)
+        bar.set_description_str(progress.what)
 
     def _write(self, progress: Progress, seconds: float) -> None:
         """Write a line if another tenth has been done since the last line."""
@@ -158,11 +133,9 @@ class ProgressBar:
         if progress.share < self._next_share - 1e-9:
             return
         self._next_share = progress.share + TENTH
-        runs = [f"{name} {each.share:.0%}" for name, each in progress.runs.items()]
-        shown = [*runs[:MOST_RUNS], *["..."] * (len(runs) > MOST_RUNS)]
         line = tqdm.format_meter(
-            progress.done, progress.total, seconds, prefix=", ".join([progress.what, *shown]),
-            unit=f" {self._unit}", unit_scale=True, bar_format=LINE, initial=progress.before,
+            progress.done, progress.total, seconds, prefix=progress.what, bar_format=LINE,
+            initial=progress.before,
         )  # fmt: skip
         self._stream.write(f"{line}\n")
         self._stream.flush()

@@ -161,10 +161,10 @@ def docstring(variant: str, name: str) -> str:
     config = WorldConfig(variant)
     text = VARIANT_TEXTS.get(variant)
     if text is None:  # the tests say which text is missing; the games work without it
-        prose = [f"# -{variant}"]
+        prose = [f"# {variant}"]
     else:
         paragraphs = (text.models, text.choose, f"To observe: {text.observe}")
-        prose = [f"# -{variant}: {text.title}", *map(_filled, paragraphs)]
+        prose = [f"# {variant}: {text.title}", *map(_filled, paragraphs)]
     return "\n\n".join([*prose, _table(_facts(name, config)), _rules(config.rules), _CLOSING, ""])
 
 

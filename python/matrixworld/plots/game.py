@@ -371,7 +371,7 @@ def rules_row(name: str, rules: Rules) -> list[str]:
     outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
     fate = ("disappear" if rules.removes_captured else "stay") if rules.captures else "none"
     return [
-        f"-{name}" if name in VARIANTS else name,
+        name,
         INTERACTION_TEXTS[rules.interaction],
         *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
         CAPTURE_TEXTS[rules.capture],

@@ -19,7 +19,7 @@ from tiny_race import tiny_race
 
 
 def forbidden(views: np.ndarray, mask: str, team: Team, n_actions: int) -> np.ndarray:
-    """Return which actions (n, n_actions) a mask forbids in -S, in views (n, 3, fov, fov)."""
+    """Return which actions (n, n_actions) a mask forbids in S, in views (n, 3, fov, fov)."""
     if mask == "right-of-way":
         return np.array([forbidden_in_s(view, team, n_actions) for view in views])
     found = np.zeros((len(views), n_actions), bool)
