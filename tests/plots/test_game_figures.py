@@ -83,7 +83,7 @@ def test_the_table_shows_the_rules() -> None:
     for row, (name, rules) in enumerate({**mw.VARIANTS, "mine": own}.items()):
         outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
         assert rows[row] == [
-            "mine" if name == "mine" else f"-{name}",
+            "mine" if name == "mine" else f"{name}",
             INTERACTION_TEXTS[rules.interaction],
             *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
             CAPTURE_TEXTS[rules.capture],

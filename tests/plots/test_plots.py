@@ -147,9 +147,7 @@ def test_comparison_puts_races_and_what_was_judged_side_by_side() -> None:
         np.testing.assert_array_equal(lags[column].lines[0].get_ydata(), profile.means)
         for line, curve in zip(scores[column].lines, analysis.generalization(matrix), strict=True):
             np.testing.assert_array_equal(line.get_ydata(), curve)
-    first, second = (axes.texts[0].get_text().replace("\n", " ") for axes in maps)
-    assert first.startswith("last half: transitive share 0.0")
-    assert second.startswith("ARMS RACE last half: transitive share 0.9")
+    assert [axes.texts[0].get_text() for axes in maps] == ["", "ARMS RACE"]
 
 
 def judged(payoff: np.ndarray) -> analysis.Judgement:
@@ -300,7 +298,7 @@ def test_trajectories_and_tops_are_those_of_the_analysis() -> None:
     away = path.divergence([1 / 3] * 3, [1 / 3] * 3)
     np.testing.assert_allclose(distance.lines[1].get_ydata(), away)
     tops, axes = analysis.spinning_top(SINGLE), plots.spinning_top(SINGLE).axes[0]
-    for line, top, side in zip(axes.lines[::2], tops, (-1, 1), strict=True):
+    for line, top, side in zip(axes.lines, tops, (-1, 1), strict=False):  # then that of 0
         np.testing.assert_allclose(line.get_xdata(), side * top.intransitivity)
         np.testing.assert_allclose(line.get_ydata(), top.strength)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -19,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld._util.checks import check_bool, check_sequence
+from matrixworld._util.checks import check_sequence
 from matrixworld.analysis.dynamics import TIME, ReplicatorPath
 from matrixworld.analysis.games import Nash
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
@@ -46,6 +45,10 @@ COLUMNS = 3
 """The most races beside each other in `comparison`; further ones are in rows below."""
 CORNERS = np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.75**0.5]])
 """Where the three strategies of a triangle are."""
+LEAST_MOVE = 0.02
+"""A share that moves by less has settled."""
+SMALL = 0.83
+"""Size of judgements above heat maps, as a multiple of the type."""
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
 _SCALE = "capture rate\n(0 all escape, 1 all caught)"
 _LAG = "lag: pursuer minus evader generation"
@@ -166,13 +169,12 @@ def comparison(
     payoffs: Mapping[str, Source],
     judgements: Mapping[str, Judgement] | None = None,
     *,
-    measures: bool = True,
     title: str | None = None,
 ) -> Figure:
     """Draw single races side by side, on the same scales, at most 3 in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
-    name, its judgement and two of its measures.
+    name and its judgement.
 
     Parameters
     ----------
@@ -180,9 +182,7 @@ def comparison(
         One run of at least 2 x 2 generations by the name of the race, as for
         `generalization_curves`.
     judgements : mapping of str to Judgement, optional
-        Results of :func:`matrixworld.analysis.judge`; a race without one has numbers only.
-    measures : bool, optional
-        Whether two measures stand below the names.
+        Results of :func:`matrixworld.analysis.judge`.
     title : str, optional
     """
     style.check_some(payoffs, "race")
@@ -204,8 +204,7 @@ def comparison(
         scores.set_ylabel("mean score")
         lags.set_xlabel("lag: pursuer minus\nevader generation")
         judged = analysis.headline(known[name]) if name in known else ""
-        numbers = _numbers(matrix) if check_bool("measures", measures) else ""
-        heads[name] = textwrap.wrap(judged, width) + textwrap.wrap(numbers, width)
+        heads[name] = textwrap.wrap(judged, int(width / SMALL))
     _write_heads([heatmap for heatmap, *_ in panels], heads, width)
     for first in range(0, len(panels), columns):
         row = panels[first : first + columns]
@@ -226,27 +225,17 @@ def comparison(
 
 
 def _write_heads(heatmaps: Sequence[Axes], heads: Mapping[str, list[str]], width: int) -> None:
-    """Write name, judgement and numbers of each race above its heat map."""
+    """Write name and judgement of each race above its heat map."""
     # The names of all races are at the same height.
-    pad = 5 + _LINE * mpl.rcParams["font.size"] * max(map(len, heads.values()))
+    pad = 5 + SMALL * _LINE * mpl.rcParams["font.size"] * max(map(len, heads.values()))
     for axes, (name, lines) in zip(heatmaps, heads.items(), strict=True):
         # Bold, and larger than the lines below it.
         named = style.wrapped(name, int(width / style.LARGE / 1.1))
         axes.set_title(named, fontweight="bold", pad=pad)
         axes.annotate(
             "\n".join(lines), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
-            textcoords="offset points", ha="center", va="bottom", in_layout=False,
+            textcoords="offset points", ha="center", va="bottom", in_layout=False, size="small",
         )  # fmt: skip
-
-
-def _numbers(matrix: Rates) -> str:
-    """Return what stands above a heat map, and the window that it is about."""
-    payoffs = analysis.read_payoffs(matrix)
-    share, boards = (
-        analysis.MEASURES[name].of(payoffs).value for name in ("transitive_share", "checkerboards")
-    )
-    numbers = [] if math.isnan(share) else [f"transitive share {share:.2f}"]
-    return f"{payoffs.late.name}: {', '.join([*numbers, f'checkerboards {boards:.1%}'])}"
 
 
 # ---- Parts of these figures ----------------------------------------------------------------------
@@ -379,10 +368,22 @@ def replicator_trajectories(
         _draw_shares(axes, [getattr(path, team) for path in paths], paths[0], getattr(nash, team))
         axes.set_title(team, color=color, size="medium")
     _draw_divergence(panels[2], paths, nash)
+    end = max(map(_settled, paths))
+    for axes in panels[:3]:
+        if axes.axison:  # not a triangle
+            axes.set_xlim(0, end)
     for axes in panels[3:]:
         axes.remove()
     style.entitle(figure, title)
     return figure
+
+
+def _settled(path: ReplicatorPath) -> float:
+    """Return a time after which hardly a share moves; the last one of paths that go round."""
+    moves = [abs(each - each[-1]).max(axis=1) for each in (path.pursuers, path.evaders)]
+    moving = np.flatnonzero(np.maximum(*moves) > LEAST_MOVE)
+    last = int(moving[-1]) + 1 if len(moving) else 1
+    return float(path.times[min(len(path.times) - 1, max(last * 5 // 4, 20))])
 
 
 def _draw_shares(axes: Axes, shares: Sequence[Rates], path: ReplicatorPath, nash: Rates) -> None:
@@ -392,7 +393,7 @@ def _draw_shares(axes: Axes, shares: Sequence[Rates], path: ReplicatorPath, nash
     norm = Normalize(0, max(1, len(nash) - 1))
     shades = [*mpl.colormaps[COLORMAP](norm(np.arange(len(nash))))]
     axes.stackplot(path.times, shares[0].T, colors=shades, linewidth=0)
-    axes.set(xlabel="time", ylabel="share", xlim=(0, path.times[-1]), ylim=(0, 1))
+    axes.set(xlabel="time", ylabel="share of each generation", ylim=(0, 1))
     axes.figure.colorbar(
         ScalarMappable(norm, COLORMAP), ax=axes, label="generation", ticks=style.whole_numbers()
     )
@@ -422,12 +423,15 @@ def _draw_divergence(axes: Axes, paths: Sequence[ReplicatorPath], nash: Nash) ->
 
 
 def spinning_top(
-    scores: ArrayLike, *, title: str = "Strength and cycles of the generations"
+    scores: ArrayLike,
+    *,
+    title: str = "At which strength do generations go in circles?",
 ) -> Figure:
     """Draw the intransitivity of each generation at its strength: pursuers left, evaders right.
 
-    Thin lines are 95 % intervals over episodes, of each generation by itself. Beyond the dotted
-    lines a generation deviates by more than the margin of the judgement. See
+    Lines are 95 % intervals over episodes, of each generation by itself. Within the grey band a
+    generation deviates by less than the margin of the judgement: its strength explains whom it
+    beats. See
     :func:`matrixworld.analysis.spinning_top`.
 
     Parameters
@@ -440,14 +444,20 @@ def spinning_top(
     tops = analysis.spinning_top(scores)
     sides = (("pursuers", -1), ("evaders", 1))
     for (team, side), top, color in zip(sides, tops, colors.TEAMS, strict=True):
-        places = side * top.intransitivity
-        axes.hlines(top.strength, side * top.low, side * top.high, color=color, linewidth=0.8)
-        axes.plot(places, top.strength, "o", markersize=5, color=color, label=team)
-        axes.barh(top.strength, places, height=0.012, color=color, alpha=0.3, linewidth=0)
-        axes.axvline(side * LEAST_INTRANSITIVITY, color=colors.MUTED, linestyle=":", linewidth=1.0)
-    most = 1.05 * max(LEAST_INTRANSITIVITY, *(float(top.high.max()) for top in tops))
-    axes.set(xlim=(-most, most), xlabel="intransitivity", ylabel="strength (mean payoff)")
+        ends = side * top.low, side * top.high
+        axes.hlines(top.strength, *ends, color=color, linewidth=0.8, alpha=0.5)
+        axes.plot(side * top.intransitivity, top.strength, "o", markersize=4, color=color)
+        axes.text(
+            0.5 + 0.49 * side, 0.99, f"{team}: a dot is a generation", color=color, va="top",
+            ha="right" if side > 0 else "left", size="small", transform=axes.transAxes,
+        )  # fmt: skip
+    axes.axvspan(-LEAST_INTRANSITIVITY, LEAST_INTRANSITIVITY, color=colors.GRID, zorder=0)
+    axes.axvline(0.0, color=colors.MUTED, linewidth=0.8)
+    most = 1.05 * max(2 * LEAST_INTRANSITIVITY, *(float(top.high.max()) for top in tops))
+    around = "\u2190 in circles     strength explains whom they beat     in circles \u2192"
+    axes.set(xlim=(-most, most), xlabel=f"{around}\nintransitivity")
+    axes.set(ylabel="strength: mean payoff against all opponents")
     axes.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
     style.unit_axis(axes)
-    style.legend_below(figure, style.labelled(axes))
+    axes.set_ylim(top=1.12)
     return figure

@@ -157,10 +157,16 @@ OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
         _drawn, plots.collision_rates, collisions_per_1000, "Collisions per 1000 agent-steps"
     ),
     "dynamics": partial(
-        _drawn, plots.replicator_trajectories, _matrix, "Replicator dynamics of all generations"
+        _drawn,
+        plots.replicator_trajectories,
+        _matrix,
+        "Which generations remain if winners spread (replicator dynamics)",
     ),
     "spinning_top": partial(
-        _drawn, plots.spinning_top, _rates, "Strength and cycles of the generations"
+        _drawn,
+        plots.spinning_top,
+        _rates,
+        "At which strength do generations go in circles?",
     ),
 }
 """Figures of a race. A run of one team has the first one only."""
@@ -173,7 +179,7 @@ Groups = Mapping[str, RunGroup]
 
 def _comparison(groups: Groups, baselines: Baselines) -> Figure:
     singles = {
-        f"{name}, seed {single.seeds[0]}": single
+        f"{name}, seed {single.seeds[0]}" if group.several else name: single
         for name, group in groups.items()
         for single in group.singles
     }

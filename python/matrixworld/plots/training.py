@@ -20,7 +20,7 @@ from matrixworld.world.rules import COLLISION_KINDS
 
 _TEAMS = ("pursuers", "evaders")
 ROUND = tuple(step * 10**power for power in range(7) for step in (1, 2, 5))  # distances of ticks
-_SHADE = "#EFEFEF"  # lighter than the lines of the grid
+_SHADE = "#E4F0F8"  # a pale tone of the evaders, light in grey, too
 _MARKED = 100  # curves with up to this many points have a marker at each
 
 
@@ -67,7 +67,8 @@ def training_curve(
     if len(values) <= _MARKED:
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
     axes.set_title(style.fitting(figure, title))
-    axes.set(xlabel="epoch", ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
+    axes.set(xlabel="epoch", xlim=(0.5, len(values) + 0.5))
+    axes.set_ylabel(f"capture rate, mean of {window} epochs" if window > 1 else "capture rate")
     axes.xaxis.set_major_locator(style.whole_numbers())
     style.unit_axis(axes)
     if generations is not None:
@@ -79,9 +80,6 @@ def training_curve(
         )
         if color in shades
     }
-    if window > 1:
-        entries["each epoch"] = Line2D([], [], color=colors.MUTED, alpha=0.5, linewidth=0.6)
-        entries[f"mean of {window} epochs"] = Line2D([], [], color=colors.MUTED, linewidth=1.6)
     if entries:
         style.legend_below(figure, entries, columns=4)
     return figure
