@@ -14,9 +14,11 @@ import numpy as np
 import pytest
 
 from matrixworld._util import files
+from matrixworld.analysis import generalization
 from matrixworld.coevolution import (
     DamagedFileError,
     OtherVersionError,
+    SavedRun,
     finish,
     open_run,
     resume,
@@ -403,3 +405,16 @@ def test_a_directory_that_cannot_be_written_to_is_refused(stopped, straight):
         run.chmod(0o755)
         finish(tiny_race(), run, threads=1)
         assert results(run) == results(straight)
+
+
+def test_runs_and_their_results_are_shown_in_a_notebook_and_drawn_as_they_are(straight):
+    saved = SavedRun(straight)
+    shown = saved._repr_html_()
+    assert saved.title in shown
+    assert "<td>generations of the pursuers</td><td>" in shown
+    payoff = saved.payoff()
+    assert f"{payoff.capture_rate[-1, -1]:.2f}" in shown
+    for one, other in zip(generalization(payoff), generalization(payoff.capture_rate), strict=True):
+        np.testing.assert_array_equal(one, other)
+    with pytest.raises(TypeError, match=r"got a function; did you mean payoff\(\)"):
+        generalization(saved.payoff)

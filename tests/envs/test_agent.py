@@ -26,7 +26,7 @@ def test_gymnasium_makes_and_checks_it(variant: str, agent: str) -> None:
 
 @pytest.mark.parametrize("limit", [{"max_steps": 7}, {"max_episode_steps": 7}])
 def test_the_specification_tells_the_time_limit(limit: dict[str, int]) -> None:
-    name = "matrixworld/pursuit_evasion_o_v0"
+    name = "matrixworld/pursuit-evasion-o"  # as everywhere; with _ and _v0 it is the same
     env = TimeAwareObservation(gymnasium.make(name, **{**SMALL, "max_steps": 30, **limit}))
     assert env.max_timesteps == env.spec.max_episode_steps == 7
     worlds = gymnasium.make_vec(name, num_envs=2, max_episode_steps=7)

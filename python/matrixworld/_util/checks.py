@@ -17,7 +17,7 @@ from functools import cache
 from math import ceil
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -113,6 +113,9 @@ def check_floats(
     expected = f"{name}: expected an array of numbers, got"
     if isinstance(given, Set | Mapping):
         raise TypeError(f"{expected} {shown(given)}")
+    if callable(cast(object, given)):
+        call = f"{getattr(given, '__name__', 'it')}()"
+        raise TypeError(f"{expected} a function; did you mean {call}?")
     try:
         array = np.asarray(given)
         # What a mask hides is no number, and `asarray` returns it.
@@ -169,6 +172,10 @@ def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
         raise ValueError(f"{name}: expected one of {', '.join(known)}, got {shown(value)}")
 
 
+ELSEWHERE = {"num_envs": "n_worlds", "max_cycles": "max_steps"}
+"""What other libraries call keyword arguments."""
+
+
 def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[..., Any]) -> None:
     """Raise TypeError for a keyword argument that is unknown, and name the nearest one.
 
@@ -180,6 +187,7 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
         parameters = inspect.signature(of).parameters.values()
         legal |= {each.name for each in parameters if each.kind is not each.VAR_KEYWORD}
         nearest = get_close_matches(unknown[0], sorted(legal), 1)
+        nearest = [name for name in [ELSEWHERE.get(unknown[0])] if name in legal] or nearest
         meant = f"; did you mean {nearest[0]}?" if nearest else ""
         names = ", ".join(sorted(legal))
         raise TypeError(f"keywords: expected some of {names}, got {unknown[0]}{meant}")

@@ -40,7 +40,7 @@ class Readable:
         return "\n".join(chain(*map(_lines, self._parts())))
 
     def _repr_html_(self) -> str:
-        return "\n".join(map(_html, self._parts()))
+        return "\n".join(map(html_of, self._parts()))
 
     def _parts(self) -> Parts:
         """Return what is shown: by default columns of all arrays (n,), and the other fields."""
@@ -138,7 +138,8 @@ def _lines(part: str | Table) -> list[str]:
     return list(chain(*table_lines(part, align)))
 
 
-def _html(part: str | Table) -> str:
+def html_of(part: str | Table) -> str:
+    """Return a text or a table as HTML."""
     if isinstance(part, str):
         return f"<p>{html.escape(part)}</p>"
     rows = []

@@ -55,6 +55,7 @@ from matrixworld._util.files import (
     save_arrays,
     save_json,
 )
+from matrixworld._util.readable import html_of
 from matrixworld.coevolution.schedules import (
     ALTERNATING,
     HALL_OF_FAME,
@@ -173,16 +174,29 @@ class SavedRun:
     def __init__(self, path: str | Path) -> None:
         self.path: Path = Path(path)
 
+    def _size(self, team: Team) -> str:
+        each = self.teams[team]
+        return each if isinstance(each, str) else str(len(each.genomes))
+
     def __repr__(self) -> str:
         """Return directory, kind and seed of the run, and the size of each team's archive."""
-        sizes = ", ".join(
-            f"{team}s: {each if isinstance(each, str) else len(each.genomes)}"
-            for team, each in self.teams.items()
-        )
+        sizes = ", ".join(f"{team}s: {self._size(team)}" for team in self.teams)
         kind = self.settings.schedule.name
         return (
             f"{type(self).__name__}({str(self.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
         )
+
+    def _repr_html_(self) -> str:
+        world, state = self.settings.world, "finished" if self.finished else "not finished"
+        rows = [
+            ("run", f"{self.title}, {state}"),
+            ("world", f"{self.settings.variant}, {world.rows} x {world.cols} cells"),
+            *((f"generations of the {team}s", self._size(team)) for team in self.teams),
+        ]
+        if self.finished:
+            rate = self.payoff().capture_rate[-1, -1]
+            rows.append(("capture rate of the last generations", f"{rate:.2f}"))
+        return html_of([("", str(self.path)), *rows])
 
     @cached_property
     def config(self) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
 from matrixworld.world.policy import TEAMS as TEAMS
@@ -106,6 +106,10 @@ class Payoff(Readable):
         episodes = self.capture_rates.shape[2]
         head = f"Capture rates of pursuers (rows) against evaders, {episodes} episodes a pair:"
         return [head, matrix_table(self.capture_rate)]
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return the payoff matrix, so that figures and measures take the results as they are."""
+        return np.array(self.capture_rate, dtype)
 
     @property
     def capture_rate(self) -> FloatArray:

@@ -135,12 +135,14 @@ def add_module(variant: str, package: str) -> None:
     setattr(sys.modules[package], name, module)
     register("aec", f"matrixworld/{name}", module.env)
     register("parallel", f"matrixworld/{name}", module.parallel_env)
-    # Texts, not the functions: Gymnasium writes its specifications as JSON.
-    gymnasium.register(
-        f"matrixworld/{name}",
-        entry_point=f"{module.__name__}:agent_env",
-        vector_entry_point=f"{module.__name__}:vector_env",
-    )
+    # Texts, not the functions: Gymnasium writes its specifications as JSON. The name with hyphens
+    # is that of the variant in all other calls.
+    for each in (name, f"pursuit-evasion-{variant.lower()}"):
+        gymnasium.register(
+            f"matrixworld/{each}",
+            entry_point=f"{module.__name__}:agent_env",
+            vector_entry_point=f"{module.__name__}:vector_env",
+        )
 
 
 def _of_variant(

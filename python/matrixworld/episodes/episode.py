@@ -144,6 +144,11 @@ class Episode:
             f"{rows} x {cols} cells, capture rate {self.capture_rate:.2f}>"
         )
 
+    def _repr_html_(self) -> str:
+        from matrixworld.episodes.replay import animation
+
+        return animation(self)._repr_html_()
+
     @property
     def length(self) -> int:
         """The number of steps, T."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -214,8 +215,8 @@ class NetworkPolicy:
         modules.pop()
         return _with_states(modules) if size else torch.nn.Sequential(*modules)
 
-    def to_onnx(self) -> onnx.ModelProto:
-        """Return the network as an ONNX model, for example to save with ``onnx.save``.
+    def to_onnx(self, path: str | Path | None = None) -> onnx.ModelProto:
+        """Return the network as an ONNX model, and write it to a file if there is a path.
 
         Its input is ``observations``, float32 (n, 3, fov, fov); outputs are ``logits`` and
         ``probabilities``, float32 (n, n_actions). With memory a second input is ``states`` and the
@@ -231,6 +232,8 @@ class NetworkPolicy:
             producer_version=__version__,
         )
         onnx.checker.check_model(model, full_check=True)
+        if path is not None:
+            onnx.save(model, path)
         return model
 
 

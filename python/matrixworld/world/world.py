@@ -97,6 +97,14 @@ class World(WorldArrays):
         self._begin(own_config)
         self.reset(0)
 
+    def __repr__(self) -> str:
+        config = self.config
+        return (
+            f"<World: {config.rows} x {config.cols} cells, {config.n_pursuers} pursuers, "
+            f"{config.n_evaders} evaders, seed {self.seed}, episode {self.episode}, "
+            f"step {self.steps}>"
+        )
+
     def _begin(self, config: WorldConfig, keeps_conflicts: bool = False) -> None:
         self.config, self.keeps_conflicts = config, keeps_conflicts
         self._specs = array_specs(config)

@@ -135,6 +135,11 @@ class Run(ABC):
             with self.files.creating(settings.to_json(), **self.extra_config()):
                 self._save()
 
+    def __repr__(self) -> str:
+        kind, seed = self.schedule.name, self.settings.seed
+        stages = f"stage {self.stage} of {self.n_stages}"
+        return f"<{type(self).__name__}: {self.files.path}, {kind}, seed {seed}, {stages}>"
+
     @property
     def n_stages(self) -> int:
         """The number of stages: of each entry that the run adds to the archive of a team."""
