@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from matrixworld._util.files import load_toml
 from matrixworld.coevolution.storage import open_runs
+from matrixworld.explorer.evolve_page import evolve_data
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data
 from matrixworld.explorer.runs_page import runs_data
@@ -28,7 +29,7 @@ COURSE = load_toml(Path(__file__).parents[1] / "tutorials" / "course" / "exercis
 MOST_BYTES = 2 * 2**20
 """Genomes of the page, in bytes, which holds every fifth generation of default races."""
 VERDICTS = {"present": "a", "absent": "b", "cannot tell": "c"}
-"""Options of prediction 0.e: the verdict on the arms race in the last half of the first race."""
+"""Options of prediction 0.g: the verdict on the arms race in the last half of the first race."""
 
 
 class Races(NamedTuple):
@@ -69,12 +70,15 @@ def lesson_page(races: Races) -> str:
     ]
     data = {
         "version": __version__,
+        "edition": LESSON["edition"],
         **{name: " ".join(LESSON[name].split()) for name in ("title", "lead")},
         "sections": sections,
         "runs": races.runs,
         "playground": page_data(),
+        "evolve": evolve_data(),
     }
-    return render_page("lesson", f"{LESSON['title']} - matrixworld", data, races.genomes)
+    title = f"{LESSON['title']} - matrixworld"
+    return render_page("lesson", title, data, races.genomes, works=True)
 
 
 def _filled(part: dict[str, Any], races: Races) -> dict[str, Any]:
@@ -84,7 +88,7 @@ def _filled(part: dict[str, Any], races: Races) -> dict[str, Any]:
     name = part.get("predict") or part.get("exercise")
     if name is None:
         return part
-    if name == "0.e":
+    if name == "0.g":
         (verdict,) = (
             row[1] for row in races.runs[0]["findings"]["table"] if row[0::3] == _ARMS_RACE
         )
@@ -115,4 +119,4 @@ def crossings() -> list[dict[str, Any]]:
 
 
 _ARMS_RACE = ["arms race", "last half"]
-"""Condition and window of the row of the judgement that prediction 0.e asks for."""
+"""Condition and window of the row of the judgement that prediction 0.g asks for."""

@@ -1,5 +1,7 @@
 """The lesson: its games, its data, and a walk through the page as a student takes it."""
 
+import hashlib
+import json
 import sys
 from collections.abc import Callable, Iterator
 from itertools import chain
@@ -13,7 +15,7 @@ import pytest
 from browser import Browser
 from course.questions import Prediction, exercises
 from course.toys import GAMES, PAYOFF, alternate
-from matrixworld.classroom.submissions import first_choices
+from matrixworld.classroom.submissions import Submission, count_votes, read_predictions
 from node import run_node
 from scripts import wait_until
 
@@ -53,8 +55,63 @@ def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: Mod
             assert part["outcome"] == known.outcome
     names = [each.get("predict") or each.get("exercise") or "exit" for each in asked]
     assert len(set(names)) == len(names)
-    guess = next(each for each in asked if each.get("predict") == "0.d")
+    guess = next(each for each in asked if each.get("predict") == "0.f")
     assert lesson.LESSON["races"]["abc".index(guess["outcome"])] == "specialist-specialist"
+
+
+def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> None:
+    """If this fails, raise the edition in ``lesson.toml``, and write down its digest here."""
+    races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
+    parts = chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"])
+    asked = [lesson._filled(part, races) for part in parts if "predict" in part]
+    letters = json.dumps([[part["predict"], part["question"], part["options"]] for part in asked])
+    digest = hashlib.sha256(letters.encode()).hexdigest()[:8]
+    assert (lesson.LESSON["edition"], digest) == (2, "4996ef7b")
+    assert {part["outcome"] for part in asked} == {"a", "b", "c"}
+    first, again = (next(p for p in asked if p["predict"] == name) for name in ("0.a", "0.h"))
+    assert (again["again"], again["options"]) == ("0.a", first["options"])
+
+
+def saved(choices: dict[str, str], pupil: str, edition: int = 2) -> str:
+    """Return a file as the lesson saves it."""
+    common = {"edition": edition, "pupil": pupil}
+    lines = [{"prediction": name, "choice": choice, **common} for name, choice in choices.items()]
+    return "".join(json.dumps(line) + "\n" for line in lines)
+
+
+def test_the_page_counts_votes_as_the_class_does() -> None:
+    """A pupil counts once, whatever the names of the files; the page knows its options, too."""
+    options = {name: dict.fromkeys("abc", "") for name in ("0.a", "0.b")}
+    whole = saved({"0.a": "a", "0.b": "c"}, "0000000a")
+    files = {
+        "predictions.jsonl": saved({"0.a": "a"}, "0000000a"),  # an earlier save
+        "predictions (1).jsonl": whole,
+        "predictions (2).jsonl": saved({"0.a": "b"}, "0000000b"),  # another pupil
+        "predictions (3).jsonl": whole,
+        "old.jsonl": saved({"0.a": "b"}, "0000000c", edition=1),
+        "two.jsonl": saved({"0.a": "a"}, "0000000d") + saved({"0.b": "a"}, "0000000e"),
+        "text.jsonl": "hello",
+    }
+    given = [{"name": name, "text": text} for name, text in files.items()]
+    unknown = {"name": "option.jsonl", "text": saved({"0.a": "z"}, "0000000f")}
+    page = run_node("votes.mjs", {"files": [*given, unknown], "edition": 2, "options": options})
+    submissions = [
+        Submission(name.removesuffix(".jsonl"), name, "predictions", text.encode(), Path(name))
+        for name, text in files.items()
+    ]
+    votes, refusals = count_votes(submissions)
+    assert votes == {"0.a": {"a": 1, "b": 1}, "0.b": {"c": 1}}
+    assert page["pupils"] == 2
+    counts = page["votes"].items()
+    assert {name: {k: n for k, n in each.items() if n} for name, each in counts} == votes
+    reasons = {each.file: each.reason for each in refusals}
+    left = {each["file"]: each["reason"] for each in page["left"]}
+    assert left.pop("option.jsonl") == 'line 1: expected one of a, b, c for 0.a, got "z"'
+    assert left.pop("old.jsonl") == "line 1: expected edition 2 of the lesson, got 1"
+    assert "expected edition 2 of the lesson" in reasons.pop("old.jsonl")
+    assert left == reasons
+    assert reasons["predictions (3).jsonl"].startswith("double: the same content as")
+    assert reasons["predictions.jsonl"] == "double: the pupil of predictions (1).jsonl"
 
 
 # ---- Its games, in plain Python with the same random numbers -------------------------------------
@@ -165,7 +222,8 @@ ANSWER = """(([name, answer]) => {
 })(arguments[0])"""
 TEXT = "document.querySelector(arguments[0]).textContent"
 CHOICES = {
-    "0.a": "c", "4.a": "b", "0.b": "a", "4.b": "d", "0.c": "a", "0.d": "b", "5.a": "a", "0.e": "c",
+    "0.a": "a", "4.a": "b", "0.b": "c", "0.c": "a", "0.d": "b", "0.e": "a", "0.f": "b", "5.a": "a",
+    "0.g": "c", "0.h": "c",
 }  # fmt: skip
 
 
@@ -180,7 +238,11 @@ def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
     assert "policy cycle" not in browser.js(TEXT, "main")
     assert "Choose one first" in browser.js(CHOOSE, ["4.a", ""])
     for name, choice in CHOICES.items():
-        browser.js(CHOOSE, [name, choice])
+        said = browser.js(CHOOSE, [name, choice])
+    assert "At the beginning you predicted: Neither" in said
+    browser.wait("document.querySelector('.chase canvas').width > 300")
+    browser.js("document.querySelector('.evolve').click()")
+    browser.wait("document.querySelector('.evolving .lane').dataset.state === 'ended'", 120)
     assert browser.js("document.querySelectorAll('.waiting').length") == 0
     assert "It contains the current evaders" in browser.js(ANSWER, ["4.2", "0,65"])
     assert "✓ Right" in browser.js(ANSWER, ["4.2", "0.7"])
@@ -198,7 +260,21 @@ def test_a_walk_through_the_page(browser: Browser, tmp_path: Path) -> None:
     browser.js("document.querySelector('#exit-answer').form.requestSubmit()")
     assert "A good answer has" in browser.js(TEXT, "#exit")
     browser.js("document.querySelector('.save').click()")
-    saved = tmp_path / "predictions.jsonl"
-    wait_until(saved.exists, "a file of predictions", 10)
-    assert first_choices(saved.read_bytes()) == CHOICES
+    file = tmp_path / "predictions.jsonl"
+    wait_until(file.exists, "a file of predictions", 10)
+    choices, pupil, edition = read_predictions(file.read_bytes())
+    assert (choices, len(pupil), edition) == (CHOICES, 8, 2)
+    # The class: the same file twice is one pupil.
+    browser.js("location.hash = '#votes'")
+    browser.wait("document.querySelector('#vote-files')")
+    field = browser.driver.find_element("id", "vote-files")
+    field.send_keys(str(file))
+    copy = tmp_path / "predictions (1).jsonl"
+    copy.write_bytes(file.read_bytes())
+    field.send_keys(str(copy))
+    browser.wait("/2 files, 1 pupil/.test(document.querySelector('.drop').textContent)")
+    assert "double: the same content as predictions.jsonl" in browser.js(TEXT, ".left")
+    assert "1 of 1, at first 0" in browser.js(TEXT, "[id='votes-0.h']")
+    browser.js("document.getElementById('outcome-0.b').click()")
+    assert "✓ the outcome" in browser.js(TEXT, "[id='votes-0.b']")
     assert browser.errors() == []

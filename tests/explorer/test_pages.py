@@ -72,6 +72,7 @@ OPENED: dict[str, list[str]] = {
         "; ".join(map(PRESS.format, (".side", ".evolve"))),
         "; ".join(map(PRESS.format, (".evolve", ".to-play"))),
     ],
+    "lesson": ["location.hash = '#votes'"],
     "explorer": [
         *(PRESS.format(name) for name in (".keys-button", ".miniature", ".begin-minute")),
         *(PRESS.format(name) for name in (".to-share", ".to-play")),

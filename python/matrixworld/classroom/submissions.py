@@ -370,39 +370,80 @@ Votes: TypeAlias = dict[str, dict[str, int]]
 """How many students made each choice, by prediction and choice, such as ``votes["4.a"]["b"]``."""
 PREDICTION = re.compile(r"(0|[1-9][0-9]?)\.([a-z])")
 """The notebook and its prediction; 0 is the lesson that needs no notebook, ``docs/lesson.html``."""
+PUPIL = re.compile(r"[0-9a-f]{8}|")
+
+
+class Predictions(NamedTuple):
+    """What a file of predictions holds."""
+
+    choices: dict[str, str]  # the first one of each prediction
+    pupil: str  # the number by which the lesson tells browsers apart; empty in a notebook's file
+    edition: int  # of the lesson; 0 in a notebook's file
 
 
 def count_votes(files: Iterable[Submission]) -> tuple[Votes, list[Refusal]]:
-    """Count the first choice of each student for each prediction; what is damaged is refused."""
-    votes: Votes = {}
+    """Count the first choice of each student for each prediction.
+
+    A student is known by name, and by the pupil in files of the lesson. Files that add nothing are
+    refused as doubles, as are copies, what is damaged, and all editions of the lesson but the
+    newest one, because their letters are others. The lesson's own page counts by the same rule.
+    """
+    read: list[tuple[Submission, Predictions]] = []
     refusals: list[Refusal] = []
-    voted: set[tuple[str, str]] = set()  # a student may hand in several files
     for file in files:
         try:
-            choices = first_choices(file.content)
+            found = read_predictions(file.content)
         except ValueError as error:
             refusals.append(Refusal(file.name, file.file, one_line(error)))
             continue
-        for name, choice in choices.items():
-            if (file.name, name) not in voted:
-                counts = votes.setdefault(name, {})
-                counts[choice] = counts.get(choice, 0) + 1
-                voted.add((file.name, name))
+        read.append((file, found))
+    newest = max((each.edition for _, each in read), default=0)
+    votes: Votes = {}
+    counted: dict[tuple[str, str], str] = {}  # student and prediction -> file
+    copies: dict[bytes, str] = {}
+    # A student who saves again saves more: the longest file first.
+    for file, (choices, pupil, edition) in sorted(read, key=lambda each: -len(each[1].choices)):
+        owners = [_folded(file.name), *([f"pupil {pupil}"] if pupil else [])]
+        known = {
+            name: next((counted[o, name] for o in owners if (o, name) in counted), None)
+            for name in choices
+        }
+        if edition not in (0, newest):
+            reason = f"expected edition {newest} of the lesson, as in other files, got {edition}"
+        elif file.content in copies:
+            reason = f"double: the same content as {copies[file.content]}"
+        elif choices and all(known.values()):
+            reason = f"double: the pupil of {next(iter(known.values()))}"
+        else:
+            copies[file.content] = file.file
+            for name, choice in choices.items():
+                if known[name] is None:
+                    counts = votes.setdefault(name, {})
+                    counts[choice] = counts.get(choice, 0) + 1
+                counted.update({(owner, name): file.file for owner in owners})
+            continue
+        refusals.append(Refusal(file.name, file.file, reason))
     order = sorted(votes, key=lambda name: (int(name[:-2]), name))  # of the notebooks
     return {name: dict(sorted(votes[name].items())) for name in order}, refusals
 
 
-def first_choices(content: bytes) -> dict[str, str]:
-    """Return what was chosen before the experiment, by prediction; ValueError if damaged."""
+def read_predictions(content: bytes) -> Predictions:
+    """Return what was chosen before the experiments; ValueError if damaged."""
     found: dict[str, str] = {}
+    owners: set[tuple[str, int]] = set()
     for number, line in enumerate(content.decode("utf-8", "replace").splitlines(), 1):
         try:
             entry = json.loads(line)
             name, choice = entry["prediction"], entry["choice"]
+            pupil, edition = entry.get("pupil", ""), entry.get("edition", 0)
             known = PREDICTION.fullmatch(name) and one_line(choice) == choice
-        except (ValueError, RecursionError, LookupError, TypeError):
+            known = known and PUPIL.fullmatch(pupil) and type(edition) is int
+        except (ValueError, RecursionError, LookupError, TypeError, AttributeError):
             known = False
         if not (known and 0 < len(choice) <= LONGEST_NAME):
             raise ValueError(f"line {number}: expected a prediction and its choice")
         found.setdefault(name, choice)
-    return found
+        owners.add((pupil, edition))
+        if len(owners) > 1:
+            raise ValueError(f"line {number}: expected lines of one pupil")
+    return Predictions(found, *(owners.pop() if owners else ("", 0)))

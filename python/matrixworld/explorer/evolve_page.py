@@ -59,16 +59,16 @@ def masks_of(config: WorldConfig) -> dict[str, Any]:
     return {team: right_of_way_cells(config, team) for team in TEAMS}
 
 
-def evolve_page(title: str = "Evolve a chase - matrixworld") -> str:
-    """Return the page as HTML."""
+def evolve_data() -> dict[str, Any]:
+    """Return what a page needs for races: their settings by learner and schedule, and masks."""
     races = {
         learner: {schedule: race_of(schedule, learner).to_json() for schedule in SCHEDULES}
         for learner in LEARNERS
     }
-    data = {
-        "version": __version__,
-        "format": FORMAT,
-        "races": races,
-        "masks": masks_of(race_of(next(iter(SCHEDULES))).world),
-    }
-    return render_page("evolve", title, data, works=True)
+    masks = masks_of(race_of(next(iter(SCHEDULES))).world)
+    return {"version": __version__, "format": FORMAT, "races": races, "masks": masks}
+
+
+def evolve_page(title: str = "Evolve a chase - matrixworld") -> str:
+    """Return the page as HTML."""
+    return render_page("evolve", title, evolve_data(), works=True)

@@ -3,13 +3,14 @@
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
 import { Player } from "../board/player.ts";
+import { captureSteps } from "../board/recording.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Match } from "../engine/engine.ts";
 import type { Cell } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
 
 /** Steps a second. */
-const SPEED = 9;
+const SPEED = 8;
 /** Milliseconds between two matches, and those that a match lasts before a newer generation takes its place. */
 const PAUSE = 700;
 const LEAST = 1400;
@@ -75,8 +76,9 @@ export class Chase {
     if (!match) return;
     this.#recording = recordingOf(match);
     this.#began = performance.now();
-    this.player.length = match.length;
     this.player.jump(0);
+    this.player.length = match.length;
+    this.player.marks = captureSteps(this.#recording);
     this.#tell();
     if (this.#runs) this.player.play();
   }

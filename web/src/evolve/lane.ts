@@ -242,6 +242,7 @@ export class Lane extends EventTarget {
   }
 
   #tell(): void {
+    this.element.dataset["state"] = this.state;
     this.#title.textContent = scheduleName(this.settings);
     const cell = this.#cells.get(`${this.#run.newest} ${this.#run.newest}`) ?? this.#cells.get(`${this.#run.newest - 1} ${this.#run.newest - 1}`);
     const parts = cell ? [

@@ -3,7 +3,6 @@
 import "./evolve.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
-import { text } from "../explorer/data.ts";
 import { copy, hasAddress, html } from "../page/dom.ts";
 import { changeTheme, themeButton } from "../page/theme.ts";
 import { legend } from "../board/legend.ts";
@@ -15,16 +14,10 @@ import { readData, scheduleOf } from "./data.ts";
 import type { EvolveData } from "./data.ts";
 import { Lane } from "./lane.ts";
 import { archiveOf, canSave } from "./save.ts";
-import { work } from "./worker.ts";
+import { startWorker, work } from "./worker.ts";
 
 /** Milliseconds after the last stroke until a race goes on among new walls. */
 const REST = 250;
-
-/** Return a thread that runs the scripts of this page as a worker. */
-function newWorker(): Worker {
-  const script = new Blob([text("script-engine"), "\n", text("script-evolve")], { type: "text/javascript" });
-  return new Worker(URL.createObjectURL(script));
-}
 
 class Page {
   readonly #data: EvolveData;
@@ -83,7 +76,7 @@ class Page {
   #makeLanes(): void {
     for (const lane of this.lanes.splice(0)) lane.close();
     for (const schedule of this.#schedules()) {
-      const lane = new Lane(this.#data, this.#engine, newWorker(), settingsOf(this.#data, this.#choice, schedule));
+      const lane = new Lane(this.#data, this.#engine, startWorker("evolve"), settingsOf(this.#data, this.#choice, schedule));
       lane.addEventListener("state", () => this.#tell());
       this.lanes.push(lane);
     }

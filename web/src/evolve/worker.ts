@@ -1,6 +1,7 @@
 // The race in a thread of its own: the page stays as quick as without one. Messages go in both directions.
 
 import { loadEngine } from "../engine/engine.ts";
+import { text } from "../explorer/data.ts";
 import type { Mask } from "./network.ts";
 import { Race } from "./race.ts";
 import type { OfTeams, RaceEvent } from "./race.ts";
@@ -23,6 +24,12 @@ export type Told =
 
 /** Milliseconds after which orders are looked for. */
 const SLICE = 12;
+
+/** Return a thread that runs the scripts of a page as a worker. */
+export function startWorker(page: string): Worker {
+  const script = new Blob([text("script-engine"), "\n", text(`script-${page}`)], { type: "text/javascript" });
+  return new Worker(URL.createObjectURL(script));
+}
 
 /** Carry out orders, in the global scope of a worker. */
 export function work(): void {

@@ -2,6 +2,7 @@
 
 import { text } from "../explorer/data.ts";
 import type { Run } from "../explorer/data.ts";
+import type { EvolveData } from "../evolve/data.ts";
 import type { PageData } from "../playground/data.ts";
 
 export interface Prediction {
@@ -10,9 +11,13 @@ export interface Prediction {
   /** Option -> its text. */
   readonly options: Readonly<Record<string, string>>;
   readonly outcome: string;
-  readonly explanation: string;
-  /** What stands under the question instead of the outcome, which a later part shows. */
+  readonly explanation?: string;
+  /** What stands under the question instead of the outcome, which a second vote shows. */
   readonly later?: string;
+  /** Of a second vote: the prediction that asked first. */
+  readonly again?: string;
+  /** A prediction without which it is not asked. */
+  readonly needs?: string;
   readonly note?: string;
 }
 
@@ -38,6 +43,8 @@ export interface WidgetPart {
   readonly memory?: number;
   readonly generations?: number;
   readonly shows?: "score" | "ones";
+  /** Whether matrix and curve are shown while a race evolves. */
+  readonly grows?: boolean;
   readonly hall?: boolean;
   readonly question?: string;
   readonly points?: readonly string[];
@@ -51,12 +58,7 @@ export interface Crossing {
   readonly ways: readonly (readonly [down: number, right: number, goes: boolean])[];
 }
 
-/** The outcome of an earlier prediction. */
-export interface Outcome {
-  readonly outcome: string;
-}
-
-export type Part = { readonly text: string } | Prediction | Exercise | WidgetPart | Outcome;
+export type Part = { readonly text: string } | Prediction | Exercise | WidgetPart;
 
 export interface Section {
   readonly id: string;
@@ -67,12 +69,22 @@ export interface Section {
 
 export interface Lesson {
   readonly version: string;
+  /** Questions and letters of options are the same in one edition; files of different ones are not counted together. */
+  readonly edition: number;
   readonly title: string;
   readonly lead: string;
   readonly sections: readonly Section[];
   /** Races A, B and C. */
   readonly runs: readonly Run[];
   readonly playground: PageData;
+  /** Of the races that evolve in the page. */
+  readonly evolve: EvolveData;
 }
+
+export const isPrediction = (part: Part | undefined): part is Prediction => part !== undefined && "predict" in part;
+
+/** Return the predictions of a lesson by name, in its order. */
+export const predictionsOf = ({ sections }: Pick<Lesson, "sections">): ReadonlyMap<string, Prediction> =>
+  new Map(sections.flatMap(({ parts }) => parts.filter(isPrediction).map((part) => [part.predict, part])));
 
 export const readLesson = (): Lesson => JSON.parse(text("data")) as Lesson;

@@ -35,7 +35,7 @@ function raceOfCells(): Checked {
   const rates: number[] = new Array(SIZE * SIZE).fill(0.5);
   const show = (button: HTMLButtonElement, at: number): void => {
     button.textContent = rates[at]!.toFixed(1);
-    button.ariaLabel = `pursuers ${Math.floor(at / SIZE)} against evaders ${at % SIZE}: ${button.textContent}`;
+    button.ariaLabel = `generation ${Math.floor(at / SIZE)} of the pursuers against generation ${at % SIZE} of the evaders: ${button.textContent}`;
     [button.style.background, button.style.color] = [viridisText(rates[at]!), inkOn(rates[at]!)];
   };
   const buttons = rates.map((_, at) => {
@@ -48,8 +48,9 @@ function raceOfCells(): Checked {
   });
   const generations = Array.from({ length: SIZE }, (_, generation) => generation);
   const input = html("div", { class: "cells numbers", role: "group", "aria-label": "Capture rates: rows are pursuers, columns evaders" },
-    html("span"), ...generations.map((h) => html("span", { class: "evader" }, `evaders ${h}`)),
-    ...generations.flatMap((g) => [html("span", { class: "pursuer" }, `pursuers ${g}`), ...buttons.slice(g * SIZE, (g + 1) * SIZE)]));
+    html("span"), html("span", { class: "evader all" }, "generation of the evaders"),
+    html("span", { class: "pursuer" }, "generation of the pursuers"), ...generations.map((h) => html("span", { class: "evader" }, h)),
+    ...generations.flatMap((g) => [html("span", { class: "pursuer" }, g), ...buttons.slice(g * SIZE, (g + 1) * SIZE)]));
   const means = (of: (generation: number, other: number) => number): number[] =>
     generations.map((generation) => generations.reduce((sum, other) => sum + rates[of(generation, other)]!, 0) / SIZE);
   const check = (): string | null => {

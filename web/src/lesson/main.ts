@@ -1,112 +1,164 @@
-// The lesson that needs no installation: sections whose parts appear with the predictions.
+// The lesson that needs no installation: sections whose parts appear with the predictions. The same script is the worker of
+// the races that evolve, and the page that counts the votes of a class.
 
 import "./lesson.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
+import { work } from "../evolve/worker.ts";
 import { html } from "../page/dom.ts";
 import { themeButton } from "../page/theme.ts";
-import { readLesson } from "./data.ts";
-import type { Outcome, Part, Prediction, Section, WidgetPart } from "./data.ts";
+import { isPrediction, predictionsOf, readLesson } from "./data.ts";
+import type { Lesson, Part, Section, WidgetPart } from "./data.ts";
 import { exitWidget, saveFile } from "./exit.ts";
 import { handsMatrix, handsWidget } from "./hands.ts";
 import { flatCurve, racesToGuess, sameDiagonals } from "./matrices.ts";
 import { gamesWidget, numbersWidget } from "./numbers.ts";
-import { exercisePart, outcomeOf, paragraphs, predictionPart } from "./parts.ts";
-import { chase, explorer, judgement } from "./races.ts";
+import { exercisePart, paragraphs, predictionPart } from "./parts.ts";
+import { chase, evolving, explorer, judgement } from "./races.ts";
 import { rightOfWay } from "./right_of_way.ts";
 import { Store } from "./store.ts";
+import { votePage } from "./vote_page.ts";
 
-const isPrediction = (part: Part | undefined): part is Prediction => part !== undefined && "predict" in part;
-const isOutcome = (part: Part): part is Outcome => "outcome" in part && !isPrediction(part);
-
-const lesson = readLesson();
-const store = new Store();
-const predictions = new Map(lesson.sections.flatMap(({ parts }) => parts.filter(isPrediction).map((part) => [part.predict, part])));
-
-const WIDGETS: Readonly<Record<string, (part: WidgetPart) => HTMLElement>> = {
-  chase: () => chase(lesson, engine),
-  "right-of-way": rightOfWay,
-  flat: flatCurve,
-  hands: handsWidget,
-  "hands-matrix": handsMatrix,
-  games: gamesWidget,
-  numbers: numbersWidget,
-  matrices: () => racesToGuess(lesson),
-  explorer: () => explorer(lesson, engine),
-  judgement: () => judgement(lesson),
-  "same-diagonal": sameDiagonals,
-  exit: (part) => exitWidget(part, store),
-};
+/** The part of the address that asks for the votes of a class. */
+const VOTES = "#votes";
+/** Widgets that take the whole width; others stand beside the text where there is room. */
+const WIDE = ["explorer"];
 
 /** Return the prediction that a part waits for; undefined if it waits for none. */
-const waitsFor = (part: Part): string | undefined =>
-  "widget" in part ? part.needs : isOutcome(part) ? part.outcome : undefined;
+const waitsFor = (part: Part): string | undefined => ("needs" in part ? part.needs : undefined);
 
-function elementOf(part: Part): HTMLElement {
-  if ("text" in part) return html("div", { class: "text" }, ...paragraphs(part.text));
-  if ("widget" in part) return WIDGETS[part.widget]!(part);
-  if ("exercise" in part) return exercisePart(part, store);
-  if (isPrediction(part)) return predictionPart(part, store);
-  const asked = predictions.get(part.outcome)!;
-  return html("div", { class: "prediction" }, html("p", {}, html("strong", {}, asked.question)), outcomeOf(asked, store.choice(part.outcome)!));
+const isWidget = (part: Part): part is WidgetPart => "widget" in part;
+
+/** Return parts in blocks: a text with what belongs to it, one widget at most. */
+function blocksOf(parts: readonly Part[]): Part[][] {
+  const blocks: Part[][] = [];
+  for (const part of parts) {
+    const last = blocks.at(-1);
+    if (!last || "text" in part || (isWidget(part) && last.some(isWidget))) blocks.push([part]);
+    else last.push(part);
+  }
+  return blocks;
 }
 
-/** Return a section that shows its parts up to its first open prediction, and more when it is made. */
-function sectionOf(section: Section, number: number): HTMLElement {
-  const waiting = html("p", { class: "waiting muted", role: "status" });
-  const made = html("section", { class: "card", id: section.id, "aria-labelledby": `title-${section.id}` },
-    html("h2", { id: `title-${section.id}` }, `${number + 1}. ${section.title}`, html("span", { class: "muted small" }, `${section.minutes} minutes`)), waiting);
-  let shown = 0;
-  const grow = (): void => {
-    waiting.textContent = "";
-    for (; shown < section.parts.length; shown++) {
-      const [before, part] = [section.parts[shown - 1], section.parts[shown]!];
-      const open = [isPrediction(before) ? before.predict : undefined, waitsFor(part)].find((name) => name && store.choice(name) === undefined);
-      if (open) {
-        const place = lesson.sections.findIndex(({ parts }) => parts.some((each) => isPrediction(each) && each.predict === open));
-        waiting.textContent = `This section goes on with your prediction${place === number ? "" : ` in section ${place + 1}`}.`;
-        return;
-      }
-      waiting.before(elementOf(part));
-    }
-    waiting.remove();
+/** Return the style of a block: a widget beside the other parts, alone, or below them. */
+function styleOf(block: readonly Part[]): string {
+  const widget = block.find(isWidget);
+  return widget && block.length > 1 && !WIDE.includes(widget.widget) && !widget.grows ? "block beside" : "block";
+}
+
+class Page {
+  readonly #lesson: Lesson;
+  readonly #store: Store;
+  #start: (engine: Engine) => void = () => undefined;
+  readonly #engine = new Promise<Engine>((resolve) => (this.#start = resolve));
+  readonly #widgets: Readonly<Record<string, (part: WidgetPart) => HTMLElement>> = {
+    chase: () => chase(this.#lesson, this.#engine),
+    evolving: (part) => evolving(this.#lesson, this.#engine, part),
+    "right-of-way": rightOfWay,
+    flat: flatCurve,
+    hands: handsWidget,
+    "hands-matrix": handsMatrix,
+    games: gamesWidget,
+    numbers: numbersWidget,
+    matrices: () => racesToGuess(this.#lesson),
+    explorer: () => explorer(this.#lesson, this.#engine),
+    judgement: () => judgement(this.#lesson),
+    "same-diagonal": sameDiagonals,
+    exit: (part) => exitWidget(part, this.#store),
   };
-  store.addEventListener("choice", grow);
-  grow();
-  return made;
+
+  constructor(lesson: Lesson) {
+    [this.#lesson, this.#store] = [lesson, new Store(lesson.edition)];
+    const store = this.#store;
+    const asked = predictionsOf(lesson).size;
+    const counted = html("span", { class: "small muted", role: "status" });
+    const count = (): void => void (counted.textContent = `${store.count} of ${asked} predictions made. `
+      + (store.keeps ? "They stay in this browser." : "This browser keeps nothing: save before you close the page."));
+    store.addEventListener("choice", count);
+    const anew = (): void => {
+      if (!confirm("Delete all predictions and answers in this browser, for another student? Save them first.")) return;
+      store.forget();
+      location.reload();
+    };
+    document.getElementById("page")!.replaceWith(
+      html("header", { class: "top" },
+        html("div", {}, html("h1", {}, lesson.title), html("p", { class: "lead" }, lesson.lead)),
+        html("div", { class: "tools" }, themeButton())),
+      html("nav", { class: "sections", "aria-label": "Sections" },
+        ...lesson.sections.map((section, at) => html("a", { href: `#${section.id}` }, `${at + 1}. ${section.title}`))),
+      html("main", {}, ...lesson.sections.map((section, at) => this.#sectionOf(section, at))),
+      html("footer", { class: "card" },
+        html("div", { class: "buttons" },
+          html("button", { type: "button", class: "primary save", onclick: () => saveFile("predictions.jsonl", store.file) }, "Save my predictions"),
+          html("button", { type: "button", onclick: () => print() }, "Print"),
+          html("button", { type: "button", onclick: anew }, "Start anew"), counted),
+        html("p", { class: "small muted" }, `The page sends nothing anywhere. matrixworld ${lesson.version}, edition ${lesson.edition} of the lesson. Teachers: `,
+          html("a", { href: VOTES }, "count the votes of a class"), ".")));
+    count();
+  }
+
+  /** Compile the engine, for what waits for it. */
+  async load(): Promise<void> {
+    this.#start(await loadEngine());
+  }
+
+  #elementOf(part: Part): HTMLElement {
+    if ("text" in part) return html("div", { class: "text" }, ...paragraphs(part.text));
+    if (isWidget(part)) return this.#widgets[part.widget]!(part);
+    if ("exercise" in part) return exercisePart(part, this.#store);
+    return predictionPart(part, this.#store);
+  }
+
+  /** Return a section that shows its parts up to its first open prediction, and more when it is made. */
+  #sectionOf(section: Section, number: number): HTMLElement {
+    const { sections } = this.#lesson;
+    const waiting = html("p", { class: "waiting muted", role: "status" });
+    const made = html("section", { class: "card", id: section.id, "aria-labelledby": `title-${section.id}` },
+      html("h2", { id: `title-${section.id}` }, `${number + 1}. ${section.title}`, html("span", { class: "muted small" }, `${section.minutes} minutes`)), waiting);
+    const blocks = blocksOf(section.parts);
+    const rooms = blocks.map((block) => html("div", { class: styleOf(block) }));
+    const places = blocks.flatMap((block, at) => block.map(() => rooms[at]!));
+    let shown = 0;
+    const grow = (): void => {
+      waiting.textContent = "";
+      for (; shown < section.parts.length; shown++) {
+        const [before, part] = [section.parts[shown - 1], section.parts[shown]!];
+        const open = [isPrediction(before) ? before.predict : undefined, waitsFor(part)].find((name) => name && this.#store.choice(name) === undefined);
+        if (open) {
+          const place = sections.findIndex(({ parts }) => parts.some((each) => isPrediction(each) && each.predict === open));
+          waiting.textContent = `This section goes on with your prediction${place === number ? "" : ` in section ${place + 1}`}.`;
+          return;
+        }
+        waiting.before(places[shown]!);
+        places[shown]!.append(this.#elementOf(part));
+      }
+      waiting.remove();
+    };
+    this.#store.addEventListener("choice", grow);
+    grow();
+    return made;
+  }
 }
 
-let start: (engine: Engine) => void = () => undefined;
-const engine = new Promise<Engine>((resolve) => (start = resolve));
+function show(): void {
+  const lesson = readLesson();
+  const voting = (): boolean => location.hash === VOTES;
+  const votes = voting();
+  window.addEventListener("hashchange", () => voting() !== votes && location.reload());
+  const ready = (): void => void (document.body.dataset["ready"] = "true");
+  if (votes) {
+    votePage(lesson);
+    ready();
+    return;
+  }
+  const page = new Page(lesson);
+  // The page is drawn before the engine is compiled.
+  requestAnimationFrame(() => setTimeout(() => {
+    page.load().catch((error: unknown) => {
+      document.querySelector("main")!.prepend(html("p", { class: "card problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
+    }).finally(ready);
+  }));
+}
 
-const counted = html("span", { class: "small muted", role: "status" });
-const count = (): void => void (counted.textContent = `${store.count} of ${predictions.size} predictions made. `
-  + (store.keeps ? "They stay in this browser." : "This browser keeps nothing: save before you close the page."));
-store.addEventListener("choice", count);
-const anew = (): void => {
-  if (!confirm("Delete all predictions and answers in this browser, for another student? Save them first.")) return;
-  store.forget();
-  location.reload();
-};
-
-document.getElementById("page")!.replaceWith(
-  html("header", { class: "top" },
-    html("div", {}, html("h1", {}, lesson.title), html("p", { class: "lead" }, lesson.lead)),
-    html("div", { class: "tools" }, themeButton())),
-  html("nav", { class: "sections", "aria-label": "Sections" },
-    ...lesson.sections.map((section, at) => html("a", { href: `#${section.id}` }, `${at + 1}. ${section.title}`))),
-  html("main", {}, ...lesson.sections.map(sectionOf)),
-  html("footer", { class: "card" },
-    html("div", { class: "buttons" },
-      html("button", { type: "button", class: "primary save", onclick: () => saveFile("predictions.jsonl", store.file) }, "Save my predictions"),
-      html("button", { type: "button", onclick: () => print() }, "Print"),
-      html("button", { type: "button", onclick: anew }, "Start anew"), counted),
-    html("p", { class: "small muted" }, `The page sends nothing anywhere. matrixworld ${lesson.version}`)));
-count();
-
-// The page is drawn before the engine is compiled.
-requestAnimationFrame(() => setTimeout(() => {
-  loadEngine().then(start, (error: unknown) => {
-    document.querySelector("main")!.prepend(html("p", { class: "card problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
-  }).finally(() => (document.body.dataset["ready"] = "true"));
-}));
+if (typeof document === "undefined") work();
+else show();

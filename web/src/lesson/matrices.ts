@@ -41,9 +41,10 @@ export function sameDiagonals(): HTMLElement {
 /** The curve of the vote. */
 export function flatCurve(): HTMLElement {
   const generations = Array.from({ length: GENERATIONS }, (_, generation) => generation);
-  return chart("A capture rate that stays at one half from generation 0 to 30", (width, height) => {
+  const made = chart("A capture rate that stays at one half from generation 0 to 30", (width, height) => {
     const into = frame(width, height, { low: 0, high: GENERATIONS - 1, label: "generation", whole: true }, { low: 0, high: 1, label: "capture rate" });
     line(into, generations, generations.map(() => 0.5), "of-both");
     return into;
-  }, () => undefined, () => undefined).element;
+  }, () => undefined, () => undefined);
+  return html("div", { class: "widget" }, made.element);
 }

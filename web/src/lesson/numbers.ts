@@ -15,7 +15,7 @@ const GENERATIONS = 600;
 const EVERY = 20;
 const SEEDS = 5;
 const RACES = 10;
-/** How prediction 4.b names the games. */
+/** How prediction 0.d names the games. */
 const UNNAMED: Readonly<Record<string, GameName>> = { "Game A": "intransitive", "Game B": "scalar", "Game C": "focusing" };
 const ALONG = { low: 0, high: GENERATIONS, label: "generation", whole: true };
 const ONES = { low: 0, high: BITS, label: "ones of side 1" };
@@ -75,7 +75,7 @@ export function gamesWidget({ shows = "score" }: WidgetPart): HTMLElement {
 const POPULATIONS = [5, 10, 15, 25, 40, 60];
 const MUTATIONS = [0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05];
 const HALLS = [0, 1, 5, 15, 30];
-/** The hall of prediction 0.c. */
+/** The hall of prediction 0.e. */
 const WITH_HALL = 15;
 const SEED_NUMBERS = Array.from({ length: 20 }, (_, seed) => seed);
 
@@ -112,7 +112,7 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
     }, () => race === own);
     if (race === own) tell(`${capital(playing.game)} game, seed ${seed}: after ${GENERATIONS} generations side 1 has ${ones[0].at(-1)!.toFixed(0)} ones, side 2 ${ones[1].at(-1)!.toFixed(0)}.`);
   };
-  const compared: { readonly text: string; readonly ends: readonly number[] }[] = [];
+  let compared: readonly Row[] = [];
   const dots = chart("Ones of side 1 at the end of ten races, a row for each choice of settings", (width, height) => dotsOf(compared, width, height), nothing, nothing);
   dots.element.classList.add("dots");
   const ten = async (settings: Settings): Promise<void> => {
@@ -120,8 +120,8 @@ export function numbersWidget({ hall = false }: WidgetPart): HTMLElement {
     const ends: number[] = [];
     const { population, mutation } = settings;
     const name = `${game}${population === USUAL.population ? "" : `, ${population} players`}${mutation === USUAL.mutation ? "" : `, mutation ${mutation}`}, hall ${settings.hall}`;
-    compared.push({ text: name, ends });
-    if (compared.length > MOST_ROWS) compared.shift();
+    // Only complete rows stay, and one of each choice.
+    compared = [...compared.filter((row) => row.ends.length === RACES && row.text !== name).slice(1 - MOST_ROWS), { text: name, ends }];
     for (let at = 0; at < RACES && race === own; at++) {
       const playing = new NumbersGame(game, settings, generator(at));
       await play(playing, nothing, () => race === own);
@@ -151,13 +151,19 @@ const MOST_ROWS = 6;
 const meanOf = (ends: readonly number[]): string => (ends.reduce((sum, each) => sum + each, 0) / ends.length).toFixed(1);
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Rows of dots, a dot for each race, and a line at their mean. */
-function dotsOf(compared: readonly { readonly text: string; readonly ends: readonly number[] }[], width: number, height: number): Frame {
+/** Races with one choice of settings, and the ones at their ends so far. */
+interface Row {
+  readonly text: string;
+  readonly ends: readonly number[];
+}
+
+/** Rows of dots, a dot for each race, and the mean of all. */
+function dotsOf(compared: readonly Row[], width: number, height: number): Frame {
   const into = frame(width, height, { low: 0, high: BITS, label: "ones of side 1 at the end", whole: true }, { low: 0, high: MOST_ROWS, label: "" });
   into.root.querySelectorAll(".axes .grid, .axes [text-anchor=end]").forEach((each) => each.remove());
   compared.forEach(({ text, ends }, row) => {
     const y = into.y(MOST_ROWS - row - 0.7);
-    into.marks.before(svg("text", { class: "label", x: into.left, y: y - 12 }, ends.length ? `${text}: mean ${meanOf(ends)}` : text));
+    into.marks.before(svg("text", { class: "label", x: into.left, y: y - 12 }, `${text}: ${ends.length < RACES ? `${ends.length} of ${RACES} races` : `mean ${meanOf(ends)}`}`));
     ends.forEach((each) => into.marks.before(svg("circle", { class: "dot of-both", cx: into.x(each), cy: y, r: 5 })));
   });
   return into;

@@ -28,7 +28,7 @@ export function predictionPart(part: Prediction, store: Store): HTMLElement {
     for (const radio of radios) [radio.checked, radio.disabled] = [radio.value === choice, true];
     button.hidden = button.disabled = true;
     status.replaceChildren();
-    form.append(part.later ? html("p", { class: "reply" }, part.later) : outcomeOf(part, choice));
+    form.append(part.later ? html("p", { class: "reply" }, part.later) : outcomeOf(part, choice, part.again && store.choice(part.again)));
   };
   form.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -43,14 +43,15 @@ export function predictionPart(part: Prediction, store: Store): HTMLElement {
   return form;
 }
 
-/** Return what was predicted, what is so, and why. */
-export function outcomeOf(part: Prediction, choice: string): HTMLElement {
+/** Return what was predicted, at first and now, what is so, and why. */
+function outcomeOf(part: Prediction, choice: string, first?: string): HTMLElement {
   const { options, outcome } = part;
   const right = choice === outcome;
   return html("div", { class: "reply", role: "status", "data-right": String(right) },
+    first && html("p", {}, html("strong", {}, "At the beginning you predicted: "), options[first]),
     html("p", {}, html("strong", {}, right ? "✓ As you predicted: " : "You predicted: "), options[choice]),
     right ? null : html("p", {}, html("strong", {}, "The outcome: "), options[outcome]),
-    ...paragraphs(part.explanation), part.note && html("p", { class: "small muted" }, part.note));
+    ...paragraphs(part.explanation ?? ""), part.note && html("p", { class: "small muted" }, part.note));
 }
 
 /** Return an exercise with its input and a button that checks the answer, as often as one likes. */
@@ -83,7 +84,9 @@ export function exercisePart(part: Exercise, store: Store): HTMLElement {
 function tableOf(matrix: readonly (readonly number[])[]): HTMLElement {
   const names = matrix.map((_, generation) => generation);
   return html("div", { class: "wide-table", tabindex: 0 }, html("table", { class: "rates numbers" },
-    html("thead", {}, html("tr", {}, html("td"), ...names.map((each) => html("th", { scope: "col" }, `evaders ${each}`)))),
+    html("thead", {},
+      html("tr", {}, html("td"), html("th", { scope: "colgroup", colspan: names.length, class: "evader" }, "generation of the evaders")),
+      html("tr", {}, html("th", { class: "pursuer" }, "generation of the pursuers"), ...names.map((each) => html("th", { scope: "col" }, each)))),
     html("tbody", {}, ...matrix.map((row, generation) =>
-      html("tr", {}, html("th", { scope: "row" }, `pursuers ${generation}`), ...row.map((rate) => html("td", {}, rate.toFixed(1))))))));
+      html("tr", {}, html("th", { scope: "row" }, generation), ...row.map((rate) => html("td", {}, rate.toFixed(1))))))));
 }

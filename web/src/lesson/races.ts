@@ -1,12 +1,13 @@
-// The three real races: a chase, the explorer, and the judgement of one.
+// Real races: a chase, one that evolves in the page, the explorer, and the judgement of one.
 
-import { Board, stillMotion } from "../board/board.ts";
-import { recordingOf } from "../board/from_engine.ts";
 import { legend } from "../board/legend.ts";
-import { Player } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
-import { captureSteps } from "../board/recording.ts";
-import type { Engine } from "../engine/engine.ts";
+import type { Engine, Match } from "../engine/engine.ts";
+import { Chase } from "../evolve/chase.ts";
+import { settingsOf, usualChoice } from "../evolve/choice.ts";
+import { Lane } from "../evolve/lane.ts";
+import type { RaceSettings } from "../evolve/settings.ts";
+import { startWorker } from "../evolve/worker.ts";
 import { diagnosisPanel } from "../explorer/diagnosis.ts";
 import { MatchPanel } from "../explorer/match.ts";
 import { MatrixPanel } from "../explorer/matrix.ts";
@@ -14,33 +15,67 @@ import { playedMatch } from "../explorer/play.ts";
 import { raceTabs } from "../explorer/races.ts";
 import { Store } from "../explorer/store.ts";
 import { html } from "../page/dom.ts";
-import type { Lesson } from "./data.ts";
+import type { Lesson, WidgetPart } from "./data.ts";
 
-/** The race of the chase: the specialists', with the most captures at its end; and steps a second. */
+/** The race of the chase: the specialists', with the most captures at its end. */
 const CHASE = 1;
-const SPEED = 8;
 
-/** The last generations of a race, one match. */
+/** The last generations of a race, one match after the other. */
 export function chase({ runs }: Lesson, engine: Promise<Engine>): HTMLElement {
   const run = runs[CHASE]!;
-  const [rows, columns] = run.payoff.shape;
-  const player = new Player(0, { speed: SPEED, still: stillMotion() });
-  const canvas = html("canvas", { "aria-label": "The chase" });
-  const told = html("p", { class: "numbers" });
-  const board = new Board(canvas, { numbers: false });
-  void engine.then((loaded) => {
-    const match = playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
-    const recording = recordingOf(match);
-    player.addEventListener("frame", () => board.show(recording, player.time));
-    player.addEventListener("step", () => {
-      const captured = Array.from(recording.moments[player.step]!.everCaptured).filter(Boolean).length;
-      told.textContent = `Step ${player.step}: ${captured} of ${run.world.n_evaders} evaders captured`;
-    });
-    player.length = match.length;
-    player.marks = captureSteps(recording);
-    player.jump(0);
+  const { shape: [rows, columns], episodes } = run.payoff;
+  let loaded: Engine | null = null;
+  let episode = 0;
+  const next = (): Match | null =>
+    loaded && playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: episode++ % episodes, seed: null });
+  const board = new Chase(next);
+  board.title.textContent = `Generation ${rows - 1} of both teams`;
+  board.label = `A match. ${board.title.textContent}`;
+  board.generation = rows - 1;
+  void engine.then((each) => {
+    loaded = each;
+    board.renew();
+    whileSeen(board);
   });
-  return html("div", { class: "widget chase" }, html("div", { class: "stage" }, canvas), told, playerBar(player), legend());
+  return html("div", { class: "widget" }, board.element, playerBar(board.player), legend());
+}
+
+/** A race that evolves when it is asked for: its boards alone, or its matrix and curve as well. */
+export function evolving({ evolve }: Lesson, engine: Promise<Engine>, { grows = false }: WidgetPart): HTMLElement {
+  const button = html("button", { type: "button", class: "evolve", disabled: true }, "Evolve");
+  const progress = html("progress", { max: 1, value: 0, "aria-label": "Progress of the race" });
+  const room = html("div", { class: "lanes", "data-count": 1 });
+  void engine.then((loaded) => {
+    let seed = -1;
+    const settings = (): RaceSettings => settingsOf(evolve, { ...usualChoice(evolve), seed: Math.max(0, seed) });
+    const lane = new Lane(evolve, loaded, startWorker("lesson"), settings());
+    const tell = (): void => {
+      button.textContent = lane.state === "waiting" ? "Evolve" : lane.state === "evolving" ? "Stop" : "Again, with other luck";
+      progress.value = lane.done;
+    };
+    button.addEventListener("click", () => {
+      if (lane.state === "evolving") return lane.stop();
+      seed++;
+      lane.settings = settings();
+      lane.start();
+    });
+    lane.addEventListener("state", tell);
+    room.append(lane.element);
+    [lane.newest, lane.beginning].forEach(whileSeen);
+    button.disabled = false;
+  });
+  return html("div", { class: `widget evolving ${grows ? "grows" : "boards"}` }, html("div", { class: "buttons" }, button, progress), room);
+}
+
+/** Let a board rest while nobody sees it. */
+function whileSeen(board: Chase): void {
+  let ran = board.runs;
+  new IntersectionObserver(([entry]) => {
+    if (!entry!.isIntersecting) {
+      ran = board.runs && (board.player.playing || board.player.step === board.player.length);
+      board.runs = false;
+    } else if (ran) board.runs = true;
+  }).observe(board.element);
 }
 
 /** The explorer's matrix and match, for all three races. */

@@ -1,8 +1,6 @@
 // What a student has chosen, solved and written: kept in the browser, and saved as the files that a teacher collects.
 
-const KEY = "matrixworld lesson";
-
-/** A line of `predictions.jsonl`, as `predict` of the course writes it. */
+/** A line of `predictions.jsonl`, as `predict` of the course writes it; the lesson adds its edition and the pupil. */
 interface Choice {
   readonly prediction: string;
   readonly choice: string;
@@ -10,6 +8,8 @@ interface Choice {
 }
 
 interface Kept {
+  /** A random number: files that are saved in one browser are of one pupil. */
+  readonly pupil: string;
   readonly choices: readonly Choice[];
   /** Exercise -> the last answer that was right. */
   readonly solved: Readonly<Record<string, string>>;
@@ -18,16 +18,21 @@ interface Kept {
   readonly done: boolean;
 }
 
-const NOTHING: Kept = { choices: [], solved: {}, exit: "", done: false };
+const nothing = (): Kept => {
+  const [number] = crypto.getRandomValues(new Uint32Array(1));
+  return { pupil: number!.toString(16).padStart(8, "0"), choices: [], solved: {}, exit: "", done: false };
+};
 
 /** It dispatches `choice` when a prediction is made. */
 export class Store extends EventTarget {
   #kept: Kept;
+  readonly #edition: number;
   /** Whether the browser keeps what is written when the page is closed. */
   keeps = true;
 
-  constructor() {
+  constructor(edition: number) {
     super();
+    this.#edition = edition;
     this.#kept = this.#read();
     this.#write({});
   }
@@ -58,25 +63,30 @@ export class Store extends EventTarget {
 
   /** The text of `predictions.jsonl`. */
   get file(): string {
-    return this.#kept.choices.map((each) => `${JSON.stringify(each)}\n`).join("");
+    const { choices, pupil } = this.#kept;
+    return choices.map((each) => `${JSON.stringify({ ...each, edition: this.#edition, pupil })}\n`).join("");
   }
 
   forget(): void {
-    this.#write(NOTHING);
+    this.#write(nothing());
+  }
+
+  get #key(): string {
+    return `matrixworld lesson ${this.#edition}`;
   }
 
   #read(): Kept {
     try {
-      return { ...NOTHING, ...(JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Kept>) };
+      return { ...nothing(), ...(JSON.parse(localStorage.getItem(this.#key) ?? "{}") as Partial<Kept>) };
     } catch {
-      return NOTHING; // there is no storage, and `#write` notes it; or another program wrote there
+      return nothing(); // there is no storage, and `#write` notes it; or another program wrote there
     }
   }
 
   #write(change: Partial<Kept>): void {
     this.#kept = { ...this.#kept, ...change };
     try {
-      localStorage.setItem(KEY, JSON.stringify(this.#kept));
+      localStorage.setItem(this.#key, JSON.stringify(this.#kept));
     } catch {
       this.keeps = false; // the page says so
     }

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
+/* built from web/ by "npm run build"; sources ddb13f157b8ae616b14690b13a2e4818600e9bc37f049f6021d61d6474cc90dd */
 "use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,pn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#h=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

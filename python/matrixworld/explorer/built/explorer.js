@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
+/* built from web/ by "npm run build"; sources ddb13f157b8ae616b14690b13a2e4818600e9bc37f049f6021d61d6474cc90dd */
 "use strict";(()=>{var Ta=Object.create;var gn=Object.defineProperty;var Ca=Object.getOwnPropertyDescriptor;var ka=Object.getOwnPropertyNames;var Ra=Object.getPrototypeOf,_a=Object.prototype.hasOwnProperty;var $a=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Pa=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ka(e))!_a.call(t,o)&&o!==r&&gn(t,o,{get:()=>e[o],enumerable:!(n=Ca(e,o))||n.enumerable});
 return t};var Oa=(t,e,r)=>(r=t!=null?Ta(Ra(t)):{},Pa(e||!t||!t.__esModule?gn(r,"default",{value:t,enumerable:!0}):r,t));var ra=$a(dn=>{var qs=Object.defineProperty,jl=t=>qs(t,"__esModule",{value:!0}),Gl=(t,e)=>{for(var r in e)qs(t,r,{get:e[r],enumerable:!0})};jl(dn);Gl(dn,{GIFEncoder:()=>ea,
 applyPalette:()=>ec,default:()=>uc,nearestColor:()=>oc,nearestColorIndex:()=>Xs,nearestColorIndexWithDistance:()=>Qs,prequantize:()=>Ql,quantize:()=>Jl,snapColorsToPalette:()=>nc});

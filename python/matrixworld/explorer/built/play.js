@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources eac5a9158e3f35629a29ba6baf0cb4b87f5142f0044d82fd29a31d25a8218b56 */
+/* built from web/ by "npm run build"; sources ddb13f157b8ae616b14690b13a2e4818600e9bc37f049f6021d61d6474cc90dd */
 "use strict";(()=>{var ir={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Ie={DISAPPEAR:0,REACH:1,BOUNCE:2},lr={OCCUPATION:0,SURROUND:1},ur={FAULT:0,INVOLVED:1};var bt=["obstacle","teammate","adversary"],wt=["vertex","edge","chain"],cr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],xt=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Le={"both held":"both bounce","both doomed":"\
