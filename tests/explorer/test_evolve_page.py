@@ -81,14 +81,14 @@ def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
     browser.drag(tuple(browser.js(f"(box => [box.left + 9, box.top + 9])({box})")))
     browser.wait("document.querySelector('.check').textContent === 'As in the evaluation'")
     assert browser.js("document.querySelector('.match-title').textContent").startswith(
-        "pursuers 15 against evaders 0"
+        "Pursuers of generation 15 against evaders of generation 0"
     )
     browser.driver.execute_script("document.querySelector('dialog[open]').close()")
     # The mask ends all collisions at once, and walls play the matrix again.
     browser.driver.execute_script("document.querySelector('.controls [type=checkbox]').click()")
     browser.wait(f"/\\D0 collisions/.test({FACTS})")
     browser.driver.execute_script(
-        "document.querySelector('.tools [aria-pressed=false]:not(.side)').click()"
+        "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
     )
     box = "document.querySelector('.chase canvas').getBoundingClientRect()"
     left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
@@ -98,7 +98,7 @@ def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
     browser.wait(f"{world}.obstacles[2] === '...###......'")
     assert browser.js(f"{world}.obstacles[5]") == "###........."  # those of the link
     browser.click(".to-link")
-    assert "walls=27.28.29.60.61.62" in browser.js("document.querySelector('.tools input').value")
+    assert "walls=27.28.29.60.61.62" in browser.js("document.querySelector('.doings input').value")
     assert browser.errors() == []
 
 

@@ -1,13 +1,16 @@
 """The page of runs that go on: what it shows, that nothing else is served, and how it ends."""
 
 import http.client
+import json
 import os
+import re
 import socket
 import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
@@ -15,6 +18,7 @@ import pytest
 
 from browser import DESKTOP, READY, Browser
 from matrixworld.coevolution import TEAMS, SavedRun, evolve, open_run, start
+from matrixworld.coevolution.progress import Progress
 from matrixworld.explorer import explore
 from matrixworld.explorer.live import EPISODES, HOST, MOST_CONNECTIONS, LivePage, extended
 from matrixworld.world.policy import Population
@@ -49,12 +53,18 @@ def get(url: str, method: str = "GET", **headers: str) -> int:
     return connection.getresponse().status
 
 
+def asked(page: LivePage) -> dict[str, Any]:
+    """Return what the page asks for."""
+    with urllib.request.urlopen(f"{page.url}progress") as answer:
+        found: dict[str, Any] = json.loads(answer.read())
+    return found
+
+
 def until_shown(page: LivePage, least: int = 1) -> None:
     """Wait until so many looks have found something new."""
     for _ in range(400):
-        with urllib.request.urlopen(f"{page.url}version") as answer:
-            if int(answer.read()) >= least:
-                return
+        if int(asked(page)["version"]) >= least:
+            return
         time.sleep(0.05)
     raise AssertionError("expected the runs on the page, got none")
 
@@ -62,10 +72,10 @@ def until_shown(page: LivePage, least: int = 1) -> None:
 def test_only_the_page_is_served_and_only_to_this_machine(live: LivePage, job: Path) -> None:
     until_shown(live)
     assert live._server.server_address[0] == HOST == "127.0.0.1"
-    assert [get(live.url), get(f"{live.url}version")] == [200, 200]
+    assert [get(live.url), get(f"{live.url}progress")] == [200, 200]
     root, token = f"http://{urlsplit(live.url).netloc}", urlsplit(live.url).path
-    inside = ["job.json", "../job.json", "specialists/seed-5/config.json", "%2e%2e/", "version/"]
-    others = ["/", "/version", f"/{'x' * (len(token) - 2)}/", f"/{job / 'job.json'}", token[:-1]]
+    inside = ["job.json", "../job.json", "specialists/seed-5/config.json", "%2e%2e/", "progress/"]
+    others = ["/", "/progress", f"/{'x' * (len(token) - 2)}/", f"/{job / 'job.json'}", token[:-1]]
     for path in [*(token + each for each in inside), *others]:
         assert get(root + path) == 404, path
     # A web site whose name points to this machine; and requests that would change something.
@@ -73,6 +83,22 @@ def test_only_the_page_is_served_and_only_to_this_machine(live: LivePage, job: P
     assert {get(live.url, method) for method in ("POST", "PUT", "DELETE", "OPTIONS")} == {501}
     with LivePage(job, [*JOB]) as other:
         assert urlsplit(other.url).path != token
+
+
+def test_the_page_tells_phases_share_rate_and_time_left(live: LivePage) -> None:
+    work = {"hall": Progress("generation 2 of 3: evaders", 25, 50)}
+    progress = Progress("<1 of 2> runs", 25, 100, runs=work)
+    live.report(progress)
+    shown = asked(live)
+    assert shown["share"] == 0.25
+    assert re.fullmatch(
+        r"<1 of 2> runs, hall: generation 2 of 3: evaders:  25%  \d\d:\d\d left, .*matches/s",
+        shown["text"],
+    )
+    with LivePage(Path("not begun"), []) as page:
+        page.report(progress)
+        waiting = page.answer(urlsplit(page.url).path)
+    assert re.search("<p>&lt;1 of 2&gt;.* 25%", str(waiting))
 
 
 @pytest.mark.slow

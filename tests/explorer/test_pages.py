@@ -68,7 +68,7 @@ PRESS = "document.querySelector('{}').click()"
 OPENED: dict[str, list[str]] = {
     "evolve": [
         PRESS.format(".evolve"),
-        "; ".join(map(PRESS.format, (".evolve", ".tools button:nth-child(3)", ".to-link"))),
+        "; ".join(map(PRESS.format, (".evolve", ".doings button:nth-child(3)", ".to-link"))),
         "; ".join(map(PRESS.format, (".side", ".evolve"))),
         "; ".join(map(PRESS.format, (".evolve", ".to-play"))),
     ],
@@ -78,7 +78,7 @@ OPENED: dict[str, list[str]] = {
         *(PRESS.format(name) for name in (".to-share", ".to-play")),
     ],
     "play": [WATCHED],
-    "playground": [BUTTON.format("Share"), BUTTON.format("Keys")],
+    "playground": [BUTTON.format("Share"), BUTTON.format("?")],
 }
 """What opens the dialogs of a page."""
 
@@ -104,6 +104,47 @@ def test_a_page_opens_and_runs_no_script_but_its_own(
     browser.open(file)
     assert browser.js("document.title") != "owned"
     assert any("Content Security Policy" in error for error in browser.errors())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", PAGES)
+def test_paper_is_light_and_has_nothing_to_press(
+    browser: Browser, page: str, tmp_path: Path
+) -> None:
+    write_page(tmp_path / "page.html", MADE[page](tmp_path))
+    browser.prefer(prefers_color_scheme="dark")
+    browser.open(tmp_path / "page.html", DESKTOP)
+    ground = "getComputedStyle(document.body).getPropertyValue('--surface')"
+    dark = browser.js(ground)
+    browser.driver.execute_script(
+        f"""addEventListener('beforeprint', () => {{
+          const board = document.querySelector('canvas.board');
+          const pixels = board?.getContext('2d').getImageData(0, 0, board.width, board.height).data;
+          const white = pixels?.filter((value, at) => at % 4 === 0 && value > 250).length;
+          window.printed = [{ground}, board ? white / (pixels.length / 4) : 1];
+        }})"""
+    )
+    browser.driver.execute_cdp_cmd("Page.printToPDF", {})
+    surface, white = browser.js("window.printed")
+    assert surface == "#ffffff"
+    assert white > 0.3
+    assert browser.js(ground) == dark
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    assert browser.js("document.querySelector('.top .tools').offsetParent") is None
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
+@pytest.mark.nightly
+def test_letters_of_a_class_matrix_are_readable_on_a_phone(
+    browser: Browser, tmp_path: Path
+) -> None:
+    write_page(tmp_path / "page.html", page_of_a_class(tmp_path))
+    browser.open(tmp_path / "page.html", PHONE)
+    sizes = browser.js(
+        "[...document.querySelectorAll('.matrix text')].map((text) => (({a, b}) =>"
+        " text.getAttribute('font-size') * Math.hypot(a, b))(text.getScreenCTM()))"
+    )
+    assert min(sizes) > 11.9
 
 
 @pytest.mark.nightly

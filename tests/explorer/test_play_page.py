@@ -22,7 +22,7 @@ from tiny_race import tiny_race
 
 PLAYED = "document.querySelector('#match').dataset.played"
 IN_EXPLORER, IN_PAGE = "window.matrixworldExplorer.playing", "window.matrixworldPlay"
-LETTERS = dict(enumerate("swdxaeczq"))
+LETTERS = dict(enumerate(" wdsaeczq"))
 ARROWS = {0: " ", 1: "\ue013", 2: "\ue014", 3: "\ue015", 4: "\ue012"}
 
 
@@ -190,10 +190,30 @@ def test_escape_has_three_rounds_and_a_score(browser: Browser, own: Path) -> Non
         assert f"Round {turn + 1} of 3" in title
         moves_until_done(browser, ARROWS, turn, IN_PAGE)
         lasted.append(browser.js(f"{IN_PAGE}.live.length"))
+        press_button(browser, "Watch it")  # which counts nothing again
+        browser.press("\ue010")
+        browser.wait(f"{IN_PAGE}.player.step === {lasted[-1]}")
         if turn < 2:
             browser.click(".play-ending > .primary")
     score = browser.js("document.querySelector('.play-score').textContent")
     assert score == f"Your score: {sum(lasted)} of 180"
+    assert browser.errors() == []
+
+
+@pytest.mark.nightly
+def test_the_form_shows_the_game_that_runs(browser: Browser, own: Path) -> None:
+    browser.open(own)
+    form = (
+        "((all) => all.map((each) => each.offsetParent && each.selectedOptions[0].textContent))"
+        "([...document.querySelectorAll('.setup select')])"
+    )
+    assert browser.js(form) == ["Can you escape it?", None, None, None]
+    browser.js("location.hash = '#pursuers=1&evaders=5&seed=7&seat=0&moves=12'")
+    browser.wait(f"{IN_PAGE}.live.length === 2")
+    assert browser.js(form) == ["One match", "a pursuer", "clumsy chaser", "fleer"]
+    pictures = "[...document.querySelectorAll('.about svg')].map((each) => each.innerHTML)"
+    chaser, fleer = browser.js(pictures)
+    assert chaser != fleer
     assert browser.errors() == []
 
 

@@ -86,7 +86,7 @@ def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
 @pytest.mark.nightly
 def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None:
     """Clicks show the package's steps and words for conflicts, and the page confirms the cell."""
-    assert page.js("document.querySelector('h1').textContent") == "3 runs"
+    assert page.js("document.querySelector('h1').textContent") == "3 runs of pursuers and evaders"
     seen = 0
     for number, g, h, episode in MATCHES:
         page.click(f".race:nth-child({number + 1})")
@@ -102,7 +102,10 @@ def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None
             assert texts == [conflict.text for conflict in expected.explain(step)]
             seen += len(texts)
     assert seen > 10
+    race = as_read(job["race"])["findings"]
+    assert page.js("document.querySelector('.told').textContent") == ""  # of one team alone
     page.js("location.hash = '#run=0&pursuers=2&evaders=1&episode=0'")
+    page.wait(f"document.querySelector('.told').textContent === {json.dumps(race['sentence'])}")
     page.wait(f"{PLAYED} === '0 2 1 0 ' && document.querySelector('.check').dataset.equal")
     payoff = job["race"].payoff()
     assert page.js("document.querySelector('.check').title") == (
@@ -117,6 +120,18 @@ def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None
     assert page.js("location.hash") == "#run=1&pursuers=2&evaders=0&episode=1&step=5"
     page.reload()
     page.wait(f"{PLAYED} === '1 2 0 1 ' && matrixworldExplorer.step === 5")
+    # Back leads to the match before; each pair that was chosen is a view.
+    page.js("location.hash = '#run=0&pursuers=2&evaders=1&episode=0'")
+    page.wait(f"{PLAYED} === '0 2 1 0 '")
+    page.js("new Promise((done) => setTimeout(done, 900))")
+    page.drag(page.js(CELL, 0, 0))
+    page.wait(f"{PLAYED} === '0 0 0 0 '")
+    page.driver.back()
+    page.wait(f"{PLAYED} === '0 2 1 0 '")
+    page.driver.forward()
+    page.wait(f"{PLAYED} === '0 0 0 0 '")
+    page.js("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=5'")
+    page.wait(f"{PLAYED} === '1 2 0 1 ' && matrixworldExplorer.step === 5")
     page.js("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
     page.wait("location.hash.startsWith('#run=1&pursuers=2&evaders=0')")
     assert page.errors() == []
@@ -126,6 +141,10 @@ def _check_answers(page: Browser, run: SavedRun, g: int, h: int) -> None:
     """Compare what the page shows of a network's answers at the start of a match."""
     page.press(HOME, "a")
     assert page.js("document.querySelector('.inspector h3').textContent") == "pursuer_0"
+    hidden = (
+        "((aside) => aside.scrollHeight - aside.clientHeight)(document.querySelector('.aside'))"
+    )
+    assert page.js(hidden) <= 1
     world, population = World(run.settings.world), run.teams["pursuer"]
     world.reset(evaluation_seed(run.settings.seed, g, h))
     logits = population.network.logits(population.genomes[g], world.views()[:1])[0].astype(float)

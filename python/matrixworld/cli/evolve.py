@@ -243,7 +243,7 @@ def evolve_command(
         began = time.monotonic()
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
             with progress() as bar:
-                whole = Whole(job, bar)
+                whole = Whole(job, bar, page)
                 with on_cluster(where, threads) as executor:
                     results, failed = play_runs(
                         job, root, threads, executor, new=resumed is None, report=whole.played
@@ -402,13 +402,13 @@ class Whole:
     in the same time.
     """
 
-    def __init__(self, job: Job, bar: ProgressBar) -> None:
+    def __init__(self, job: Job, bar: ProgressBar, page: LivePage | None = None) -> None:
         races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
         self._score = sum(SCORED * each.world.max_steps / each.train_steps for each in races)
         groups = {settings.method for settings in job.values()}
         self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
-        self._bar, self._began = bar, time.monotonic()
+        self._bar, self._page, self._began = bar, page, time.monotonic()
         self._done, self._draw = Progress("", 0, 1), 0.0
 
     def played(self, progress: Progress) -> None:
@@ -431,7 +431,10 @@ class Whole:
 
     def _show(self, what: str, after: float) -> None:
         one, total = self._done, self._done.total + self._score + self._draw
-        self._bar(replace(one, what=what, done=round(one.done + after), total=round(total)))
+        shown = replace(one, what=what, done=round(one.done + after), total=round(total))
+        self._bar(shown)
+        if self._page is not None:
+            self._page.report(shown)
 
 
 def play_runs(

@@ -7,6 +7,8 @@ episodes of the evaluation of all generations that there are, and plays on when 
 
 from __future__ import annotations
 
+import html
+import json
 import secrets
 import socket
 import threading
@@ -20,9 +22,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
 from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
+from matrixworld.coevolution.progress import LINE, Progress
 from matrixworld.coevolution.storage import SavedRun, open_run
 from matrixworld.coevolution.types import TEAMS, Payoff
 from matrixworld.explorer.runs_page import Live, explorer_page
@@ -36,13 +40,14 @@ SECONDS = 1.0
 LEFT = 5.0
 """Seconds for which a browser that has just asked may load the finished page."""
 MOST_CONNECTIONS = 16
+PROGRESS = f"{LINE}, {{rate_fmt}}"
 NOTE = (
     f"The runs go on. Each cell has {EPISODES} episodes so far; new generations appear when the "
     "match that is shown has ended. The judgement comes at the end."
 )
 WAITING = (
     '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="1">'
-    "<title>matrixworld</title><p>The first generation is being trained.</p>"
+    "<title>matrixworld</title><p>The first generation is being trained.</p><p>{}</p>"
 )
 
 
@@ -59,6 +64,8 @@ class LivePage:
         self._version = 0
         self._finished: Path | None = None
         self._asked = -LEFT
+        self._began = time.monotonic()
+        self._progress: dict[str, float | str] = {"share": 0.0, "text": ""}
         self._taken, self._closed = threading.Event(), threading.Event()
         self._place = f"/{secrets.token_urlsafe(16)}/"
         self._server = _Server((HOST, 0), partial(_Handler, self))
@@ -86,13 +93,23 @@ class LivePage:
         if time.monotonic() - self._asked < LEFT:
             self._taken.wait(LEFT)
 
+    def report(self, progress: Progress) -> None:
+        """Tell phases, share, time left and rate to the page."""
+        what = [progress.what, *(f"{name}: {each.what}" for name, each in progress.runs.items())]
+        text = tqdm.format_meter(
+            progress.done, progress.total, time.monotonic() - self._began, prefix=", ".join(what),
+            unit=" matches", unit_scale=True, bar_format=PROGRESS, initial=progress.before,
+        )  # fmt: skip
+        self._progress = {"share": progress.share, "text": text}
+
     # What a browser gets:
 
     def answer(self, path: str) -> str | None:
         """Return what is at an address; None if nothing is."""
-        if path == f"{self._place}version":
+        if path == f"{self._place}progress":
             self._asked = time.monotonic()
-            return "end" if self._finished else str(self._version)
+            version = "end" if self._finished else str(self._version)
+            return json.dumps({"version": version, **self._progress})
         return self._page() if path == self._place else None
 
     def sent(self, path: str) -> None:
@@ -106,7 +123,7 @@ class LivePage:
         version, known = str(self._version), {**self._runs}
         found = [known[name] for name in self._names if name in known]
         if not found:
-            return WAITING
+            return WAITING.format(html.escape(str(self._progress["text"])))
         runs, payoffs = zip(*found, strict=True)
         return explorer_page(runs, note=NOTE, live=Live(payoffs, version))
 

@@ -15,6 +15,7 @@ import os
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -33,8 +34,7 @@ from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Genomes, Payoff
-from matrixworld.envs.variants import VARIANT_TEXTS
+from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import (
     check_new,
@@ -159,14 +159,11 @@ def explorer_page(runs: Sequence[SavedRun], *, note: str = "", live: Live | None
 
 
 def heading(runs: Sequence[SavedRun]) -> str:
-    """Return what a page shows in words, such as "3 races: predators and prey"."""
+    """Return what a page shows in words, such as "3 races of pursuers and evaders, variant O"."""
     kind = "race" if all(run.settings.is_race for run in runs) else "run"
-    words = f"{len(runs)} {kind}{'s' if len(runs) > 1 else ''}"
-    games = {variant_name(run.settings.world.rules) for run in runs}
-    if len(games) > 1 or not games <= VARIANT_TEXTS.keys():
-        return words
-    title = VARIANT_TEXTS[games.pop()].title.partition(":")[0]
-    return f"{words}: {title[0].lower()}{title[1:]}"
+    words = f"{len(runs)} {kind}{'s' if len(runs) > 1 else ''} of pursuers and evaders"
+    games = {variant_name(run.settings.world.rules) for run in runs} - {""}
+    return f"{words}, variant {games.pop()}" if len(games) == 1 else words
 
 
 # ---- Runs ----------------------------------------------------------------------------------------
@@ -425,16 +422,16 @@ def guided_minute(
     """
     g, h = (size - 1 for size in matrix.shape)
     before = (
-        f"Before learning: pursuers 0 capture {matrix[0, 0]:.0%} of evaders 0, on average. "
+        f"Before learning: {pursuers(0)} capture {matrix[0, 0]:.0%} of {evaders(0)}, on average. "
         "Triangles pursue, discs evade."
     )
     end = (
-        f"At the end: pursuers {g} capture {matrix[g, h]:.0%} of evaders {h}. Both teams have "
+        f"At the end: {pursuers(g)} capture {matrix[g, h]:.0%} of {evaders(h)}. Both teams have "
         "trained, so it takes other opponents to tell which one became better."
     )
     judged = (
-        f"The judgement: {analysis.headline(judgement)}. It weighs all cells and episodes of "
-        "this race; another seed may give another one."
+        f"{analysis.sentence(judgement)} The judgement: {analysis.headline(judgement)}. It weighs "
+        "all cells and episodes of this race; another seed may give another one."
     )
     lost, board = _early_opponent(matrix, kept), _checkerboard(matrix, boards)
     return [
@@ -444,6 +441,14 @@ def guided_minute(
         board._replace(text=f"{board.text} {_verdict(judgement, 'intransitivity')}"),
         Stop(judged, g, h, "judgement"),
     ]
+
+
+def generation_name(team: Team, number: int) -> str:
+    """Return the name of a generation: a number alone would read as a count of agents."""
+    return f"{team}s of generation {number}"
+
+
+pursuers, evaders = (partial(generation_name, team) for team in TEAMS)
 
 
 def _verdict(judgement: analysis.Judgement, condition: str) -> str:
@@ -467,16 +472,16 @@ def _early_opponent(matrix: Rates, kept: Sequence[Sequence[int]]) -> Stop:
         none = "Against early opponents, no earlier generation did better than the newest ones."
         return Stop(none, g, 0)
     if team == "pursuers":
-        best = matrix[:, other].argmax()
+        best = int(matrix[:, other].argmax())
         text = (
-            f"The newest pursuers lost most against evaders {other}: pursuers {g} capture "
-            f"{matrix[g, other]:.0%} of them, pursuers {best} {matrix[best, other]:.0%}."
+            f"The newest pursuers lost most against {evaders(other)}: they capture "
+            f"{matrix[g, other]:.0%} of them, and {pursuers(best)} {matrix[best, other]:.0%}."
         )
         return Stop(text, g, other)
-    best = matrix[other].argmin()
+    best = int(matrix[other].argmin())
     text = (
-        f"The newest evaders lost most against pursuers {other}: these capture "
-        f"{matrix[other, h]:.0%} of evaders {h}, and {matrix[other, best]:.0%} of evaders {best}."
+        f"The newest evaders lost most against {pursuers(other)}: these capture "
+        f"{matrix[other, h]:.0%} of them, and {matrix[other, best]:.0%} of {evaders(best)}."
     )
     return Stop(text, other, h)
 
@@ -489,8 +494,8 @@ def _checkerboard(matrix: Rates, boards: Sequence[Checkerboard]) -> Stop:
         )
     (p, q), (a, b) = boards[0].pursuers, boards[0].evaders
     text = (
-        f"A checkerboard: pursuers {p} capture {matrix[p, a]:.0%} of evaders {a} and "
-        f"{matrix[p, b]:.0%} of evaders {b}; pursuers {q} capture {matrix[q, a]:.0%} and "
+        f"A checkerboard: {pursuers(p)} capture {matrix[p, a]:.0%} of {evaders(a)} and "
+        f"{matrix[p, b]:.0%} of {evaders(b)}; {pursuers(q)} capture {matrix[q, a]:.0%} and "
         f"{matrix[q, b]:.0%}. The strongest of many, some of which noise makes."
     )
     return Stop(text, p, a, "checkerboard")

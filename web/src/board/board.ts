@@ -39,6 +39,7 @@ export class Board {
     this.#themes = new MutationObserver(() => this.redraw());
     this.#themes.observe(document.documentElement, { attributes: true });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.redraw);
+    addEventListener("beforeprint", this.#print);
   }
 
   /** Release what observes the page; the canvas stays as it is. */
@@ -46,6 +47,7 @@ export class Board {
     this.#sizes.disconnect();
     this.#themes.disconnect();
     matchMedia("(prefers-color-scheme: dark)").removeEventListener("change", this.redraw);
+    removeEventListener("beforeprint", this.#print);
     cancelAnimationFrame(this.#due);
   }
 
@@ -71,6 +73,8 @@ export class Board {
   readonly redraw = (): void => {
     if (!this.#due) this.#due = requestAnimationFrame(() => this.drawNow());
   };
+
+  readonly #print = (): void => this.drawNow();
 
   /** Draw at once, as tests and pictures need it. */
   drawNow(): void {

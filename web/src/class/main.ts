@@ -4,7 +4,8 @@ import "./class.css";
 import { playerKey } from "../board/player.ts";
 import { loadEngine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import { changeTheme, themeButton } from "../page/theme.ts";
+import { changeTheme } from "../page/theme.ts";
+import { top } from "../page/top.ts";
 import type { Data } from "./data.ts";
 import { readData } from "./data.ts";
 import { MatchPanel } from "./match.ts";
@@ -29,9 +30,7 @@ const READING = [
 ];
 
 document.getElementById("page")!.replaceWith(
-  html("header", { class: "top" },
-    html("div", {}, html("h1", {}, data.title), html("p", { class: "muted small about" }, about(data))),
-    html("div", { class: "tools" }, themeButton())),
+  top(data.title, about(data)),
   html("main", { class: "stages" },
     html("div", { class: "tables" }, standingsTable(data, "pursuer", store), standingsTable(data, "evader", store)),
     new MatrixPanel(data, store).element,

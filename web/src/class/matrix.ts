@@ -12,6 +12,8 @@ import type { Store } from "./store.ts";
 const SIDE = 1000;
 /** The most cells of a row in which numbers are readable. */
 const READABLE = 14;
+/** The least size of a letter on the screen, in pixels: where the drawing would be smaller, it scrolls. */
+const SMALLEST_LETTER = 12;
 /** The most characters of a name along a side. */
 const LONGEST = 16;
 
@@ -38,7 +40,7 @@ export class MatrixPanel {
       html("header", {},
         html("h2", {}, "All matches"),
         html("p", { class: "small muted" }, "Capture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),
-      this.#drawing,
+      html("div", { class: "drawing" }, this.#drawing),
       scaleOfRates("0", "1"),
       this.#readout,
     );
@@ -52,10 +54,11 @@ export class MatrixPanel {
     const size = SIDE / Math.max(rows, columns);
     const font = Math.min(26, Math.max(11, 0.78 * size));
     const margin = widest([...this.#data.names.pursuer, ...this.#data.names.evader].map(shortened), font) + 12;
+    const width = columns * size + margin;
     const drawing = svg("svg", {
       class: "matrix", tabindex: "0", role: "img", "aria-label": "Matrix of capture rates; arrow keys choose a match, Enter plays it",
       preserveAspectRatio: "xMidYMin meet",
-      viewBox: `${-margin} ${-margin} ${columns * size + margin} ${rows * size + margin}`,
+      viewBox: `${-margin} ${-margin} ${width} ${rows * size + margin}`,
       onpointermove: (event: PointerEvent) => this.#store.point(this.#pairAt(event, size)),
       onpointerleave: () => this.#store.point(null),
       onclick: (event: MouseEvent) => {
@@ -72,6 +75,7 @@ export class MatrixPanel {
     }));
     drawing.append(...cells, ...this.#numbers(size), ...this.#names("pursuer", size, font), ...this.#names("evader", size, font), this.#marks);
     this.#marks.dataset["size"] = String(size);
+    drawing.style.minWidth = `${(SMALLEST_LETTER / font) * width}px`;
     return drawing;
   }
 
@@ -81,7 +85,7 @@ export class MatrixPanel {
     return this.#rows.flatMap((g, row) => this.#columns.map((h, column) => {
       const value = this.#data.capture_rate[g]![h]!;
       return svg("text", {
-        x: (column + 0.5) * size, y: (row + 0.5) * size, fill: inkOn(value), "font-size": Math.min(30, 0.32 * size), class: "in-cell",
+        x: (column + 0.5) * size, y: (row + 0.5) * size, fill: inkOn(value), "font-size": Math.min(30, 0.38 * size), class: "in-cell",
       }, rate(value));
     }));
   }

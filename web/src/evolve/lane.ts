@@ -229,7 +229,7 @@ export class Lane extends EventTarget {
     const { world, payoff, seeds } = this.#run;
     const episode = this.#episode++ % payoff.episodes;
     this.newest.title.textContent = evader ? "Newest against newest" : "Generation 0: nobody has learned anything yet";
-    this.beginning.title.textContent = "Generation 0 pursuers, newest evaders";
+    this.beginning.title.textContent = "Pursuers of generation 0, newest evaders";
     for (const chase of [this.newest, this.beginning]) chase.generation = evader;
     for (const chase of [this.newest, this.beginning]) chase.label = `A match. ${chase.title.textContent}`;
     const [pursuers, evaders] = [this.#run.policy("pursuer", pursuer), this.#run.policy("evader", evader)];

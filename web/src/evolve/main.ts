@@ -4,7 +4,8 @@ import "./evolve.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import { copy, hasAddress, html } from "../page/dom.ts";
-import { changeTheme, themeButton } from "../page/theme.ts";
+import { changeTheme } from "../page/theme.ts";
+import { top } from "../page/top.ts";
 import { legend } from "../board/legend.ts";
 import { choiceOf, linkOf, settingsOf, withWall } from "./choice.ts";
 import type { Choice } from "./choice.ts";
@@ -46,17 +47,14 @@ class Page {
 
   constructor(data: EvolveData, engine: Engine) {
     [this.#data, this.#engine, this.#choice] = [data, engine, choiceOf(data, location.hash)];
-    const tools = html("div", { class: "tools", role: "group", "aria-label": "What can be done" },
+    const tools = html("div", { class: "doings", role: "group", "aria-label": "What can be done" },
       this.#side,
       html("button", { type: "button", class: "to-play", title: "Play an evader against the newest pursuers", onclick: () => this.lanes[0]!.takeOver() }, "Take over"),
       this.#walls, this.#noWalls,
       this.#rest, this.#save,
       html("button", { type: "button", class: "to-link", onclick: () => this.#showLink() }, "Link"), this.#link, this.#told);
     document.getElementById("page")!.replaceWith(
-      html("header", { class: "top" },
-        html("div", {}, html("h1", {}, "Evolve a chase"),
-          html("p", { class: "lead" }, "Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other.")),
-        themeButton()),
+      top("Evolve a chase", "Triangles chase discs. Nobody has told either team how. Press Evolve, and both learn by trial and error, against each other."),
       html("main", {},
         html("div", { class: "start" }, this.#evolve, tools, html("div", { class: "progress" }, this.#progress, this.#status)),
         this.#controls.now, this.#room, this.#controls.anew,

@@ -6,6 +6,8 @@ import type { MatchPanel } from "./match.ts";
 import type { Run } from "./data.ts";
 import type { Selection, Store } from "./store.ts";
 
+/** Milliseconds within which one choice after another is one view: keys pass over many cells. */
+const ONE_VIEW = 800;
 const LARGEST_SEED = 2n ** 64n - 1n;
 
 /** What an address names; numbers start at 0. */
@@ -31,25 +33,32 @@ export function placeOf(hash: string, runs: readonly Run[], usual: Selection): P
   };
 }
 
-/** Keep the match and its step in the address, and follow the address when it is changed. */
+/** Keep the match and its step in the address, and follow it: another match is another view, to which Back returns. */
 export function followAddress(runs: readonly Run[], store: Store, match: MatchPanel): void {
-  let own = "";
+  let [own, shown, since] = ["", JSON.stringify(store.selected), -ONE_VIEW];
   const write = (): void => {
     const { run, pursuer, evader, episode, seed } = store.selected;
     const parts = { run, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }), step: match.player.step };
+    const view = JSON.stringify(store.selected);
+    const another = view !== shown && performance.now() - since > ONE_VIEW;
+    if (view !== shown) [shown, since] = [view, performance.now()];
     own = `#${Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&")}`;
     try {
-      history.replaceState(null, "", own);
+      if (another) history.pushState(null, "", own);
+      else history.replaceState(null, "", own);
     } catch {
       // Frames of notebooks have no address of their own.
     }
   };
+  write();
   store.on("match", write);
   match.player.addEventListener("state", () => match.player.playing || write());
   match.player.addEventListener("step", () => match.player.playing || write());
   window.addEventListener("hashchange", () => {
     if (location.hash === own) return;
     const { step, ...selection } = placeOf(location.hash, runs, store.selected);
+    for (const dialog of document.querySelectorAll<HTMLDialogElement>("dialog[open]")) dialog.close();
+    shown = JSON.stringify(selection); // it has its place in the history
     store.select(selection);
     match.goTo(step);
   });

@@ -7,6 +7,7 @@ import { FITTING, Player, playerKey } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
+import { generationName } from "../page/names.ts";
 import { inkOn, viridisText } from "./colormap.ts";
 import { whyNot } from "./data.ts";
 import type { Checkerboard, Run } from "./data.ts";
@@ -27,7 +28,7 @@ export function checkerboardPanel(run: Run, store: Store, engine: () => Engine |
   const boards = findings.checkerboards.map((board) => miniature(run, board, open));
   return {
     element: card("Checkerboards",
-      "Two generations of each team: each pursuers are better against one of the evaders. Click one: its four matches side by side.",
+      "Two generations of each team: each generation of the pursuers is better against another one of the evaders. Click one: its four matches side by side.",
       boards.length
         ? html("div", { class: "boards" }, ...boards)
         : html("p", {}, `No four cells differ by more than ${findings.margin} in this way.`),
@@ -50,7 +51,7 @@ function miniature(run: Run, board: Checkerboard, open: (board: Checkerboard) =>
     return cell;
   });
   return html("button", { type: "button", class: "miniature numbers", onclick: () => open(board) },
-    html("span", {}, html("span", { class: "heard" }, `Four matches of pursuers ${p} and ${q}, evaders ${a} and ${b}:`)), html("span", { class: "evader" }, a), html("span", { class: "evader" }, b),
+    html("span", {}, html("span", { class: "heard" }, `Four matches of generations ${p} and ${q} of the pursuers, ${a} and ${b} of the evaders:`)), html("span", { class: "evader" }, a), html("span", { class: "evader" }, b),
     html("span", { class: "pursuer" }, p), cells[0]!, cells[1]!,
     html("span", { class: "pursuer" }, q), cells[2]!, cells[3]!);
 }
@@ -63,7 +64,7 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
   const player = new Player(Math.max(0, ...matches.map((match) => match.length)), { speed: FITTING, still: stillMotion() });
   const views = matches.map((match, i) => {
     const [g, h] = playable[i]!;
-    const canvas = html("canvas", { "aria-label": `Pursuers ${g} against evaders ${h}` });
+    const canvas = html("canvas", { "aria-label": `${generationName("pursuer", g)} against ${generationName("evader", h)}` });
     const tally = html("span", { class: "numbers" });
     const go = (): void => {
       dialog.close();
@@ -85,9 +86,9 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
   dialog.replaceChildren(
     html("header", {}, html("h2", {}, "Four matches of a checkerboard"), html("button", { type: "button", onclick: () => dialog.close() }, "Close")),
     html("div", { class: "grid-of-four" },
-      html("span"), ...board.evaders.map((h) => html("h3", { class: "evader" }, `evaders ${h}`)),
+      html("span"), ...board.evaders.map((h) => html("h3", { class: "evader" }, generationName("evader", h))),
       ...board.pursuers.map((g, row) => {
-        const heading = html("h3", { class: "pursuer" }, `pursuers ${g}`);
+        const heading = html("h3", { class: "pursuer" }, generationName("pursuer", g));
         heading.style.gridArea = `${row + 2} / 1`;
         return heading;
       }),

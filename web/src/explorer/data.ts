@@ -1,6 +1,7 @@
 // What the page holds of its runs; `matrixworld.explorer.runs_page` writes it.
 
 import { unzlibSync } from "fflate";
+import { generationName } from "../page/names.ts";
 import type { PageData } from "../playground/data.ts";
 import type { Memory, NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
@@ -85,6 +86,8 @@ interface OfTeams<Value> {
 }
 
 export interface Findings {
+  /** What happened, in plain words; none while a race goes on. */
+  readonly sentence?: string;
   readonly headline: string;
   readonly numbers: readonly string[];
   readonly table: readonly (readonly [string, string, string, string])[];
@@ -147,7 +150,7 @@ export function whyNot(run: Run, team: Team, generation: number): string {
   const { script, network, kept, genomes } = run.teams[team];
   if (script !== null || network === null) return "";
   if (!kept.includes(generation)) {
-    return `The page holds no genome of ${team}s ${generation}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
+    return `The page holds no genome of ${generationName(team, generation)}: it would be too large. Choose a generation of ${kept.join(", ")}.`;
   }
   const expected = kept.length * network.genome_size;
   if (genomesOf(genomes, network.genome_size).length === expected) return "";

@@ -2,6 +2,7 @@
 
 import { html } from "../page/dom.ts";
 import type { Run } from "./data.ts";
+import { capital } from "./format.ts";
 import { card } from "./panel.ts";
 import type { Panel } from "./panel.ts";
 
@@ -22,7 +23,8 @@ export function diagnosisPanel(run: Run): Panel | null {
   });
   const element = card(
     "What happened", "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
-    html("p", { class: "headline" }, findings.headline),
+    html("p", { class: "headline" }, findings.sentence),
+    html("p", {}, findings.headline),
     ...findings.numbers.map((line) => html("p", { class: "numbers" }, `${capital(line)}.`)),
     html("ul", { class: "findings" }, ...items),
     run.limits ? html("p", { class: "small" }, run.limits) : null,
@@ -36,5 +38,3 @@ function reasonOf(text: string): string {
   const [, reason = ""] = text.split(/, because (.*)/s);
   return capital(reason.replace(/\.$/, ""));
 }
-
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

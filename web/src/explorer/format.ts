@@ -11,6 +11,8 @@ export function interval(value: number | null, low: number | null, high: number 
 
 export const thousands = (value: number): string => value.toLocaleString("en-GB");
 
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** Return round values inside a range, about as many as wanted. */
 export function ticks(low: number, high: number, wanted: number, whole = false): number[] {
   const rough = (high - low) / Math.max(1, wanted);

@@ -1,7 +1,6 @@
 // What an agent sees, and what its network answers.
 
 import type { Engine, Match, Solution, World } from "../engine/engine.ts";
-import { whyNotSolved } from "../engine/solution.ts";
 import { html } from "../page/dom.ts";
 import { ACTIONS, agentName } from "../page/names.ts";
 import { policyOf } from "./data.ts";
@@ -104,12 +103,10 @@ export class Inspector {
       ? `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`
       : policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
     const columns = [["network", own], ["perfect", game?.marginal(agent) ?? null]] as const;
-    const why = whyNotSolved(match.config);
     const line = (text: string): HTMLElement => html("p", { class: "small muted" }, text);
     this.#say([
       ...(game ? [line(`Value ${game.value.toFixed(2)} under perfect play.`)] : []),
       ...table(columns, taken),
-      ...(why ? [line(`Perfect play is not known: ${why}.`)] : []),
     ], taken === null ? "The episode is over." : told);
   }
 

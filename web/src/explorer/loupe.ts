@@ -1,6 +1,7 @@
 // The loupe: where fingers miss a cell of the matrix, a tap shows the cells around it in the size of a finger.
 
 import { html } from "../page/dom.ts";
+import { generationName } from "../page/names.ts";
 import { inkOn, viridisText } from "./colormap.ts";
 import { cellOf } from "./data.ts";
 import type { Run } from "./data.ts";
@@ -37,7 +38,7 @@ function cellButton(
 ): HTMLElement {
   const value = cellOf(run, pursuer, evader)?.rate;
   const button = html("button", {
-    type: "button", "aria-label": `${rate(value)}: pursuers ${pursuer} against evaders ${evader}`, onclick: () => choose({ pursuer, evader }),
+    type: "button", "aria-label": `${rate(value)}: ${generationName("pursuer", pursuer)} against ${generationName("evader", evader)}`, onclick: () => choose({ pursuer, evader }),
   }, rate(value));
   if (value !== undefined) [button.style.backgroundColor, button.style.color] = [viridisText(value), inkOn(value)];
   return button;

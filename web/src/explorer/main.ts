@@ -4,7 +4,7 @@ import "./explorer.css";
 import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import { themeButton } from "../page/theme.ts";
+import { top } from "../page/top.ts";
 import { followAddress, placeOf } from "./address.ts";
 import { readData } from "./data.ts";
 import { guidedMinute } from "./guided_minute.ts";
@@ -37,13 +37,18 @@ match.actions.append(shareButton);
 let engine: Engine | null = null;
 const note = html("aside", { class: "note small muted" }, data.note);
 
+/** What happened in the race that is shown. */
+const told = html("span", { class: "told", "aria-live": "polite" });
+const tell = (): void => {
+  told.textContent = runs[store.selected.run]!.findings?.sentence ?? "";
+};
+store.on("run", tell);
+tell();
 const LEAD = "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
 
 document.getElementById("page")!.replaceWith(
-  html("header", { class: "top" },
-    html("div", {}, html("h1", {}, data.heading), html("p", { class: "lead" }, LEAD)),
-    html("div", { class: "tools" }, minute.button, themeButton(),
-      html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?"))),
+  top(data.heading, html("span", {}, told, html("span", { class: "small muted" }, LEAD)), minute.button,
+    html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?")),
   ...(data.note ? [note] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
@@ -72,8 +77,11 @@ followAddress(runs, store, match);
 listenToKeys(runs, store, match, help, () => takeOver.open(), () => openPlayground(match.shown, data.playground));
 window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(engine, new URL(newURL).hash));
 if (data.live !== null) {
-  followRuns(data.live, runs, store, () => match.player.playing || takeOver.dialog.open, () => {
-    note.textContent = "The command has ended. This page shows what it had played; explorer.html is beside the runs if they have finished.";
+  const [bar, line] = [html("progress", { "aria-label": "Progress of the runs" }), html("p", { class: "numbers" })];
+  note.prepend(html("div", { class: "progress" }, bar, line));
+  followRuns(data.live, runs, store, () => match.player.playing || takeOver.dialog.open, (progress) => {
+    if (progress) [bar.value, line.textContent] = [progress.share, progress.text];
+    else note.textContent = "The command has ended. This page shows what it had played; explorer.html is beside the runs if they have finished.";
   });
 }
 

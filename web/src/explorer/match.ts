@@ -9,10 +9,12 @@ import { captureSteps } from "../board/recording.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
+import { generationName } from "../page/names.ts";
 import type { Champions, PageData } from "../playground/data.ts";
 import { TEAMS, policyOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
+import { capital } from "./format.ts";
 import { Inspector } from "./inspector.ts";
 import { playedMatch } from "./play.ts";
 import type { Selection, Store } from "./store.ts";
@@ -169,7 +171,7 @@ export class MatchPanel {
   /** Return the names of what plays for the teams of a match. */
   names({ run, pursuer, evader }: Selection): [pursuers: string, evaders: string] {
     const { teams } = this.#runs[run]!;
-    return [teams.pursuer.script ?? `pursuers ${pursuer}`, teams.evader.script ?? `evaders ${evader}`];
+    return [teams.pursuer.script ?? generationName("pursuer", pursuer), teams.evader.script ?? generationName("evader", evader)];
   }
 
   #entitle(): void {
@@ -180,7 +182,7 @@ export class MatchPanel {
       ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`
       : `seed ${seed}`;
     this.#title.replaceChildren(
-      html("span", { class: "pursuer" }, pursuers), " against ",
+      html("span", { class: "pursuer" }, capital(pursuers)), " against ",
       html("span", { class: "evader" }, evaders), html("span", { class: "muted small" }, place),
     );
   }

@@ -2,10 +2,11 @@
 // sides the mean score of each generation against all opponents.
 
 import { html, svg } from "../page/dom.ts";
+import { generationName } from "../page/names.ts";
 import { listenToArrows } from "./arrow_keys.ts";
 import { cellOf } from "./data.ts";
 import type { Band, Run } from "./data.ts";
-import { interval, rate, ticks } from "./format.ts";
+import { capital, interval, rate, ticks } from "./format.ts";
 import { drawCells, scaleOfRates } from "./heatmap.ts";
 import { loupe, needsLoupe } from "./loupe.ts";
 import type { Store } from "./store.ts";
@@ -92,6 +93,11 @@ export class MatrixPanel {
     const places = { width, height, left, top, cell, rows, columns };
     this.#places = places;
     drawCells(this.#canvas, this.#run.payoff, { left, top, width: columns * cell, height: rows * cell });
+    // In parts of the room, which has another size on paper.
+    for (const [name, pixels, whole] of [["left", left, width], ["top", top, height], ["width", columns * cell, width], ["height", rows * cell, height]] as const) {
+      this.#canvas.style.setProperty(name, `${(100 * pixels) / whole}%`);
+    }
+    this.#room.style.setProperty("--shape", `${width} / ${height}`);
     this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.#overlay.replaceChildren(axes(places), ...diagonal(places), ...this.#curves(places), this.#marks);
     this.#mark();
@@ -157,7 +163,7 @@ export class MatrixPanel {
     const h = hover.evader ?? selected.evader;
     const cell = cellOf(this.#run, g, h);
     this.#pair.replaceChildren(
-      html("span", { class: "pursuer" }, `Pursuers ${g}`), " against ", html("span", { class: "evader" }, `evaders ${h}`));
+      html("span", { class: "pursuer" }, capital(generationName("pursuer", g))), " against ", html("span", { class: "evader" }, generationName("evader", h)));
     this.#rate.textContent = cell ? rate(cell.rate, 3) : "-";
     this.#more.textContent = cell ? `capture rate, mean of ${cell.rates.length} episodes` : "no episodes were played";
     this.#all.textContent = this.#scores(g, h);

@@ -7,9 +7,9 @@ import { html } from "../page/dom.ts";
 import { ACTIONS } from "../page/names.ts";
 import { ARROWS } from "../playground/words.ts";
 
-/** The keys around S, as they lie on a keyboard; where Y and Z are exchanged, Y as well. */
+/** W A S D as in most games, with the diagonals around them; where Y and Z are exchanged, Y as well. */
 const KEYS: Readonly<Record<string, number>> = {
-  " ": 0, s: 0, ArrowUp: 1, w: 1, ArrowRight: 2, d: 2, ArrowDown: 3, x: 3, ArrowLeft: 4, a: 4, e: 5, c: 6, y: 7, z: 7, q: 8,
+  " ": 0, ArrowUp: 1, w: 1, ArrowRight: 2, d: 2, ArrowDown: 3, s: 3, ArrowLeft: 4, a: 4, e: 5, c: 6, y: 7, z: 7, q: 8,
 };
 /** The order of a numeric keypad, and of the pad on the screen, row by row. */
 const PAD = [8, 1, 5, 4, 0, 2, 7, 3, 6];

@@ -24,7 +24,7 @@ export function escapeGame(view: PlayView, world: WorldConfig, pursuers: readonl
   const [config, rivals, scores] = [worldOf(world), ladder(pursuers), [] as number[]];
   const score = (): string => `${scores.reduce((sum, each) => sum + each, 0)} of ${STEPS * rivals.length}`;
   const round = (): void => view.play({
-    title: `Can you escape it? Round ${scores.length + 1} of ${rivals.length}: ${rivals[scores.length]!.name}`,
+    title: `Can you escape it? Round ${scores.length + 1} of ${rivals.length}, pursuers: ${rivals[scores.length]!.name}`,
     about: rivals[scores.length]!.text && `${rivals[scores.length]!.name}: ${rivals[scores.length]!.text}`,
     played: {
       config, seed: randomSeed(), episode: 0, seat: config.n_pursuers, from: 0, moves: [],

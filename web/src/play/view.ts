@@ -47,7 +47,8 @@ export class PlayView {
   readonly #pace = html("select", {}, ...PACES.map((each) => html("option", { value: each }, each ? `${each} / s` : "step by step")));
   readonly #fog = html("input", { type: "checkbox" });
   readonly #best = html("input", { type: "checkbox" });
-  readonly #whyNot = html("span");
+  /** Shown where the world can be solved. */
+  readonly #bestChoice = html("label", { class: "play-choice" }, this.#best, "Best move");
   readonly #keys = html("p", { class: "small muted play-keys", id: "play-keys" });
   readonly #ending = html("section", { class: "play-ending", tabindex: -1, "aria-labelledby": "play-headline" });
   readonly #bar = playerBar(this.player);
@@ -81,7 +82,7 @@ export class PlayView {
         this.#ending, this.#pad.element,
         html("label", { class: "play-choice", title: "Steps a second" }, "Pace ", this.#pace),
         html("label", { class: "play-choice" }, this.#fog, html("span", {}, "Fog", html("span", { class: "at-length" }, ": see only what it sees"))),
-        html("label", { class: "play-choice" }, this.#best, this.#whyNot),
+        this.#bestChoice,
         this.#keys),
       this.#bar,
     );
@@ -149,7 +150,7 @@ export class PlayView {
     this.#canvas.ariaLabel = `Board, ${live.config.rows} by ${live.config.cols} cells`;
     this.#pad.show(live.config.diagonal);
     this.#keys.replaceChildren(
-      html("span", { class: "at-length" }, `Arrow keys or W A X D move, Space or S stays${live.config.diagonal ? "; Q E Z C and the numeric keypad move diagonally" : ""}. `),
+      html("span", { class: "at-length" }, `W A S D or the arrow keys move, Space stays${live.config.diagonal ? "; Q E Z C and the numeric keypad move diagonally" : ""}. `),
       "On the board: swipe, or tap where to go.");
     this.#solve(live);
     this.#ending.replaceChildren();
@@ -166,10 +167,7 @@ export class PlayView {
   #solve(live: Live): void {
     this.#solution = null;
     this.#losses = this.player.ticks = [];
-    const why = whyNotSolved(live.config);
-    this.#best.hidden = this.#best.disabled = Boolean(why);
-    this.#whyNot.className = why ? "small muted" : "";
-    this.#whyNot.textContent = why ? `No best move: ${why}` : "Best move";
+    this.#bestChoice.hidden = this.#best.disabled = Boolean(whyNotSolved(live.config));
     void solved(this.#engine, live.config, scoreOf(live.config)).then((solution) => {
       if (this.#live !== live) return;
       this.#solution = solution;
@@ -254,9 +252,9 @@ export class PlayView {
     const [live, seat, { step }] = [this.#live, this.#seat, this.player];
     if (!live || step > live.length) return;
     const about = wordsOf(live, live.recording, step).filter(({ agents }) => seat === null || agents.includes(seat));
-    const sentences = [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
-    if (this.#game && step === 0) sentences.push(this.#game.about ?? "", goal(live.config, seat!));
-    else if (seat !== null) sentences.push(nearest(live, step, seat));
+    const begins = this.#game && step === 0;
+    const sentences = begins ? [goal(live.config, seat!), this.#game!.about ?? ""] : [`Step ${step} of ${live.config.max_steps}`, ...about.map(({ text }) => text)];
+    if (!begins && seat !== null) sentences.push(nearest(live, step, seat));
     sentences.push(...this.#losses.filter((loss) => loss.step === step).map(lossText));
     const perfect = step === live.length && seat !== null ? this.#perfect : null;
     if (perfect) sentences.push(`Perfect play: ${perfectText(perfect, seat!) || "decided in its turn"}; ${worthText(this.#solution!, perfect, step)}`);
@@ -269,8 +267,8 @@ export class PlayView {
 function goal(config: WorldConfig, seat: number): string {
   const all = config.rules.capture === "SURROUND";
   return teamOf(config, seat) === "evader"
-    ? `Stay free: ${all ? "pursuers on all sides of you capture" : "a pursuer on your cell captures"} you`
-    : `Capture evaders: ${all ? "surround them together" : "reach their cell"}`;
+    ? `Run away: you win if ${all ? "the pursuers do not surround you" : "no pursuer reaches your cell"} in ${config.max_steps} steps`
+    : `Capture evaders: ${all ? "surround them with your team" : "move onto their cells"}`;
 }
 
 /** Return where the nearest opponent is that an agent sees. */

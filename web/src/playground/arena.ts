@@ -61,7 +61,7 @@ function arm(store: Store, place: number): Control {
 export function rulesName(store: Store, place: number): string {
   const rules = place ? store.scene.others : store.scene.rules;
   const variant = rules && variantOf(rules, store.data.variants);
-  return variant ? `-${variant}` : "own rules";
+  return variant || "own rules";
 }
 
 // ---- Pointer

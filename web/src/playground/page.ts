@@ -3,7 +3,7 @@
 import "./playground.css";
 
 import { html } from "../page/dom.ts";
-import { themeButton } from "../page/theme.ts";
+import { top } from "../page/top.ts";
 import { agentsPanel } from "./agents_panel.ts";
 import { arena } from "./arena.ts";
 import { keysDialog, shareDialog } from "./dialogs.ts";
@@ -20,11 +20,9 @@ export function showPlayground(root: HTMLElement, store: Store): void {
   const share = shareDialog(store);
   const keys = keysDialog();
   const openKeys = (): void => keys.showModal();
-  const header = html("header", { class: "top" },
-    html("h1", {}, html("span", { class: "muted" }, "matrixworld "), "playground"),
-    html("div", { class: "buttons" }, undoButton(store),
-      html("button", { type: "button", title: "Link to this scene (L)", onclick: share.open }, "Share"),
-      html("button", { type: "button", title: "Keys (?)", onclick: openKeys }, "Keys"), themeButton()));
+  const header = top("Playground", "Give agents their moves, predict what happens, and play the step.", undoButton(store),
+    html("button", { type: "button", title: "Link to this scene (L)", onclick: share.open }, "Share"),
+    html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: openKeys }, "?"));
   const main = html("main", { class: "layout" },
     rulesPanel(store),
     html("section", { class: "card stage", "aria-label": "Board" }, arena(store), toolbar(store)),

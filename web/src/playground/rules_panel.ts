@@ -30,7 +30,7 @@ function variants(store: Store): Control {
   const buttons = names.map((name) => html("button", {
     type: "button", class: "chip", title: store.data.titles[name],
     onclick: () => change(store, { ...store.scene, rules: store.data.variants[name]! }),
-  }, `-${name}`));
+  }, name));
   const title = html("p", { class: "muted small variant-title" });
   return {
     element: html("div", { class: "variants" },
@@ -77,7 +77,7 @@ function comparison(store: Store): Control {
     html("option", { value: "" }, "nothing"),
     html("option", { value: "present" }, "the present rules"),
     html("option", { value: "own", hidden: true }, "own rules"),
-    ...names.map((name) => html("option", { value: name }, `-${name}: ${store.data.titles[name]}`)));
+    ...names.map((name) => html("option", { value: name }, `${name}: ${store.data.titles[name]}`)));
   select.addEventListener("change", () => {
     const rules = { "": null, present: store.scene.rules }[select.value];
     change(store, { ...store.scene, others: rules === undefined ? store.data.variants[select.value]! : rules });
