@@ -277,6 +277,20 @@ class BufferedBatch {
         });
     }
 
+    // The next turn of the round.
+    void play_turn(const py::array& actions) {
+        const InUse::Call call(in_use_);
+        const Shape shape{batch_.n_worlds(), batch_.setup().config.n_agents()};
+        with_integers("actions", actions, shape, [&](const auto* given) {
+            const py::gil_scoped_release release;
+            batch_.play_turn(given, held_.buffers);
+        });
+    }
+
+    int turn() const { return batch_.turn(); }
+    int n_turns() const { return batch_.n_turns(); }
+    std::pair<int, int> actors() const { return batch_.actors(); }
+
     // Policies are candidates of one genome, or None where something else decides.
     void decide(const py::list& policies, const Array<std::int32_t>& chosen, int first, int last,
                 const py::array& actions) {
@@ -302,10 +316,9 @@ class BufferedBatch {
         batch_.decide(candidates, numbers, first, last, out);
     }
 
-    // Between two steps no round is in progress: the next turn is turn 0.
     py::dict snapshot(int w) {
         const InUse::Call call(in_use_);
-        return to_dict(batch_.snapshot(w), batch_.setup().config, 0);
+        return to_dict(batch_.snapshot(w), batch_.setup().config, batch_.turn());
     }
 
   private:
@@ -341,6 +354,10 @@ void bind_worlds(py::module_& m) {
         .def("reset", &BufferedBatch::reset, py::arg("seeds"), py::arg("episode"), py::arg("mask"),
              py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
         .def("step", &BufferedBatch::step, py::arg("actions"))
+        .def("play_turn", &BufferedBatch::play_turn, py::arg("actions"))
+        .def("turn", &BufferedBatch::turn)
+        .def("n_turns", &BufferedBatch::n_turns)
+        .def("actors", &BufferedBatch::actors)
         .def("decide", &BufferedBatch::decide, py::arg("policies"), py::arg("chosen").noconvert(),
              py::arg("first"), py::arg("last"), py::arg("actions"))
         .def("snapshot", &BufferedBatch::snapshot, py::arg("world"));

@@ -20,6 +20,7 @@ Batch::Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Au
       worlds_(static_cast<std::size_t>(n_worlds), World(setup_)),
       statistics_(worlds_.size(), StatisticsAccumulator(setup_->config)),
       actions_(worlds_.size() * setup_->config.n_agents(), 0),
+      was_over_(worlds_.size(), 0),
       workers_(n_threads) {
     for (int i = 0; i < workers_.n_threads(); ++i) {
         workspaces_.push_back(std::make_unique<Workspace>(*setup_));
@@ -49,6 +50,7 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (!mask || mask[w]) worlds_[w].check(placement(w));
     }
+    turn_ = 0;
     for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
         if (mask && !mask[w]) return;
         const EpisodeKey key = seeds ? EpisodeKey{seeds[w], episode} : next_episode(world);
@@ -106,23 +108,28 @@ void Batch::begin(World& world, std::size_t w, EpisodeKey key, Scratch& scratch,
     statistics_[w] = StatisticsAccumulator(setup_->config);
 }
 
-void Batch::play(const Buffers& buffers) {
+void Batch::play(int turns, const Buffers& buffers) {
     for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
-        play(world, w, workspace, buffers);
+        play(turns, world, w, workspace, buffers);
     });
+    turn_ = (turn_ + turns) % n_turns();
 }
 
-void Batch::play(World& world, std::size_t w, Workspace& workspace, const Buffers& buffers) {
+void Batch::play(int turns, World& world, std::size_t w, Workspace& workspace,
+                 const Buffers& buffers) {
     Scratch& scratch = *workspace.scratch;
     OutputSource& source = workspace.source;
-    const bool was_over = world.over();
     source.look_at(world, scratch.occupancy);
-    source.acts = !was_over;
-    buffers.write(Written::StepStart, source, w);
+    if (turn_ == 0) {
+        was_over_[w] = world.over();
+        source.acts = !was_over_[w];
+        buffers.write(Written::StepStart, source, w);
+    }
 
-    advance(world, w, scratch, buffers);
+    advance(turns, world, w, scratch, buffers);
     source.look_at(world, scratch.occupancy);
-    source.ended = world.over() && !was_over;
+    source.acts = !was_over_[w];
+    source.ended = turn_ + turns == n_turns() && world.over() && !was_over_[w];
     buffers.write(Written::Step, source, w);
     if (source.ended) finish(world, w, source, buffers);
 
@@ -135,21 +142,28 @@ void Batch::play(World& world, std::size_t w, Workspace& workspace, const Buffer
     world.leave(scratch);
 }
 
-// Plays a round, or what takes its place in a world that is over. The world is in the scratch
+// Plays turns, or what takes their place in a world that was over. The world is in the scratch
 // afterwards.
-void Batch::advance(World& world, std::size_t w, Scratch& scratch, const Buffers& buffers) {
-    if (world.over() && autoreset_ == Autoreset::NextStep) {
+void Batch::advance(int turns, World& world, std::size_t w, Scratch& scratch,
+                    const Buffers& buffers) {
+    if (was_over_[w] && autoreset_ == Autoreset::NextStep) {
         begin(world, w, next_episode(world), scratch);
         return;
     }
-    if (world.over()) {
+    if (was_over_[w]) {
         world.enter(scratch);
-        world.begin_round();  // clears rewards and reports; no turn follows
+        if (turn_ == 0) world.begin_round();  // clears rewards and reports
         return;
     }
-    // Where all agents of a turn move together, a turn itself brings them into the scratch.
-    if (world.one_by_one()) world.enter(scratch);
-    world.step(actions_.data() + w * setup_->config.n_agents(), scratch);
+    // Where all agents of a turn move together, a turn itself brings them into the scratch. A turn
+    // without actors, which is skipped, does not; of a whole round one turn has some.
+    if (world.one_by_one() || turns < n_turns()) world.enter(scratch);
+    if (turn_ == 0) world.begin_round();
+    const int end = turn_ + turns;
+    const std::uint8_t* actions = actions_.data() + w * setup_->config.n_agents();
+    for (int turn = turn_; turn < end; ++turn) world.play_turn(turn, actions, scratch);
+    if (end < n_turns()) return;
+    world.end_round();
     if (buffers.has(Written::EpisodeEnd)) statistics_[w].add(world, scratch.occupancy);
 }
 

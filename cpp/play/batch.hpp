@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "game/world.hpp"
@@ -75,11 +76,28 @@ class Batch {
 
     // Plays one round, with actions (W, A), in every world that is not over; `Autoreset` says what
     // happens in the others. Throws std::invalid_argument if an agent that acts has an action out
-    // of range; then no world has changed.
+    // of range; then no world has changed. No round may be in progress.
     template <typename Integer>
     void step(const Integer* actions, const Buffers& buffers) {
-        commit(actions);
-        play(buffers);
+        commit(actions, {0, setup_->config.n_agents()});
+        play(n_turns(), buffers);
+    }
+
+    // Plays the next turn of a round, for policies that observe before their own turn. What belongs
+    // to a round, such as its rewards, is written as it is so far; `Autoreset` must be Disabled.
+    template <typename Integer>
+    void play_turn(const Integer* actions, const Buffers& buffers) {
+        commit(actions, actors());
+        play(1, buffers);
+    }
+
+    int n_turns() const { return worlds_[0].n_turns(); }
+    int turn() const { return turn_; }  // the next one of the round, from 0
+    // The range [first, last) of the agents that act in it.
+    std::pair<int, int> actors() const {
+        std::pair<int, int> range;
+        worlds_[0].actors(turn_, range.first, range.second);
+        return range;
     }
 
     // Writes the actions that policies[chosen[w]] chooses for the living agents [first, last) of
@@ -117,14 +135,14 @@ class Batch {
     };
 
     template <typename Integer>
-    void commit(const Integer* actions);
-    void play(const Buffers& buffers);
+    void commit(const Integer* actions, std::pair<int, int> agents);
+    void play(int turns, const Buffers& buffers);
     template <typename Play>
     void for_each_world(Play play);
-    void play(World& world, std::size_t w, Workspace& workspace, const Buffers& buffers);
+    void play(int turns, World& world, std::size_t w, Workspace& workspace, const Buffers& buffers);
     void begin(World& world, std::size_t w, EpisodeKey key, Scratch& scratch,
                const Placement& placement = {});
-    void advance(World& world, std::size_t w, Scratch& scratch, const Buffers& buffers);
+    void advance(int turns, World& world, std::size_t w, Scratch& scratch, const Buffers& buffers);
     void finish(const World& world, std::size_t w, OutputSource& source, const Buffers& buffers);
 
     std::shared_ptr<const Setup> setup_;
@@ -132,19 +150,22 @@ class Batch {
     std::vector<World> worlds_;
     std::vector<StatisticsAccumulator> statistics_;  // of the worlds' episodes so far
     std::vector<std::uint8_t> actions_;              // (W, A), checked
+    int turn_ = 0;                                   // the next one of the round in progress
+    std::vector<std::uint8_t> was_over_;             // (W,) before the round
     Workers workers_;
     std::vector<std::unique_ptr<Workspace>> workspaces_;  // by thread
 };
 
 template <typename Integer>
-void Batch::commit(const Integer* actions) {
+void Batch::commit(const Integer* actions, std::pair<int, int> agents) {
     const std::size_t n_agents = static_cast<std::size_t>(setup_->config.n_agents());
     if (copy_below(setup_->config.n_actions(), actions, actions_.size(), actions_.data())) return;
-    // Some action is out of range, which is allowed for gone agents and in worlds that are over.
+    // Some action is out of range, which is allowed for agents that are gone or do not act, and in
+    // worlds that are over.
     std::fill(actions_.begin(), actions_.end(), std::uint8_t{0});
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (worlds_[w].over()) continue;
-        commit_actions(worlds_[w], w, 0, static_cast<int>(n_agents), actions + w * n_agents,
+        commit_actions(worlds_[w], w, agents.first, agents.second, actions + w * n_agents,
                        actions_.data() + w * n_agents);
     }
 }

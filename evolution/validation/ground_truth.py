@@ -1,38 +1,45 @@
-"""Which measure tells the truth? Races in a world whose perfect play is known.
+"""Can a race be judged by its own matrix? Races in worlds whose perfect play is known.
 
-    python evolution/validation/ground_truth.py           ten seeds of each schedule, half an hour
+    python evolution/validation/ground_truth.py           30 seeds of each race, two core-hours
     python evolution/validation/ground_truth.py --quick   two seeds of tiny races, some seconds
 
-The world is that of ``small_world.toml``. The truth about a generation is what it *guarantees*: its
-score (capture rate of pursuers, escape rate of evaders) against the best response, computed exactly
-(docs/ground_truth.md). Beside it stands what the package's measures say. Three questions:
+The truth about a generation is what it *guarantees*: its score (capture rate of pursuers, escape
+rate of evaders) against the best response, computed exactly (docs/ground_truth.md). Beside it
+stands what the package's measures say. The worlds:
 
-- *generations*: which of two generations of a race is better? Spearman's correlation over the
-  generations of a race, mean over the races of a seed; numbers have four digits, and a race whose
-  generations all guarantee the same does not count;
-- *champions*: which of two races has the better last generation? Correlation over races;
-- *changes*: in which of two races did a team improve more? Correlation over races, of linear
-  changes (slope times length, as a gain is).
+- *chase* (two against one) and *split* (one against two): agents take turns, contact captures;
+- *surround* (two against one): agents take turns, pursuers capture by surrounding;
+- *together* (two against one): all move at once, as in O. There whoever knows the probabilities of
+  a champion beats it nearly always, so that no champion guarantees anything: a control, in which
+  no measure should find a rise.
 
-Intervals are over seeds, which are independent; races of a seed begin with the same genomes, and
-generations follow from each other. For correlations over races they come from a jackknife that
-leaves out one seed after the other. Each interval speaks of its own row.
+Questions, over the three worlds with turns:
 
-Judgement. A team *rises* in a window if its guaranteed score changes by ``RISES`` or more
-(linearly), and does not rise if it changes by ``STAYS`` at most; in between the truth is open, and
-the race is not counted. Arms race: both teams rise; it is false if one does not. One-sided
-progress: one rises, the other does not; false if both or none rise. Rise: a team rises; false if
-none does. Stagnation: no team changes by more than ``STAYS``; false if one changes by ``RISES``.
-The thresholds were set when one race of each schedule had been seen. The judgement is about scores
-against the opponents of the race, so an error here is an error of the reader who takes it for more.
+- *rises*: did a team become better? It *rises* in a race if what it guarantees changes by `RISES`
+  or more (least-squares slope times length), and does not if it changes by `STAYS` at most; in
+  between the truth is open, and the race is not counted. A measure says so if it changes by
+  `RISES` or more. Hits are of races that rise, false alarms of those that do not. The *area* under
+  the curve of both, over all thresholds, is the probability that a race which rises has the larger
+  change of the measure: 1 is perfect, 0.5 is chance.
+- *choice*: which generation of a race is best? *Lost* is what the best one guarantees minus what
+  the generation guarantees to which a measure gives the highest score (of equals the latest).
+- *generations*: Spearman's correlation with the truth over the generations of a race; races whose
+  generations all guarantee the same do not count.
+- *judgement*: arms race: both teams rise; false if one does not. One-sided progress: one rises, the
+  other does not; false if both or none rise. Rise: a team rises; false if none does. Stagnation: no
+  team changes by more than `STAYS`; false if one changes by `RISES`. The judgement is about scores
+  against the opponents of the race, so an error here is an error of the reader who takes it for
+  more. Groups are ten races of the same settings; their truth is the mean course.
 
-Best responses to the champions of generalists are learned, too, and compared with the exact ones.
+Numbers have four digits. Intervals are over seeds, whose races are independent: each seed gives one
+number, over all its races. Areas have a jackknife that leaves out one seed after the other. Each
+interval speaks of its own row. Worlds, thresholds and tables were decided when single races of
+seed 0 had been seen.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -45,14 +52,12 @@ from scipy import stats
 import _paths  # noqa: F401
 import matrixworld as mw
 from common import (
-    SMALL_STEPS,
     Numbers,
     Runs,
     by_seed,
     experiment,
     kept,
     kinds_in,
-    long_race,
     markdown,
     mean,
     scores_against,
@@ -60,37 +65,43 @@ from common import (
 )
 from judgement_tables import RATE_HEADS, count_verdicts, errors_of, read_counts
 from judgement_truths import WINDOWS
-from matrixworld import analysis
-from matrixworld._util.files import load_toml
-from matrixworld.coevolution import (
-    TEAMS,
-    RaceSettings,
-    SavedRun,
-    Team,
-    best_responses,
-    open_run,
-    score,
-)
-from matrixworld.coevolution.types import FloatArray, other
-from matrixworld.solve import States, expected_payoff, guarantees
+from matrixworld import Capture, Interaction, Outcome, Rules, analysis
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team, score
+from matrixworld.coevolution.types import BoolArray, FloatArray, other
+from matrixworld.solve import States, guarantees
 
-SMALL = load_toml(Path(__file__).parents[1] / "small_world.toml")
-SHORT = {"match_episodes": 4, "schedule.generations": 20}
-"""Races shorter than those of the file, of which many are needed."""
-QUICK = {
-    "world.rows": 3, "world.cols": 3, "world.max_steps": 2, "learner.population": 4,
-    "schedule.generations": 8,
+SURROUND = Rules(Interaction.AGENT_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
+WORLDS: dict[str, dict[str, Any]] = {
+    "chase": {"rules": "TO", "rows": 5, "cols": 5, "n_pursuers": 2, "n_evaders": 1, "max_steps": 4},
+    "split": {"rules": "TO", "rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": 2, "max_steps": 5},
+    "surround": {
+        "rules": SURROUND, "rows": 3, "cols": 3, "n_pursuers": 2, "n_evaders": 1, "max_steps": 4,
+    },
+    "together": {
+        "rules": "O", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 5,
+    },
 }  # fmt: skip
-SCHEDULES = (
-    "specialist-specialist", "generalist-specialist", "generalist-generalist", "hall-of-fame",
-    "psro",
-)  # fmt: skip
-BUDGETS = (2_000, 5_000, 20_000, 200_000)
-"""Matches of learned responses."""
-RESPONSES_TO = "generalist-generalist"
-"""Schedule to whose champions responses are learned."""
+CONTROL = "together"
+SCHEDULES: dict[str, dict[str, Any]] = {
+    "specialists": {"schedule": "specialist-specialist"},
+    "generalists": {"schedule": "generalist-generalist"},
+    "hall of fame": {"schedule": "hall-of-fame"},
+    "MaxSolve": {
+        "schedule": "alternating", **{f"schedule.{team}s_meet": "maxsolve" for team in TEAMS},
+    },
+    "PSRO": {"schedule": "psro"},
+}  # fmt: skip
+RACE = {
+    "match_episodes": 16, "evaluation_episodes": 20, "policy.hidden": [16],
+    "learner.population": 32, "learner.sigma": 0.3, "learner.relative_sigma": 1.0,
+    "learner.learning_rate": 0.1, "schedule.generations": 30,
+}  # fmt: skip
+QUICK = {"learner.population": 4, "schedule.generations": 8, "match_episodes": 2}
+EPOCHS = 30
 HELD_OUT_EPISODES = 100
 RISES, STAYS = 0.02, 0.005
+GROUP = 10
+"""Races of a group."""
 
 MEASURES = {
     "current": "the opponent of the same generation",
@@ -101,26 +112,36 @@ MEASURES = {
     "elo": "Elo rating within the race",
     "held_out": "held-out opponents",
     "others": "champions of other seeds",
-    "response": "learned response",
 }
 """What a generation is scored against; numbers (seeds, teams, generations), as ``truth``."""
 JUDGED = ("arms race", "one-sided progress", "rise", "stagnation")
-"""Conditions whose truth is known; ``verdicts`` (seeds, windows, conditions) are those on them."""
+"""Conditions whose truth is known; ``verdicts`` (seeds, windows, conditions) are those on them, and
+``of groups`` (groups, windows, conditions)."""
 
 
 # ---- Races and their numbers ---------------------------------------------------------------------
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
-    """Return the settings of a race of each schedule."""
-    found = {}
-    for schedule in SCHEDULES:
-        found[schedule] = RaceSettings.of(SMALL | long_race(schedule)).changed(SHORT)
-        if quick:
-            epochs = [name for name in vars(found[schedule].schedule) if name.endswith("_epochs")]
-            few = {f"schedule.{name}": 2 for name in epochs}
-            found[schedule] = found[schedule].changed(QUICK | few)
-    return found
+    """Return the settings of a race of each schedule in each world."""
+    return {
+        f"{name}, {schedule}": settings(world, changes, quick)
+        for name, world in WORLDS.items()
+        for schedule, changes in SCHEDULES.items()
+    }
+
+
+def settings(world: dict[str, Any], schedule: dict[str, Any], quick: bool) -> RaceSettings:
+    """Return the settings of a race; its networks see the whole world."""
+    game = {f"world.{name}": value for name, value in world.items()}
+    game |= {"world.fov": 2 * world["rows"] - 1, "train_steps": world["max_steps"]}
+    # In an epoch of both teams an individual meets three opponents, and not one.
+    epochs = 2 if quick else EPOCHS
+    alone = {f"schedule.{team}_epochs": epochs for team in TEAMS}
+    together = {"schedule.joint_epochs": max(1, epochs // 2)}
+    joint = schedule["schedule"] == "hall-of-fame"
+    chosen = schedule | game | RACE | (together if joint else alone)
+    return RaceSettings.of(chosen | (QUICK if quick else {}))
 
 
 @cache
@@ -133,39 +154,51 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return truth, measures and verdicts of a race that need no other race."""
     truth, payoff = guarantees(states_of(run.settings.world), run.teams), run.payoff()
     held_out = score(run, generation=None, episodes=HELD_OUT_EPISODES)
-    windows = analysis.judge(payoff.capture_rates, per_episode=True).windows
     each = [measures_of(payoff.capture_rate, team) for team in TEAMS]
     return {
         "truth": [truth.pursuers.tolist(), (1 - truth.evaders).tolist()],
         **{name: [of_team[name].tolist() for of_team in each] for name in each[0]},
         "held_out": [held_out[team].rates.mean(axis=(1, 2)).tolist() for team in TEAMS],
-        "verdicts": [
-            # A race may be too short for a window.
-            [windows[name][c].verdict if name in windows else "cannot tell" for c in JUDGED]
-            for name in WINDOWS
-        ],
+        "verdicts": verdicts(payoff.capture_rates),
         "value": truth.value,
     }
+
+
+def verdicts(capture_rates: FloatArray) -> list[list[str]]:
+    """Return what the judgement says of the race or races (windows, conditions)."""
+    windows = analysis.judge(capture_rates, per_episode=True).windows
+    return [
+        # A race may be too short for a window.
+        [windows[name][c].verdict if name in windows else "cannot tell" for c in JUDGED]
+        for name in WINDOWS
+    ]
 
 
 def measures_of(capture_rate: FloatArray, team: Team) -> dict[str, FloatArray]:
     """Return the measures of each generation of a team that follow from the payoff matrix."""
     own = capture_rate if team == "pursuer" else 1 - capture_rate.T
+    elo = np.asarray(getattr(analysis.elo(capture_rate), f"{team}s"))
     return {
         "current": np.diag(own),
         "ancestors": np.array([row[: k + 1].mean() for k, row in enumerate(own)]),
         "all": own.mean(axis=1),
         "worst": own.min(axis=1),
         "nash": np.asarray(getattr(analysis.nash_averaging(capture_rate), f"{team}_averages")),
-        "elo": np.asarray(getattr(analysis.elo(capture_rate), f"{team}s")),
+        # As a score against an equal opponent.
+        "elo": 1 / (1 + np.exp(-elo)),
     }
 
 
-def against_others(runs: Runs, run: SavedRun) -> list[FloatArray]:
+def against_others(runs: Runs, kind: str, run: SavedRun) -> list[FloatArray]:
     """Return the scores of each generation of a race against champions of all other seeds."""
-    world, seed = run.settings.world, run.settings.seed
-    by_seeds = zip(*runs.values(), strict=True)
-    strangers = [each for n, of_seed in enumerate(by_seeds) for each in of_seed if n != seed]
+    world, seed, place = run.settings.world, run.settings.seed, kind.split(", ")[0]
+    of_world = [each for name, each in runs.items() if name.startswith(f"{place}, ")]
+    strangers = [
+        each
+        for n, of_seed in enumerate(zip(*of_world, strict=True))
+        for each in of_seed
+        if n != seed
+    ]
     found = []
     for team in TEAMS:
         met = [each.teams[other(team)] for each in strangers]
@@ -175,59 +208,41 @@ def against_others(runs: Runs, run: SavedRun) -> list[FloatArray]:
     return found
 
 
-def responses(runs: Sequence[SavedRun], budgets: Sequence[int]) -> FloatArray:
-    """Return exact scores of responses to the champions of races (seeds, teams, 1 + budgets).
-
-    First that of the champion's last opponent; then those of learned responses, by matches.
-    """
-    found = np.zeros((len(runs), len(TEAMS), 1 + len(budgets)))
-    champions = {f"seed-{run.settings.seed}": run for run in runs}
-    states, root = states_of(runs[0].settings.world), runs[0].path.parents[1] / "responses"
-    for t, team in enumerate(TEAMS):
-        met = [{each: run.last(each) for each in TEAMS} for run in runs]
-        found[:, t, 0] = [exact(states, teams, team) for teams in met]
-        steps = SMALL_STEPS[other(team)]
-        learner = RaceSettings.of({"learner.population": 48, **steps}).learner
-        for b, budget in enumerate(budgets, 1):
-            where = root / f"responses-to-{team}s-{budget}"
-            learned = best_responses(champions, team, budget, where, learner=learner, threads=1)
-            for seed, each in enumerate(learned.values()):
-                last = open_run(each.directory).last(other(team))
-                found[seed, t, b] = exact(states, met[seed] | {other(team): last}, team)
-    return found
-
-
-def exact(states: States, teams: dict[Team, mw.Population], champion: Team) -> float:
-    """Return the exact score of a champion's opponent."""
-    captured = expected_payoff(states, teams["pursuer"], teams["evader"])
-    return captured if champion == "evader" else 1 - captured
-
-
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return truth, `MEASURES` and verdicts of all races, and what responses get.
+    """Return truth, `MEASURES` and verdicts of all races, and verdicts on groups of them.
 
     Files beside the runs keep what needs no other race.
     """
     numbers = by_seed(
         runs, lambda run: kept(run.path.with_suffix(".json"), partial(numbers_of, run))
     )
-    numbers |= by_seed(runs, lambda run: {"others": against_others(runs, run)})
-    if RESPONSES_TO in runs:
-        budgets = BUDGETS[: 1 if quick else None]
-        learned = responses(runs[RESPONSES_TO], budgets)
-        numbers |= {"budgets": budgets, "responses": learned}
-        # Of the last generation only; as of the other measures, higher is better.
-        numbers[f"{RESPONSES_TO} / response"] = 1 - learned[:, :, -1:]
+    for kind, of_kind in runs.items():
+        numbers |= by_seed(
+            {kind: of_kind},
+            lambda run, kind=kind: {"others": against_others(runs, kind, run)},  # type: ignore[misc]
+        )
+        groups = [of_kind[k : k + GROUP] for k in range(0, len(of_kind), GROUP)]
+        numbers[f"{kind} / of groups"] = [
+            verdicts(np.stack([run.payoff().capture_rates for run in group])) for group in groups
+        ]
     return {
         name: each if np.asarray(each).dtype.kind in "UTi" else np.round(each, 4)
         for name, each in numbers.items()
     }
 
 
-def of_schedules(numbers: Numbers, name: str) -> dict[str, FloatArray]:
-    """Return a number of the races of all schedules that have it."""
-    names = {schedule: f"{schedule} / {name}" for schedule in kinds_in(numbers)}
-    return {schedule: numbers[key] for schedule, key in names.items() if key in numbers}
+def of_kinds(numbers: Numbers, name: str, world: str | None = None) -> dict[str, FloatArray]:
+    """Return a number of the races of all kinds, in one world or in those with turns."""
+    return {
+        kind: numbers[f"{kind} / {name}"]
+        for kind in kinds_in(numbers)
+        if (place := kind.split(", ")[0]) == world or (world is None and place != CONTROL)
+    }
+
+
+def stacked(numbers: Numbers, name: str, world: str | None = None) -> FloatArray:
+    """Return a number of all races as (seeds, kinds, ...)."""
+    return np.stack(list(of_kinds(numbers, name, world).values()), axis=1)
 
 
 # ---- Which measure tells the truth? --------------------------------------------------------------
@@ -235,92 +250,134 @@ def of_schedules(numbers: Numbers, name: str) -> dict[str, FloatArray]:
 
 def linear_change(scores: FloatArray) -> FloatArray:
     """Return the least-squares slope of scores (..., generations), times the length."""
-    generations = np.arange(scores.shape[-1])
-    slope = np.apply_along_axis(lambda each: np.polyfit(generations, each, 1)[0], -1, scores)
-    return np.asarray(slope * generations[-1])
+    generations = np.arange(scores.shape[-1]) - (scores.shape[-1] - 1) / 2
+    slope = scores @ generations / (generations @ generations)
+    return np.asarray(slope * (scores.shape[-1] - 1))
 
 
-def correlation(one: FloatArray, other: FloatArray) -> float:
-    """Return Spearman's correlation; nan if one of both is constant."""
-    if np.ptp(one) < 1e-9 or np.ptp(other) < 1e-9:
+def share(said: BoolArray, counted: BoolArray) -> str:
+    """Return the share of the counted races (seeds, kinds) of which it is said, and how many."""
+    races = counted.sum(axis=1)
+    shares = (said & counted).sum(axis=1)[races > 0] / races[races > 0]
+    return mean(shares, 2, bounds=(0.0, 1.0)) if len(shares) > 1 else "-"
+
+
+def area(said: FloatArray, rises: BoolArray, stays: BoolArray) -> float:
+    """Return the probability that a race that rises has the larger change of a measure."""
+    if not rises.any() or not stays.any():
         return float("nan")
-    return float(stats.spearmanr(one, other, axis=None).statistic)
-
-
-def within_races(said: FloatArray, truth: FloatArray) -> analysis.Estimate | None:
-    """Return how well a measure (schedules, seeds, generations) orders the generations of a race.
-
-    Races whose generations do not differ do not count.
-    """
-    found = np.full(said.shape[:2], np.nan)
-    for race in np.ndindex(found.shape):
-        found[race] = correlation(said[race], truth[race])
-    means = [np.nanmean(each) for each in found.T if not np.isnan(each).all()]
-    return analysis.interval_over_runs(means, bounds=(-1.0, 1.0)) if len(means) > 1 else None
-
-
-def between_races(said: FloatArray, truth: FloatArray) -> analysis.Estimate | None:
-    """Return how well a number of a measure (schedules, seeds) orders races by the truth."""
-    n = said.shape[1]
-    if n < 3:
-        return None
-    whole = correlation(said, truth)
-    without = np.array(
-        [correlation(np.delete(said, k, axis=1), np.delete(truth, k, axis=1)) for k in range(n)]
+    return float(
+        stats.mannwhitneyu(said[rises], said[stays]).statistic / (rises.sum() * stays.sum())
     )
-    # Pseudo-values of the jackknife (Tukey 1958).
-    estimate = analysis.interval_over_runs(n * whole - (n - 1) * without)
-    if estimate.low is None or estimate.high is None:
-        return replace(estimate, value=whole)
-    half = (estimate.high - estimate.low) / 2
-    return replace(estimate, value=whole, low=max(whole - half, -1.0), high=min(whole + half, 1.0))
 
 
-def table_of_measures(numbers: Numbers) -> str:
-    """Return the correlations of all measures with the truth."""
-    heads = ["score against"]
-    heads += [f"{q}: {t}s" for q in ("generations", "champions", "changes") for t in TEAMS]
+def jackknife(of: Callable[[slice | FloatArray], float], seeds: int) -> str:
+    """Return a number of all seeds and its interval by leaving out one after the other.
+
+    Pseudo-values of Tukey (1958).
+    """
+    every = np.arange(seeds)
+    whole = of(every)
+    pseudo = seeds * whole - (seeds - 1) * np.array([of(np.delete(every, k)) for k in every])
+    if np.isnan(pseudo).any() or seeds < 3:
+        return "-"
+    spread = analysis.interval_over_runs(pseudo)
+    if spread.low is None or spread.high is None:
+        return f"{whole:.2f}"
+    half = (spread.high - spread.low) / 2
+    return f"{whole:.2f} [{max(whole - half, 0.0):.2f}, {min(whole + half, 1.0):.2f}]"
+
+
+def table_of_rises(numbers: Numbers) -> str:
+    """Return hits, false alarms and areas of all measures in the worlds with turns."""
+    truth = linear_change(stacked(numbers, "truth"))  # (seeds, kinds, teams)
+    rises, stays = truth >= RISES, truth <= STAYS
     rows = []
     for measure, label in MEASURES.items():
-        if measured := of_schedules(numbers, measure):
-            said = np.stack(list(measured.values()))  # (schedules, seeds, teams, generations)
-            truth = np.stack([numbers[f"{schedule} / truth"] for schedule in measured])
-            teams = [(said[:, :, t], truth[:, :, t]) for t in range(len(TEAMS))]
-            # A learned response is one to the last generation.
-            curves = teams if said.shape == truth.shape else []
-            found = [
-                *([within_races(*pair) for pair in curves] or [None, None]),
-                *(between_races(each[..., -1], true[..., -1]) for each, true in teams),
-                *([between_races(*map(linear_change, pair)) for pair in curves] or [None, None]),
-            ]
-            rows.append([label, *("-" if each is None else written(each, 2) for each in found)])
+        said = linear_change(stacked(numbers, measure))
+        cells = [label]
+        for t in range(len(TEAMS)):
+            each, up, flat = said[..., t], rises[..., t], stays[..., t]
+            found = partial(_area_of, each, up, flat)
+            cells += [share(each >= RISES, up), share(each >= RISES, flat)]
+            cells.append(jackknife(found, len(each)))
+        rows.append(cells)
+    heads = ["score against"]
+    for t, team in enumerate(TEAMS):
+        heads += [f"{team}s: hits of {rises[..., t].sum()}"]
+        heads += [f"{team}s: false alarms of {stays[..., t].sum()}", f"{team}s: area"]
     return markdown(heads, rows)
 
 
+def _area_of(said: FloatArray, rises: BoolArray, stays: BoolArray, seeds: Any) -> float:
+    return area(said[seeds], rises[seeds], stays[seeds])
+
+
+def table_of_control(numbers: Numbers) -> str:
+    """Return how often a measure rises where no champion can guarantee anything."""
+    truth = linear_change(stacked(numbers, "truth", CONTROL))
+    rows = [
+        [label]
+        + [share((said >= RISES)[..., t], truth[..., t] <= STAYS) for t in range(len(TEAMS))]
+        for measure, label in MEASURES.items()
+        for said in [linear_change(stacked(numbers, measure, CONTROL))]
+    ]
+    counts = (truth <= STAYS).sum(axis=(0, 1))
+    heads = [f"{team}s: of {n}" for team, n in zip(TEAMS, counts, strict=True)]
+    return markdown(["score against", *heads], rows)
+
+
+def table_of_choices(numbers: Numbers) -> str:
+    """Return what a choice by each measure loses, and its correlations over generations."""
+    truth = stacked(numbers, "truth")  # (seeds, kinds, teams, generations)
+    best, n = truth.max(axis=-1), truth.shape[-1]
+    named = {
+        "(the last generation)": np.broadcast_to(np.arange(n), truth.shape),
+        **{label: stacked(numbers, measure) for measure, label in MEASURES.items()},
+    }
+    rows = []
+    for label, said in named.items():
+        chosen = n - 1 - np.argmax(said[..., ::-1], axis=-1)  # of equals the latest
+        lost = best - np.take_along_axis(truth, chosen[..., None], -1)[..., 0]
+        rows.append(
+            [
+                label,
+                *(mean(lost[..., t].mean(axis=1), 3, bounds=(0.0, 1.0)) for t in range(len(TEAMS))),
+                *(within_races(said[:, :, t], truth[:, :, t]) for t in range(len(TEAMS))),
+            ]
+        )
+    heads = [f"{question}: {team}s" for question in ("lost", "generations") for team in TEAMS]
+    return markdown(["score against", *heads], rows)
+
+
+def within_races(said: FloatArray, truth: FloatArray) -> str:
+    """Return how well a measure (seeds, kinds, generations) orders the generations of a race."""
+    found = np.full(said.shape[:2], np.nan)
+    for race in np.ndindex(found.shape):
+        if min(np.ptp(said[race]), np.ptp(truth[race])) >= 1e-9:
+            found[race] = stats.spearmanr(said[race], truth[race]).statistic
+    means = [np.nanmean(each) for each in found if not np.isnan(each).all()]
+    if len(means) < 2:
+        return "-"
+    return written(analysis.interval_over_runs(means, bounds=(-1.0, 1.0)), 2)
+
+
 def table_of_truth(numbers: Numbers) -> str:
-    """Return where the teams of each schedule begin and end, and the NashConv of the last pair."""
-    heads = ["schedule", *(f"{team}s: {when}" for team in TEAMS for when in ("first", "last"))]
+    """Return where the teams of each kind begin and end, and how often they rise or fall."""
     rows = []
-    for schedule, truth in of_schedules(numbers, "truth").items():
-        ends = [truth[:, t, when] for t in range(len(TEAMS)) for when in (0, -1)]
-        ends.append(1 - truth[:, :, -1].sum(axis=1))
-        rows.append([schedule, *(mean(each, bounds=(0.0, 1.0)) for each in ends)])
-    return markdown([*heads, "NashConv: last"], rows)
-
-
-def table_of_responses(numbers: Numbers) -> str:
-    """Return how much of the gain of a best response the learned ones find, by matches."""
-    met, *learned = np.moveaxis(numbers["responses"], 2, 0)  # (seeds, teams) each
-    best = 1 - numbers[f"{RESPONSES_TO} / truth"][:, :, -1] - met
-    rows = []
-    for budget, each in zip(numbers["budgets"], learned, strict=True):
-        gains = each - met
-        columns = [
-            column for t in range(len(TEAMS)) for column in (gains[:, t], (gains / best)[:, t])
-        ]
-        rows.append([f"{budget:,}", *(mean(column, 2) for column in columns)])
-    heads = [f"{team}s: {what}" for team in TEAMS for what in ("gain", "share of the true gain")]
-    return markdown(["matches", *heads], rows)
+    for kind in kinds_in(numbers):
+        truth = numbers[f"{kind} / truth"]
+        changes = linear_change(truth)
+        cells = [kind, f"{numbers[f'{kind} / value'][0]:.3f}"]
+        for t in range(len(TEAMS)):
+            cells += [mean(truth[:, t, when], bounds=(0.0, 1.0)) for when in (0, -1)]
+            counts = [(changes[:, t] >= RISES).sum(), (changes[:, t] <= -RISES).sum()]
+            cells.append(" / ".join(map(str, counts)))
+        rows.append(cells)
+    heads = ["race", "value"]
+    for team in TEAMS:
+        heads += [f"{team}s: first", f"{team}s: last", f"{team}s: rise / fall"]
+    return markdown(heads, rows)
 
 
 # ---- The judgement -------------------------------------------------------------------------------
@@ -344,44 +401,40 @@ def truths_of(truth: FloatArray, window: str) -> dict[str, tuple[bool | None, fl
     return dict(zip(JUDGED, found, strict=True))
 
 
-HERE = "races of the small world"
+SINGLE, GROUPS, TOGETHER = "single races", f"groups of {GROUP}", "single races of the control"
 OTHERS = ("held back", "toy game", "real race")
 TOYS = Path(__file__).parents[1] / "results" / "judgement" / "counts.csv"
 
 
 def table_of_errors(numbers: Numbers) -> str:
     """Return the errors of the judgement here, beside those of synthetic races and toys."""
-    judged = []  # in the form of `judgement_errors.judged`
-    for schedule, verdicts in of_schedules(numbers, "verdicts").items():
-        for truth, of_seed in zip(numbers[f"{schedule} / truth"], verdicts, strict=True):
-            found = [
-                [window, name, holds, size, verdict]
-                for window, said in zip(WINDOWS, of_seed, strict=True)
-                for (name, (holds, size)), verdict in zip(
-                    truths_of(truth, window).items(), said, strict=True
-                )
+    judged: list[dict[str, Any]] = []  # in the form of `judgement_errors.judged`
+    for source, name, world in (
+        (SINGLE, "verdicts", None), (GROUPS, "of groups", None), (TOGETHER, "verdicts", CONTROL),
+    ):  # fmt: skip
+        for kind, said in of_kinds(numbers, name, world).items():
+            truth = numbers[f"{kind} / truth"]
+            size = -(-len(truth) // len(said))
+            means = [truth[k : k + size].mean(axis=0) for k in range(0, len(truth), size)]
+            judged += [
+                {"source": source, "kind": kind, "found": list(_found(*pair))}
+                for pair in zip(means, said, strict=True)
             ]
-            judged.append({"source": HERE, "kind": schedule, "found": found})
     counts = count_verdicts(judged) + read_counts(TOYS)
     rows = [
         [name, sample, *errors_of(counts, condition=name, sample=sample)]
         for name in JUDGED
-        for sample in (HERE, *OTHERS)
+        for sample in (SINGLE, GROUPS, TOGETHER, *OTHERS)
     ]
     return markdown(("condition", "sample", *RATE_HEADS), rows)
 
 
-def table_of_changes(numbers: Numbers) -> str:
-    """Return true changes and gains of both teams by schedule."""
-    rows = []
-    for schedule, truth in of_schedules(numbers, "truth").items():
-        gains, guaranteed = map(linear_change, (numbers[f"{schedule} / all"], truth))
-        columns = [each[:, t] for t in range(len(TEAMS)) for each in (gains, guaranteed)]
-        said = numbers[f"{schedule} / verdicts"][:, 0, JUDGED.index("arms race")]
-        counted = f"{(said == 'present').sum()} of {len(said)}"
-        rows.append([schedule, *(mean(column, 3, "+") for column in columns), counted])
-    heads = [f"{team}s: {what}" for team in TEAMS for what in ("gain", "guarantee")]
-    return markdown(["schedule", *heads, "arms race present"], rows)
+def _found(truth: FloatArray, said: FloatArray) -> Iterable[list[Any]]:
+    """Yield what is true and what is said of the windows of a race or group."""
+    for window, of_window in zip(WINDOWS, said, strict=True):
+        known = truths_of(truth, window).items()
+        for (name, (holds, size)), verdict in zip(known, of_window, strict=True):
+            yield [window, name, holds, size, verdict]
 
 
 # ---- Files ---------------------------------------------------------------------------------------
@@ -389,55 +442,50 @@ def table_of_changes(numbers: Numbers) -> str:
 
 def table(numbers: Numbers) -> str:
     """Return all tables."""
-    truth = of_schedules(numbers, "truth")
-    races, seeds = sum(map(len, truth.values())), max(map(len, truth.values()))
-    parts = [
-        "# Which measure tells the truth?",
-        f"{races} races of {seeds} seeds; perfect play captures {value_of(numbers):.3f}. "
-        "Definitions: the docstring of `evolution/validation/ground_truth.py`. In brackets: 95 % "
-        "intervals over seeds.",
-        "## What the teams guarantee",
-        table_of_truth(numbers),
-        "## Correlations with the truth",
-        table_of_measures(numbers),
-        "## Changes over a race",
-        table_of_changes(numbers),
-        "## Errors of the judgement",
-        table_of_errors(numbers),
-    ]
-    if "responses" in numbers:
-        parts += [
-            "## Learned responses to the last generations",
-            f"Champions: those of {RESPONSES_TO}. Gain: exact score of the response minus that of "
-            "the champion's last opponent.",
-            table_of_responses(numbers),
+    truth = [numbers[f"{kind} / truth"] for kind in kinds_in(numbers)]
+    return "\n\n".join(
+        [
+            "# Can a race be judged by its own matrix?",
+            f"{sum(map(len, truth))} races of {max(map(len, truth))} seeds. Definitions: the "
+            "docstring of `evolution/validation/ground_truth.py`. In brackets: 95 % intervals over "
+            "seeds.",
+            "## What the teams guarantee",
+            table_of_truth(numbers),
+            "## Did a team become better?",
+            table_of_rises(numbers),
+            "## Which generation is best?",
+            table_of_choices(numbers),
+            f"## False alarms of the control, {CONTROL}",
+            table_of_control(numbers),
+            "## Errors of the judgement",
+            table_of_errors(numbers),
         ]
-    return "\n\n".join(parts)
-
-
-def value_of(numbers: Numbers) -> float:
-    """Return what perfect play captures, the same in all races."""
-    return float(next(iter(of_schedules(numbers, "value").values()))[0])
+    )
 
 
 def figure(numbers: Numbers) -> Figure:
-    """Draw the truth beside two measures, by generation: means and intervals over seeds."""
-    panels = {"all": "Score in the race", "held_out": "Held-out score", "truth": "Guaranteed score"}
-    drawn, axes = plt.subplots(2, 3, figsize=(11, 6), sharex=True, layout="constrained", dpi=90)
-    for t, (team, line) in enumerate(zip(TEAMS, axes, strict=True)):
+    """Draw score in the race, held-out score and truth of both teams in each world with turns."""
+    worlds = [world for world in WORLDS if world != CONTROL]
+    panels = {"all": "in the race", "held_out": "held-out", "truth": "guaranteed"}
+    drawn, axes = plt.subplots(
+        len(TEAMS) * len(worlds), 3, figsize=(10, 12), sharex=True, layout="constrained", dpi=90
+    )
+    lines = [(world, t) for world in worlds for t in range(len(TEAMS))]
+    for (world, t), line in zip(lines, axes, strict=True):
         for (name, title), axis in zip(panels.items(), line, strict=True):
-            for schedule, curves in of_schedules(numbers, name).items():
+            for kind, curves in of_kinds(numbers, name, world).items():
                 band = analysis.band_over_runs(curves[:, t], bounds=(0.0, 1.0))
-                [drawn_line] = axis.plot(band.mean, label=schedule)
+                [drawn_line] = axis.plot(band.mean, label=kind.split(", ")[1])
                 if band.low is not None:
                     at, color = np.arange(len(band.mean)), drawn_line.get_color()
                     axis.fill_between(at, band.low, band.high, color=color, alpha=0.2)
-            axis.set_title(title if team == "pursuer" else "")
-        line[0].set_ylabel(f"{team}s")
-        value = value_of(numbers) if team == "pursuer" else 1 - value_of(numbers)
-        told = f"perfect play: {value:.2f}"
-        line[2].text(0.03, 0.95, told, transform=line[2].transAxes, ha="left", va="top")
-    for axis in axes[1]:
+            if (world, t) == lines[0]:
+                axis.set_title(f"Score {title}" if name != "truth" else "Guaranteed score")
+        line[0].set_ylabel(f"{world}:\n{TEAMS[t]}s")
+        value = float(next(iter(of_kinds(numbers, "value", world).values()))[0])
+        told = f"perfect play: {value if t == 0 else 1 - value:.2f}"
+        line[2].text(0.97, 0.06, told, transform=line[2].transAxes, ha="right", va="bottom")
+    for axis in axes[-1]:
         axis.set_xlabel("generation")
     drawn.legend(*axes[0, 0].get_legend_handles_labels(), ncols=5, loc="outside lower center")
     return drawn
@@ -445,4 +493,4 @@ def figure(numbers: Numbers) -> Figure:
 
 if __name__ == "__main__":
     figures = {"measures.png": figure}
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10, figures=figures)
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=30, figures=figures)

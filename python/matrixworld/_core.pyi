@@ -195,6 +195,12 @@ class Batch(metaclass=_Pybind11Type):
     def step(self, actions: _Integers) -> None:
         """Play one round with actions (W, A)."""
 
+    def play_turn(self, actions: _Integers) -> None:
+        """Play the next turn of a round with actions (W, A); those of its actors are read."""
+
+    def turn(self) -> int: ...
+    def n_turns(self) -> int: ...
+    def actors(self) -> tuple[int, int]: ...
     def decide(
         self,
         policies: list[_Candidates | None],

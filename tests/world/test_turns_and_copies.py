@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.world.arrays import array_specs, new_arrays
 from rows import NAMES, assert_same_worlds, config_of, random_actions
 
 OF_TURNS = {"SIMULTANEOUS": 1, "SWARM_TURNS": 2}
@@ -42,6 +43,43 @@ def test_a_round_is_finished_as_it_was_begun() -> None:
     assert world.turn == 0
     world.step(stay)
     assert world.steps == 1
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_batch_by_turns_writes_what_its_worlds_would(name: str) -> None:
+    """After each turn, also of rounds in whose middle some worlds end, and of none."""
+    config, n = config_of(name, obstacles=0.1, max_steps=6), 20
+    buffers = new_arrays(array_specs(config), n)
+    batch, order = mw.Batch(n, config, threads=2, buffers=buffers), mw.World(config)
+    batch.reset(5)
+    worlds = [batch.world(w) for w in range(n)]
+    for actions in random_actions(3, config.n_actions, 6, n, config.n_agents):
+        going = [w for w, world in enumerate(worlds) if not (world.terminated or world.truncated)]
+        for turn in range(batch.n_turns):
+            assert (batch.turn, batch.actors) == (turn, order.actors)
+            unread = np.full_like(actions, 99)
+            unread[:, order.actors] = actions[:, order.actors]
+            batch.play_turn(unread)
+            order.play_turn(actions[0])
+            for w in going:
+                worlds[w].play_turn(actions[w])
+                for each, array in worlds[w].read(*buffers).items():
+                    np.testing.assert_array_equal(buffers[each][w], array, err_msg=each)
+        order.reset(0)
+
+
+def test_a_batch_finishes_its_round() -> None:
+    batch = mw.Batch(3, config_of("TO"))
+    stay = np.zeros((3, batch.config.n_agents), int)
+    batch.play_turn(stay)
+    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
+        batch.step(stay)
+    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
+        batch.reset(1, mask=[True, False, False])
+    batch.reset(1)
+    assert batch.turn == 0
+    with pytest.raises(ValueError, match="expected DISABLED"):
+        mw.Batch(3, autoreset=mw.Autoreset.SAME_STEP).play_turn(np.zeros((3, 38), int))
 
 
 @pytest.mark.parametrize("name", NAMES)

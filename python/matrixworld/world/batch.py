@@ -72,7 +72,7 @@ class Batch:
 
     Notes
     -----
-    One thread of Python at a time may use a batch: `reset`, `step`, `decide` and `world` raise
+    One thread of Python at a time may use a batch: what plays, resets or decides raises
     RuntimeError while another thread's call is in progress, and then nothing has changed. Give each
     thread a batch of its own, or hold a `threading.Lock` in each call.
 
@@ -97,6 +97,7 @@ class Batch:
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
         if not isinstance(buffers, dict | None):
             raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
+        self.autoreset = autoreset
         n_threads = check_threads(threads)
         if buffers is None:
             specs = array_specs(self.config)
@@ -138,6 +139,8 @@ class Batch:
         """
         if seed is None and episode != 0:
             raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
+        if mask is not None:
+            self._require_no_round("reset with a mask")
         own_map = None if obstacles is None else read_map(obstacles)
         self.config.check_map(own_map)
         self._core.reset(
@@ -163,8 +166,44 @@ class Batch:
         Actions of gone agents and in ended worlds are ignored. If one is refused (ValueError names
         its world and agent, TypeError what is no integer), no world has changed.
         """
+        self._require_no_round("step")
         self._core.step(integers("actions", actions))
         return self.buffers
+
+    def play_turn(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
+        """Play the next turn of a round in every world, and return the buffers.
+
+        Only the actions of `actors` are read; otherwise `actions` are as in `step`. Rewards, costs
+        and all that belongs to a round are written as they are so far, and what belongs to an
+        episode after the last turn. A world that ends in the middle of a round waits for the others
+        to finish it. ValueError unless `autoreset` is disabled.
+        """
+        if self.autoreset is not Autoreset.DISABLED:
+            raise ValueError(f"autoreset: expected DISABLED to play turns, got {self.autoreset}")
+        self._core.play_turn(integers("actions", actions))
+        return self.buffers
+
+    def _require_no_round(self, call: str) -> None:
+        if self.turn:
+            raise RuntimeError(
+                f"turn {self.turn} of {self.n_turns} is next: finish the round by play_turn() "
+                f"before {call}"
+            )
+
+    @property
+    def n_turns(self) -> int:
+        """Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents."""
+        return self._core.n_turns()
+
+    @property
+    def turn(self) -> int:
+        """Number of the next turn in the round, from 0."""
+        return self._core.turn()
+
+    @property
+    def actors(self) -> range:
+        """Indices of the agents that act in the next turn, including agents that are gone."""
+        return range(*self._core.actors())
 
     def decide(
         self,

@@ -253,11 +253,12 @@ class ActorCriticSettings(LearnerSettings):
             )
 
     def check_fits(self, world: WorldConfig, network: Network) -> None:
-        """Raise ValueError unless all agents act at the same time, by networks without memory."""
+        """Raise ValueError for networks with memory, or one critic for agents that take turns."""
         interaction = world.rules.interaction
-        if interaction is not Interaction.SIMULTANEOUS:
+        if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
+            # Each agent learns from the world before its own turn.
             raise ValueError(
-                f"world.rules: expected agents that act at the same time with actor-critic, got "
+                f"central_critic: expected false where agents take turns, got true in a world of "
                 f"{interaction.name}"
             )
         if network.memory != "none":

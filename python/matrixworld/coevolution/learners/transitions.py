@@ -25,17 +25,18 @@ class Experience:
     """Transitions of the agents of one team in W episodes of at most T steps.
 
     The n transitions of all agents are in the order of (step, episode, agent). An agent has one in
-    each step at whose begin it is alive.
+    each step at whose begin, or at the begin of whose turn, it is alive.
     """
 
     acted: BoolArray
     """(T, W, A): which agents of the team acted in each step."""
     views: Views
-    """(n, 3 * fov * fov): what each one saw before."""
+    """(n, 3 * fov * fov): what each one saw before its turn."""
     actions: IntArray
     rewards: Reals
+    """(n,): what the agent earned from its turn to its next one."""
     costs: Reals
-    """(n,): number of kinds of collision in which the agent was at fault."""
+    """(n,): number of kinds of collision in which it was at fault, as often."""
     last: BoolArray
     """(T, W, A): agents alive when `max_steps` ended their episode, in its last step. What they
     would have earned later has to be estimated from their last views."""
@@ -62,7 +63,7 @@ def experience(
     states: bool = False,
     threads: int | None = None,
 ) -> Experience:
-    """Play matches and return the transitions of one team, all of whose agents act at a time.
+    """Play matches and return the transitions of one team.
 
     The one genome of `policy` plays for the team in each match, against the opponent `chosen` (W,),
     with a seed (W,) and `worlds` episodes. The states of the worlds are kept if `states`.
@@ -79,40 +80,53 @@ def experience(
     pursuers, evaders = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
     own, others = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
     part = slice(own.start, own.stop)
-    seen = {name: buffers[name][:, part] for name in ("views", "alive", "rewards", "cost")}
-    seen |= {name: buffers[name] for name in ("state", "truncated") if name in buffers}
     # Everything is copied, and selected at the end: that is faster than to index in each step.
     # Memory of steps that are not played is never touched.
-    steps = config.max_steps
-    kept = {name: np.empty((steps + 1, *array.shape), array.dtype) for name, array in seen.items()}
+    steps, shape = config.max_steps, buffers["alive"][:, part].shape
+    acted, last = (np.zeros((steps + 1, *shape), np.bool_) for _ in range(2))
+    views = np.empty((steps + 1, *buffers["views"][:, part].shape), np.uint8)
+    seen = np.empty((steps + 1, *buffers["state"].shape), np.uint8) if states else None
+    earned = {name: np.zeros((steps + 1, *shape), np.float32) for name in ("rewards", "cost")}
     actions = np.zeros((steps, *buffers["alive"].shape), np.int64)
-    going = np.zeros((steps + 1, n), np.bool_)
-    rivals, places = _opponents(opponents, np.repeat(chosen, worlds))
+    rivals = _opponents(opponents, np.repeat(chosen, worlds))
+    decisions = ([policy], np.zeros(n, np.int32), own), (*rivals, others)
     for t in range(steps + 1):
-        for name, array in seen.items():
-            kept[name][t] = array
-        going[t] = ~(buffers["terminated"] | buffers["truncated"])
-        if not going[t].any():
+        going = ~(buffers["terminated"] | buffers["truncated"])
+        if seen is not None:
+            seen[t] = buffers["state"]
+        if not going.any():
+            views[t] = buffers["views"][:, part]
             break
-        batch.decide([policy], np.zeros(n, np.int32), own, actions[t])
-        batch.decide(rivals, places, others, actions[t])
-        batch.step(actions[t])
-    # What was kept at t is what a step begins with, and what the step before ended with.
-    before = {name: array[:t] for name, array in kept.items()}
-    after = {name: array[1 : t + 1] for name, array in kept.items()}
-    acted = before["alive"] & going[:t, :, np.newaxis]
-    # An agent that is alive at the end of its time would have gone on.
-    last = after["alive"] & (going[:t] & after["truncated"])[..., np.newaxis]
+        paid = dict.fromkeys(earned, np.float32(0.0))
+        for _ in range(batch.n_turns):
+            actors = batch.actors
+            turn = slice(*(max(end - own.start, 0) for end in (actors.start, actors.stop)))
+            views[t][:, turn] = buffers["views"][:, part][:, turn]
+            ready = buffers["alive"] & (going & ~buffers["terminated"])[:, np.newaxis]
+            acted[t][:, turn] = ready[:, part][:, turn]
+            for policies, numbers, agents in decisions:
+                if both := _both(actors, agents):
+                    batch.decide(policies, numbers, both, actions[t])
+            batch.play_turn(actions[t])
+            for name, total in earned.items():
+                so_far = buffers[name][:, part].astype(np.float32)
+                change, paid[name] = so_far - paid[name], so_far
+                total[t][:, : turn.stop] += change[:, : turn.stop]
+                # Whose turn is still to come is paid for the last one; before the first one for
+                # none: the last row is no step.
+                total[t - 1][:, turn.stop :] += change[:, turn.stop :]
+        ended = going & buffers["truncated"]
+        last[t] = buffers["alive"][:, part] & ended[:, np.newaxis] & acted[t]
     return Experience(
-        acted=acted,
-        views=_rows(before["views"][acted]),
-        actions=actions[:t, :, part][acted],
-        rewards=after["rewards"][acted],
-        costs=after["cost"][acted],
-        last=last,
-        last_views=_rows(after["views"][last]),
-        states=before["state"].reshape(t, n, -1) if states else None,
-        last_states=_rows(after["state"][-1]) if states else None,
+        acted=acted[:t],
+        views=_rows(views[:t][acted[:t]]),
+        actions=actions[:t, :, part][acted[:t]],
+        rewards=earned["rewards"][:t][acted[:t]],
+        costs=earned["cost"][:t][acted[:t]],
+        last=last[:t],
+        last_views=_rows(views[1 : t + 1][last[:t]]),
+        states=None if seen is None else seen[:t].reshape(t, n, -1),
+        last_states=None if seen is None else _rows(seen[t]),
     )
 
 
@@ -127,6 +141,11 @@ def _opponents(
         [Population(opponents.genomes[i], opponents.network) for i in met],
         places.astype(np.int32),
     )
+
+
+def _both(one: range, other: range) -> range:
+    """Return the numbers that two ranges have in common."""
+    return range(max(one.start, other.start), min(one.stop, other.stop))
 
 
 def _rows(arrays: Views) -> Views:
