@@ -8,7 +8,6 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-import matrixworld as mw
 from matrixworld.coevolution import best_responses, finish, open_run, start
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
@@ -20,12 +19,10 @@ from matrixworld.coevolution.learners.actor_critic import (
 )
 from matrixworld.coevolution.learners.learner import Task
 from matrixworld.coevolution.learners.transitions import experience
-from matrixworld.coevolution.types import Team, other
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
-from rows import config_of, random_team
 from tiny_race import check_resumes, tiny_race, tiny_single
 
 NETWORK = Network((6,), fov=5)
@@ -101,52 +98,6 @@ def check_gradient(gradient: np.ndarray, value, weights: np.ndarray) -> None:
         step = np.where(np.arange(len(weights)) == place, 1e-3, 0.0)
         expected.append((value(weights + step) - value(weights - step)) / 2e-3)
     np.testing.assert_allclose(gradient[places], expected, rtol=2e-3, atol=2e-6)
-
-
-@pytest.mark.parametrize("name", ["TO", "swarm-D", "agents-S", "D"])
-@pytest.mark.parametrize("team", ["pursuer", "evader"])
-def test_agents_earn_what_comes_from_their_turn_to_their_next_one(name: str, team: Team) -> None:
-    """Against single worlds that are played turn by turn."""
-    config = config_of(name, max_steps=6)
-    teams = {"pursuer": random_team(config, 3), "evader": random_team(config, 4)}
-    pursuers, everyone = range(config.n_pursuers), range(config.n_agents)
-    own = pursuers if team == "pursuer" else everyone[config.n_pursuers :]
-    seeds = np.arange(8, dtype=np.uint64)
-    found = experience(
-        config, team, teams[team], teams[other(team)], np.zeros(8, int), seeds, threads=1
-    )
-    rows: dict[tuple[int, int, int], list[Any]] = {}  # step, episode, agent: [view, action, earned]
-    ends = {}
-    for w in range(8):
-        world = mw.World(config)
-        world.reset(w)
-        while not (world.terminated or world.truncated):
-            before = np.zeros(config.n_agents, np.float32)
-            for _ in range(world.n_turns):
-                actions, step = np.zeros(config.n_agents, np.int64), world.steps
-                for a in world.actors:
-                    one = teams["pursuer" if a in pursuers else "evader"]
-                    world.decide(one, range(a, a + 1), actions)
-                    if a in own and world.alive[a] and not world.terminated:
-                        rows[step, w, a] = [world.views()[a].ravel(), actions[a], np.float32(0)]
-                world.play_turn(actions)
-                for a in own:  # to the last of its turns, if it has had one
-                    last = max((key for key in rows if key[1:] == (w, a)), default=None)
-                    if last:
-                        rows[last][2] += world.rewards[a] - before[a]
-                before = world.rewards.copy()
-            if world.truncated:
-                ends |= {(step, w, a): world.views()[a] for a in own if world.alive[a]}
-    acted = [(t, w, a - own.start) for t, w, a in sorted(rows)]
-    assert np.argwhere(found.acted).tolist() == [list(key) for key in acted]
-    views, actions, earned = zip(*(rows[key] for key in sorted(rows)), strict=True)
-    np.testing.assert_array_equal(found.views, views)
-    np.testing.assert_array_equal(found.actions, actions)
-    np.testing.assert_allclose(found.rewards, earned, atol=1e-6)
-    last = [key for key in sorted(ends) if key in rows]
-    assert np.argwhere(found.last).tolist() == [[t, w, a - own.start] for t, w, a in last]
-    expected = np.array([ends[key].ravel() for key in last])
-    np.testing.assert_array_equal(found.last_views, expected.reshape(found.last_views.shape))
 
 
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.1), (0.2, 0.05)])
@@ -251,8 +202,10 @@ def torch() -> Any:
     return pytest.importorskip("torch")
 
 
-def test_a_race_learns_and_resumes_bit_for_bit(torch, tmp_path: Path) -> None:
-    check_resumes(tiny_race(**LEARNER, schedule="hall-of-fame"), 5, tmp_path / "run")
+@pytest.mark.parametrize("rules", ["O", "TO"])
+def test_a_race_learns_and_resumes_bit_for_bit(torch, rules: str, tmp_path: Path) -> None:
+    race = tiny_race(**LEARNER, schedule="hall-of-fame").changed({"world.rules": rules})
+    check_resumes(race, 5, tmp_path / "run")
     run = open_run(tmp_path / "run")
     for team in ("pursuer", "evader"):
         genomes = run.teams[team].genomes
@@ -279,6 +232,12 @@ def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Pat
     first = open_run(tmp_path / "first").teams["pursuer"].genomes[-1]
     np.testing.assert_array_equal(run.teams["pursuer"].genomes[0], first)
     best_responses({"a": run}, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
+
+
+def test_a_central_critic_sees_no_turns() -> None:
+    race = tiny_race(**LEARNER, schedule="hall-of-fame").changed({"world.rules": "TO"})
+    with pytest.raises(ValueError, match="central_critic: expected false where agents take turns"):
+        race.changed({"learner.central_critic": True})
 
 
 def test_a_device_that_is_missing_is_refused_before_anything_is_written(
