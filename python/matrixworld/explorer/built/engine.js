@@ -1,4 +1,4 @@
-/* built from cpp/ and web/engine/ by web/build_engine.py; sources 96ca1bb98c53ef69e9506c6dc864942381c517edc356ab72c041db56f5c439b9 */
+/* built from cpp/ and web/engine/ by web/build_engine.py; sources d7c7447d7d787f0d88a245d774bcbf1ab8ba6f7ae969ec75086232cfd10a106b */
 var matrixworldEngine = (() => {
   var _scriptDir = typeof document !== 'undefined' && document.currentScript ? document.currentScript.src : undefined;
   
