@@ -443,32 +443,34 @@ def _found(truth: FloatArray, said: FloatArray) -> Iterable[list[Any]]:
 def table(numbers: Numbers) -> str:
     """Return all tables."""
     truth = [numbers[f"{kind} / truth"] for kind in kinds_in(numbers)]
-    return "\n\n".join(
-        [
-            "# Can a race be judged by its own matrix?",
-            f"{sum(map(len, truth))} races of {max(map(len, truth))} seeds. Definitions: the "
-            "docstring of `evolution/validation/ground_truth.py`. In brackets: 95 % intervals over "
-            "seeds.",
-            "## What the teams guarantee",
-            table_of_truth(numbers),
-            "## Did a team become better?",
-            table_of_rises(numbers),
-            "## Which generation is best?",
-            table_of_choices(numbers),
-            f"## False alarms of the control, {CONTROL}",
-            table_of_control(numbers),
-            "## Errors of the judgement",
-            table_of_errors(numbers),
-        ]
-    )
+    parts = [
+        "# Can a race be judged by its own matrix?",
+        f"{sum(map(len, truth))} races of {max(map(len, truth))} seeds. Definitions: the docstring "
+        "of `evolution/validation/ground_truth.py`. In brackets: 95 % intervals over seeds.",
+        "## What the teams guarantee",
+        table_of_truth(numbers),
+        "## Did a team become better?",
+        table_of_rises(numbers),
+        "## Which generation is best?",
+        table_of_choices(numbers),
+    ]
+    if of_kinds(numbers, "truth", CONTROL):
+        parts += [f"## False alarms of the control, {CONTROL}", table_of_control(numbers)]
+    return "\n\n".join([*parts, "## Errors of the judgement", table_of_errors(numbers)])
 
 
 def figure(numbers: Numbers) -> Figure:
     """Draw score in the race, held-out score and truth of both teams in each world with turns."""
-    worlds = [world for world in WORLDS if world != CONTROL]
+    played = {kind.split(", ")[0] for kind in kinds_in(numbers)}
+    worlds = [world for world in WORLDS if world in played - {CONTROL}]
     panels = {"all": "in the race", "held_out": "held-out", "truth": "guaranteed"}
     drawn, axes = plt.subplots(
-        len(TEAMS) * len(worlds), 3, figsize=(10, 12), sharex=True, layout="constrained", dpi=90
+        len(TEAMS) * len(worlds),
+        3,
+        figsize=(10, 4 * len(worlds)),
+        sharex=True,
+        layout="constrained",
+        dpi=90,
     )
     lines = [(world, t) for world in worlds for t in range(len(TEAMS))]
     for (world, t), line in zip(lines, axes, strict=True):

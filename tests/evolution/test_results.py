@@ -13,15 +13,16 @@ import pytest
 import actor_critic_baselines as baselines
 import actor_critic_races
 import common
+import convergence
 import ground_truth
 import hall_of_fame
 import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
+import learned_responses
 import page_races
 import paper_claims
 import paper_surrounding
-import psro
 import race_budgets
 import safe_learning
 import scripted_pursuit
@@ -43,15 +44,16 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 TABLES: dict[str, Callable[[Path], str]] = {
     "actor_critic_baselines/table.md": of(baselines.table),
     "actor_critic_races/table.md": of(actor_critic_races.table),
+    "convergence/table.md": of(convergence.table),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "ground_truth/table.md": of(ground_truth.table),
     "hall_of_fame/table.md": of(hall_of_fame.table),
     "judgement/errors.md": judgement_tables.report_of,
     "learned_exploitability/table.md": of(learned.table),
+    "learned_responses/table.md": of(learned_responses.table),
     "page_races/table.md": of(page_races.table),
     "paper_claims/table.md": of(paper_claims.tables),
     "paper_surrounding/table.md": of(paper_surrounding.tables),
-    "psro/table.md": of(psro.table),
     "race_budgets/table.md": of(race_budgets.table),
     "safe_learning/table.md": of(safe_learning.table),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(
@@ -166,7 +168,7 @@ def test_p_value_of_seeds() -> None:
 
 def test_mixtures_of_a_race_are_equilibria_of_its_generations() -> None:
     matrix = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
-    first, whole = psro.mixtures(matrix, 1)[0], psro.mixtures(matrix, 2)[0]
+    first, whole = convergence.mixtures(matrix, 1)[0], convergence.mixtures(matrix, 2)[0]
     np.testing.assert_allclose(first, [0.0, 1.0, 0.0], atol=1e-9)  # paper beats rock
     np.testing.assert_allclose(whole, [1 / 3] * 3, atol=1e-9)
 
