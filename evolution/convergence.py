@@ -35,8 +35,9 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import matrixworld as mw
 from common import (
@@ -85,22 +86,22 @@ QUICK = {
 }  # fmt: skip
 # A match is 16 episodes here, so that 2 matches of each pair are 32.
 META = {f"schedule.{team}s_meet.episodes": 2 for team in TEAMS}
-GENERALISTS, SELF_PLAY = "generalists", "self-play by policy gradients"
+GENERALISTS, HALLS = "generalists", "halls of fame"
+SELF_PLAY = "self-play by policy gradients"
 
 
-def psro(solver: str) -> dict[str, Any]:
-    """Return the schedule in which both teams, in turns, meet opponents of a meta-strategy."""
-    meet = {f"schedule.{team}s_meet": solver for team in TEAMS}
-    return {"schedule": "alternating", **EPOCHS, **meet, **META, **STRATEGY}
+def meeting(sampler: str) -> dict[str, Any]:
+    """Return changes by which both teams, in turns, meet opponents of a sampler."""
+    return {"schedule": "alternating", **{f"schedule.{team}s_meet": sampler for team in TEAMS}}
 
 
 KINDS: dict[str, dict[str, Any]] = {
     "specialists": {"schedule": "specialist-specialist", **EPOCHS, **STRATEGY},
     GENERALISTS: {"schedule": "generalist-generalist", **EPOCHS, **STRATEGY},
     # Three opponents in an epoch of both teams.
-    "halls of fame": {"schedule": "hall-of-fame", "schedule.joint_epochs": 50, **STRATEGY},
-    "PSRO, Nash": psro("nash"),
-    "PSRO, replicators": psro("prd"),
+    HALLS: {"schedule": "hall-of-fame", "schedule.joint_epochs": 50, **STRATEGY},
+    "PSRO, Nash": {**meeting("nash"), **EPOCHS, **META, **STRATEGY},
+    "PSRO, replicators": {**meeting("prd"), **EPOCHS, **META, **STRATEGY},
     SELF_PLAY: {
         "schedule": "hall-of-fame", "schedule.contemporaries": 1, "schedule.hall_sample": 0,
         "schedule.joint_epochs": 50, **GRADIENTS, **REWARDS,
@@ -221,13 +222,13 @@ def within(numbers: Numbers, budget: float) -> Reached:
     return found
 
 
-def differences(reached: Reached) -> str:
+def differences(reached: Reached, labels: Mapping[str, str]) -> str:
     """Return the differences of all kinds from generalists as a table in Markdown."""
     # Pairs of the same seed: races of one learner start with the same genomes.
     found = {
         (kind, name): each[name] - reached[GENERALISTS][name]
         for kind, each in reached.items()
-        for name in CURVES
+        for name in labels
         if kind != GENERALISTS
     }
     rows: dict[str, list[str]] = {}
@@ -236,7 +237,7 @@ def differences(reached: Reached) -> str:
         verdict = "cannot tell" if p > SIGNIFICANCE else "lower" if lower else "higher"
         cells = [mean(found[kind, name], sign="+"), f"{shown_p(p)}, {verdict}"]
         rows.setdefault(kind, [kind]).extend(cells)
-    heads = ["race", *(head for label in CURVES.values() for head in (label, "Holm"))]
+    heads = ["race", *(head for label in labels.values() for head in (label, "Holm"))]
     return f"Differences from generalists of the same seed:\n\n{markdown(heads, rows.values())}"
 
 
@@ -265,7 +266,7 @@ def table(numbers: Numbers) -> str:
         f"After {budget / 10**6:.1f} million steps of agents; means over {len(ends[0])} seeds "
         f"[95 %]. The value is {numbers['value']:.3f}; perfect play has a NashConv of 0.",
         table_of_ends(within(numbers, budget)),
-        differences(within(numbers, budget)),
+        differences(within(numbers, budget), CURVES),
         f"At the ends of the races, after up to {longest / 10**6:.1f} million steps:",
         table_of_ends(within(numbers, np.inf)),
         f"In the races of the first seed the bound of the mixtures is at most {width:.4f} above "
@@ -277,23 +278,30 @@ def table(numbers: Numbers) -> str:
 COLORS = {
     "specialists": colors.MUTED,
     GENERALISTS: colors.INK,
-    "halls of fame": colors.ORANGE,
+    HALLS: colors.ORANGE,
     "PSRO, Nash": colors.BLUE,
     "PSRO, replicators": colors.GREEN,
     SELF_PLAY: colors.VERMILLION,
 }
 
 
+def draw_curve(
+    axes: Axes, kind: str, at: ArrayLike, values: NDArray[np.float64], marker: str = ""
+) -> None:
+    """Draw the mean of values (seeds, points) and its interval."""
+    color, band = COLORS.get(kind, colors.MUTED), analysis.band_over_runs(values)
+    axes.plot(at, band.mean, marker=marker, ms=4, color=color, label=kind, lw=1.5)
+    if band.low is not None:
+        axes.fill_between(at, band.low, band.high, color=color, alpha=0.12, lw=0)
+
+
 def figure(numbers: Numbers) -> Figure:
-    """Draw mean and interval over seeds of all kinds, over the steps of agents."""
+    """Draw the curves of all kinds over the steps of agents."""
     drawn, panels = plt.subplots(1, 3, figsize=(11.0, 3.8), layout="constrained", sharey=True)
     for (name, label), axes in zip(CURVES.items(), panels, strict=True):
         for kind in kinds_in(numbers):
             steps = numbers[f"{kind} / agent_steps"].mean(axis=0) / 10**6
-            band = analysis.band_over_runs(numbers[f"{kind} / {name}"])
-            axes.plot(steps, band.mean, color=COLORS[kind], label=kind, lw=1.5)
-            if band.low is not None:
-                axes.fill_between(steps, band.low, band.high, color=COLORS[kind], alpha=0.12, lw=0)
+            draw_curve(axes, kind, steps, numbers[f"{kind} / {name}"])
         axes.set(title=label, xlabel="million steps of agents", ylim=(0.0, 1.0))
     panels[0].set_ylabel("capture rate")
     handles, labels = panels[0].get_legend_handles_labels()
