@@ -463,7 +463,7 @@ def figure(numbers: Numbers) -> Figure:
     """Draw score in the race, held-out score and truth of both teams in each world with turns."""
     played = {kind.split(", ")[0] for kind in kinds_in(numbers)}
     worlds = [world for world in WORLDS if world in played - {CONTROL}]
-    panels = {"all": "in the race", "held_out": "held-out", "truth": "guaranteed"}
+    panels = {"all": "Score in the race", "held_out": "Held-out score", "truth": "Guaranteed score"}
     drawn, axes = plt.subplots(
         len(TEAMS) * len(worlds),
         3,
@@ -482,7 +482,7 @@ def figure(numbers: Numbers) -> Figure:
                     at, color = np.arange(len(band.mean)), drawn_line.get_color()
                     axis.fill_between(at, band.low, band.high, color=color, alpha=0.2)
             if (world, t) == lines[0]:
-                axis.set_title(f"Score {title}" if name != "truth" else "Guaranteed score")
+                axis.set_title(title)
         line[0].set_ylabel(f"{world}:\n{TEAMS[t]}s")
         value = float(next(iter(of_kinds(numbers, "value", world).values()))[0])
         told = f"perfect play: {value if t == 0 else 1 - value:.2f}"
