@@ -107,6 +107,9 @@ WRONG: dict[str, dict[str, Any]] = {
         "never moves": student.climber(tell=lambda self, fitness: None),
         "to the worst": student.climber(tell=student.Climber.tell_the_worst),
         "one candidate": student.climber(ask=lambda self, rng: self.genome),
+        "genome becomes NaN": student.climber(tell=student.Climber.tell_nothing_known),
+        "asks for NaN": student.climber(sigma=np.nan),
+        "tell without fitness": student.climber(tell=lambda self: None),
     },
     "4.1": {
         "swapped": (0.5 - LAGS, 0.5 + LAGS),
@@ -300,6 +303,23 @@ def test_the_errors_of_a_student_s_function_are_told_with_line_and_arguments() -
     assert "ZeroDivisionError: division by zero" in check("1.4", lambda cells, targets: 1 / 0).text
     broken = student.climber(ask=lambda self, rng: self.missing)
     assert "AttributeError: " in check("3.4", broken).text
+
+
+FUNCTIONS = [
+    name
+    for name, answers in WRONG.items()
+    if any(callable(answer) and not isinstance(answer, type) for answer in answers.values())
+]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+@pytest.mark.parametrize(
+    "answer", [lambda: None, lambda a, b, c, d, e, f: None], ids=["none", "six"]
+)
+def test_a_wrong_number_of_parameters_is_told(name: str, answer: Any) -> None:
+    told = check(name, answer)
+    assert told.right is False
+    assert re.search(r"Expected a function of \d arguments?, got <lambda>\(", told.text)
 
 
 def test_replies_do_not_give_numbers_away() -> None:

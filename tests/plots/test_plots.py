@@ -281,7 +281,9 @@ def test_triangles_are_those_of_ciao() -> None:
     figure = plots.ciao_triangles(payoff)
     for axes, triangle in zip(figure.axes[:2], analysis.ciao(payoff), strict=True):
         drawn = np.ma.filled(axes.images[0].get_array(), np.nan)
-        np.testing.assert_allclose(drawn, triangle.payoff.T)
+        np.testing.assert_allclose(drawn, triangle.payoff)
+    every = plots.ciao_triangles(payoff, every=20).axes[0].images[0]
+    assert [*every.get_extent()] == [-10, 110, -10, 110]  # generations 0 to 100
 
 
 def test_trajectories_and_tops_are_those_of_the_analysis() -> None:

@@ -87,6 +87,9 @@ class Climber:
     def tell(self, fitness):
         self.genome = self.candidates[np.argmax(fitness)].copy()
 
+    def tell_nothing_known(self, fitness):
+        self.genome = self.genome * np.float32(np.nan)
+
     def tell_the_worst(self, fitness):
         self.genome = self.candidates[np.argmin(fitness)].copy()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index
 from typing import Any
 
 from course.boards import Cell, Situation, after_step, situations
@@ -103,7 +104,7 @@ def true_cells(cells: list[Cell], targets: list[Cell], side: int = 4) -> list[Ce
 
 def _cells(value: Any) -> list[Cell]:
     try:
-        return [(int(row), int(col)) for row, col in value]
+        return [(index(row), index(col)) for row, col in value]
     except (TypeError, ValueError):
         raise Mistake(f"Expected a list of cells, got {value!r}.") from None
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from deap import base, tools
 
-from course.checks import Mistake, compare, described
+from course.checks import Mistake, about, array, compare, described, function
 from matrixworld import EpisodeStatistics, Matches, Network, Population, WorldConfig, rollout
 from matrixworld.coevolution.learners.toolbox import Individual
 from matrixworld.coevolution.types import FloatArray, Genome, Team
@@ -212,17 +212,19 @@ def _gain(make: Any, seed: int) -> float:
     start = rng.standard_normal(GENES).astype(np.float32) * np.float32(0.1)
     target = start + rng.standard_normal(GENES).astype(np.float32) * np.float32(0.5)
     # A copy: the start must stay what it is, even if a learner changes its genome in place.
-    learner = make(start.copy(), np.random.default_rng(seed))
+    learner = function(make)(start.copy(), np.random.default_rng(seed))
     if not hasattr(learner, "genome"):
         raise Mistake("The learner has no attribute `genome`; set it in `__init__`.")
     begin = float(np.linalg.norm(start - target))
     for _ in range(EPOCHS):
-        candidates = _candidates(learner.ask(rng))
+        candidates = _candidates(function(learner.ask)(rng))
         distances = np.linalg.norm(candidates - target, axis=1) / begin
-        learner.tell(-distances + NOISE * rng.standard_normal(len(candidates)))
-    if np.shape(learner.genome) != (GENES,):
-        raise Mistake(f"genome: expected the shape ({GENES},), got {np.shape(learner.genome)}.")
-    return 1.0 - float(np.linalg.norm(learner.genome - target)) / begin
+        function(learner.tell)(-distances + NOISE * rng.standard_normal(len(candidates)))
+    with about("genome"):
+        genome = array(learner.genome, f"{GENES} numbers", GENES)
+        if not np.isfinite(genome).all():
+            raise Mistake(f"Expected {GENES} numbers, got NaN or infinity among them.")
+    return max(0.0, 1.0 - float(np.linalg.norm(genome - target)) / begin)
 
 
 def _candidates(given: Any) -> np.ndarray:
@@ -232,6 +234,8 @@ def _candidates(given: Any) -> np.ndarray:
         raise Mistake(f"ask: expected the shape (n, {GENES}), got {given.shape}.")
     if given.dtype != np.float32:
         raise Mistake(f"ask: expected the dtype float32, got {given.dtype}.")
+    if not np.isfinite(given).all():
+        raise Mistake("ask: expected numbers, got NaN or infinity among them.")
     if len(given) > MOST_CANDIDATES:
         raise Mistake(f"ask: expected at most {MOST_CANDIDATES} candidates here, got {len(given)}.")
     return given

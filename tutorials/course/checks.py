@@ -112,13 +112,27 @@ def array(value: Any, name: str, *shape: int) -> NDArray[np.float64]:
 
 
 def function(value: Any) -> Callable[..., Any]:
-    """Return an answer that is a function."""
+    """Return an answer that is a function; a call with too few or too many arguments is told."""
     if not callable(value):
         raise Mistake(
             "Expected a function: the answer is your function itself. Write `def answer(...):` in "
             "the cell, or give the name of your function, without parentheses."
         )
-    return value
+    try:
+        parameters = signature(value)
+    except ValueError:  # some functions that are written in C
+        return value
+
+    def called(*given: Any) -> Any:
+        try:
+            parameters.bind(*given)
+        except TypeError:
+            name = getattr(value, "__name__", "answer")
+            count = "1 argument" if len(given) == 1 else f"{len(given)} arguments"
+            raise Mistake(f"Expected a function of {count}, got {name}{parameters}.") from None
+        return value(*given)
+
+    return called
 
 
 def described(value: Any) -> str:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld._util.checks import check_sequence
+from matrixworld._util.checks import check_integer, check_sequence
 from matrixworld.analysis.dynamics import TIME, ReplicatorPath
 from matrixworld.analysis.games import Nash
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
@@ -90,30 +90,39 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
 def ciao_triangles(
     payoff: ArrayLike,
     *,
+    every: int = 1,
     names: Sequence[str] = ("pursuers", "evaders"),
     title: str = "CIAO: current individuals against ancestral opponents",
 ) -> Figure:
     """Draw the CIAO plots of both teams: current individuals against ancestral opponents.
 
-    Light cells are wins of the team. The upper edge of a triangle is the current opponent; the
-    further down, the older the opponent. See :func:`matrixworld.analysis.ciao`.
+    A row is a generation of the team, a column an opponent. Light cells are wins of the team. The
+    slanted edge of a triangle is the current opponent; the further left, the older the opponent.
+    See :func:`matrixworld.analysis.ciao`.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
+    every : int, optional
+        Generations from one row to the next, and from one column to the next.
     names : sequence of str, optional
         Names of the teams: that of the rows, then that of the columns.
     title : str, optional
     """
     triangles, names = analysis.ciao(payoff), check_sequence("names", names, "two texts")
     require(len(names) == 2, "names of two teams", names)
+    check_integer("every", every, 1)
     figure = style.new_figure(7.4, 3.8)
     panels = figure.subplots(1, 2)
     for axes, triangle, name, other, color in zip(
         panels, triangles, names, names[::-1], colors.TEAMS, strict=True
     ):
-        image = _draw_cells(axes, triangle.payoff.T, interpolation="nearest", aspect="auto")
-        axes.set(xlabel=f"generation of {name}", ylabel=f"generation of {other}")
+        rows, columns = triangle.payoff.shape
+        extent = every * (np.array([0, columns, 0, rows]) - 0.5)
+        image = _draw_cells(
+            axes, triangle.payoff, interpolation="nearest", aspect="auto", extent=extent
+        )
+        axes.set(xlabel=f"generation of {other}", ylabel=f"generation of {name}")
         axes.set_title(f"score of {name}", color=color, size="medium")
         axes.spines[["top", "right"]].set_visible(False)
     figure.colorbar(
