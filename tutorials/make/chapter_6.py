@@ -5,9 +5,9 @@
 ``cures.npz``: ten small races with each of `SAMPLERS`, which differ in the past opponents that the
 teams meet and in nothing else. All meet one opponent in an epoch. ``captured`` holds the evaders
 captured in each episode of the payoff matrices, uint8, shape (samplers, seeds, n, n, episodes), out
-of ``evaders``; ``matches`` (samplers, seeds) the training matches; ``cross_play`` (samplers, seeds, samplers, seeds) the evaders that the last
-pursuers captured from the last evaders, out of ``cross_evaders``. Champions are those after the
-smallest number of matches that a race played.
+of ``evaders``; ``matches`` (samplers, seeds) the training matches; ``cross_play`` (samplers, seeds,
+samplers, seeds) the evaders that the last pursuers captured from the last evaders, out of
+``cross_evaders``. Champions are those after the smallest number of matches that a race played.
 """
 
 from __future__ import annotations
