@@ -56,11 +56,6 @@ TABLE = """
 7  | restraint | few evader epochs, less one half | +
 7  | restraint | restrained, less four in ten | +
 7  | restraint | few evader epochs minus restrained | +
-8  | schools | evaders, hunter: hardest only minus easy to hard | +
-8  | schools | evaders, random: hardest only minus easy to hard | -
-8  | schools | evaders, random: easy to hard minus hard to easy | -
-8  | schools | evaders, clumsy-chaser: easy to hard minus hard to easy | +
-8  | schools | evaders, chaser: easy to hard minus hard to easy | +
 8  | schools | pursuers, random: last stage minus first | -
 8  | schools | evaders, scripts: co-evolution minus easy to hard | -
 8  | schools | evaders, evolved strangers: co-evolution minus easy to hard | -

@@ -19,7 +19,7 @@ def _unseen_matrices() -> list[tuple[FloatArray]]:
     """Return small matrices of capture rates, square and not square."""
     rng = np.random.default_rng(6)
     pennies = np.array([[0.9, 0.1], [0.2, 0.8]])
-    equal = np.array([[0.9, 0.5], [0.2, 0.8]])
+    equal = np.array([[0.5, 0.1], [0.2, 0.8]])
     shapes = ((2, 3), (4, 4), (6, 5), (9, 9))
     drawn = [rng.random(shape) for shape in shapes]
     return [(matrix,) for matrix in (ROCK_PAPER_SCISSORS, pennies, pennies[::-1], equal, *drawn)]

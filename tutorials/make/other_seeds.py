@@ -348,9 +348,6 @@ def schools(seed: int) -> Effects:
         }
         pairs = list(combinations(("co-evolution", "easy to hard", "random only"), 2))
         effects |= _differences(f"{team}s", sorts, pairs)
-        if team == "evader":
-            pairs = [("easy to hard", "hard to easy"), ("hardest only", "easy to hard")]
-            effects |= _differences("evaders", {name: by_script[name] for name in ladder}, pairs)
         climbed = chapter_8.tested(team, learned["easy to hard"], ladder[0], chapter_8.EPISODES)
         effects[f"{team}s, random: last stage minus first"] = (
             float(climbed[-1]) - climbed[1]
