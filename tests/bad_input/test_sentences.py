@@ -47,7 +47,7 @@ VALUES = [
     value(lambda: mw.Network(activation="gelu"), "'relu' or 'tanh' | got 'gelu'"),
     value(lambda: mw.Network(memory="lstm"), "one of none, elman, gru | got 'lstm'"),
     value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
-    kind(lambda: mw.Population(GENOME.astype(float), NETWORK), "dtype float32 | got float64"),
+    kind(lambda: mw.Population(GENOME.astype(int), NETWORK), "dtype float32 | got int64"),
     value(lambda: mw.Population(TEAM.genomes[:, :9], NETWORK), "shape (n >= 1, 329) | got (2, 9)"),
     value(lambda: mw.Population(SPOILT, NETWORK), "finite numbers | got nan (genome 1, number 17)"),
     kind(lambda: mw.Matches.of([0.0], 0, 0), "an integer | got 0.0"),

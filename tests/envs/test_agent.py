@@ -4,6 +4,7 @@ import warnings
 from typing import Any
 
 import gymnasium
+import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers import TimeAwareObservation
@@ -33,6 +34,17 @@ def test_the_specification_tells_the_time_limit(limit: dict[str, int]) -> None:
     assert worlds.unwrapped.config.max_steps == 7
     with pytest.raises(ValueError, match="^max_episode_steps, max_steps: expected one of them"):
         gymnasium.make_vec(name, max_steps=3, max_episode_steps=7)
+
+
+def test_it_tells_the_allowed_actions() -> None:
+    env = gymnasium.make("matrixworld/pursuit-evasion-o", action_mask="right-of-way", **SMALL)
+    _, info = env.reset(seed=0)
+    for _ in range(5):
+        masks = env.get_wrapper_attr("action_masks")()
+        assert masks.dtype == bool
+        np.testing.assert_array_equal(masks, info["action_mask"])
+        info = env.step(0)[4]
+    assert mw.AgentEnv("O", **SMALL).action_masks().all()  # without a mask
 
 
 def test_mates_and_opponents_are_drawn_independently() -> None:

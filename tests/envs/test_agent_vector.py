@@ -123,3 +123,18 @@ def test_refuses() -> None:
         env.step(np.zeros((3, 7), int))
     with pytest.raises(ValueError, match="^reset_mask: expected .*same value .* in world 1"):
         env.reset(options={"reset_mask": np.arange(21) == 8})
+
+
+@pytest.mark.parametrize("team", ["pursuer", "evader"])
+def test_it_tells_the_allowed_actions_and_attributes_of_each_agent(team: str) -> None:
+    small = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
+    worlds = mw.VectorEnv("O", 3, action_mask="right-of-way", obstacles=0.2, **small)
+    envs = mw.AgentVectorEnv(worlds, team)
+    _, infos = envs.reset(seed=4)
+    np.testing.assert_array_equal(envs.action_masks(), infos["action_mask"])
+    assert envs.action_masks().dtype == bool
+    assert envs.call("render_mode") == envs.call("render") == (None,) * envs.num_envs
+    with pytest.raises(AttributeError, match="expected render, render_mode or spec, got 'color'"):
+        envs.call("color")
+    plain = mw.AgentVectorEnv(mw.VectorEnv("O", 3), team)
+    assert plain.action_masks().all()

@@ -209,8 +209,8 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
         (directory / name).write_bytes(content)
 
     save("other size.npz", "genomes: expected shape", genome=genome[:-1])
-    double = genome.astype(np.float64)
-    save("other dtype.npz", "genomes: expected dtype float32, got float64", genome=double)
+    whole = genome.astype(np.int64)
+    save("other dtype.npz", "genomes: expected dtype float32, got int64", genome=whole)
     save("not finite.npz", "expected finite numbers", genome=genome * np.nan)
     narrow = Network((4,), fov=3).initial(np.random.default_rng(0))
     view = "expected a network for fov 11 and 5 actions, got fov 3"

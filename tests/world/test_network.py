@@ -172,3 +172,14 @@ def test_every_instruction_set_gives_the_same_bits() -> None:
     expected = network_hash.of_everything()
     for level in (level for level, name in LEVELS.items() if name in lower):
         assert hash_with_kernels(level) == [LEVELS[level], expected]
+
+
+def test_other_floats_are_copied_to_float32() -> None:
+    network = mw.Network((4,), fov=3)
+    double = np.random.default_rng(0).normal(size=(2, network.genome_size))
+    found = mw.Population(double, network).genomes
+    np.testing.assert_array_equal(found, double.astype(np.float32))
+    single = found.copy()
+    assert mw.Population(single, network).genomes is single  # without a copy
+    with pytest.raises(ValueError, match="expected finite numbers, got inf"):
+        mw.Population(1e300 * double, network)

@@ -190,7 +190,10 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
         nearest = [name for name in [ELSEWHERE.get(unknown[0])] if name in legal] or nearest
         meant = f"; did you mean {nearest[0]}?" if nearest else ""
         names = ", ".join(sorted(legal))
-        raise TypeError(f"keywords: expected some of {names}, got {unknown[0]}{meant}")
+        # In Python's words, by which libraries know that they may try again without it.
+        raise TypeError(
+            f"got an unexpected keyword argument {unknown[0]!r}{meant}; expected some of {names}"
+        )
 
 
 def check_threads(threads: int | None) -> int:

@@ -10,6 +10,7 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 from gymnasium.envs.registration import EnvSpec
+from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
 from matrixworld.envs.opponents import BuiltInTeam, Opponents
@@ -126,6 +127,15 @@ class AgentEnv(gymnasium.Env[Any, Any]):
             {**{name: chosen[name] for name in env.agents}, mine: action}
         )
         return seen[mine], reward[mine], terminated[mine], truncated[mine], info[mine]
+
+    def action_masks(self) -> NDArray[np.bool_]:
+        """Return which actions are allowed now, bool (n_actions,), for learners that ask for it.
+
+        All are, unless the environment was made with an ``action_mask``.
+        """
+        env = self.env
+        masks: NDArray[np.bool_] = env._masks.of(env.world.views())[env._index[self.agent]] > 0
+        return masks
 
     def render(self) -> Any:
         """See `MatrixWorldParallel.render`."""

@@ -154,6 +154,7 @@ class MatrixWorldBase(HasOpponents):
         whole = (3, self.config.rows, self.config.cols)
         self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
         self._seeded = False
+        self._np_random: np.random.Generator | None = None
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
@@ -168,6 +169,13 @@ class MatrixWorldBase(HasOpponents):
     def state(self) -> NDArray[np.uint8]:
         """Return the whole world, uint8 of shape (3, rows, cols): evaders, pursuers, obstacles."""
         return self.world.state()
+
+    @property
+    def np_random(self) -> np.random.Generator:
+        """A generator for wrappers that draw, seeded by `reset`; the world never uses it."""
+        if self._np_random is None:
+            self._np_random = np.random.default_rng(self.world.seed)
+        return self._np_random
 
     @property
     def status(self) -> Status:
@@ -196,6 +204,8 @@ class MatrixWorldBase(HasOpponents):
             # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
+        if seed is not None:
+            self._np_random = None
         if self._team is not None:
             self._team.opponents = opponents
             self._team.draw(0, self.world.seed, self.world.episode)

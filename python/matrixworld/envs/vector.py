@@ -573,6 +573,27 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         shared = np.may_share_memory(flat, array)
         return flat.copy() if self.worlds.copy and shared else flat
 
+    def action_masks(self) -> NDArray[np.bool_]:
+        """Return which actions are allowed now, bool (W * n, n_actions).
+
+        All are, unless the worlds were made with an ``action_mask``. Learners that mask actions,
+        such as MaskablePPO of sb3-contrib, ask for it.
+        """
+        worlds = self.worlds
+        return self._flat(worlds._masks.of(worlds._views, worlds.agents.start)) > 0
+
+    def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
+        """Return an attribute of each sub-environment, or what its method returns.
+
+        Sub-environments have ``spec`` and ``render_mode``, and ``render`` as method.
+        """
+        if name == "render":
+            pictures = self.render(*args, **kwargs)
+            return (None,) * self.num_envs if pictures is None else pictures
+        if name in ("spec", "render_mode"):
+            return (getattr(self, name),) * self.num_envs
+        raise AttributeError(f"call: expected render, render_mode or spec, got {name!r}")
+
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
         """Return a picture of its world for each agent, with its field of view outlined."""
         self.worlds._require_open("render")

@@ -333,8 +333,8 @@ class Population(Readable):
 
     Parameters
     ----------
-    genomes : ndarray of float32, shape (n, genome_size) or (genome_size,)
-        The genomes. A single one becomes a population of one.
+    genomes : ndarray of float, shape (n, genome_size) or (genome_size,)
+        The genomes. A single one becomes a population of one; other floats are copied to float32.
     network : Network
         The network that all of them belong to.
 
@@ -350,10 +350,13 @@ class Population(Readable):
     def __post_init__(self) -> None:
         if not isinstance(self.network, Network):
             raise TypeError(f"network: expected a Network, got {self.network!r}")
-        genomes = np.atleast_2d(self.genomes)
-        if genomes.dtype != np.float32 or isinstance(genomes, np.ma.MaskedArray):
-            got = type(genomes).__name__ if genomes.dtype == np.float32 else genomes.dtype
+        given = np.atleast_2d(self.genomes)
+        floats = np.issubdtype(given.dtype, np.floating)
+        if not floats or isinstance(given, np.ma.MaskedArray):
+            got = type(given).__name__ if floats else given.dtype
             raise TypeError(f"genomes: expected dtype float32, got {got}")
+        with np.errstate(over="ignore"):  # what is too large becomes infinite, and is refused
+            genomes = given.astype(np.float32, copy=False)
         expected = (len(genomes), self.network.genome_size)
         if genomes.shape != expected or len(genomes) == 0:
             raise ValueError(
