@@ -22,7 +22,7 @@ from matrixworld import analysis, plots
 from matrixworld.cli import main
 from matrixworld.cli.pages import OF_GAME
 from matrixworld.coevolution import SCHEDULES, RaceSettings, start
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS, Maps
 from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.plots.saved import OF_RUN
 from tiny_race import path_of, tiny_race
@@ -55,6 +55,7 @@ RUN = {
     "docs/figures.md": None,
     "docs/ground_truth.md": None,
     "docs/integrations.md": None,
+    "docs/maps.md": (r"\(3, 4, 4, 4\) \[.*\]",),
     "docs/primer.md": None,
     "docs/live.md": None,
     "docs/opponents.md": (RATE, RATE, r"\[(.|\n)*"),
@@ -260,7 +261,10 @@ def test_names_of_measures() -> None:
 def test_the_table_of_experiments_names_every_selection() -> None:
     table = read("docs/coevolution.md").split("| experiment | settings |")[1].split("\n\n")[0]
     values = set(re.findall(r'"([\w-]+)"', table))
-    assert values == {*SAMPLERS, *ALL_SCHEDULES, "competitive"} - {"latest", "round-robin"}
+    assert values == {*SAMPLERS, *ALL_SCHEDULES, Maps.kind, "competitive"} - {
+        "latest",
+        "round-robin",
+    }
     named = set(re.findall(r"`(\w+)=", table))
     fields = RaceSettings.__dataclass_fields__
     assert all("." in path_of(name) or name in fields for name in named)

@@ -68,7 +68,7 @@ from matrixworld.coevolution.jobs import (
     play_job,
 )
 from matrixworld.coevolution.progress import SECONDS, Report, silent
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Yoked
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Maps, Yoked
 from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
@@ -149,11 +149,12 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 @options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
-    type=click.Choice([*ALL_SCHEDULES, Against.kind, ALL]),
+    type=click.Choice([*ALL_SCHEDULES, Maps.kind, Against.kind, ALL]),
     multiple=True,
     metavar="NAME",
-    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
-    f"alone; may be given several times; {ALL}: the first three  [default: {', '.join(MAIN_JOB)}]",
+    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; {Maps.kind}: maps evolve, too; or "
+    f"{Against.kind}: one team evolves alone; may be given several times; {ALL}: the first "
+    f"three  [default: {', '.join(MAIN_JOB)}]",
 )
 @click.option(
     "--learner",

@@ -43,10 +43,11 @@ from matrixworld._util.checks import check_instance, check_threads, shown
 from matrixworld._util.files import DamagedFileError, locked, save_json, sentence_of
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
 from matrixworld.coevolution.runs import check_own_code, finish
+from matrixworld.coevolution.runs.map_race import check_maps
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
 from matrixworld.coevolution.runs.run import check_same
 from matrixworld.coevolution.runs.single import check_sources
-from matrixworld.coevolution.schedules import Yoked
+from matrixworld.coevolution.schedules import Maps, Yoked
 from matrixworld.coevolution.settings import RaceSettings, check_run_memory, run_memory
 from matrixworld.coevolution.storage import (
     LOCK,
@@ -290,6 +291,9 @@ def check_job(job: Job, root: Path, threads: int | None, *, elsewhere: bool = Fa
     for each in left.values():
         if isinstance(each.schedule, Yoked):
             race_to_replay(each)
+    for method in dict.fromkeys(each.method for each in left.values()):
+        if isinstance(method.schedule, Maps):
+            check_maps(method)
     # A run that has begun has its opponents in its own archive.
     new = dict.fromkeys(each.method for n, each in left.items() if not SavedRun(root / n).exists)
     for method in new:

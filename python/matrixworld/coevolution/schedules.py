@@ -15,7 +15,8 @@ generalist-generalist       ``e[i mod k]``             ``p[i mod (k + 1)]``
 ==========================  =========================  =========================
 
 The opponents of specialists are the `Latest`, those of generalists all by `RoundRobin`. A fourth
-one, `psro`, draws them by meta-strategies (`opponents.MetaStrategy`).
+one, `psro`, draws them by meta-strategies (`opponents.MetaStrategy`). With `Maps` the maps on which
+both teams learn evolve, too.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ import numpy as np
 from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.maps import BOTH, MAP_FITNESS, MAP_TEAMS, MapTeam
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.own_code import OPPONENT, made
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
@@ -410,6 +412,50 @@ class Against(Schedule):
     def new_sampler(self, team: Team) -> OpponentSampler:
         """Return a new opponent sampler of the team that learns: each opponent in turn."""
         return opponents.RoundRobin()
+
+
+@documented
+@dataclass(frozen=True)
+class Maps(Alternating):
+    """As an alternating race, but on maps that evolve: each epoch on a map of an archive."""
+
+    kind: ClassVar[str] = "maps"
+    shorthands: ClassVar[Fields] = {f"maps-{name}": {"map_fitness": name} for name in MAP_FITNESS}
+
+    map_fitness: str = setting(
+        "learnability", f"what maps are selected by: {', '.join(MAP_FITNESS)}", choices=MAP_FITNESS
+    )
+    map_team: MapTeam = setting(
+        BOTH, f"whose regret is computed or estimated: {', '.join(MAP_TEAMS)}", choices=MAP_TEAMS
+    )
+    maps: int = setting(16, "maps in the archive", least=1)
+    children: int = setting(12, "maps in each generation that are edits of archived ones")
+    fresh: int = setting(4, "maps in each generation that are drawn anew")
+    edits: int = setting(3, "edits of each child: a wall added, removed or moved", least=1)
+    walls: float = setting(0.2, "share of walls in maps that are drawn", most=1.0)
+    map_matches: int = setting(
+        16, "matches of the newest genomes on each map in a generation, by which it is scored",
+        least=1,
+    )  # fmt: skip
+
+    def check(self) -> None:
+        """Raise ValueError for the team of a fitness that is the same for both."""
+        if self.map_team != BOTH and not MAP_FITNESS[self.map_fitness].by_team:
+            raise ValueError(
+                f"map_team: expected {BOTH}, got {self.map_team!r}; it has no effect with "
+                f"{self.map_fitness}"
+            )
+
+    @property
+    def name(self) -> str:
+        """The name of the fitness after "maps"."""
+        return f"{self.kind}-{self.map_fitness}"
+
+    @property
+    def scored_matches(self) -> int:
+        """Matches in a generation by which maps are scored."""
+        plays = MAP_FITNESS[self.map_fitness].plays
+        return plays * self.map_matches * (self.maps + self.children + self.fresh)
 
 
 SCHEDULES: dict[str, Alternating] = {

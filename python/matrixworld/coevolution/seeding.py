@@ -18,6 +18,11 @@ matches that choose a  run seed, generation twice, `Phase.ELITE` or `Phase.RETEN
 champion
 matches of an archive  run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`
 held-out matches       seed of the scores, team, number of the opponent, `Phase.HELD_OUT`
+first maps, and new    run seed, `Purpose.MAPS`, 2, generation, 0
+maps of a generation
+map of an epoch        run seed, `Purpose.MAPS`, team, generation, epoch
+matches that score a   run seed, generation twice, `Phase.MAPS`
+map
 evaluation matches     run seed, generation of the pursuers and of the evaders
 =====================  ===========================================================================
 
@@ -41,6 +46,7 @@ class Purpose(IntEnum):
     NOISE = 2
     LEARN = 3
     OPPONENTS = 4
+    MAPS = 5
 
 
 class Phase(IntEnum):
@@ -53,6 +59,7 @@ class Phase(IntEnum):
     ARCHIVE = 5
     ELITE = 6
     RETENTION = 7
+    MAPS = 8
 
 
 def learning_phase(team: Team) -> Phase:

@@ -40,6 +40,7 @@ from matrixworld.coevolution.schedules import (
     SCHEDULES,
     Against,
     Alternating,
+    Maps,
     Simultaneous,
     Yoked,
 )
@@ -203,7 +204,7 @@ class RaceSettings(Section):
         EvolutionStrategySettings(),
         f"how teams learn: {', '.join(kinds_in(BuiltInLearner))} or module:object",
     )
-    schedule: Alternating | Simultaneous | Against | Yoked = setting(
+    schedule: Alternating | Simultaneous | Against | Yoked | Maps = setting(
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
@@ -235,6 +236,7 @@ class RaceSettings(Section):
             object.__setattr__(self, item.name, self._usual(item) if value is None else value)
         self._check_mask()
         self._check_idle()
+        self._check_maps()
         self.learner.check_fits(self.world, self.network)
 
     def _usual(self, item: Field[Any]) -> Any:
@@ -294,6 +296,17 @@ class RaceSettings(Section):
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
                 f"have an effect only with the fitness rewards or a learner by gradients"
             )
+
+    def _check_maps(self) -> None:
+        """Raise ValueError unless maps that evolve have room for all agents."""
+        if isinstance(self.schedule, Maps):
+            cells, agents = self.world.rows * self.world.cols, self.world.n_agents
+            most = 1.0 - agents / cells
+            if self.schedule.walls > most:
+                raise ValueError(
+                    f"schedule.walls: expected at most {most:.3g}, which leaves a cell for each of "
+                    f"{agents} agents, got {self.schedule.walls:g}"
+                )
 
     # What follows from the settings:
 

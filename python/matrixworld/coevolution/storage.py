@@ -252,6 +252,18 @@ class SavedRun:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
         return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
 
+    def maps(self) -> dict[str, NDArray[Any]]:
+        """Return the maps of a race whose maps evolve, after each generation from 0 on.
+
+        ``maps``, bool (generations, N, rows, cols), begin with the best; ``scores`` (generations,
+        N) are what they were selected by. ValueError if no maps evolve; errors as `archive`.
+        """
+        stages = [stage for stage in self._stages() if "maps" in stage]
+        if not stages:
+            kind = self.settings.schedule.kind
+            raise ValueError(f"run: expected a race with the schedule maps, got {kind}")
+        return {name: np.stack([stage[name] for stage in stages]) for name in ("maps", "scores")}
+
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         return Payoff.from_arrays(self._load(PAYOFF))
@@ -523,18 +535,20 @@ class RunWriter(SavedRun):
         rows: Sequence[Row],
         counters: Counters,
         state: Mapping[str, Any],
+        more: Mapping[str, NDArray[Any]] | None = None,
     ) -> None:
         """Save a stage and its checkpoint.
 
         `archive` holds all genomes of each team, of which those of earlier stages are not written
         again; `rows` are the rows of the log of this stage; `counters` is what the run has counted
-        until now; `state` is that of learners and samplers, from which the next stage goes on.
+        until now; `state` is that of learners and samplers, from which the next stage goes on;
+        `more` are other results of the stage, such as maps.
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
         log = _as_csv([{**row, "stage": stage} for row in rows]).encode()
         self._save(_name("checkpoint", stage), state)
-        self._save(_name("stage", stage), {**genomes, "log": log, **counters})
+        self._save(_name("stage", stage), {**genomes, "log": log, **counters, **(more or {})})
         self._saved = {team: len(archive[team]) for team in TEAMS}
         (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
 

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 from deap import base
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.coevolution.learners.learner import Learner
-from matrixworld.coevolution.types import Genome, Genomes
+from matrixworld.coevolution.types import Genomes
 
 
 class Maximize(base.Fitness):  # type: ignore[misc]
@@ -25,12 +25,12 @@ class Maximize(base.Fitness):  # type: ignore[misc]
 
 
 class Individual:
-    """A DEAP individual: a genome (genes,) and its fitness."""
+    """A DEAP individual: a genome, such as (genes,), and its fitness."""
 
     __slots__ = ("fitness", "genome")
 
-    def __init__(self, genome: Genome) -> None:
-        self.genome: Genome = genome
+    def __init__(self, genome: NDArray[Any]) -> None:
+        self.genome: NDArray[Any] = genome
         self.fitness: Maximize = Maximize()
 
 

@@ -1,8 +1,8 @@
 """Runs: training from the first epoch to the evaluation, in a directory that can be resumed.
 
 Read `run` first: what a stage is, how a team learns in it, and what is saved. Each kind of run says
-how its stages are played: `race` and `single`. Here runs of any kind are started, resumed and
-finished.
+how its stages are played: `race`, `map_race` and `single`. Here runs of any kind are started,
+resumed and finished.
 """
 
 from __future__ import annotations
@@ -11,16 +11,17 @@ from pathlib import Path
 
 from matrixworld._util.checks import shown
 from matrixworld.coevolution.progress import OnEpoch, Report, silent
+from matrixworld.coevolution.runs.map_race import MapRace
 from matrixworld.coevolution.runs.race import HallOfFameRace, Race, YokedRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, check_empty, open_run
 from matrixworld.play.rollout import Rollout, rollout
 
-AnyRun = Race | HallOfFameRace | YokedRace | SingleTeam
+AnyRun = Race | HallOfFameRace | YokedRace | MapRace | SingleTeam
 
 RUN_CLASSES: dict[str, type[AnyRun]] = {
-    run.schedule_class.kind: run for run in (Race, HallOfFameRace, YokedRace, SingleTeam)
+    run.schedule_class.kind: run for run in (Race, HallOfFameRace, YokedRace, MapRace, SingleTeam)
 }
 
 

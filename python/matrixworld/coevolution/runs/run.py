@@ -14,12 +14,13 @@ from __future__ import annotations
 
 import sys
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_threads
 from matrixworld.coevolution.evaluation.tournament import team_size, tournament
@@ -50,7 +51,7 @@ from matrixworld.world.policy import Network, TeamPolicy
 
 
 class Run(ABC):
-    """A run in a directory; see `Race`, `HallOfFameRace` and `SingleTeam`.
+    """A run in a directory; see `Race`, `HallOfFameRace`, `MapRace` and `SingleTeam`.
 
     ::
 
@@ -174,6 +175,13 @@ class Run(ABC):
         """Return the entries of config.json besides the settings."""
         return {}
 
+    def begin_epoch(self, team: Team, generation: int, epoch: int) -> None:  # noqa: B027
+        """Prepare an epoch in which a team learns."""
+
+    def results_of_stage(self) -> Mapping[str, NDArray[Any]]:
+        """Return arrays of the last stage, for its file, besides genomes, log and counters."""
+        return {}
+
     # The following methods are the same for all kinds:
 
     def total_matches(self) -> int:
@@ -283,7 +291,8 @@ class Run(ABC):
             for part, stateful in self._parts().items()
             for name, value in stateful.state().items()
         }
-        self.files.save(self.stage, self.archive, self.training.rows, counters, state)
+        more = self.results_of_stage()
+        self.files.save(self.stage, self.archive, self.training.rows, counters, state, more)
         self.training.rows = []
 
     def _restore(self) -> None:
@@ -320,6 +329,7 @@ class Run(ABC):
         if isinstance(sampler, Stateless):
             choices = list(choices)
         for epoch, (met, seeds) in zip(epochs, choices, strict=True):
+            self.begin_epoch(team, generation, epoch)
             candidates = learner.ask(self.generator(Purpose.LEARN, team, generation, epoch))
             scores = training.play_candidates(team, candidates, opponents, met, seeds)
             # Win rates, not fitness: samplers expect numbers in [0, 1].

@@ -22,7 +22,7 @@ from matrixworld.coevolution.fitness import (
     shared_fitness,
 )
 from matrixworld.coevolution.opponents import ArchiveSampler, OpponentSampler
-from matrixworld.coevolution.schedules import Against, Simultaneous, available
+from matrixworld.coevolution.schedules import Against, Maps, Simultaneous, available
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import Row
@@ -241,16 +241,19 @@ class TrainingMatches:
         seeds = np.tile(training_seeds(*key, c * episodes), (n, 1))
         met = np.repeat(indices, episodes)
         scores = self.play_candidates(team, genomes, opponents, met, seeds)
-        # They count as matches of the last epoch: of two rows in a race with halls of fame.
-        last = self.rows[-1]["matches"]
-        for row in self.rows:
-            if row["matches"] == last:
-                row |= {"matches": self.matches, "steps": self.steps}
+        self.count_in_last_epoch()
 
         def table(values: FloatArray) -> FloatArray:
             return np.asarray(values.reshape(n, c, episodes).mean(axis=2))
 
         return self.fitness(scores, team, table, shared=shared)
+
+    def count_in_last_epoch(self) -> None:
+        """Count matches after an epoch in its rows: two in a race with halls of fame."""
+        last = self.rows[-1]["matches"]
+        for row in self.rows:
+            if row["matches"] == last:
+                row |= {"matches": self.matches, "steps": self.steps}
 
 
 def training_matches(
@@ -268,7 +271,7 @@ def training_matches(
         matches = schedule.epochs * learner.population + stages * learner.elite_matches
         return matches * settings.match_episodes
     living = schedule.contemporaries if isinstance(schedule, Simultaneous) else 0
-    matches = 0
+    matches = schedule.generations * schedule.scored_matches if isinstance(schedule, Maps) else 0
     for team, k in product(TEAMS, range(1, schedule.entries)):
         archived = k if isinstance(schedule, Simultaneous) else available(team, k)
         sampled = min(schedule.sampled_opponents, archived)

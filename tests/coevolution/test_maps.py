@@ -1,0 +1,62 @@
+"""Maps: what edits do, against a flood fill written down again, and the archive."""
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution.maps import MapArchive, edited, playable, random_map
+
+
+def reachable(walls: np.ndarray) -> bool:
+    """Return whether steps to the four sides lead from one free cell to all others."""
+    free = {(int(row), int(col)) for row, col in np.argwhere(~walls)}
+    found, left = set(), [min(free)]
+    while left:
+        row, col = left.pop()
+        if (row, col) in free and (row, col) not in found:
+            found.add((row, col))
+            left += [(row + 1, col), (row - 1, col), (row, col + 1), (row, col - 1)]
+    return found == free
+
+
+@pytest.mark.parametrize("shape", [(6, 6), (1, 7), (3, 5)])
+def test_maps_stay_connected_with_room_for_all(shape):
+    rng = np.random.default_rng(1)
+    changes = set()
+    for share in (0.0, 0.2, 0.9):
+        walls = random_map(shape, share, 3, rng)
+        for _ in range(100):
+            child = edited(walls, 3, rng)
+            changes.add((int((child & ~walls).sum()), int((walls & ~child).sum())))
+            assert (~child).sum() >= 3
+            assert reachable(child)
+            assert playable(child, 3)
+            walls = child
+    assert changes == {(1, 0), (0, 1), (1, 1)}  # added, removed, moved
+
+
+def test_shares_of_walls_are_met_where_they_fit():
+    rng = np.random.default_rng(2)
+    assert {int(random_map((6, 6), 0.25, 3, rng).sum()) for _ in range(20)} == {9}
+
+
+def test_a_map_that_allows_no_edit_stays():
+    walls = np.zeros((1, 3), bool)
+    assert np.array_equal(edited(walls, 3, np.random.default_rng(0)), walls)
+
+
+def test_better_maps_are_offered_more_often_and_equal_ones_alike():
+    archive = MapArchive([np.zeros((2, 2), bool)] * 4)
+    assert np.allclose(archive.weights, 0.25)
+    archive.scores = np.array([0.1, 0.4, 0.1, 0.2])
+    assert np.allclose(archive.weights * (1 + 1 / 2 + 2 / 3), [1 / 3, 1, 1 / 3, 1 / 2])
+    archive.keep_best(3)
+    assert archive.scores.tolist() == [0.4, 0.2, 0.1]
+
+
+def test_children_are_new_maps():
+    rng = np.random.default_rng(3)
+    archive = MapArchive([random_map((4, 4), 0.2, 3, rng) for _ in range(5)])
+    archive.add(archive.children(20, 2, 3, rng))
+    assert len({walls.tobytes() for walls in archive.maps}) == 25
+    assert np.isnan(archive.values).all()
+    assert (archive.best == -np.inf).all()
