@@ -44,6 +44,7 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 TABLES: dict[str, Callable[[Path], str]] = {
     "actor_critic_baselines/table.md": of(baselines.table),
     "actor_critic_races/table.md": of(actor_critic_races.table),
+    "convergence/table.md": of(convergence.table),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
     "ground_truth/table.md": of(ground_truth.table),
     "hall_of_fame/table.md": of(hall_of_fame.table),
