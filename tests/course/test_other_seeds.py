@@ -38,12 +38,12 @@ TABLE = """
 6  | chance | checkerboards of one match | +
 6  | chance | correction of ten matches | +
 6  | paper | transitive share: specialists minus mixed | -
-6b | toy cures | latest, less 0.2 | +
-6b | toy cures | 0.2 less hall | +
-6b | toy cures | hall less Nash | +
-6b | cures | transitive share of uniform | +
-6b | cures | escapes of round-robin | -
-6b | halls | pursuers forget | -
+6  | toy cures | latest, less 0.2 | +
+6  | toy cures | 0.2 less hall | +
+6  | toy cures | hall less Nash | +
+6  | cures | transitive share of uniform | +
+6  | cures | escapes of round-robin | -
+6  | halls | pursuers forget | -
 7  | hosts | 60 minus the hosts of greedy ones | +
 7  | hosts | hosts, restrained minus greedy | +
 7  | hosts | parasites, restrained minus greedy | +
@@ -51,11 +51,6 @@ TABLE = """
 7  | restraint | few evader epochs, less one half | +
 7  | restraint | restrained, less four in ten | +
 7  | restraint | few evader epochs minus restrained | +
-8  | schools | evaders, hunter: hardest only minus easy to hard | +
-8  | schools | evaders, random: hardest only minus easy to hard | -
-8  | schools | evaders, random: easy to hard minus hard to easy | -
-8  | schools | evaders, clumsy-chaser: easy to hard minus hard to easy | +
-8  | schools | evaders, chaser: easy to hard minus hard to easy | +
 8  | schools | pursuers, random: last stage minus first | -
 8  | schools | evaders, scripts: co-evolution minus easy to hard | -
 8  | schools | evaders, evolved strangers: co-evolution minus easy to hard | -

@@ -18,7 +18,6 @@ from course import check
 from course.chapter_1 import BUMPER_CARS
 from course.chapter_2 import JAM_ACTIONS
 from course.chapter_5 import ENDINGS
-from course.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from course.chapter_8 import CASES, verdict_on
 from course.chapter_9 import break_even
 from matrixworld import Action, analysis
@@ -36,10 +35,6 @@ ONE_TEAM = np.array(  # only the pursuers become stronger
 )
 BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
 GAINS = student.interval_of_gains("generalist_generalist")
-LOST = WELL.copy()
-LOST[3] = 0.0
-OTHER_WELL = WELL.copy()
-OTHER_WELL[3], OTHER_WELL[:, 3] = (0.0, 1.0, 0.0, 0.5), (1.0, 0.0, 1.0, 0.5)
 
 WRONG: dict[str, dict[str, Any]] = {
     "1.1": {
@@ -158,6 +153,7 @@ WRONG: dict[str, dict[str, Any]] = {
     "6.1": {
         "each four times": student.each_square_four_times,
         "strict losses": student.strict_losses,
+        "a draw wins": lambda matrix: analysis.checkerboards(matrix + 1e-9).count,
         "neighbours only": student.neighbours_only,
     },
     "6.2": {
@@ -165,11 +161,6 @@ WRONG: dict[str, dict[str, Any]] = {
         "the mean twice": student.mean_twice,
     },
     "6.3": {
-        "without the well": ROCK_PAPER_SCISSORS,
-        "it beats the other ones": OTHER_WELL,
-        "its column forgotten": LOST,
-    },
-    "6.4": {
         "without the newest": lambda available, rng: [0],
         "with repetition": student.hall(4, repeat=True),
         "too few": student.hall(3),
@@ -196,28 +187,23 @@ WRONG: dict[str, dict[str, Any]] = {
         "zeros": lambda wins: 0 * wins,
     },
     "8.1": {
-        "always up": lambda stage, escaped: stage + 1,
-        "no limits": lambda s, e: s + (e > 0.6) - (e < 0.2),
-        "at the limit": lambda s, e: min(max(s + int(e >= 0.6) - int(e < 0.2), 0), 3),
-    },
-    "8.2": {
         "both teams": (64000, 250),
         "epochs": (1000, 250),
         "the whole curriculum": (32000, 1000),
         "a generation": (32000, 50),
     },
-    "8.3": {
+    "8.2": {
         "with the own": lambda rates: rates.mean(axis=1),
         "the own": np.diag,
+    },
+    "8.3": {
+        "by the means": lambda one, other: "better" if one.mean() > other.mean() else "worse",
+        "unpaired": student.unpaired,
+        "swapped": lambda one, other: verdict_on(other, one),
     },
     "8.4": {
         "one wrong": {**CASES, "D": "autocurriculum"},
         "another one": {**CASES, "A": "co-evolution"},
-    },
-    "8.5": {
-        "by the means": lambda one, other: "better" if one.mean() > other.mean() else "worse",
-        "unpaired": student.unpaired,
-        "swapped": lambda one, other: verdict_on(other, one),
     },
     "9.1": {
         "greedy": [6, 20, 0, 0, 0, 0],
@@ -263,7 +249,7 @@ RIGHT: dict[str, list[Any]] = {
     "5.3": [GAINS],
     "5.4": [student.both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
-    "6.4": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
+    "6.3": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
     "7.5": [
         lambda wins: np.minimum(wins, 4),
         lambda wins: -abs(wins - 3),

@@ -1,4 +1,4 @@
-"""Exercises of notebook 6, "Running in circles", and of its second part, 6b."""
+"""Exercises of notebook 6, "Running in circles"."""
 
 from __future__ import annotations
 
@@ -7,15 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from course.checks import Mistake, array, compare, function
+from course.checks import Mistake, compare, function
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
 
-WELL = np.array(
-    [[0.5, 0.0, 1.0, 0.0], [1.0, 0.5, 0.0, 1.0], [0.0, 1.0, 0.5, 0.0], [1.0, 0.0, 1.0, 0.5]]
-)
-"""Rock, paper, scissors, well."""
-ROCK_PAPER_SCISSORS = WELL[:3, :3]
+ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 OF_A_MATRIX = "For a matrix of {matrix.shape[0]} x {matrix.shape[1]}"
 
 
@@ -23,9 +19,10 @@ def _unseen_matrices() -> list[tuple[FloatArray]]:
     """Return small matrices of capture rates, square and not square."""
     rng = np.random.default_rng(6)
     pennies = np.array([[0.9, 0.1], [0.2, 0.8]])
+    equal = np.array([[0.5, 0.1], [0.2, 0.8]])
     shapes = ((2, 3), (4, 4), (6, 5), (9, 9))
     drawn = [rng.random(shape) for shape in shapes]
-    return [(matrix,) for matrix in (ROCK_PAPER_SCISSORS, pennies, pennies[::-1], *drawn)]
+    return [(matrix,) for matrix in (ROCK_PAPER_SCISSORS, pennies, pennies[::-1], equal, *drawn)]
 
 
 def exercise_1(answer: Any) -> None:
@@ -35,7 +32,12 @@ def exercise_1(answer: Any) -> None:
         lambda matrix: analysis.checkerboards(matrix).count,
         _unseen_matrices(),
         case=OF_A_MATRIX,
-        clues={"A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses},
+        clues={
+            "A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses,
+            "A rate of exactly 0.5 is a loss: pursuers win above 0.5 only.": (
+                lambda matrix: analysis.checkerboards(matrix + 1e-9).count
+            ),
+        },
         otherwise=_why_count,
     )
 
@@ -82,25 +84,11 @@ def _mean_subtracted_twice(matrix: FloatArray) -> float:
     return float(1.0 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
 
 
-def exercise_3(answer: Any) -> None:
-    """Add a well to rock, paper and scissors."""
-    matrix = array(answer, "four rows of four numbers", 4, 4)
-    if not np.allclose(matrix[:3, :3], ROCK_PAPER_SCISSORS):
-        raise Mistake("The first three rows and columns should be plain rock-paper-scissors.")
-    if not np.allclose(matrix + matrix.T, 1.0):
-        raise Mistake("What one hand wins the other one loses: matrix + matrix.T is 1 everywhere.")
-    wrong = np.count_nonzero(~np.isclose(matrix[3], WELL[3]))
-    if wrong:
-        raise Mistake(
-            f"{wrong} of the four cells in the row of the well are wrong. Whom does it beat?"
-        )
-
-
 NEWEST, OLDER = 1, 4
 DRAWS = 300
 
 
-def exercise_4(answer: Any) -> None:
+def exercise_3(answer: Any) -> None:
     """Choose opponents from a hall of fame."""
     rng = np.random.default_rng(4)
     for available in (1, 2, 4, 5, 12):

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from itertools import product
 from typing import Any
 
 import numpy as np
 
-from course.checks import Mistake, array, choices, compare, numbers, one_of, whole
+from course.checks import Mistake, array, choices, compare, numbers, one_of
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
 
@@ -39,7 +38,9 @@ def examined(stored: Mapping[str, Any], team: str, scripts: Sequence[str]) -> Sc
     races = zip(stored[f"{team}: kinds"].tolist(), stored[f"{team}: against races"], strict=True)
     # Own races are left out: who has met these rivals remembers them.
     return found | {
-        "co-evolved": {name: _without_own(each / 1000).sum(axis=1) / 9 for name, each in races}
+        "co-evolved rivals": {
+            name: _without_own(each / 1000).sum(axis=1) / 9 for name, each in races
+        }
     }
 
 
@@ -49,39 +50,11 @@ def _without_own(rates: FloatArray) -> FloatArray:
 
 # ---- Exercises -----------------------------------------------------------------------------------
 
-LAST_STAGE, UP, DOWN = 3, 0.6, 0.2
-
-
-def exercise_1(answer: Any) -> None:
-    """Write a curriculum that chooses its next stage itself."""
-    compare(
-        answer,
-        _next_stage,
-        product(range(LAST_STAGE + 1), (0.0, 0.1, 0.2, 0.4, 0.6, 0.75, 1.0)),
-        partial(whole, name=f"the number of a stage, 0 to {LAST_STAGE}"),
-        case="In stage {stage} with {escaped:.0%} escaped",
-        otherwise=_why_stage,
-    )
-
-
-def _next_stage(stage: int, escaped: float) -> int:
-    step = 1 if escaped > UP else -1 if escaped < DOWN else 0
-    return min(max(stage + step, 0), LAST_STAGE)
-
-
-def _why_stage(found: int, right: int, stage: int, escaped: float) -> str:
-    if not 0 <= found <= LAST_STAGE:
-        return f"There are the stages 0 to {LAST_STAGE} only."
-    if escaped in (UP, DOWN):
-        return f"Exactly {escaped:.0%} is neither more nor less than the limit."
-    return f"Up if more than {UP:.0%} escape, down if less than {DOWN:.0%}, else stay."
-
-
 POPULATION, GENERATIONS, EPOCHS, STAGES = 32, 20, 50, 4
 """Of the races and curricula that the notebook keeps."""
 
 
-def exercise_2(answer: Any) -> None:
+def exercise_1(answer: Any) -> None:
     """Compute the budgets of a race and of a curriculum."""
     kind = "a pair of numbers: (matches of the evaders, epochs of a stage)"
     matches, epochs = numbers(answer, kind, 2)
@@ -102,7 +75,7 @@ def exercise_2(answer: Any) -> None:
         raise Mistake("The stages are equally long.")
 
 
-def exercise_3(answer: Any) -> None:
+def exercise_2(answer: Any) -> None:
     """Score teams against strangers."""
     compare(
         answer,
@@ -129,33 +102,6 @@ def _six(value: Any) -> FloatArray:
     return array(value, "one number for each of 6 seeds", 6)
 
 
-WORDS = ("co-evolution", "autocurriculum", "curriculum by hand", "none of these")
-CASES = {
-    "A": "none of these",
-    "B": "curriculum by hand",
-    "C": "autocurriculum",
-    "D": "co-evolution",
-    "E": "autocurriculum",
-}
-"""Which word fits best, by case."""
-WHY_NOT = {
-    "A": "A: does the classifier learn while the pictures are searched?",
-    "B": "B: who decides which pursuers come next, and do these pursuers learn?",
-    "C": "C: who sets the tasks of each copy?",
-    "D": "D: both learn, so the fitness of one depends on the other. Are they rivals?",
-    "E": "E: both teams learn. Who sets the tasks of the evaders?",
-}
-
-
-def exercise_4(answer: Any) -> None:
-    """Say which word fits which case."""
-    wrong = choices(answer, CASES, WORDS)
-    if wrong:
-        raise Mistake(
-            f"{len(wrong)} of {len(CASES)} do not fit. Think again about {WHY_NOT[wrong[0]]}"
-        )
-
-
 BETTER, WORSE, OPEN = "better", "worse", "cannot tell"
 
 
@@ -167,7 +113,7 @@ def verdict_on(one: Any, other: Any) -> str:
     return (OPEN, BETTER, WORSE)[analysis.difference_of_runs(one, other, paired=True).sign]
 
 
-def exercise_5(answer: Any) -> None:
+def exercise_3(answer: Any) -> None:
     """Write a rule that says which of two kinds of training is better."""
     compare(
         answer,
@@ -198,3 +144,30 @@ def _why_verdict(found: str, right: str, one: FloatArray, other: FloatArray) -> 
         f"The difference is the same in nearly all seeds there, and your function says '{found}'. "
         "Entries with the same seed belong together."
     )
+
+
+WORDS = ("co-evolution", "autocurriculum", "curriculum by hand", "none of these")
+CASES = {
+    "A": "none of these",
+    "B": "curriculum by hand",
+    "C": "autocurriculum",
+    "D": "co-evolution",
+    "E": "autocurriculum",
+}
+"""Which word fits best, by case."""
+WHY_NOT = {
+    "A": "A: does the classifier learn while the pictures are searched?",
+    "B": "B: who decides which pursuers come next, and do these pursuers learn?",
+    "C": "C: who sets the tasks of each copy?",
+    "D": "D: both learn, so the fitness of one depends on the other. Are they rivals?",
+    "E": "E: both teams learn. Who sets the tasks of the evaders?",
+}
+
+
+def exercise_4(answer: Any) -> None:
+    """Say which word fits which case."""
+    wrong = choices(answer, CASES, WORDS)
+    if wrong:
+        raise Mistake(
+            f"{len(wrong)} of {len(CASES)} do not fit. Think again about {WHY_NOT[wrong[0]]}"
+        )

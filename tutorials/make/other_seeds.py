@@ -173,15 +173,13 @@ def chance(seed: int) -> Effects:
     }
 
 
-# ---- Notebook 6b ---------------------------------------------------------------------------------
+# ---- Notebook 6: cures ---------------------------------------------------------------------------
 
 
 def toy_cures(seed: int) -> Effects:
     """Return how far races of three hands end from the limit of the prediction."""
-    weighted = ROCK_PAPER_SCISSORS.copy()
-    weighted[2, 1], weighted[1, 2] = 0.6, 0.4
-    names = {"np": np, "analysis": analysis, "weighted": weighted}
-    toy = defined("06b", ("def share(", "def exploitability("), names)
+    names = {"np": np, "analysis": analysis, "ROCK_PAPER_SCISSORS": ROCK_PAPER_SCISSORS}
+    toy = defined("06", ("weighted = ", "def exploitability("), names)
     latest, hall, nash = (
         toy["race"](toy[name], 300, seed)[-1, 1] for name in ("latest", "hall", "nash")
     )
@@ -202,9 +200,6 @@ def defined(notebook: str, starts: tuple[str, ...], names: dict[str, Any]) -> di
     return names
 
 
-CURES = ("latest", "round-robin", "uniform")
-
-
 @cache
 def cure(name: str, seed: int) -> SavedRun:
     place = RUNS / "chapter_6" / name / str(seed)
@@ -214,12 +209,12 @@ def cure(name: str, seed: int) -> SavedRun:
 def cures(seed: int) -> Effects:
     """Cures minus specialists. Evaders meet the last pursuers of the other two kinds, all seeds."""
     of = analysis.MEASURES["transitive_share"].of
-    share = {name: of(cure(name, seed).payoff().capture_rate).value for name in CURES}
+    share = {name: of(cure(name, seed).payoff().capture_rate).value for name in chapter_6.SAMPLERS}
     escape = {}
-    for name in CURES:
+    for name in chapter_6.SAMPLERS:
         rivals = [
             cure(kind, each).teams["pursuer"].genomes[-1]
-            for kind in CURES
+            for kind in chapter_6.SAMPLERS
             for each in SOURCES["cures"].others
             if kind != name
         ]
@@ -325,9 +320,6 @@ def schools(seed: int) -> Effects:
         }
         pairs = list(combinations(("co-evolution", "easy to hard", "random only"), 2))
         effects |= _differences(f"{team}s", sorts, pairs)
-        if team == "evader":
-            pairs = [("easy to hard", "hard to easy"), ("hardest only", "easy to hard")]
-            effects |= _differences("evaders", {name: by_script[name] for name in ladder}, pairs)
         climbed = chapter_8.tested(team, learned["easy to hard"], ladder[0], chapter_8.EPISODES)
         effects[f"{team}s, random: last stage minus first"] = (
             float(climbed[-1]) - climbed[1]

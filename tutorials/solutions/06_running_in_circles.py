@@ -31,3 +31,12 @@ def exercise_2(matrix: np.ndarray) -> float:
     mean = matrix.mean()
     rest = matrix - matrix.mean(axis=1, keepdims=True) - matrix.mean(axis=0) + mean
     return float(1 - (rest**2).sum() / ((matrix - mean) ** 2).sum())
+
+
+# Exercise 6.3. A hall of fame: the newest opponent, and up to four different older ones.
+#
+# The older ones are 0 to available - 2, which are available - 1 of them.
+def exercise_3(available: int, rng: np.random.Generator) -> list[int]:
+    """Return the numbers of the opponents to meet."""
+    older = rng.choice(available - 1, size=min(4, available - 1), replace=False)
+    return [available - 1, *older]

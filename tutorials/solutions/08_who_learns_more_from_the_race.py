@@ -9,34 +9,36 @@ import numpy as np
 
 from matrixworld import analysis
 
-# 8.1  Let the curriculum choose its stage: one up if more than 60 % escape, one down if less than
-# 20 %, and never below 0 or above 3.
-
-
-def exercise_1(stage, escaped):
-    """Return the next stage."""
-    if escaped > 0.6:
-        stage += 1
-    if escaped < 0.2:
-        stage -= 1
-    return min(max(stage, 0), 3)
-
-
-# 8.2  How many matches do the evaders of a race learn from, and how many epochs has each of four
+# 8.1  How many matches do the evaders of a race learn from, and how many epochs has each of four
 # stages with the same budget?
 #
 # 20 generations of 50 epochs are 1000 epochs. In each of them 32 candidates play one match.
 
-exercise_2 = (20 * 50 * 32, 20 * 50 / 4)
+exercise_1 = (20 * 50 * 32, 20 * 50 / 4)
 
-# 8.3  The mean score of each seed against the races of all other seeds.
+# 8.2  The mean score of each seed against the races of all other seeds.
 #
 # The sum of the row without the number on the diagonal, divided by how many are left.
 
 
-def exercise_3(rates):
+def exercise_2(rates):
     """Return one number for each row of a square table."""
     return (rates.sum(axis=1) - np.diag(rates)) / (len(rates) - 1)
+
+
+# 8.3  A verdict from two lists of scores with the same seeds.
+#
+# Seeds belong together, so the interval is that of the paired differences.
+
+
+def exercise_3(one, other):
+    """Return whether the first is better or worse, or that these seeds cannot tell."""
+    found = analysis.difference_of_runs(one, other, paired=True)
+    if found.low > 0:
+        return "better"
+    if found.high < 0:
+        return "worse"
+    return "cannot tell"
 
 
 # 8.4  Which word fits?
@@ -51,17 +53,3 @@ exercise_4 = {
     "D": "co-evolution",
     "E": "autocurriculum",
 }
-
-# 8.5  A verdict from two lists of scores with the same seeds.
-#
-# Seeds belong together, so the interval is that of the paired differences.
-
-
-def exercise_5(one, other):
-    """Return whether the first is better or worse, or that these seeds cannot tell."""
-    found = analysis.difference_of_runs(one, other, paired=True)
-    if found.low > 0:
-        return "better"
-    if found.high < 0:
-        return "worse"
-    return "cannot tell"
