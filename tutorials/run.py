@@ -36,8 +36,6 @@ TEACHER = HERE / "teacher"
 SECONDS_A_CELL = 600
 COLORS = 256
 PREDICTION = re.compile(r'predict\("([\d.a-z]+)", \.\.\.\)')
-VERDICTS = "my_verdicts = ..."
-"""Of notebook 7: verdicts on eight races, before the truth is shown."""
 GIF = re.compile(r'<img src="data:image/gif;base64,([^"]+)" alt="([^"]*)">')
 
 
@@ -62,7 +60,6 @@ def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.Note
     for cell in copy.cells:
         if cell.cell_type == "code":
             cell.source = PREDICTION.sub(_with_outcome, cell.source)
-            cell.source = cell.source.replace(VERDICTS, 'my_verdicts = ["?"] * 8')
     folders = [str(HERE), *filter(None, [os.environ.get("PYTHONPATH")])]
     with tempfile.TemporaryDirectory() as folder:  # predictions are written there
         NotebookClient(

@@ -11,7 +11,6 @@ import pytest
 import matrixworld as mw
 from course import chapter_10, check, kept
 from course.chapter_5 import four_races
-from course.chapter_7 import UNKNOWN, is_disengaged, unknown_races, verdict_of
 from course.chapter_9 import (
     WEIGHTS,
     WORLD,
@@ -101,21 +100,12 @@ def test_verdicts_on_ten_seeds(schedule: str, race: str, cycling: str) -> None:
 # ---- Notebook 7 ----------------------------------------------------------------------------------
 
 
-def test_the_races_to_judge_are_of_both_sorts_and_need_many_episodes() -> None:
-    truths = [is_disengaged(*each) for each in UNKNOWN]
-    assert sum(truths) == 4
-    few, many = ([verdict_of(race) for race in unknown_races(episodes)] for episodes in (10, 50))
-    assert "present" not in few
-    assert [verdict == "present" for verdict in many] == truths
-
-
 @pytest.mark.slow
 def test_the_kept_races_show_what_the_notebook_says() -> None:
     """Of ten seeds of each kind so many disengage in the last half."""
     stored = kept("chapter_7")
     for kind, least, most in (
         ("even", 0, 2),
-        ("no overlap penalty", 0, 2),
         ("few evader epochs", 7, 10),
         ("restrained pursuers", 5, 8),
     ):

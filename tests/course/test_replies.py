@@ -173,16 +173,6 @@ WRONG: dict[str, dict[str, Any]] = {
     },
     "7.2": {"best": 0.8, "below": 0.75, "above": 0.95, "nine": 9},
     "7.3": {
-        "the wins": lambda wins: wins.sum(axis=1),
-        "by individual": lambda wins: (wins / wins.sum(axis=1, keepdims=True)).sum(axis=1),
-        "by opponent": lambda wins: wins.sum(axis=0),
-    },
-    "7.4": {
-        "a percentage": 84.0,
-        "of the others": 0.25,
-        "the right ones": 0.16,
-    },
-    "7.5": {
         "the wins": lambda wins: wins,
         "zeros": lambda wins: 0 * wins,
     },
@@ -250,7 +240,7 @@ RIGHT: dict[str, list[Any]] = {
     "5.4": [student.both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
     "6.3": [student.hall(4), lambda available, rng: np.array(student.hall(4)(available, rng))],
-    "7.5": [
+    "7.3": [
         lambda wins: np.minimum(wins, 4),
         lambda wins: -abs(wins - 3),
         lambda wins: reduced_virulence(wins, 0.6),

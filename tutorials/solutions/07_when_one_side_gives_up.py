@@ -28,32 +28,12 @@ def exercise_1(wins, v):
 
 exercise_2 = 0.36 / 0.4
 
-# 7.3  Write competitive fitness sharing.
-#
-# Each opponent is worth 1 in total, shared by the individuals that beat it. Opponents that no
-# individual beats are left out.
-
-
-def exercise_3(wins):
-    """Return the shared fitness of each row of a table of wins."""
-    beaten = wins[:, wins.sum(axis=0) > 0]
-    return (beaten / beaten.sum(axis=0)).sum(axis=1)
-
-
-# 7.4  A rule finds 90 % of the disengaged races and raises a false alarm in 25 % of the others. One
-# race in twenty is disengaged. Which share of its alarms is false?
-#
-# Of 1000 races, 50 are disengaged: 45 right alarms. 950 are not: 237.5 false alarms.
-
-false_alarms, right_alarms = 0.25 * 950, 0.9 * 50
-exercise_4 = false_alarms / (false_alarms + right_alarms)
-
-# 7.5  Write a fitness of your own that keeps hosts in the race.
+# 7.3  Write a fitness of your own that keeps hosts in the race.
 #
 # For example: the best parasite wins three quarters of the most wins, and each win more or less
 # costs the same. (This is reduced virulence with straight lines in place of a parabola.)
 
 
-def exercise_5(wins):
+def exercise_3(wins):
     """Return the fitness of each parasite: minus the distance to three quarters of the most."""
     return -np.abs(wins - 0.75 * wins.max())
