@@ -48,7 +48,7 @@ def exercise_2(answer: Any) -> None:
 
 
 BUMPER_CARS = Rules(
-    Interaction.SWARM_TURNS,
+    Interaction.AGENT_TURNS,
     obstacle=Outcome.BOUNCE,
     teammate=Outcome.BOUNCE,
     evader=Outcome.BOUNCE,

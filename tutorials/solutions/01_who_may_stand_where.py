@@ -20,10 +20,10 @@ exercise_2 = [EAST, SOUTH, NORTH, WEST]
 
 # 1.3  Bumper cars.
 #
-# "The teams take turns" is the interaction. The four outcomes are all to bounce. "While it is
+# "The agents take turns" is the interaction. The four outcomes are all to bounce. "While it is
 # surrounded" is the capture, and "it stays on the floor" is the default of the last field.
 exercise_3 = mw.Rules(
-    interaction=mw.Interaction.SWARM_TURNS,
+    interaction=mw.Interaction.AGENT_TURNS,
     obstacle=mw.Outcome.BOUNCE,
     teammate=mw.Outcome.BOUNCE,
     evader=mw.Outcome.BOUNCE,
