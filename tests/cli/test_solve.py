@@ -6,7 +6,7 @@ import pytest
 
 import matrixworld as mw
 from command_line import matrixworld_command
-from matrixworld.coevolution import evolve
+from matrixworld.coevolution import TEAMS, evolve, held_out_maps, score_on_maps
 from matrixworld.solve import States, expected_payoff, guarantees
 from tiny_race import settings_of
 
@@ -53,3 +53,27 @@ def test_exploit_exact_prints_what_the_functions_return_and_writes_nothing(tmp_p
     assert f"{sum(gains) / 2:.3f}" in said.split("mean", 1)[1]
     assert f"is {truth.value:.3f}." in said
     assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_score_on_held_out_maps_prints_and_writes_what_the_function_returns(tmp_path):
+    quick = {"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1, "population": 2}
+    small = {"rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 4}
+    settings = [settings_of(**small, **quick, fov=7, seed=seed) for seed in (0, 1)]
+    runs = evolve(settings, tmp_path / "job")
+    words = ("--maps", 3, "--regret", "--episodes", 5, "--seed", 2)
+    result = matrixworld_command("score", "job", *words, "--json", "-")
+    (group,) = json.loads(result.stdout)["groups"].values()
+    maps = held_out_maps(4, 4, 3)
+    for number, run in enumerate(runs):
+        teams = {team: run.last(team) for team in TEAMS}
+        world = run.settings.world
+        expected = score_on_maps(teams, world, maps, exact=True, episodes=5, seed=2)
+        assert group["capture rate"][number] == expected.capture_rate.tolist()
+        for team in TEAMS:
+            assert group[f"regret of the {team}s"][number] == expected.regret[team].tolist()
+        assert f"{expected.regret['pursuer'].mean():.3f}" in result.stderr
+    for wrong, says in (
+        (("--regret",), "--regret: expected --maps beside it"),
+        (("--maps", 2, "--generation", 1), "--maps: expected no --generation"),
+    ):
+        assert says in matrixworld_command("score", "job", *wrong, code=2).output

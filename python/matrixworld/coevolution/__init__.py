@@ -21,6 +21,11 @@ from __future__ import annotations
 
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.evaluation.map_scores import (
+    MapScores,
+    held_out_maps,
+    score_on_maps,
+)
 from matrixworld.coevolution.evaluation.scores import held_out, score, score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
@@ -76,6 +81,7 @@ __all__ = [
     "GeneticAlgorithm",
     "Learner",
     "LockedError",
+    "MapScores",
     "Maps",
     "NoiseTable",
     "OnEpoch",
@@ -106,6 +112,7 @@ __all__ = [
     "finish",
     "generate_update_toolbox",
     "held_out",
+    "held_out_maps",
     "open_groups",
     "open_run",
     "open_runs",
@@ -113,6 +120,7 @@ __all__ = [
     "reduced_virulence",
     "resume",
     "score",
+    "score_on_maps",
     "score_policy",
     "start",
     "tournament",

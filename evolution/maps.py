@@ -1,0 +1,200 @@
+"""Which maps should teams learn on? By exact regret, by its estimates, novel ones, or any.
+
+    python evolution/maps.py             ten seeds, about 45 minutes of one core
+    python evolution/maps.py --quick     two seeds of tiny races, half a minute
+
+Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve
+(docs/maps.md). They differ in what maps are selected by. The world can be solved, so that regret,
+which others estimate, is known. Episodes have 6 rounds, in which perfect pursuers capture from
+about half of all starts. In 20 they always do, and evaders have nothing to regret.
+
+*Ranks.* Fresh random maps are ranked by each estimate and by exact regret, for the last generations
+of the races without selection. As many matches are played on each map as in a race. Look at the
+rank correlation (Spearman) with its interval over seeds: an estimate is to be trusted for a team if
+the whole interval is above 0.5, and to be refused if it is not above 0.
+
+*Held-out maps.* All races are compared at the same number of matches, the smallest that one played,
+on rooms, mazes and caves on which none has learned. Look at exact regret of each team, and at how
+often pursuers capture, and evaders escape from, the last generations of the races without selection
+by other seeds. A fitness helps a team if its difference from `none`, seed by seed, has an adjusted
+p-value (Holm, over the rows of a column) below 0.05.
+
+All this was decided before any run was played.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+import matrixworld as mw
+from common import Numbers, Runs, adjusted, by_seed, experiment, markdown, mean, shown_p
+from matrixworld.coevolution import (
+    TEAMS,
+    RaceSettings,
+    SavedRun,
+    Team,
+    held_out_maps,
+    score_on_maps,
+)
+from matrixworld.coevolution.maps import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Trial, random_map
+
+SIDE, STEPS = 6, 6
+BASE = RaceSettings.of({
+    "schedule": "maps", "schedule.generations": 20, "schedule.pursuer_epochs": 30,
+    "schedule.evader_epochs": 30, "schedule.maps": 8, "schedule.children": 4, "schedule.fresh": 1,
+    "schedule.map_matches": 4, "schedule.pursuers_meet": "uniform",
+    "schedule.evaders_meet": "uniform", "learner": "es", "learner.population": 32,
+    "learner.sigma": 0.3, "learner.relative_sigma": 1.0, "learner.learning_rate": 0.1,
+    "policy.hidden": [16], "world.rules": "TO", "world.rows": SIDE, "world.cols": SIDE,
+    "world.n_pursuers": 2, "world.n_evaders": 1, "world.fov": 2 * SIDE - 1,
+    "world.max_steps": STEPS, "world.obstacles": 0.2, "train_steps": STEPS, "match_episodes": 16,
+    "evaluation_episodes": 10,
+})  # fmt: skip
+QUICK = {
+    "schedule.generations": 2, "schedule.pursuer_epochs": 2, "schedule.evader_epochs": 2,
+    "schedule.maps": 3, "schedule.children": 2, "schedule.map_matches": 1, "world.rows": 4,
+    "world.cols": 4, "world.max_steps": 8, "train_steps": 8, "learner.population": 4,
+    "evaluation_episodes": 2,
+}  # fmt: skip
+RANKED = {False: 32, True: 6}
+HELD_OUT = {False: 15, True: 3}
+"""Maps, a multiple of the kinds: rooms, mazes and caves."""
+EPISODES = 50
+"""On each held-out map, against each opponent."""
+SCORES = ("regret", "wins")
+
+
+def kinds(quick: bool) -> dict[str, RaceSettings]:
+    """Return the settings of races by the fitness of maps, and of exact regret by team."""
+    base = BASE.changed(QUICK if quick else {})
+    found = {name: base.changed({"schedule.map_fitness": name}) for name in MAP_FITNESS}
+    for team in TEAMS:
+        changes = {"schedule.map_fitness": "regret", "schedule.map_team": team}
+        found[f"regret of {team}s"] = base.changed(changes)
+    return found
+
+
+def last(run: SavedRun, team: Team, budget: int) -> mw.Population:
+    """Return the newest genome of a team within a budget of matches."""
+    policy = run.teams[team]
+    newest = run.generation_at(team, budget)
+    return mw.Population(policy.genomes[newest : newest + 1], policy.network)
+
+
+def ranks(run: SavedRun, quick: bool) -> dict[str, float]:
+    """Return the rank correlation of each estimate with exact regret, by team."""
+    settings, rng = run.settings, np.random.default_rng(run.settings.seed)
+    shape, agents = (settings.world.rows, settings.world.cols), settings.world.n_agents
+    walls = settings.schedule.walls
+    maps = np.array([random_map(shape, walls, agents, rng) for _ in range(RANKED[quick])])
+    champions = {team: run.last(team) for team in TEAMS}
+    matches = mw.Matches.of(0, 0, rng.integers(2**62, size=settings.schedule.map_matches))
+
+    def play(world: mw.WorldConfig) -> mw.EpisodeStatistics:
+        return mw.rollout(world, *champions.values(), matches, episodes=settings.match_episodes)
+
+    values, best = np.full(len(maps), np.nan), np.full((len(maps), 2), -np.inf)
+    exact, found = {}, {}
+    for team in MAP_TEAMS:  # both as the last: the sum
+        trial = Trial(
+            maps, settings.training_world, champions, team, play, settings.fitness.measure,
+            values, best,
+        )  # fmt: skip
+        exact[team] = sum(exact.values()) if team == BOTH else MAP_FITNESS["regret"].of(trial)
+        for name, fitness in MAP_FITNESS.items():
+            if name not in ("regret", NONE):
+                estimated = fitness.of(trial)
+                spread = np.ptp(estimated) > 0 and np.ptp(exact[team]) > 0
+                rank = stats.spearmanr(estimated, exact[team]).statistic if spread else 0.0
+                found[f"{name}, {team}"] = float(rank)
+    return found
+
+
+def wins(
+    run: SavedRun, team: Team, own: mw.Population, others: mw.Population, quick: bool
+) -> float:
+    """Return how often a team captures, or escapes, on held-out maps."""
+    world, rates = run.settings.world, []
+    matches = len(others.genomes)
+    teams = (own, others) if team == "pursuer" else (others, own)
+    met = (0, np.arange(matches)) if team == "pursuer" else (np.arange(matches), 0)
+    for walls in held_out_maps(world.rows, world.cols, HELD_OUT[quick]):
+        config = replace(world, obstacles=walls)
+        played = mw.rollout(
+            config, *teams, mw.Matches.of(*met, np.arange(matches)), episodes=EPISODES
+        )
+        rates.append(played.capture_rate.mean(dtype=np.float64))
+    captured = float(np.mean(rates))
+    return captured if team == "pursuer" else 1.0 - captured
+
+
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return ranks, and the regret and wins of each kind and team on held-out maps."""
+    budget = min(int(run.log()["matches"][-1]) for of_kind in runs.values() for run in of_kind)
+    plain = runs[NONE]
+
+    def numbers_of(run: SavedRun) -> dict[str, Any]:
+        world = run.settings.world
+        own = {team: last(run, team, budget) for team in TEAMS}
+        maps = held_out_maps(world.rows, world.cols, HELD_OUT[quick])
+        scores = score_on_maps(own, world, maps, exact=True, episodes=1)
+        found = {f"regret, {team}": scores.regret[team].mean() for team in TEAMS}
+        rivals = [each for each in plain if each.settings.seed != run.settings.seed]
+        for team in TEAMS:
+            theirs = [last(each, TEAMS[1 - TEAMS.index(team)], budget) for each in rivals]
+            genomes = np.concatenate([each.genomes for each in theirs])
+            others = mw.Population(genomes, theirs[0].network)
+            found[f"wins, {team}"] = wins(run, team, own[team], others, quick)
+        return found
+
+    numbers = by_seed({NONE: plain}, lambda run: ranks(run, quick))
+    numbers = {name.replace(NONE, "ranks", 1): each for name, each in numbers.items()}
+    return {**numbers, **by_seed(runs, numbers_of), "budget": budget}
+
+
+def rank_table(numbers: Numbers) -> str:
+    """Return the rank correlations by estimate and team."""
+    names = [name for name in MAP_FITNESS if name not in ("regret", NONE)]
+    rows = [
+        [name, *(mean(numbers[f"ranks / {name}, {team}"], 2, "+") for team in MAP_TEAMS)]
+        for name in names
+    ]
+    heads = ["rank correlation with exact regret", *(f"of {team}s" for team in TEAMS), "of both"]
+    return markdown(heads, rows)
+
+
+def held_out_table(numbers: Numbers) -> str:
+    """Return what each kind reaches on held-out maps, and its difference from `none`."""
+    played = [name for name in kinds(False) if f"{name} / regret, pursuer" in numbers]
+    columns = [f"{score}, {team}" for team in TEAMS for score in SCORES]
+
+    def differences(column: str) -> dict[str, NDArray[np.float64]]:
+        plain = numbers[f"{NONE} / {column}"]
+        return {name: numbers[f"{name} / {column}"] - plain for name in played if name != NONE}
+
+    tests = {column: adjusted(differences(column)) for column in columns}
+    rows = []
+    for name in played:
+        cells = []
+        for column in columns:
+            cells.append(mean(numbers[f"{name} / {column}"], bounds=(0.0, 1.0)))
+            compared = "" if name == NONE else shown_p(tests[column][name])
+            cells.append(compared)
+        rows.append([name, *cells])
+    heads = [head for column in columns for head in (column, "p, against none")]
+    told = f"After {int(numbers['budget']):,} matches, on held-out maps:"
+    return f"{told}\n\n{markdown(['maps by', *heads], rows)}"
+
+
+def table(numbers: Numbers) -> str:
+    """Return both tables."""
+    return f"{rank_table(numbers)}\n\n{held_out_table(numbers)}"
+
+
+if __name__ == "__main__":
+    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)
