@@ -11,11 +11,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 import click
 import numpy as np
 
 import matrixworld as mw
+from matrixworld.coevolution import TEAMS, held_out_maps
 from matrixworld.solve import States, best_response, solve
 from timing import bind, n_cores, print_table
 
@@ -23,6 +25,7 @@ LIMITS = {
     "O, 6 x 6, 2 against 1, 20 steps": 20.0,
     "TO, 8 x 8, 2 against 1, to the end": 1.0,
     "O, 6 x 6, best response to a network": 1.0,
+    "TO, 6 x 6, NashConv of two networks on 8 held-out maps": 7.5,
 }
 """Seconds."""
 SPEEDUP = 1.8
@@ -39,6 +42,13 @@ def check() -> None:
     assert solve(world("TO", 5, 5)).capture_time == 4
 
 
+def nash_convs(champion: mw.Population) -> None:
+    for walls in held_out_maps(6, 6, 8):
+        states = States(replace(world("TO", 6, 20), obstacles=walls), threads=1)
+        for team in TEAMS:
+            best_response(states, champion, team)
+
+
 def cases() -> dict[str, Callable[[], object]]:
     simultaneous, turns = world("O", 6, 20), world("TO", 8, 20)
     network = mw.Network.for_config(simultaneous)
@@ -48,6 +58,7 @@ def cases() -> dict[str, Callable[[], object]]:
         lambda: solve(States(simultaneous, threads=1)),
         lambda: solve(States(turns, threads=1)),
         lambda: best_response(states, champion, "pursuer"),
+        lambda: nash_convs(champion),
     ]
     return dict(zip(LIMITS, works, strict=True))
 
