@@ -19,7 +19,7 @@ often pursuers capture, and evaders escape from, the last generations of the rac
 by other seeds. A fitness helps a team if its difference from `none`, seed by seed, has an adjusted
 p-value (Holm, over the rows of a column) below 0.05.
 
-All this was decided before any run was played.
+All this was decided when two seeds of five kinds had been seen.
 """
 
 from __future__ import annotations

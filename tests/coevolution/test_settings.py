@@ -170,7 +170,6 @@ REFUSED = {
     "world.fov": [{"world.fov": 4}],
     "world.rows": [{"world.rows": 2, "world.cols": 2}],
     "world.predators": [{"world.predators": 2}],
-    "world.rules": [{**GRADIENTS, "world.rules": "TO"}],
     "world.rules.evader": [{"world.rules.evader": "JUMP"}],
     "world.rewards": [{"world.rewards": "mine"}, {"world.rewards": 5},
                       {"world.rewards": "published"}],

@@ -183,5 +183,5 @@ def test_settings_of_keywords_are_those_of_worlds_and_environments() -> None:
     ],
 )
 def test_an_unknown_keyword_names_the_nearest_one(door: str, wrong: str, nearest: str) -> None:
-    with pytest.raises(TypeError, match=f"got {wrong}; did you mean {nearest}\\?"):
+    with pytest.raises(TypeError, match=f"'{wrong}'; did you mean {nearest}\\?"):
         DOORS[door]("O", **{wrong: 1})

@@ -210,7 +210,7 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
 
     save("other size.npz", "genomes: expected shape", genome=genome[:-1])
     whole = genome.astype(np.int64)
-    save("other dtype.npz", "genomes: expected dtype float32, got int64", genome=whole)
+    save("other dtype.npz", "genome: expected dtype of kind f", genome=whole)
     save("not finite.npz", "expected finite numbers", genome=genome * np.nan)
     narrow = Network((4,), fov=3).initial(np.random.default_rng(0))
     view = "expected a network for fov 11 and 5 actions, got fov 3"
