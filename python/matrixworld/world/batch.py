@@ -63,7 +63,9 @@ class Batch:
     Attributes
     ----------
     buffers : dict of str to ndarray
-        The arrays that `reset` and `step` write into.
+        The arrays that `reset`, `step` and `play_turn` write into.
+    autoreset : Autoreset
+        What happens to a world whose episode has ended.
 
     Raises
     ------
@@ -97,7 +99,7 @@ class Batch:
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
         if not isinstance(buffers, dict | None):
             raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
-        self.autoreset = autoreset
+        self.autoreset: Autoreset = autoreset
         n_threads = check_threads(threads)
         if buffers is None:
             specs = array_specs(self.config)
