@@ -49,7 +49,7 @@ extensions = [
     "numpydoc",
     "sphinx.ext.autosummary",
 ]
-# Tables of results and the teacher's notebooks are reached from pages, not from the contents.
+# Tables of results are reached from pages, not from the contents.
 suppress_warnings = ["toc.not_included", "myst.header"]
 nb_execution_mode = "off"
 myst_heading_anchors = 4
@@ -73,9 +73,11 @@ html_extra_path = [
 
 
 def add_contents(app: Sphinx, document: str, source: list[str]) -> None:
-    """Add the table of contents of the site to the first page."""
+    """Add the contents to the first page, and the teacher's notebooks, if made, to their page."""
     if document == root_doc:
         source[0] += "\n" + (REPOSITORY / "docs/site/contents.md").read_text("utf-8")
+    if document == "docs/teachers" and (REPOSITORY / "tutorials/teacher").is_dir():
+        source[0] += "\n```{toctree}\n:glob:\n\n../tutorials/teacher/*\n```\n"
 
 
 def link_whole_pages(app: Sphinx, document: str, source: list[str]) -> None:

@@ -1,12 +1,14 @@
-"""Run notebooks from top to bottom, and keep them for students and for teachers.
+"""Run notebooks from top to bottom, and keep what they show.
 
-    python tutorials/run.py                 all notebooks
-    python tutorials/run.py 03 05           those whose names begin so
+    python tutorials/run.py                    the students' notebooks, all of them
+    python tutorials/run.py 03 05              those whose names begin so
+    python tutorials/run.py --teacher [03]     the teacher's copies, in teacher/
 
-Needs the extra "test". The teacher's copy, in teacher/, holds all predictions with their outcomes
-and all outputs. The student's notebook is kept without the outputs from its first prediction on,
-and with a still picture in place of its animations: what it shows gives nothing away. Both are
-replaced only after the notebook ran without an error. Pages that it embeds (the playground, an
+Needs the extra "test". The student's notebook is kept without the outputs from its first prediction
+on, and with a still picture in place of its animations: what it shows gives nothing away. The
+teacher's copy holds all predictions with their outcomes, all outputs, and the solutions; it is made
+of the student's notebook and of solutions/, and is not kept in the repository. A file is replaced
+only after its notebook ran without an error. Pages that a notebook embeds (the playground, an
 explorer) are shown where it runs; the file keeps the picture that stands in for them. Figures are
 kept with 256 colours, which makes the file less than half as large. A picture gets the words of
 `alt` in the metadata of its cell, for readers who do not see it.
@@ -14,12 +16,12 @@ kept with 256 colours, which makes the file less than half as large. A picture g
 
 from __future__ import annotations
 
+import argparse
 import base64
 import html
 import io
 import os
 import re
-import sys
 import tempfile
 import time
 from copy import deepcopy
@@ -39,19 +41,18 @@ PREDICTION = re.compile(r'predict\("([\d.a-z]+)", \.\.\.\)')
 GIF = re.compile(r'<img src="data:image/gif;base64,([^"]+)" alt="([^"]*)">')
 
 
-def run(path: Path) -> None:
-    """Execute a notebook, and replace it and its copy for teachers."""
+def run(path: Path, for_teacher: bool) -> Path:
+    """Execute a notebook, and replace the student's or the teacher's; return the file."""
     notebook = nbformat.read(path, as_version=4)
     executed = execute(notebook, timeout=SECONDS_A_CELL)
-    for cell in executed.cells:
-        cell.metadata.pop("execution", None)  # times of day: they change without a reason
-        for output in cell.get("outputs", []):
-            drop_frame(output)
-            reduce_colors(output)
-            describe(output, cell.metadata.get("alt", ""))
-    TEACHER.mkdir(exist_ok=True)
-    write(for_students(notebook, executed), path)
-    write(for_teachers(executed, path.name), TEACHER / path.name)
+    if for_teacher:
+        TEACHER.mkdir(exist_ok=True)
+        written = TEACHER / path.name
+        write(for_teachers(executed, path.stem), written)
+    else:
+        written = path
+        write(for_students(notebook, executed), written)
+    return written
 
 
 def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.NotebookNode:
@@ -70,6 +71,12 @@ def execute(notebook: nbformat.NotebookNode, **options: object) -> nbformat.Note
             coalesce_streams=True,  # the prints of a cell in one piece
             **options,
         ).execute(env=os.environ | {"PYTHONPATH": os.pathsep.join(folders)})
+    for cell in copy.cells:
+        cell.metadata.pop("execution", None)  # times of day: they change without a reason
+        for output in cell.get("outputs", []):
+            drop_frame(output)
+            reduce_colors(output)
+            describe(output, cell.metadata.get("alt", ""))
     return copy
 
 
@@ -120,17 +127,39 @@ MOVED = {
     "<details><summary>After": "<details open><summary>After",
 }
 """What differs in the copy for teachers: it lies in a folder of its own, and hides no outcome."""
+CHECK = re.compile(r'^check\("([\d.]+)"', re.M)
+SOLUTION = re.compile(r"^# (\d+\.\d)  ")
 
 
 def for_teachers(executed: nbformat.NotebookNode, name: str) -> nbformat.NotebookNode:
-    """Return an executed notebook as the copy for teachers, which says so."""
-    for cell in executed.cells:
+    """Return the copy of a notebook for teachers: with a solution below each exercise."""
+    copy, solved = deepcopy(executed), solutions(name)
+    copy.cells = []
+    for cell in deepcopy(executed.cells):
         for old, new in MOVED.items():
             cell.source = cell.source.replace(old, new)
-    executed.cells[
-        0
-    ].source += f"\n\n*The teacher's copy, with all outcomes. Students get [theirs](../{name}).*"
-    return executed
+        copy.cells.append(cell)
+        if cell.cell_type == "code" and (asked := CHECK.search(cell.source)):
+            copy.cells.append(nbformat.v4.new_markdown_cell(solved[asked[1]]))
+    copy.cells[0].source += (
+        "\n\n*The teacher's copy, with all outcomes and solutions. "
+        f"Students get [theirs](../{name}.ipynb).*"
+    )
+    return copy
+
+
+def solutions(name: str) -> dict[str, str]:
+    """Return the solutions of a notebook by exercise, as Markdown."""
+    found: dict[str, list[str]] = {}
+    lines: list[str] = []
+    for line in (HERE / "solutions" / f"{name}.py").read_text("utf-8").splitlines():
+        if head := SOLUTION.match(line):
+            lines = found[head[1]] = []
+        lines.append(line)
+    return {
+        exercise: "\n".join(["**Solution**\n\n```python", *text]).rstrip() + "\n```"
+        for exercise, text in found.items()
+    }
 
 
 def write(notebook: nbformat.NotebookNode, path: Path) -> None:
@@ -165,21 +194,21 @@ def reduce_colors(output: nbformat.NotebookNode) -> None:
         data["image/png"] = base64.b64encode(after.getvalue()).decode("ascii")
 
 
-def main(beginnings: list[str]) -> None:
-    paths = [
-        path
-        for path in sorted(HERE.glob("[0-9]*.ipynb"))
-        if not beginnings or path.name.startswith(tuple(beginnings))
-    ]
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("begins", nargs="*", help="notebooks whose names begin so; default: all")
+    parser.add_argument("--teacher", action="store_true", help="make the teacher's copies")
+    options = parser.parse_args()
+    begins = tuple(options.begins) or ("",)
+    paths = [path for path in sorted(HERE.glob("[0-9]*.ipynb")) if path.name.startswith(begins)]
     if not paths:
-        sys.exit(f"expected the beginning of a notebook's name, got {' '.join(beginnings)}")
+        parser.error(f"expected the beginning of a notebook's name, got {' '.join(begins)}")
     for path in paths:
         began = time.monotonic()
-        run(path)
-        sizes = [each.stat().st_size / 1e3 for each in (path, TEACHER / path.name)]
-        seconds = time.monotonic() - began
-        print(f"{path.name}: {seconds:.0f} s, {sizes[0]:.0f} kB, for teachers {sizes[1]:.0f} kB")
+        written = run(path, options.teacher)
+        seconds, size = time.monotonic() - began, written.stat().st_size / 1e3
+        print(f"{written.relative_to(HERE)}: {seconds:.0f} s, {size:.0f} kB")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

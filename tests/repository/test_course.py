@@ -36,26 +36,6 @@ def own(path: Path) -> dict[str, Exercise | Prediction]:
 RUN = runpy.run_path(str(TUTORIALS / "run.py"))
 
 
-# The rules. The solutions of all exercises are always run.
-@pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(path, id=path.stem, marks=SLOW if chapter(path) == 1 else NIGHTLY)
-        for path in NOTEBOOKS
-    ],
-)
-@pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
-def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    import nbformat
-
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    monkeypatch.setenv("MATRIXWORLD_QUICK", "1")
-    notebook = RUN["execute"](nbformat.read(path, as_version=4), timeout=SECONDS_A_CELL)
-    ran = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    assert ran
-    assert all(cell.execution_count for cell in ran)
-
-
 def printed(cell: dict) -> str:
     """Return what a cell shows, without its pictures."""
     shown = [output.get("data", {}) | {"": output.get("text", "")} for output in cell["outputs"]]
@@ -70,6 +50,7 @@ def test_what_a_student_s_notebook_shows_gives_no_answer(path: Path) -> None:
     code = cells(path, "code")
     first = next(n for n, cell in enumerate(code) if source(cell).startswith("predict("))
     assert all(not cell["outputs"] and cell["execution_count"] is None for cell in code[first:])
+    assert path.stat().st_size < LARGEST
     kept = [cell for cell in code[:first] if cell["outputs"]]
     assert any("image/png" in o.get("data", {}) for cell in kept for o in cell["outputs"])
     text = " ".join(" ".join(map(printed, kept)).split())
@@ -80,11 +61,26 @@ def test_what_a_student_s_notebook_shows_gives_no_answer(path: Path) -> None:
     assert not any(re.search(r"hidden = \{|do not look", source(cell)) for cell in code)
 
 
-@each_notebook
-def test_a_teacher_s_copy_is_the_notebook_with_all_outputs(path: Path) -> None:
-    copy = TUTORIALS / "teacher" / path.name
-    assert max(path.stat().st_size, copy.stat().st_size) < LARGEST
-    code = cells(copy, "code")
+# The solutions of all exercises are always run.
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, id=path.stem, marks=SLOW if chapter(path) == 1 else NIGHTLY)
+        for path in NOTEBOOKS
+    ],
+)
+@pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
+def test_a_notebook_runs_and_the_teacher_s_copy_has_all_outputs(
+    path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import nbformat
+
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setenv("MATRIXWORLD_QUICK", "1")
+    executed = RUN["execute"](nbformat.read(path, as_version=4), timeout=SECONDS_A_CELL)
+    RUN["write"](RUN["for_teachers"](executed, path.stem), tmp_path / path.name)
+    assert (tmp_path / path.name).stat().st_size < LARGEST
+    code = cells(tmp_path / path.name, "code")
     assert [cell["execution_count"] for cell in code] == [*range(1, len(code) + 1)]
     outputs = [output for cell in code for output in cell["outputs"]]
     assert "error" not in {output["output_type"] for output in outputs}
@@ -94,11 +90,24 @@ def test_a_teacher_s_copy_is_the_notebook_with_all_outputs(path: Path) -> None:
     shown = " ".join(" ".join(map(printed, code)).split())
     assert all(each.explanation in shown for each in outcomes)
     assert shown.count("✓ As you predicted") == len(outcomes)
-    predicted = [re.sub(r'(predict\("[^"]+", )"[^"]+"', r"\1...", source(cell)) for cell in code]
-    same = [
-        text.replace('append("..")', 'append(".")').replace("../..", "..") for text in predicted
+
+
+@each_notebook
+def test_the_teacher_s_copy_is_the_notebook_with_solutions(path: Path, tmp_path: Path) -> None:
+    import nbformat
+
+    RUN["write"](RUN["for_teachers"](nbformat.read(path, 4), path.stem), tmp_path / path.name)
+    asked = [source(cell) for cell in cells(path, "code")]
+    moved = [source(cell) for cell in cells(tmp_path / path.name, "code")]
+    assert asked == [
+        text.replace('append("..")', 'append(".")').replace("../..", "..") for text in moved
     ]
-    assert same == [source(cell) for cell in cells(path, "code")]
+    text = "\n".join(source(cell) for cell in cells(tmp_path / path.name))
+    for name, each in own(path).items():
+        if isinstance(each, Exercise):
+            below = text.partition(f'\ncheck("{name}"')[2].partition("```python")[2]
+            answer = rf"\n(def )?exercise_{name.partition('.')[2]}\b"
+            assert re.search(answer, below.partition("```")[0]), name
 
 
 @pytest.mark.parametrize("number", CHAPTERS)

@@ -7,7 +7,7 @@ import numpy as np
 from course import kept
 from matrixworld import analysis
 
-# Exercise 5.1. Which of the four races is which?
+# 5.1  Which of the four races is which?
 #
 # A: the evaders' curve rises to the end, that of the pursuers is level: one side only.
 # B: both curves are level from the start, and the matrix has diagonal stripes. Whoever is good
@@ -17,7 +17,7 @@ from matrixworld import analysis
 exercise_1 = {"A": "one side only", "B": "cycle", "C": "arms race", "D": "equilibrium"}
 
 
-# Exercise 5.2. Which pursuers do generalist evaders of generation k meet in epoch i?
+# 5.2  Which pursuers do generalist evaders of generation k meet in epoch i?
 #
 # The pursuers of generation k have learned already. So the archive holds the generations 0 to k,
 # which are k + 1, and the evaders meet them in turn.
@@ -26,7 +26,7 @@ def exercise_2(k: int, i: int) -> int:
     return i % (k + 1)
 
 
-# Exercise 5.3. How much more do generalists capture at lag +5 than at lag +1?
+# 5.3  How much more do generalists capture at lag +5 than at lag +1?
 #
 # One number for each race, then an interval over the ten numbers. The episodes and the cells of one
 # race are no sample of other races.
@@ -43,7 +43,7 @@ found = analysis.interval_over_runs([gain_by_lag(matrix) for matrix in matrices]
 exercise_3 = (found.low, found.high)
 
 
-# Exercise 5.4. A rule that finds arms races and is seldom fooled.
+# 5.4  A rule that finds arms races and is seldom fooled.
 #
 # The strength of each team must follow a rising line. A single last generation is a matter of luck;
 # the correlation with time uses all of them. Noise, a cycle and drift have a low one, and a team

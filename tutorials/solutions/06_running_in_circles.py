@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 
 
-# Exercise 6.1. Count the checkerboards of a matrix of capture rates.
+# 6.1  Count the checkerboards of a matrix of capture rates.
 #
 # Go through all pairs of rows and all pairs of columns. The square is a checkerboard if wins lie on
 # one diagonal and losses on the other: opposite corners agree, neighbours do not.
@@ -22,7 +22,7 @@ def exercise_1(matrix: np.ndarray) -> int:
     )
 
 
-# Exercise 6.2. The transitive share with NumPy only.
+# 6.2  The transitive share with NumPy only.
 #
 # Row means and column means both contain the mean of the matrix, so it is added once. All rows and
 # columns of the rest then have the sum 0.
@@ -33,7 +33,7 @@ def exercise_2(matrix: np.ndarray) -> float:
     return float(1 - (rest**2).sum() / ((matrix - mean) ** 2).sum())
 
 
-# Exercise 6.3. A hall of fame: the newest opponent, and up to four different older ones.
+# 6.3  A hall of fame: the newest opponent, and up to four different older ones.
 #
 # The older ones are 0 to available - 2, which are available - 1 of them.
 def exercise_3(available: int, rng: np.random.Generator) -> list[int]:
