@@ -70,7 +70,7 @@ def lesson_page(races: Races) -> str:
     ]
     data = {
         "version": __version__,
-        "edition": LESSON["edition"],
+        "edition": COURSE["edition"],
         **{name: " ".join(LESSON[name].split()) for name in ("title", "lead")},
         "sections": sections,
         "runs": races.runs,

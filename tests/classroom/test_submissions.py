@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from course import predict
+from course.questions import EDITION
 from matrixworld.classroom.submissions import (
     MOST_OWN,
     MOST_UNPACKED,
@@ -228,9 +229,13 @@ def test_votes_are_the_first_choices_of_students(
     }  # fmt: skip
     for name, content in bad.items():
         (tmp_path / f"{name}.jsonl").write_bytes(content)
+    (tmp_path / "old.jsonl").write_bytes(b'{"prediction": "4.a", "choice": "a"}')
     submissions, refused = read_submissions(tmp_path)
     assert [each.name for each in refused] == ["large"]
     votes, spoilt = count_votes(submissions)
+    old = next(each for each in spoilt if each.name == "old")
+    spoilt.remove(old)
+    assert old.reason == f"expected edition {EDITION} of the course, as in other files, got none"
     assert votes == {"1.a": {"c": 3}, "4.a": {"a": 1, "b": 1, "c": 1}, "9.a": {"a": 3}}
     assert {each.name for each in spoilt} == {*bad} - {"large"}
     assert {each.reason for each in spoilt} == {"line 1: expected a prediction and its choice"}

@@ -60,13 +60,13 @@ def test_questions_have_answers_and_those_of_the_course_are_the_same(lesson: Mod
 
 
 def test_letters_of_an_edition_stay_and_any_may_be_right(lesson: ModuleType) -> None:
-    """If this fails, raise the edition in ``lesson.toml``, and write down its digest here."""
+    """If this fails, raise the edition in ``exercises.toml``, and write down its digest here."""
     races = lesson.races_of_page(PAGE.read_text(encoding="utf-8"))
     parts = chain.from_iterable(each["parts"] for each in lesson.LESSON["sections"])
     asked = [lesson._filled(part, races) for part in parts if "predict" in part]
     letters = json.dumps([[part["predict"], part["question"], part["options"]] for part in asked])
     digest = hashlib.sha256(letters.encode()).hexdigest()[:8]
-    assert (lesson.LESSON["edition"], digest) == (2, "4996ef7b")
+    assert (lesson.COURSE["edition"], digest) == (2, "4996ef7b")
     assert {part["outcome"] for part in asked} == {"a", "b", "c"}
     first, again = (next(p for p in asked if p["predict"] == name) for name in ("0.a", "0.h"))
     assert (again["again"], again["options"]) == ("0.a", first["options"])
@@ -107,8 +107,8 @@ def test_the_page_counts_votes_as_the_class_does() -> None:
     reasons = {each.file: each.reason for each in refusals}
     left = {each["file"]: each["reason"] for each in page["left"]}
     assert left.pop("option.jsonl") == 'line 1: expected one of a, b, c for 0.a, got "z"'
-    assert left.pop("old.jsonl") == "line 1: expected edition 2 of the lesson, got 1"
-    assert "expected edition 2 of the lesson" in reasons.pop("old.jsonl")
+    assert left.pop("old.jsonl") == "line 1: expected edition 2 of the course, got 1"
+    assert "expected edition 2 of the course" in reasons.pop("old.jsonl")
     assert left == reasons
     assert reasons["predictions (3).jsonl"].startswith("double: the same content as")
     assert reasons["predictions.jsonl"] == "double: the pupil of predictions (1).jsonl"

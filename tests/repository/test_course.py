@@ -1,5 +1,6 @@
 """The course: notebooks run from top to bottom, and their exercises can be solved and failed."""
 
+import hashlib
 import json
 import os
 import re
@@ -10,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from course import UnansweredError, check, outcome, predict
-from course.questions import CHAPTERS, Exercise, Prediction, exercises
+from course.questions import CHAPTERS, EDITION, Exercise, Prediction, exercises
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 
 SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
@@ -174,6 +175,7 @@ def test_replies_to_predictions(
         for option in each.options
     ]
     assert all(datetime.fromisoformat(each["time"]).tzinfo for each in lines)
+    assert {each["edition"] for each in lines} == {EDITION}
 
 
 def test_a_damaged_file_of_predictions_is_named(
@@ -185,6 +187,32 @@ def test_a_damaged_file_of_predictions_is_named(
         with pytest.raises(ValueError, match=r"predictions\.jsonl: expected lines that predict"):
             predict("1.a", "a")
         assert Path("predictions.jsonl").read_text() == text
+
+
+@pytest.mark.parametrize(("line", "got"), [({}, "none"), ({"edition": EDITION - 1}, EDITION - 1)])
+def test_predictions_of_another_edition_are_refused(
+    line: dict, got: object, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing is written, and no choice of other options is compared with an outcome."""
+    monkeypatch.chdir(tmp_path)
+    text = json.dumps({"prediction": "1.a", "choice": "b", **line}) + "\n"
+    Path("predictions.jsonl").write_text(text)
+    for ask in (lambda: predict("1.a", "a"), lambda: outcome("1.a")):
+        with pytest.raises(ValueError, match=rf"edition {EDITION} .*, got {got}, in which"):
+            ask()
+    assert Path("predictions.jsonl").read_text() == text
+
+
+def test_letters_of_an_edition_stay() -> None:
+    """If this fails, raise the edition in ``exercises.toml``, and write down its digest here."""
+    asked = [
+        (name, each.options, each.outcome)
+        for number in CHAPTERS
+        for name, each in exercises(number).items()
+        if isinstance(each, Prediction)
+    ]
+    digest = hashlib.sha256(json.dumps(asked).encode()).hexdigest()[:8]
+    assert (EDITION, digest) == (2, "f1c4eea1")
 
 
 def test_a_notebook_stops_at_an_open_question() -> None:

@@ -40,6 +40,9 @@ PREDICTIONS = Path("predictions.jsonl")
 """Choices of predictions with their times, a line each; it lies beside the notebook."""
 
 HERE = Path(__file__).parent
+TEXTS = tomllib.loads((HERE / "exercises.toml").read_text("utf-8"))
+EDITION = TEXTS["edition"]
+"""Options of predictions have the same letters within one."""
 DATA = HERE / "data"
 """Results that take longer than a notebook should; scripts in ``tutorials/make`` make them anew."""
 QUICK = "MATRIXWORLD_QUICK"
@@ -130,7 +133,7 @@ def predict(name: str, choice: object) -> None:
 
     It is the first line of the cell with the experiment: without a choice, `UnansweredError` stops
     the cell. `PREDICTIONS` in the working directory gets a line, unless the last choice was the
-    same. ValueError if the file is damaged.
+    same. ValueError if the file is damaged, or of another edition of the course.
     """
     prediction = _prediction(name)
     if choice is ...:
@@ -140,8 +143,9 @@ def predict(name: str, choice: object) -> None:
         raise UnansweredError(f"Expected one of {expected}, got {described(choice)}.")
     if _predicted(name) != choice:
         time = datetime.now(timezone.utc).isoformat(timespec="seconds")
+        line = {"prediction": name, "choice": choice, "time": time, "edition": EDITION}
         with PREDICTIONS.open("a", encoding="utf-8") as file:
-            file.write(json.dumps({"prediction": name, "choice": choice, "time": time}) + "\n")
+            file.write(json.dumps(line) + "\n")
 
 
 def outcome(name: str) -> Feedback:
@@ -168,9 +172,15 @@ def _predicted(name: str) -> str | None:
     """Return the last choice that was written down."""
     lines = PREDICTIONS.read_text("utf-8").splitlines() if PREDICTIONS.exists() else []
     try:
-        choices = {each["prediction"]: each["choice"] for each in map(json.loads, lines)}
+        entries = [json.loads(line) for line in lines]
+        choices = {each["prediction"]: each["choice"] for each in entries}
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(f"{PREDICTIONS}: expected lines that predict has written") from error
+    for edition in {each.get("edition", "none") for each in entries} - {EDITION}:
+        raise ValueError(
+            f"{PREDICTIONS}: expected edition {EDITION} of the course, got {edition}, in which "
+            f"other letters stand for the options. Move the file away, and predict again"
+        )
     return choices.get(name)
 
 
@@ -180,9 +190,8 @@ def _predicted(name: str) -> str | None:
 @cache
 def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
     """Return the exercises and predictions of a notebook, from 1, by name, in their order."""
-    texts = tomllib.loads((HERE / "exercises.toml").read_text("utf-8"))
     found: dict[str, Exercise | Prediction] = {}
-    for name, fields in texts.items():
+    for name, fields in TEXTS.items():
         if name.startswith(f"{chapter}."):
             joined = {field: _joined(text) for field, text in fields.items()}
             found[name] = Prediction(**joined) if "outcome" in joined else Exercise(**joined)

@@ -378,15 +378,15 @@ class Predictions(NamedTuple):
 
     choices: dict[str, str]  # the first one of each prediction
     pupil: str  # the number by which the lesson tells browsers apart; empty in a notebook's file
-    edition: int  # of the lesson; 0 in a notebook's file
+    edition: int  # of the course; 0 if the file names none
 
 
 def count_votes(files: Iterable[Submission]) -> tuple[Votes, list[Refusal]]:
     """Count the first choice of each student for each prediction.
 
     A student is known by name, and by the pupil in files of the lesson. Files that add nothing are
-    refused as doubles, as are copies, what is damaged, and all editions of the lesson but the
-    newest one, because their letters are others. The lesson's own page counts by the same rule.
+    refused as doubles, as are copies, what is damaged, and all editions but the newest one, because
+    their letters are others. The lesson's own page counts by the same rule.
     """
     read: list[tuple[Submission, Predictions]] = []
     refusals: list[Refusal] = []
@@ -408,8 +408,9 @@ def count_votes(files: Iterable[Submission]) -> tuple[Votes, list[Refusal]]:
             name: next((counted[o, name] for o in owners if (o, name) in counted), None)
             for name in choices
         }
-        if edition not in (0, newest):
-            reason = f"expected edition {newest} of the lesson, as in other files, got {edition}"
+        if edition != newest:
+            got = edition or "none"
+            reason = f"expected edition {newest} of the course, as in other files, got {got}"
         elif file.content in copies:
             reason = f"double: the same content as {copies[file.content]}"
         elif choices and all(known.values()):

@@ -92,7 +92,7 @@ class Page {
           html("button", { type: "button", class: "primary save", onclick: () => saveFile("predictions.jsonl", store.file) }, "Save my predictions"),
           html("button", { type: "button", onclick: () => print() }, "Print"),
           html("button", { type: "button", onclick: anew }, "Start anew"), counted),
-        html("p", { class: "small muted" }, `The page sends nothing anywhere. matrixworld ${lesson.version}, edition ${lesson.edition} of the lesson. Teachers: `,
+        html("p", { class: "small muted" }, `The page sends nothing anywhere. matrixworld ${lesson.version}, edition ${lesson.edition} of the course. Teachers: `,
           html("a", { href: VOTES }, "count the votes of a class"), ".")));
     count();
   }

@@ -1,6 +1,6 @@
 // What a student has chosen, solved and written: kept in the browser, and saved as the files that a teacher collects.
 
-/** A line of `predictions.jsonl`, as `predict` of the course writes it; the lesson adds its edition and the pupil. */
+/** A line of `predictions.jsonl`, as `predict` of the course writes it; the lesson adds the pupil. */
 interface Choice {
   readonly prediction: string;
   readonly choice: string;

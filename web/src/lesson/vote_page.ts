@@ -49,7 +49,7 @@ export function votePage(lesson: Lesson): void {
       html("div", {}, html("h1", {}, "How the class voted"), html("p", { class: "lead" }, `${lesson.title} `, html("a", { href: "#" }, "Back to the lesson"))),
       html("div", { class: "tools" }, themeButton())),
     html("main", {}, zone, questions),
-    html("footer", { class: "small muted" }, `matrixworld ${lesson.version}, edition ${lesson.edition} of the lesson`));
+    html("footer", { class: "small muted" }, `matrixworld ${lesson.version}, edition ${lesson.edition} of the course`));
   show();
 }
 

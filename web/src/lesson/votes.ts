@@ -73,7 +73,7 @@ function choicesOf(text: string | null, { edition, predictions }: Asked): Choice
     const entry = parsed(line);
     const { prediction: name, choice } = entry;
     if (typeof name !== "string" || typeof choice !== "string") throw new Error(`line ${at + 1}: expected a prediction and its choice`);
-    if (entry["edition"] !== edition) throw new Error(`line ${at + 1}: expected edition ${edition} of the lesson, got ${told(entry["edition"])}`);
+    if (entry["edition"] !== edition) throw new Error(`line ${at + 1}: expected edition ${edition} of the course, got ${told(entry["edition"])}`);
     const options = predictions.get(name)?.options;
     if (!options) throw new Error(`line ${at + 1}: expected a prediction of the lesson, got ${told(name)}`);
     if (!Object.hasOwn(options, choice)) throw new Error(`line ${at + 1}: expected one of ${Object.keys(options).join(", ")} for ${name}, got ${told(choice)}`);
@@ -93,5 +93,5 @@ function parsed(line: string): Readonly<Record<string, unknown>> {
   }
 }
 
-/** Return a value as a short text; a notebook writes no edition. */
-const told = (value: unknown): string => (value === undefined ? "none (a notebook, or an earlier lesson)" : JSON.stringify(value).slice(0, 40));
+/** Return a value as a short text; earlier editions wrote none. */
+const told = (value: unknown): string => (value === undefined ? "none" : JSON.stringify(value).slice(0, 40));

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources be69d0ac0c11d2bf117a5baca4e324db3af43b74800b3f63621ba3e0f8d1719e */
+/* built from web/ by "npm run build"; sources f4db7ea85c1762380bd8122c63a24aec1b50666b027b1555c7d507be797a8007 */
 "use strict";(()=>{var _a=Object.create;var wn=Object.defineProperty;var Pa=Object.getOwnPropertyDescriptor;var $a=Object.getOwnPropertyNames;var Oa=Object.getPrototypeOf,La=Object.prototype.hasOwnProperty;var Ia=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Na=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of $a(e))!La.call(t,o)&&o!==r&&wn(t,o,{get:()=>e[o],enumerable:!(n=Pa(e,o))||n.enumerable});
 return t};var Ba=(t,e,r)=>(r=t!=null?_a(Oa(t)):{},Na(e||!t||!t.__esModule?wn(r,"default",{value:t,enumerable:!0}):r,t));var sa=Ia(mn=>{var Zs=Object.defineProperty,Kl=t=>Zs(t,"__esModule",{value:!0}),Yl=(t,e)=>{for(var r in e)Zs(t,r,{get:e[r],enumerable:!0})};Kl(mn);Yl(mn,{GIFEncoder:()=>na,
 applyPalette:()=>oc,default:()=>hc,nearestColor:()=>lc,nearestColorIndex:()=>ta,nearestColorIndexWithDistance:()=>ra,prequantize:()=>nc,quantize:()=>tc,snapColorsToPalette:()=>ic});

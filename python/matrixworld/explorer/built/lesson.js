@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources be69d0ac0c11d2bf117a5baca4e324db3af43b74800b3f63621ba3e0f8d1719e */
+/* built from web/ by "npm run build"; sources f4db7ea85c1762380bd8122c63a24aec1b50666b027b1555c7d507be797a8007 */
 "use strict";(()=>{var ms={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},gt={DISAPPEAR:0,REACH:1,BOUNCE:2},ps={OCCUPATION:0,SURROUND:1},hs={FAULT:0,INVOLVED:1};var Xr=["obstacle","teammate","adversary"],Qr=["vertex","edge","chain"],fs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],en=["p\
 ursuer_{number}","evader_{number}"],ys={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},vt={"both held":"both bounce","both doomed":"\
@@ -841,11 +841,11 @@ has(l)?`double: the same content as ${p}`:`double: the pupil of ${p}`});continue
 1)}return{counts:s,pupils:new Set([...o.keys()].map(i=>i.split(" ")[0])).size,left:r}}function Lu(t,{edition:e,predictions:r}){if(t===null)throw new Error("expe\
 cted at most 65536 bytes");let n=new Map,s="",o=t.split(/\r?\n/).filter(a=>a.trim());if(!o.length)throw new Error("expected predictions that the lesson has save\
 d, got an empty file");return o.forEach((a,i)=>{let l=Nu(a),{prediction:c,choice:d}=l;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${i+1}: ex\
-pected a prediction and its choice`);if(l.edition!==e)throw new Error(`line ${i+1}: expected edition ${e} of the lesson, got ${us(l.edition)}`);let m=r.get(c)?.
+pected a prediction and its choice`);if(l.edition!==e)throw new Error(`line ${i+1}: expected edition ${e} of the course, got ${us(l.edition)}`);let m=r.get(c)?.
 options;if(!m)throw new Error(`line ${i+1}: expected a prediction of the lesson, got ${us(c)}`);if(!Object.hasOwn(m,d))throw new Error(`line ${i+1}: expected on\
 e of ${Object.keys(m).join(", ")} for ${c}, got ${us(d)}`);if(s||=String(l.pupil??""),!/^[0-9a-f]{8}$/.test(s)||l.pupil!==s)throw new Error(`line ${i+1}: expect\
 ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function Nu(t){try{let e=JSON.parse(t);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
-var us=t=>t===void 0?"none (a notebook, or an earlier lesson)":JSON.stringify(t).slice(0,40);function Hi(t){let e={edition:t.edition,predictions:ur(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],i=()=>{
+var us=t=>t===void 0?"none":JSON.stringify(t).slice(0,40);function Hi(t){let e={edition:t.edition,predictions:ur(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],i=()=>{
 let p=Bi(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
 "No files yet.",n.replaceChildren(...p.left.map(({file:h,reason:f})=>u("li",{},u("strong",{},h),` ${f}`))),s.replaceChildren(...[...e.predictions.values()].map(
 h=>Fu(h,p,o,i)))},l=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],i()},c=u("input",
@@ -855,7 +855,7 @@ pupils have saved anywhere on this page, or choose them: ")),c,u("div",{class:"b
 the end of the lesson. Names of files do not matter. Each pupil counts once: a second file of a pupil is named as double. Nothing leaves this computer."));document.
 addEventListener("dragover",p=>p.preventDefault()),document.addEventListener("drop",p=>{p.preventDefault(),l(p.dataTransfer?.files??[])}),document.getElementById(
 "page").replaceWith(u("header",{class:"top"},u("div",{},u("h1",{},"How the class voted"),u("p",{class:"lead"},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),
-u("div",{class:"tools"},lr())),u("main",{},m,s),u("footer",{class:"small muted"},`matrixworld ${t.version}, edition ${t.edition} of the lesson`)),i()}function Fu(t,e,r,n){
+u("div",{class:"tools"},lr())),u("main",{},m,s),u("footer",{class:"small muted"},`matrixworld ${t.version}, edition ${t.edition} of the course`)),i()}function Fu(t,e,r,n){
 let{predict:s,options:o,outcome:a}=t,i=e.counts.get(s),l=[...i.values()].reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(
 o).map(([h,f])=>{let y=u("span",{class:"filled"});y.style.width=`${100*i.get(h)/Math.max(1,l)}%`;let g=c&&h===a;return u("li",{class:g?"vote right":"vote"},u("s\
 pan",{},`${h}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"bar","aria-hidden":"true"},y),u("span",{class:"numbers"},`${i.get(h)} of ${l}`,d&&u(
@@ -872,7 +872,7 @@ u("div",{},u("h1",{},e.title),u("p",{class:"lead"},e.lead)),u("div",{class:"tool
 (i,l)=>u("a",{href:`#${i.id}`},`${l+1}. ${i.title}`))),u("main",{},...e.sections.map((i,l)=>this.#l(i,l))),u("footer",{class:"card"},u("div",{class:"buttons"},u(
 "button",{type:"button",class:"primary save",onclick:()=>Ln("predictions.jsonl",r.file)},"Save my predictions"),u("button",{type:"button",onclick:()=>print()},"\
 Print"),u("button",{type:"button",onclick:a},"Start anew"),s),u("p",{class:"small muted"},`The page sends nothing anywhere. matrixworld ${e.version}, edition ${e.
-edition} of the lesson. Teachers: `,u("a",{href:ji},"count the votes of a class"),"."))),o()}async load(){this.#r(await Zt())}#o(e){return"text"in e?u("div",{class:"\
+edition} of the course. Teachers: `,u("a",{href:ji},"count the votes of a class"),"."))),o()}async load(){this.#r(await Zt())}#o(e){return"text"in e?u("div",{class:"\
 text"},...Rt(e.text)):Jr(e)?this.#s[e.widget](e):"exercise"in e?Ao(e,this.#t):So(e,this.#t)}#l(e,r){let{sections:n}=this.#e,s=u("p",{class:"waiting muted",role:"\
 status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},
 `${e.minutes} minutes`)),s),a=Wu(e.parts),i=a.map(m=>u("div",{class:zu(m)})),l=a.flatMap((m,p)=>m.map(()=>i[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources be69d0ac0c11d2bf117a5baca4e324db3af43b74800b3f63621ba3e0f8d1719e */
+/* built from web/ by "npm run build"; sources f4db7ea85c1762380bd8122c63a24aec1b50666b027b1555c7d507be797a8007 */
 "use strict";(()=>{var lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},$e={DISAPPEAR:0,REACH:1,BOUNCE:2},ur={OCCUPATION:0,SURROUND:1},cr={FAULT:0,INVOLVED:1};var wt=["obstacle","teammate","adversary"],xt=["vertex","edge","chain"],mr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],St=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ue={"both held":"both bounce","both doomed":"\
