@@ -9,84 +9,17 @@ policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `E
                     `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
-evolution           packages `coevolution` and `analysis`, module `plots`
+evolution           packages `coevolution`, `analysis` and `plots`
 ground truth        package `solve`
 ==================  ===============================================================================
+
+Names and packages are imported when they are first used. So are Gymnasium and PettingZoo, in which
+the environments are registered as soon as both they and this package have been imported.
 """
 
-from typing import TYPE_CHECKING, Any
-
-from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
-from matrixworld._util import colors
-from matrixworld.envs import aec_env, parallel_env
-from matrixworld.envs.agent import AgentEnv
-from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
-from matrixworld.episodes import render, replay
-from matrixworld.episodes.episode import Episode
-from matrixworld.episodes.record import Recorder, record, record_actions
-from matrixworld.episodes.safety import SafetyMonitor, SafetySummary
-from matrixworld.play import NetworkPolicy
-from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
+from matrixworld._util.imports import ImportedWith, lazy
 from matrixworld.version import __version__ as __version__
-from matrixworld.world.arrays import array_specs, episode_specs
-from matrixworld.world.batch import Batch
-from matrixworld.world.config import WorldConfig
-from matrixworld.world.conflicts import Conflict
-from matrixworld.world.maps import read_map
-from matrixworld.world.policy import SCRIPTS, Network, Population
-from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Action, Rewards, Rules
-from matrixworld.world.world import World
 
-if TYPE_CHECKING:
-    from matrixworld.coevolution import score_policy
+__getattr__, __dir__, __all__ = lazy(__name__, __file__)
 
-__all__ = [
-    "COLLISION_KINDS",
-    "SCRIPTS",
-    "VARIANTS",
-    "Action",
-    "AgentEnv",
-    "AgentVectorEnv",
-    "Autoreset",
-    "Batch",
-    "Blame",
-    "Capture",
-    "Conflict",
-    "Episode",
-    "EpisodeStatistics",
-    "Interaction",
-    "Matches",
-    "Network",
-    "NetworkPolicy",
-    "Outcome",
-    "Population",
-    "Recorder",
-    "Rewards",
-    "Rules",
-    "SafetyMonitor",
-    "SafetySummary",
-    "VectorEnv",
-    "World",
-    "WorldConfig",
-    "aec_env",
-    "array_specs",
-    "colors",
-    "episode_specs",
-    "parallel_env",
-    "read_map",
-    "record",
-    "record_actions",
-    "render",
-    "replay",
-    "rollout",
-    "score_policy",
-]
-
-
-def __getattr__(name: str) -> Any:
-    # Co-evolution takes longer to import than all the rest, so it waits for its first use.
-    if name == "score_policy":
-        from matrixworld.coevolution import score_policy
-
-        return score_policy
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+ImportedWith({"gymnasium", "pettingzoo"}, "matrixworld.envs")

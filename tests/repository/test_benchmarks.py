@@ -19,6 +19,7 @@ FEW = {
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
     "bench_page": ["--races", "1", "--generations", "2"],
     "bench_solve": ["--repeats", "1"],
+    "bench_start": ["--repeats", "1"],
     "bench_actor_critic": ["--repeats", "1"],
     "bench_learners": ["--quick", "--results", "learners"],
 }

@@ -28,6 +28,21 @@ ROOT = Path(__file__).parents[2]
 
 PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 HEAVY = ["click", "deap", "matplotlib", "scipy", "threadpoolctl", "tqdm"]
+LIBRARIES = [*HEAVY, "gymnasium", "numpy", "pettingzoo"]
+LEFT_OUT = {
+    "import matrixworld": LIBRARIES,
+    "from matrixworld import World, rollout, NetworkPolicy": [*HEAVY, "gymnasium", "pettingzoo"],
+    "from matrixworld import parallel_env; parallel_env(evaders='fleer')": [
+        *HEAVY,
+        "matrixworld.coevolution",
+    ],
+    "import matrixworld, gymnasium": HEAVY,
+    "import matrixworld.coevolution": ["click", "gymnasium", "matplotlib", "pettingzoo", "scipy"],
+    "from matrixworld.cli import main; main(['--help'], standalone_mode=False)": [
+        each for each in LIBRARIES if each != "click"
+    ],
+}
+"""Modules that lines of Python do not import."""
 # The distribution `matrixworld` of the package index is another project.
 OTHER_PROJECT = re.compile(
     r"pip install [^&;|`\n]*(?<![\w./-])matrixworld(?![\w./-])"
@@ -125,11 +140,28 @@ def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distrib
     assert [link for link in links if not link.startswith("https://")] == []
 
 
-@pytest.mark.parametrize("module", ["matrixworld", "matrixworld.envs"])
-def test_environments_load_no_part_that_they_do_not_need(module: str) -> None:
-    code = f"import sys, {module}; print(*sorted(sys.modules.keys() & {HEAVY}))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.split() == []
+@pytest.mark.parametrize("line", LEFT_OUT)
+def test_imports_leave_out_what_they_do_not_need(line: str) -> None:
+    found = f"found = sys.modules.keys() & {LEFT_OUT[line]}"
+    code = f"import sys\n{line}\n{found}\nassert not found, found"
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_all_public_names_are_listed_and_can_be_used() -> None:
+    names = {*matrixworld.__all__, "analysis", "coevolution", "envs", "plots", "solve"}
+    assert names <= set(dir(matrixworld))
+    assert [name for name in names if not hasattr(matrixworld, name)] == []
+    with pytest.raises(AttributeError, match="module 'matrixworld' has no attribute 'Word'"):
+        matrixworld.Word  # noqa: B018
+
+
+@pytest.mark.parametrize("library", ["gymnasium", "pettingzoo"])
+@pytest.mark.parametrize("order", ["matrixworld, {}", "{}, matrixworld"])
+def test_environments_are_registered_in_any_order_of_imports(library: str, order: str) -> None:
+    kind = "'parallel', " if library == "pettingzoo" else ""
+    made = f"{library}.make({kind}'matrixworld/pursuit_evasion_o_v0')"
+    code = f"import {order.format(library)}; {made}"
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 # Docstrings

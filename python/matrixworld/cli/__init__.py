@@ -6,23 +6,95 @@ a `matrixworld.coevolution.RunGroup`.
 
 from __future__ import annotations
 
+import sys
+from collections import UserDict
+from contextlib import suppress
+from importlib import import_module
+from typing import Any
+
 import click
 
-from matrixworld.cli.classroom import class_command
-from matrixworld.cli.evaluate import score_command, tournament_command
-from matrixworld.cli.evolve import evolve_command
-from matrixworld.cli.exploit import exploit_command, solve_command
-from matrixworld.cli.judge import judge_command
-from matrixworld.cli.options import Commands
-from matrixworld.cli.pages import explore_command, play_command, playground_command
-from matrixworld.cli.replay import replay_command
 from matrixworld.version import __version__
 
 __all__ = ["main"]
 
+COMMANDS = {
+    "class": ("classroom", "Play a tournament of students' policies."),
+    "evolve": ("evolve", "Start races, or continue them."),
+    "exploit": ("exploit", "Evolve best responses to champions."),
+    "explore": ("pages", "Show runs as a page or as figures."),
+    "judge": ("judge", "Say what happened in races, and what to try."),
+    "play": ("pages", "Play an agent yourself on a page."),
+    "playground": ("pages", "Play conflicts by hand on a page."),
+    "replay": ("replay", "Watch an episode, or write it to files."),
+    "score": ("evaluate", "Play against held-out opponents."),
+    "solve": ("exploit", "Solve a small world exactly."),
+    "tournament": ("evaluate", "Play every generation against every other."),
+}
+"""Module and summary of each command."""
+
+
+class Imported(UserDict[str, Any]):
+    """The commands by their names, each imported when it is looked up: all take half a second."""
+
+    def __getitem__(self, name: str) -> click.Command:
+        module, _ = self.data[name]
+        command: click.Command = getattr(import_module(f"{__name__}.{module}"), f"{name}_command")
+        return command
+
+
+class Commands(click.Group):
+    """A group of commands whose failures are messages, and which Ctrl-C stops."""
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write what the commands do, for the help text."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, text) for name, (_, text) in COMMANDS.items()])
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command."""
+        from matrixworld._util.files import printable, sentence_of
+        from matrixworld.cli.console import INTERRUPTED, note
+        from matrixworld.cli.options import FAILURES
+
+        try:
+            return super().invoke(ctx)
+        except click.ClickException as error:
+            # It may quote a name or a file; the attribute is final for others.
+            vars(error)["message"] = printable(error.message)
+            raise
+        except BrokenPipeError:  # the reader of the output has gone, which click handles
+            raise
+        except MemoryError as error:
+            problem = "this machine has too little memory for these sizes"
+            raise click.ClickException(problem) from error
+        except FAILURES as error:
+            raise click.ClickException(printable(sentence_of(error))) from error
+        except KeyboardInterrupt:
+            note("\nStopped. No file is half written.")
+            raise click.exceptions.Exit(INTERRUPTED) from None
+
+    def main(self, *args: Any, **options: Any) -> Any:
+        """Run the command, and fail if standard output cannot take all that was printed."""
+        try:
+            try:
+                return super().main(*args, **options)
+            finally:
+                if sys.stdout is not None:  # it may be closed
+                    sys.stdout.flush()
+        except OSError as error:
+            from matrixworld._util.files import sentence_of
+
+            with suppress(OSError):  # or Python would try once more at its end
+                sys.stdout.close()
+            click.echo(f"Error: standard output: {sentence_of(error)}", err=True)
+            sys.exit(1)
+
 
 @click.group(
-    cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
+    cls=Commands,
+    commands=Imported(COMMANDS),
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__)
 def main() -> None:
@@ -31,19 +103,3 @@ def main() -> None:
     Start with `matrixworld evolve`: it runs three races in some minutes, judges and compares them,
     and says what to try next.
     """
-
-
-for command in (
-    evolve_command,
-    judge_command,
-    explore_command,
-    replay_command,
-    score_command,
-    tournament_command,
-    exploit_command,
-    solve_command,
-    class_command,
-    play_command,
-    playground_command,
-):
-    main.add_command(command)

@@ -60,7 +60,7 @@ class ClassCommands(click.Group):
         return super().parse_args(ctx, args)
 
 
-@click.group("class", cls=ClassCommands, short_help="Play a tournament of students' policies.")
+@click.group("class", cls=ClassCommands)
 def class_command() -> None:
     """Play a tournament of policies that students have handed in, or write one to hand in.
 

@@ -73,7 +73,7 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
         raise click.BadParameter(f"expected a generation or {ALL}, got {value!r}") from None
 
 
-@click.command("score", short_help="Play against held-out opponents.")
+@click.command("score")
 @runs_argument()
 @click.option(
     "--generation",

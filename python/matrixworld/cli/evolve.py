@@ -137,7 +137,7 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     )
 
 
-@click.command("evolve", epilog=EXAMPLES, short_help="Start races, or continue them.")
+@click.command("evolve", epilog=EXAMPLES)
 @click.option(
     "--out",
     "-o",

@@ -1,14 +1,12 @@
-"""Options that several commands share, each declared once; output files; the group of commands."""
+"""Options that several commands share, each declared once; output files; failures."""
 
 from __future__ import annotations
 
 import json
 import os
 import re
-import sys
 from collections.abc import Callable, Mapping
 from concurrent.futures import BrokenExecutor
-from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Any
@@ -21,12 +19,10 @@ from matrixworld._util.files import (
     DamagedFileError,
     LockedError,
     check_replaceable,
-    printable,
     save_json,
-    sentence_of,
 )
 from matrixworld.cli.cluster import cluster_option
-from matrixworld.cli.console import INTERRUPTED, TO_STDOUT, note, say
+from matrixworld.cli.console import TO_STDOUT, say
 from matrixworld.coevolution.jobs import FailedRunsError
 from matrixworld.coevolution.learners.learner import DivergedError
 from matrixworld.coevolution.sections import WORLD_HELP
@@ -282,8 +278,6 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
         say(f"\nWritten: {file}")
 
 
-# The group:
-
 FAILURES = (
     BrokenExecutor,  # a lost cluster
     DamagedFileError,
@@ -296,40 +290,3 @@ FAILURES = (
     OutOfMemoryError,
 )
 """Errors whose message says all that a user can do; any other one is a mistake in the program."""
-
-
-class Commands(click.Group):
-    """A group of commands whose failures are messages, and which Ctrl-C stops."""
-
-    def invoke(self, ctx: click.Context) -> Any:
-        """Run the command."""
-        try:
-            return super().invoke(ctx)
-        except click.ClickException as error:
-            # It may quote a name or a file; the attribute is final for others.
-            vars(error)["message"] = printable(error.message)
-            raise
-        except BrokenPipeError:  # the reader of the output has gone, which click handles
-            raise
-        except MemoryError as error:
-            problem = "this machine has too little memory for these sizes"
-            raise click.ClickException(problem) from error
-        except FAILURES as error:
-            raise click.ClickException(printable(sentence_of(error))) from error
-        except KeyboardInterrupt:
-            note("\nStopped. No file is half written.")
-            raise click.exceptions.Exit(INTERRUPTED) from None
-
-    def main(self, *args: Any, **options: Any) -> Any:
-        """Run the command, and fail if standard output cannot take all that was printed."""
-        try:
-            try:
-                return super().main(*args, **options)
-            finally:
-                if sys.stdout is not None:  # it may be closed
-                    sys.stdout.flush()
-        except OSError as error:
-            with suppress(OSError):  # or Python would try once more at its end
-                sys.stdout.close()
-            click.echo(f"Error: standard output: {sentence_of(error)}", err=True)
-            sys.exit(1)

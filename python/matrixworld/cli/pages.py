@@ -77,7 +77,7 @@ def _baselines(
     return opened
 
 
-@click.command("explore", short_help="Show runs as a page or as figures.")
+@click.command("explore")
 @runs_argument(required=False)
 @out_option(
     f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
@@ -240,7 +240,7 @@ def _draw(
 # Pages of the game:
 
 
-@click.command("playground", short_help="Play conflicts by hand on a page.")
+@click.command("playground")
 @out_option(f"the page  [default: {playground.PAGE}]")
 @options("open", "force")
 def playground_command(out: Path | None, opens: bool, force: bool) -> None:
@@ -257,7 +257,7 @@ def playground_command(out: Path | None, opens: bool, force: bool) -> None:
     open_page(page, opens)
 
 
-@click.command("play", epilog=PLAY_EXAMPLES, short_help="Play an agent yourself on a page.")
+@click.command("play", epilog=PLAY_EXAMPLES)
 @click.argument("source", metavar="[RUN|VARIANT]", default="O", callback=source_of)
 @options("race")
 @out_option(f"the page  [default: {play_page.PAGE}, of a RUN in its directory]")

@@ -67,7 +67,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
         raise click.BadParameter(f"{expected} {variants}, got {value!r}") from None
 
 
-@click.command("replay", epilog=EXAMPLES, short_help="Watch an episode, or write it to files.")
+@click.command("replay", epilog=EXAMPLES)
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=source_of)
 @options("race")
 @click.option(

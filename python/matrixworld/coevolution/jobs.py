@@ -38,9 +38,9 @@ from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util import HAS_PROCESSES
 from matrixworld._util.checks import check_instance, check_threads, shown
 from matrixworld._util.files import DamagedFileError, locked, save_json, sentence_of
+from matrixworld._util.imports import HAS_PROCESSES
 from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
 from matrixworld.coevolution.runs import check_own_code, finish
 from matrixworld.coevolution.runs.map_race import check_maps

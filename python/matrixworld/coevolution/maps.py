@@ -28,7 +28,6 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 from deap import base, tools
 from numpy.typing import NDArray
-from scipy import ndimage, stats
 
 from matrixworld.coevolution.fitness import measured
 from matrixworld.coevolution.learners.toolbox import Individual
@@ -54,6 +53,8 @@ MOST_EDITS = 10
 
 def playable(walls: Map, least: int) -> bool:
     """Return whether at least so many cells are free, and all free cells are connected."""
+    from scipy import ndimage
+
     return bool((~walls).sum() >= least and ndimage.label(~walls)[1] == 1)
 
 
@@ -274,7 +275,8 @@ class MapArchive(Saved):
     @property
     def weights(self) -> FloatArray:
         """Probability (N,) of each map: it falls with its rank; equal scores have equal ones."""
-        weights = 1.0 / stats.rankdata(-self.scores, method="min")
+        higher = (self.scores > self.scores[:, np.newaxis]).sum(axis=1)
+        weights = 1.0 / (1 + higher)
         return np.asarray(weights / weights.sum())
 
     def offer(self, rng: np.random.Generator) -> int:

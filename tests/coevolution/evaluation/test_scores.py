@@ -1,7 +1,5 @@
 """Held-out opponents, and the scores of runs and of any policy against them."""
 
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -197,12 +195,3 @@ def test_wrong_arguments_are_refused(
     given = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
     with pytest.raises(error, match=message):
         mw.score_policy(config=config_of("R"), **{**given, **arguments})
-
-
-def test_the_package_is_imported_without_co_evolution() -> None:
-    code = (
-        "import sys, matrixworld as mw; mw.parallel_env('O', evaders='fleer'); "
-        "assert 'matrixworld.coevolution' not in sys.modules; mw.score_policy; "
-        "assert 'matrixworld.coevolution' in sys.modules; from matrixworld import score_policy"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from matrixworld._util.checks import check_integer, check_threads, shown
 from matrixworld._util.readable import Parts, Readable
@@ -51,6 +50,8 @@ def rooms(shape: tuple[int, int], rng: np.random.Generator) -> Map:
 
 def maze(shape: tuple[int, int], rng: np.random.Generator) -> Map:
     """Return a maze by a random walk that goes back where it is stuck, with some walls opened."""
+    from scipy import ndimage
+
     walls = np.ones(shape, bool)
     path = [(0, 0)]
     walls[0, 0] = False
@@ -70,6 +71,8 @@ def maze(shape: tuple[int, int], rng: np.random.Generator) -> Map:
 
 def cave(shape: tuple[int, int], rng: np.random.Generator) -> Map:
     """Return the largest cave that a cellular automaton leaves."""
+    from scipy import ndimage
+
     walls = rng.random(shape) < SOLID
     for _ in range(SMOOTHINGS):
         crowd = ndimage.convolve(walls.astype(int), np.ones((3, 3), int), mode="nearest")

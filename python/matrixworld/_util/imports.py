@@ -1,0 +1,99 @@
+"""Imports: what waits for its first use, what follows another import, stand-ins in a browser.
+
+A browser (Pyodide) has no processes, and so no locks or memory between them, which Gymnasium and
+`concurrent.futures` import. DEAP imports a compiled package for several objectives. Stand-ins make
+these imports work; nothing calls them there.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from importlib.abc import MetaPathFinder
+from importlib.machinery import ModuleSpec
+from importlib.util import find_spec
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+HAS_PROCESSES = find_spec("_multiprocessing") is not None
+
+_STAND_INS: dict[str, dict[str, Any]] = {
+    "_multiprocessing": {
+        "SemLock": type("SemLock", (), {"SEM_VALUE_MAX": 1}),
+        "sem_unlink": None,
+    },
+    "_posixshmem": {"shm_unlink": None},
+    "moocore": {},
+}
+
+if not HAS_PROCESSES:
+    for _name in filter(lambda name: find_spec(name) is None, _STAND_INS):
+        sys.modules[_name] = ModuleType(_name)
+        vars(sys.modules[_name]).update(_STAND_INS[_name])
+
+
+def lazy(
+    package: str, file: str
+) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Return ``__getattr__``, ``__dir__`` and ``__all__`` of a package that imports what is used.
+
+    The stub beside `file` lists its names: ``from module import name as name``, and
+    ``from . import name as name`` for packages in it, which ``__all__`` leaves out.
+    """
+    stub = ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8"))
+    imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
+    homes = {each.name: node.module for node in imports for each in node.names}
+    public = sorted(name for name, home in homes.items() if home)
+
+    def get(name: str) -> Any:
+        if name not in homes:
+            told = f"module {package!r} has no attribute {name!r}"
+            raise AttributeError(told, name=name, obj=sys.modules[package])
+        home = homes[name]
+        if home is None:
+            return import_module(f"{package}.{name}")
+        value = getattr(__import__(home, fromlist=[name]), name)
+        setattr(sys.modules[package], name, value)  # found without this function from now on
+        return value
+
+    return get, lambda: sorted({*vars(sys.modules[package]), *homes}), public
+
+
+class ImportedWith(MetaPathFinder):
+    """Imports a module when one of some libraries is imported, which takes long and may not happen.
+
+    If one of them has been imported, the module is imported at once.
+    """
+
+    def __init__(self, libraries: set[str], module: str) -> None:
+        self.libraries = libraries
+        self.module = module
+        if libraries & sys.modules.keys():
+            import_module(module)
+        else:
+            sys.meta_path.insert(0, self)
+
+    def find_spec(
+        self, fullname: str, path: Any = None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Return the specification of a library, whose loader imports the module afterwards."""
+        if fullname not in self.libraries:
+            return None
+        finders = [finder for finder in sys.meta_path if finder is not self]
+        found = (finder.find_spec(fullname, path, target) for finder in finders)
+        spec = next(filter(None, found), None)
+        if spec is not None and spec.loader is not None:
+            load = spec.loader.exec_module
+
+            def execute(module: ModuleType) -> None:
+                # Once, and before the library is there: it may import another one.
+                if self in sys.meta_path:
+                    sys.meta_path.remove(self)
+                load(module)
+                import_module(self.module)
+
+            spec.loader.exec_module = execute  # type: ignore[method-assign]
+        return spec
