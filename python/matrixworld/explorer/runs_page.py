@@ -29,7 +29,7 @@ from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
 from matrixworld.analysis.ratings import ELO_POINTS
 from matrixworld.analysis.words import headline_numbers
-from matrixworld.coevolution.schedules import Against, Simultaneous, Yoked, curve_window
+from matrixworld.coevolution.schedules import Against, Maps, Simultaneous, Yoked, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
@@ -225,6 +225,7 @@ def run_data(
             for g in range(shape[0])
         ],
         "findings": found,
+        "maps": plain_maps(run),
         "limits": too_few_episodes(payoff) if settings.is_race else "",
     }
 
@@ -247,6 +248,21 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
             for row in payoff.capture_rates.tolist()
         ],
         "lengths": payoff.lengths.tolist(),
+    }
+
+
+def plain_maps(run: SavedRun) -> dict[str, Any] | None:
+    """Return the maps of a race on which they evolve, as rows of text in one list, and scores."""
+    schedule = run.settings.schedule
+    if not isinstance(schedule, Maps):
+        return None
+    found = run.maps()
+    characters = np.where(found["maps"], "#", ".").reshape(-1, *found["maps"].shape[2:])
+    return {
+        "fitness": schedule.map_fitness,
+        "count": schedule.maps,
+        "walls": [["".join(row) for row in walls] for walls in characters.tolist()],
+        "scores": [float(f"{score:.4g}") for score in found["scores"].ravel()],
     }
 
 

@@ -104,7 +104,7 @@ export class Lane extends EventTarget {
   /** Let a person play against the newest generation. */
   takeOver(): void {
     const newest = this.#run.newest;
-    this.#takeOver.play({ run: 0, pursuer: newest, evader: newest, episode: 0, seed: null }, { seat: this.#run.world.n_pursuers, from: 0, moves: [] });
+    this.#takeOver.play({ run: 0, pursuer: newest, evader: newest, episode: 0, seed: null, map: null }, { seat: this.#run.world.n_pursuers, from: 0, moves: [] });
   }
 
   /** Return what can be saved. */
@@ -183,7 +183,7 @@ export class Lane extends EventTarget {
     this.#run = new GrowingRun(this.settings, this.#data.masks, name, key);
     this.#clear();
     this.#follows = true;
-    this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null });
+    this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null, map: null });
     const [matrix, match] = [new MatrixPanel([this.#run], this.#store), new MatchPanel([this.#run], this.#store, null)];
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
     this.#takeOver = new TakeOver([this.#run], this.#store, match, false);

@@ -105,6 +105,14 @@ export interface Findings {
   readonly margin: number;
 }
 
+/** Maps of a race on which they evolve: so many after each generation from 0 on, the best first. */
+export interface Maps {
+  readonly fitness: string;
+  readonly count: number;
+  readonly walls: readonly (readonly string[])[];
+  readonly scores: readonly number[];
+}
+
 export interface Run {
   readonly name: string;
   readonly schedule: string;
@@ -116,6 +124,7 @@ export interface Run {
   readonly payoff: Payoff;
   readonly seeds: readonly (readonly string[])[];
   readonly findings: Findings | null;
+  readonly maps: Maps | null;
   readonly limits: string;
   readonly teams: Readonly<Record<Team, TeamData>>;
 }
@@ -144,6 +153,10 @@ export function cellOf(run: Run, g: number, h: number): { rate: number; rates: r
   if (rate === undefined) return null;
   return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]![column]! };
 }
+
+/** Return the world of a match: that of the evaluation, or one on a map of the run. */
+export const worldOf = ({ world, maps }: Run, map: number | null): WorldConfig =>
+  maps && map !== null ? { ...world, obstacles: maps.walls[map]! } : world;
 
 /** Return why the page cannot play a generation of a team; empty if it can. */
 export function whyNot(run: Run, team: Team, generation: number): string {

@@ -30,7 +30,7 @@ export function guidedMinute(runs: readonly Run[], store: Store, match: MatchPan
     back.disabled = place === 0;
     next.textContent = place === stops().length - 1 ? "End" : "Next";
     bar.hidden = false;
-    store.select({ pursuer: stop.pursuer, evader: stop.evader });
+    store.select({ pursuer: stop.pursuer, evader: stop.evader, map: null });
     if (stop.shows === "judgement") document.querySelector(".diagnosis")?.scrollIntoView({ block: "nearest" });
     else if (stop.shows === "checkerboard") openFour();
     else {

@@ -43,7 +43,7 @@ export class Inspector {
   show(engine: Engine, run: Run, match: Match, selection: Selection): void {
     // A new world: one of the same seed may have played other networks.
     this.#world?.free();
-    this.#world = engine.world(run.world);
+    this.#world = engine.world(match.config);
     if (this.#run !== run) {
       this.#solution = null;
       if (this.#agent !== null) this.choose(null);

@@ -23,7 +23,7 @@ import { openPlayground } from "./to_playground.ts";
 const data = readData();
 const { runs } = data;
 const [rows, columns] = runs[0]!.payoff.shape;
-const first = placeOf(location.hash, runs, { run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
+const first = placeOf(location.hash, runs, { run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null, map: null });
 const { step, ...selected } = first;
 const store = new Store(selected);
 const match = new MatchPanel(runs, store, data.playground);
@@ -44,6 +44,10 @@ const tell = (): void => {
 };
 store.on("run", tell);
 tell();
+const playHere = (): void => {
+  match.playSoon();
+  match.reveal();
+};
 const LEAD = "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
 
 document.getElementById("page")!.replaceWith(
@@ -52,7 +56,7 @@ document.getElementById("page")!.replaceWith(
   ...(data.note ? [note] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
-  panels(runs, store, () => engine),
+  panels(runs, store, () => engine, playHere),
   html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
   takeOver.dialog, help, shareDialog, minute.bar,
 );
@@ -67,10 +71,7 @@ Object.assign(window, {
     get shape() { return runs[store.selected.run]!.payoff.shape; },
   },
 });
-matrix.element.addEventListener("play", () => {
-  match.playSoon();
-  match.reveal();
-});
+matrix.element.addEventListener("play", playHere);
 match.goTo(step);
 if (!step) match.playSoon();
 followAddress(runs, store, match);

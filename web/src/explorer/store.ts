@@ -8,6 +8,8 @@ export interface Selection {
   readonly episode: number;
   /** Another seed than that of the cell; null for the cell's own. */
   readonly seed: string | null;
+  /** The number of a map of the run on which it is played; null for the world of the evaluation. */
+  readonly map: number | null;
 }
 
 /** Generations under the pointer, in any panel; null where none is. */
@@ -36,11 +38,12 @@ export class Store extends EventTarget {
     return this.#hover;
   }
 
-  /** Change a part of the selection. Another cell begins with its episode 0 and its own seed. */
+  /** Change a part of the selection. Another cell begins with its episode 0 and its own seed; a map stays within a run. */
   select(change: Partial<Selection>): void {
     const before = this.#selected;
     const moved = (["run", "pursuer", "evader"] as const).some((name) => name in change && change[name] !== before[name]);
-    this.#selected = { ...before, ...(moved ? { episode: 0, seed: null } : {}), ...change };
+    const elsewhere = change.run !== undefined && change.run !== before.run;
+    this.#selected = { ...before, ...(moved ? { episode: 0, seed: null } : {}), ...(elsewhere ? { map: null } : {}), ...change };
     if (this.#selected.run !== before.run) this.dispatchEvent(new Event("run"));
     this.dispatchEvent(new Event("match"));
   }

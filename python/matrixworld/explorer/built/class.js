@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources f4db7ea85c1762380bd8122c63a24aec1b50666b027b1555c7d507be797a8007 */
+/* built from web/ by "npm run build"; sources 46ef3a3be97ae2dd2fc149cd7a80476b4ba6cd1b0c26005d8c04fb781788b87b */
 "use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(

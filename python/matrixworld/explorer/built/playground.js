@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources f4db7ea85c1762380bd8122c63a24aec1b50666b027b1555c7d507be797a8007 */
+/* built from web/ by "npm run build"; sources 46ef3a3be97ae2dd2fc149cd7a80476b4ba6cd1b0c26005d8c04fb781788b87b */
 "use strict";(()=>{var xt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},At={OCCUPATION:0,SURROUND:1},Ct={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
