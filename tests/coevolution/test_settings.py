@@ -146,6 +146,9 @@ REFUSED = {
                           {**AGAINST, "schedule.opponent": "careful-chaser", "world.fov": 3}],
     "schedule.team": [{**AGAINST, "schedule.team": "prey"}],
     f"{MEET}.size": [{MEET: "maxsolve", f"{MEET}.size": 0}, {MEET: "ipca", f"{MEET}.size": 3}],
+    "evader_learner": [{"evader_learner.sigma": 0.1}, {"evader_learner": "cma"},
+                       {**AGAINST, "evader_learner": "ga"}, {**HALL, "evader_learner": "ga"}],
+    "evader_learner.mutation": [{"evader_learner": "es", "evader_learner.mutation": 0.1}],
     "learner.population": [{"learner.population": 7}, {"learner.population": 0}],
     "learner.learning_rate": [{"learner.learning_rate": float("nan")},
                               {"learner.learning_rate": "fast"}],
@@ -187,6 +190,7 @@ REFUSED = {
                     {"world.rules": mw.Rules(pursuer=mw.Outcome.BOUNCE),
                      "policy.mask": "right-of-way"},
                     {**SMALL, "learner": "cma", "policy.mask": "obstacles"},
+                    {**SMALL, "evader_learner": "cma", "policy.mask": "obstacles"},
                     {"learner": "own_code:HillClimber", "policy.mask": "obstacles"}],
     "seed": [{"seed": -1}, {"seed": MOST_SEED + 1}],
     "sigma": [{"sigma": 0.1}],
@@ -257,6 +261,13 @@ def test_later_values_change_earlier_ones_before_defaults_are_filled_in():
     assert (settings.learner.population, settings.learner.mutation) == (24, 0.3)
     assert settings.world.rules == replace(mw.VARIANTS["S"], evader=mw.Outcome.REACH)
     assert settings.world.n_pursuers == 20
+    # A learner of the evaders has defaults of its own, and can be taken back.
+    mixed = RaceSettings.of(file, {"evader_learner": "ga", "evader_learner.elites": 2})
+    assert (mixed.evader_learner.population, mixed.evader_learner.mutation) == (48, 0.05)
+    assert mixed.learner_of("evader").elites == 2
+    assert mixed.learner_of("pursuer") == mixed.learner
+    assert RaceSettings.of(mixed.to_json()) == mixed
+    assert mixed.changed({"evader_learner": None}) == RaceSettings.of(file)
     # Mappings and texts stand for sections in constructors, too.
     assert RaceSettings(schedule="hall-of-fame", **file).learner == settings.learner
 

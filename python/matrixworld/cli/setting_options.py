@@ -42,6 +42,8 @@ PATHS = {
     "seed": "seed",
 }
 """Options of their own, and the settings that they set."""
+AS_BEFORE = {"evader_learner", "schedule.evaders_meet"}
+"""Settings that have the sections of the setting before them."""
 
 
 # Values:
@@ -215,9 +217,9 @@ def _help_sections(
         kinds = dict.fromkeys(sections_in(hint).values())
         if hint is WorldConfig:
             found[here] = [(f"{here}.{name}", text) for name, text in WORLD_HELP.items()]
-        elif not kinds:
+        elif not kinds or here in AS_BEFORE:
             rows.append((f"{here} {_type(hint)}", _text(item)))
-        elif here != "schedule.evaders_meet":  # it is as schedule.pursuers_meet
+        else:
             for each in kinds:
                 # The opponents of several schedules have the same sections.
                 found |= _help_sections(each, f"{here}.", f"{here}={each.kind}".rstrip("="))

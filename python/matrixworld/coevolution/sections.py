@@ -216,11 +216,11 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
         classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
         raise TypeError(f"{item.name}: expected {classes}, got {shown(given)}")
     changes = dict(given)
-    if "kind" in changes:
-        cls, sets = _named(item.name, hint, changes.pop("kind"))
+    usual = before or item.metadata["default"]
+    if "kind" in changes or usual is None:
+        cls, sets = _named(item.name, hint, changes.pop("kind", None))
     else:
-        before = before or item.metadata["default"]
-        cls, sets = type(before), {}
+        cls, sets, before = type(usual), {}, usual
     # The settings of other code of your own mean nothing to this one.
     start = vars(before) if type(before) is cls and "code" not in sets else {}
     with inside(item.name):
@@ -257,7 +257,7 @@ def merged(
         if item.name not in changes:
             continue
         change, hint = changes[item.name], hints_of(cls)[item.name]
-        if sections_in(hint):
+        if sections_in(hint) and change is not None:
             values[item.name] = _section(item, hint, values.get(item.name), change)
         else:
             values[item.name] = _joined(values.get(item.name), change)

@@ -204,6 +204,9 @@ class RaceSettings(Section):
         EvolutionStrategySettings(),
         f"how teams learn: {', '.join(kinds_in(BuiltInLearner))} or module:object",
     )
+    evader_learner: BuiltInLearner | OwnLearnerSettings | None = setting(
+        None, "how the evaders learn, where it differs; learner is then that of the pursuers"
+    )
     schedule: Alternating | Simultaneous | Against | Yoked | Maps = setting(
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
     )
@@ -226,8 +229,9 @@ class RaceSettings(Section):
         for item in sorted(fields(self), key=lambda each: each.name != "schedule"):
             value = getattr(self, item.name)
             if isinstance(value, Section):
+                learner = value if isinstance(value, LearnerSettings) else self.learner
                 unfilled = {
-                    each.name: self._usual(each)
+                    each.name: self._usual(each, learner)
                     for each in fields(value)
                     if each.metadata["by"] and getattr(value, each.name) is None
                 }
@@ -237,12 +241,20 @@ class RaceSettings(Section):
         self._check_mask()
         self._check_idle()
         self._check_maps()
-        self.learner.check_fits(self.world, self.network)
+        if self.evader_learner and not isinstance(self.schedule, Alternating):
+            why = "one team learns" if isinstance(self.schedule, Against) else "both learn at once"
+            raise ValueError(
+                f"evader_learner: expected no value with the schedule {self.schedule.kind}, in "
+                f"which {why}, got {self.evader_learner.kind}"
+            )
+        for team in self.learning_teams:
+            path = self.learner_path(team)
+            self.learner_of(team).check_fits(path, self.world, self.network)
 
-    def _usual(self, item: Field[Any]) -> Any:
-        """Return the default of a field with this learner and this schedule."""
+    def _usual(self, item: Field[Any], learner: LearnerSettings | None = None) -> Any:
+        """Return the default of a field with a learner, by default `learner`, and this schedule."""
         by: Mapping[str, Any] = item.metadata["by"]
-        conditions = (*self.learner.conditions, *self.schedule.conditions)
+        conditions = (*(learner or self.learner).conditions, *self.schedule.conditions)
         usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
         if callable(usual):
             usual = usual(self.schedule.total_epochs(self.learning_teams[0]))
@@ -263,14 +275,17 @@ class RaceSettings(Section):
 
     def _check_idle(self) -> None:
         """Raise ValueError for a value without effect where another section is the reason."""
-        learner, gradients = self.learner.kind, self.learner.by_gradients
+        learners = [self.learner_of(team) for team in self.learning_teams]
+        learner = " and ".join(dict.fromkeys(each.kind for each in learners))
+        gradients = all(each.by_gradients for each in learners)
+        masked = all(each.keeps_fixed_genes for each in learners)
         started = isinstance(self.schedule, Against) and self.schedule.start is not None
         rows: tuple[tuple[str, Iterable[str], bool, str], ...] = (
             ("policy", ("activation", "memory", "initial_weight"), not self.policy.hidden,
              "without hidden layers"),
             ("policy", ("initial_weight",), gradients, f"with {learner}"),
             ("policy", ("initial_weight", "initial_head"), started, "with a genome to start from"),
-            ("policy", ("mask",), not self.learner.keeps_fixed_genes, f"with {learner}"),
+            ("policy", ("mask",), not masked, f"with {learner}"),
             ("fitness", ("sharing",), self.schedule.opponents_met < 2,
              "with one opponent an epoch"),
             ("fitness", ("overlap_penalty",), self.world.rules.teammate is not Outcome.REACH,
@@ -290,7 +305,8 @@ class RaceSettings(Section):
                         f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "
                         f"effect {why}"
                     )
-        rewarded = gradients or self.fitness.measure == "rewards"
+        by_gradients = any(each.by_gradients for each in learners)
+        rewarded = by_gradients or self.fitness.measure == "rewards"
         if not rewarded and self.world.rewards != Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
@@ -333,6 +349,16 @@ class RaceSettings(Section):
         """Teams that learn."""
         return self.schedule.learning_teams
 
+    def learner_path(self, team: Team) -> str:
+        """Return the name of the setting that says how a team learns."""
+        own = team == "evader" and self.evader_learner is not None
+        return "evader_learner" if own else "learner"
+
+    def learner_of(self, team: Team) -> BuiltInLearner | OwnLearnerSettings:
+        """Return how a team learns."""
+        learner: BuiltInLearner | OwnLearnerSettings = getattr(self, self.learner_path(team))
+        return learner
+
     @property
     def training_world(self) -> WorldConfig:
         """The world, with episodes of `train_steps`."""
@@ -367,12 +393,12 @@ class RaceSettings(Section):
         """Return the first `count` untrained genomes (count, genes) of a team."""
         rng = keyed_generator(self.seed, Purpose.INITIAL, TEAMS.index(team))
         scales = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
-        new = partial(self.learner.untrained, self.network, rng, **scales)
+        new = partial(self.learner_of(team).untrained, self.network, rng, **scales)
         # One after the other from one generator: the first genomes do not depend on `count`.
         return np.stack([new() for _ in range(count)])
 
     def new_learner(self, team: Team, genomes: Genomes) -> Learner:
-        """Return a new learner of a team, from `learner.starting_genomes` genomes (n, genes).
+        """Return a new learner of a team, from its `starting_genomes` genomes (n, genes).
 
         Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
         fails.
@@ -381,7 +407,7 @@ class RaceSettings(Section):
         rng = keyed_generator(self.seed, Purpose.NOISE, TEAMS.index(team))
         mask, epochs = self.mask_weights(team), self.schedule.total_epochs(team)
         start, fixed = (genomes, None) if mask is None else (mask.write(genomes), mask.fixed)
-        return self.learner.new(Task(start, rng, self.world, self.network, epochs, fixed))
+        return self.learner_of(team).new(Task(start, rng, self.world, self.network, epochs, fixed))
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.
@@ -430,7 +456,9 @@ def check_run_memory(what: str, runs: Sequence[RaceSettings]) -> None:
 
 def run_memory(settings: RaceSettings) -> dict[str, int]:
     """Return the bytes of a run's largest arrays, by what they hold."""
-    schedule, population = settings.schedule, settings.learner.population
+    schedule = settings.schedule
+    learners = [settings.learner_of(team) for team in settings.learning_teams]
+    population = max(each.population for each in learners)
     genome, teams = 4 * settings.network.genome_size, len(settings.learning_teams)
     archives = 2 if isinstance(schedule, Yoked) else 1
     # Both teams of a hall-of-fame race meet each other and their own samples of the archive.
@@ -446,7 +474,7 @@ def run_memory(settings: RaceSettings) -> dict[str, int]:
             EPISODE_BYTES * episodes, PAYOFF_BYTES * pairs * settings.evaluation_episodes
         ),
     }
-    if settings.learner.by_gradients:
+    if any(each.by_gradients for each in learners):
         agents = max(settings.world.n_pursuers, settings.world.n_evaders)
         transitions = episodes * settings.train_steps * agents
         needed["views"] = COPIES * transitions * settings.network.sizes[0]

@@ -216,7 +216,7 @@ def test_bad_fitness_is_refused(make, fitness):
         (lambda: strategy(samples=5), "samples"),
         (lambda: algorithm(elites=40), "population"),
         (lambda: momentum(momentum=1.0), "momentum"),
-        (lambda: CmaEs(np.zeros(1001), sigma=0.1), "learner"),
+        (lambda: CmaEs(np.zeros(1001), sigma=0.1), "genome"),
     ],
 )
 def test_parts_that_do_not_fit_are_refused(call, field):

@@ -35,6 +35,21 @@ def test_archive_holds_every_generation(straight):
         assert np.array_equal(straight.genomes(team), genomes)
 
 
+def test_each_team_can_have_a_learner_of_its_own(straight, tmp_path):
+    races = {}
+    for kind in ("es", "ga"):
+        settings = tiny_race(evader_learner={"kind": kind, "population": 4})
+        races[kind] = Race(settings, tmp_path / kind, threads=1)
+        races[kind].run()
+    for team in TEAMS:
+        assert np.array_equal(races["es"].genomes(team), straight.genomes(team))
+    # The first pursuers have met the same untrained evaders; what these learned differs.
+    same = {team: (races["ga"].genomes(team) == straight.genomes(team)).all(1) for team in TEAMS}
+    assert same["pursuer"][:2].tolist() == [True, True]
+    assert same["evader"].tolist() == [True, False, False]
+    assert isinstance(races["ga"].learners["evader"], coevolution.GeneticAlgorithm)
+
+
 def test_log_has_a_row_per_epoch_and_counts_matches(straight):
     log = straight.files.log()
     assert log["generation"].tolist() == [1] * 5 + [2] * 5
@@ -336,6 +351,12 @@ def check_diverges(settings: Any, lower: str, directory: Any) -> None:
 @pytest.mark.parametrize("kind", RUNS)
 def test_the_run_stays_readable_to_its_last_good_generation(kind, tmp_path):
     check_diverges(*RUNS[kind], tmp_path / "run")
+
+
+def test_the_learner_of_the_evaders_is_named_where_it_diverges(tmp_path):
+    settings = tiny_race(evader_learner={"kind": "ga", "mutation": 2e38, "population": 4})
+    with pytest.raises(DivergedError, match="^evader_learner ga: .*lower evader_learner.mutation"):
+        start(settings, tmp_path / "run").run()
 
 
 @pytest.mark.parametrize("changes", ACTOR_CRITIC, ids=str)

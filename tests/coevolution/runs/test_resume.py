@@ -31,6 +31,7 @@ RUNS: dict[str, tuple[coevolution.RaceSettings, Any]] = {
     "race": (tiny_race(), range(CALLS)),
     "cma": (tiny_race(learner="cma"), [6]),
     "ga": (tiny_race(learner="ga"), [6]),
+    "a learner for each team": (tiny_race(evader_learner={"kind": "ga", "population": 6}), [6]),
     "annealed momentum": (tiny_race(momentum=0.9, anneal=True), [6]),
     "hall of fame": (hall_of_fame(), [0, 3, 7]),
     "hall of fame of ga": (hall_of_fame(learner="ga"), [0, 3, 7]),

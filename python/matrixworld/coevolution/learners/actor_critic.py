@@ -252,14 +252,14 @@ class ActorCriticSettings(LearnerSettings):
                 f"cost_rate: expected no value without cost_limit, got {self.cost_rate}"
             )
 
-    def check_fits(self, world: WorldConfig, network: Network) -> None:
+    def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
         """Raise ValueError for networks with memory, or one critic for agents that take turns."""
         interaction = world.rules.interaction
         if self.central_critic and interaction is not Interaction.SIMULTANEOUS:
             # Each agent learns from the world before its own turn.
             raise ValueError(
-                f"central_critic: expected false where agents take turns, got true in a world of "
-                f"{interaction.name}"
+                f"{path}.central_critic: expected false where agents take turns, got true in a "
+                f"world of {interaction.name}"
             )
         if network.memory != "none":
             raise ValueError(

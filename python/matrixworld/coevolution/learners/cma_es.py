@@ -88,7 +88,7 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         start = check_floats("genome", genome, np.float64)
         if start.ndim != 1 or not start.size:
             raise ValueError(f"genome: expected shape (genes,), got {start.shape}")
-        check_genes(start.size)
+        check_genes("genome", start.size)
         check_number("sigma", sigma, least=0.0, positive=True)
         check_integer("samples", samples, 2)
         with one_thread():
@@ -152,11 +152,11 @@ class CmaEs(cma.Strategy, Saved):  # type: ignore[misc]
         self.BD = self.B * self.diagD
 
 
-def check_genes(genes: int) -> None:
+def check_genes(name: str, genes: int) -> None:
     """Raise ValueError above `MOST_GENES`, with advice how to have fewer genes."""
     if genes > MOST_GENES:
         raise ValueError(
-            f"learner: expected at most {MOST_GENES} genes for the full covariance matrix of cma, "
+            f"{name}: expected at most {MOST_GENES} genes for the full covariance matrix of cma, "
             f"got {genes}; a smaller view (fov) or hidden layer (or none) has fewer, and es and ga "
             f"take any number"
         )
@@ -171,9 +171,9 @@ class CmaEsSettings(LearnerSettings):
 
     sigma: float = setting(0.8, "standard deviation of the first samples", positive=True)
 
-    def check_fits(self, world: WorldConfig, network: Network) -> None:
+    def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
         """Raise ValueError if the network has too many genes."""
-        check_genes(network.genome_size)
+        check_genes(path, network.genome_size)
 
     def new(self, task: Task) -> CmaEs:
         """Return a new learner of a team."""

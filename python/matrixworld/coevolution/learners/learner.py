@@ -149,8 +149,11 @@ class LearnerSettings(Section):
         """
         return 0
 
-    def check_fits(self, world: WorldConfig, network: Network) -> None:
-        """Raise ValueError if the learner cannot learn in a world, or such a network."""
+    def check_fits(self, path: str, world: WorldConfig, network: Network) -> None:
+        """Raise ValueError if the learner cannot learn in a world, or such a network.
+
+        `path` is the setting that has the learner.
+        """
 
     def untrained(
         self, network: Network, rng: np.random.Generator, *, weight: float, head: float
@@ -165,12 +168,12 @@ class LearnerSettings(Section):
         population[1:] += np.float32(self.first_sigma) * noise
         return population
 
-    def diverged(self) -> DivergedError:
-        """Return the error for genes that are not finite."""
-        named = [f"learner.{name} (now {getattr(self, name):g})" for name in self.steps]
+    def diverged(self, path: str) -> DivergedError:
+        """Return the error for genes that are not finite; `path` is the setting of the learner."""
+        named = [f"{path}.{name} (now {getattr(self, name):g})" for name in self.steps]
         lower = f"; lower {' or '.join(named)}" if named else ""
         return DivergedError(
-            f"learner {self.kind}: expected finite genes, got NaN or infinity: it diverges{lower}"
+            f"{path} {self.kind}: expected finite genes, got NaN or infinity: it diverges{lower}"
         )
 
     @abstractmethod

@@ -112,7 +112,7 @@ def _run(
 
 def check_own_code(settings: RaceSettings) -> None:
     """Make the learners and samplers of a run once; ValueError or PluginError if one fails."""
-    genomes = settings.learner.starting_genomes
     for team in settings.learning_teams:
+        genomes = settings.learner_of(team).starting_genomes
         settings.new_learner(team, settings.untrained(team, genomes))
         settings.schedule.new_sampler(team)

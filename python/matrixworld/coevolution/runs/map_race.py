@@ -82,7 +82,8 @@ class MapRace(Race):
             *self._fresh(schedule.fresh, rng),
         ])  # fmt: skip
         champions = {
-            team: self.training.population(self.archive[team][-1][np.newaxis]) for team in TEAMS
+            team: self.training.population(team, self.archive[team][-1][np.newaxis])
+            for team in TEAMS
         }
 
         def play(world: WorldConfig) -> EpisodeStatistics:

@@ -97,7 +97,7 @@ class Race(Run):
 
     def opponents(self, team: Team) -> Population:
         """Return all generations of the other team that a team can meet now."""
-        return self.training.population(self.genomes(other(team)))
+        return self.training.population(other(team), self.genomes(other(team)))
 
     def retain(self, team: Team, generation: int, before: State) -> None:
         """Undo what a team has learned in a generation if it got worse against all opponents.
@@ -116,7 +116,7 @@ class Race(Run):
 
     def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
         """Return all archived generations of both teams."""
-        return {team: (self.training.population(self.genomes(team)), 0) for team in TEAMS}
+        return {team: (self.training.population(team, self.genomes(team)), 0) for team in TEAMS}
 
     # Disengagement:
 
@@ -167,7 +167,7 @@ class Race(Run):
         seeds = [
             training_seeds(self.settings.seed, g, h, Phase.ARCHIVE, 0, episodes) for g, h in pairs
         ]
-        pursuers, evaders = (self.training.population(self.genomes(each)) for each in TEAMS)
+        pursuers, evaders = (self.training.population(each, self.genomes(each)) for each in TEAMS)
         g, h = np.repeat(pairs, episodes, axis=0).T
         scores = self.training.play(pursuers, evaders, Matches.of(g, h, np.concatenate(seeds)))
         rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
@@ -215,7 +215,7 @@ class YokedRace(Race):
     def opponents(self, team: Team) -> Population:
         """Return as many generations of the other race as this one has itself."""
         replayed, own = self.replayed[other(team)], self.archive[other(team)]
-        return self.training.population(replayed[: len(own)])
+        return self.training.population(other(team), replayed[: len(own)])
 
 
 def race_to_replay(settings: RaceSettings) -> SavedRun:
@@ -297,12 +297,12 @@ class HallOfFameRace(Race):
         sampled = self._sample_halls(epoch, rng)
         halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
         n = self.settings.learner.population
-        # Both teams have the same kind of learner, and with it the same groups.
+        # Both teams have the same learner, and with it the same groups.
         groups = self.learners["pursuer"].seed_groups
         hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
         pairs = pairings(groups, self.schedule.contemporaries, hall_sizes, rng)
         everyone = {
-            team: self.training.population(np.concatenate([populations[team], halls[team]]))
+            team: self.training.population(team, np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         }
         seeds = training_seeds(

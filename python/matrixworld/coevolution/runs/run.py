@@ -160,7 +160,7 @@ class Run(ABC):
 
     def first_population(self, team: Team) -> Genomes:
         """Return the genomes from which a learner starts; the first one is generation 0."""
-        return self.settings.untrained(team, self.settings.learner.starting_genomes)
+        return self.settings.untrained(team, self.settings.learner_of(team).starting_genomes)
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the archive of a new run."""
@@ -192,7 +192,7 @@ class Run(ABC):
     def archive_genome(self, team: Team) -> None:
         """Add the genome of a team's learner to its archive; DivergedError if it is not finite."""
         genome = self.learners[team].genome.copy()
-        self.archive[team].extend(self.training.population(genome).genomes)
+        self.archive[team].extend(self.training.population(team, genome).genomes)
 
     @classmethod
     def check_settings(cls, settings: RaceSettings) -> None:

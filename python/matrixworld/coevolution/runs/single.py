@@ -81,7 +81,7 @@ class SingleTeam(Run):
         if self._start is None:
             return super().first_population(team)
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
-        return self.settings.learner.population_of(self._start, rng)
+        return self.settings.learner_of(team).population_of(self._start, rng)
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the genome to start from, and the opponents if they have genomes."""
@@ -113,7 +113,7 @@ class SingleTeam(Run):
     def finalists(self) -> dict[Team, tuple[TeamPolicy, int]]:
         """Return the last genome, and all opponents."""
         team = self.schedule.team
-        champion = self.training.population(self.archive[team][-1][np.newaxis])
+        champion = self.training.population(team, self.archive[team][-1][np.newaxis])
         return {team: (champion, self.n_stages), other(team): (self.opponents, 0)}
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:

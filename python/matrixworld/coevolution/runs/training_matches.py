@@ -66,14 +66,15 @@ class TrainingMatches:
 
     # Playing:
 
-    def population(self, genomes: Genomes) -> Population:
-        """Return genomes (n, genes) as a population; DivergedError if one is not finite."""
+    def population(self, team: Team, genomes: Genomes) -> Population:
+        """Return genomes (n, genes) of a team as a population; DivergedError for infinite ones."""
         try:
             return Population(genomes, self.network)
         except ValueError as error:
             if np.isfinite(genomes).all():  # of another shape, by a learner of the user's own
                 raise
-            raise self.settings.learner.diverged() from error
+            path = self.settings.learner_path(team)
+            raise self.settings.learner_of(team).diverged(path) from error
 
     def play(
         self, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches
@@ -99,7 +100,7 @@ class TrainingMatches:
         n, c = seeds.shape
         others = 0 if isinstance(opponents, str) else indices
         own, met = np.repeat(np.arange(n, dtype=np.int32), c), np.full((n, c), others, np.int32)
-        learning = self.population(candidates)
+        learning = self.population(team, candidates)
         if team == "pursuer":
             return self.play(learning, opponents, Matches(own, met.ravel(), seeds.ravel()))
         return self.play(opponents, learning, Matches(met.ravel(), own, seeds.ravel()))
@@ -111,7 +112,7 @@ class TrainingMatches:
 
         They are those of its genome against the opponents `chosen` (M,).
         """
-        if self.settings.learner.by_gradients:
+        if self.settings.learner_of(team).by_gradients:
             learner.learn_from(
                 config=self.world,
                 team=team,
@@ -190,7 +191,7 @@ class TrainingMatches:
         The best candidate of the last epoch may be the luckiest one. The elite meets the opponents
         `met` (c,) that the fittest individual has met in that epoch.
         """
-        matches = self.settings.learner.elite_matches
+        matches = self.settings.learner_of(team).elite_matches
         if matches:
             elites = learner.elite_genomes()
             # The run's own fitness, with sharing and virulence: only the luck of the epoch is new.
@@ -264,9 +265,10 @@ def training_matches(
     With `samplers` that have an archive they are an upper bound; without `samplers` the matches by
     which archives compare candidates are not counted.
     """
-    schedule, learner = settings.schedule, settings.learner
+    schedule = settings.schedule
     if isinstance(schedule, Against):
         # One opponent an epoch.
+        learner = settings.learner_of(schedule.team)
         stages = schedule.entries - 1
         matches = schedule.epochs * learner.population + stages * learner.elite_matches
         return matches * settings.match_episodes
@@ -275,6 +277,7 @@ def training_matches(
     for team, k in product(TEAMS, range(1, schedule.entries)):
         archived = k if isinstance(schedule, Simultaneous) else available(team, k)
         sampled = min(schedule.sampled_opponents, archived)
+        learner = settings.learner_of(team)
         # A match of two living individuals counts for both teams, and here for the pursuers.
         met = sampled + (living if team == "pursuer" else 0)
         matches += schedule.epochs(team) * met * learner.population
