@@ -1,15 +1,20 @@
 """The page on which a race evolves: one file, and a race that can be watched and changed."""
 
+import json
 import time
 import webbrowser
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from browser import LAPTOP, PHONE, Browser
 from command_line import matrixworld_command
 from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.evolve_page import LEARNERS, PAGE, SCHEDULES, evolve_page, race_of
+from matrixworld.solve import guarantees
+from matrixworld.world.policy import Population
 
 DOCS = Path(__file__).parents[2] / "docs"
 MOST = 1_000_000
@@ -99,6 +104,40 @@ def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
     assert browser.js(f"{world}.obstacles[5]") == "###........."  # those of the link
     browser.click(".to-link")
     assert "walls=27.28.29.60.61.62" in browser.js("document.querySelector('.doings input').value")
+    assert browser.errors() == []
+
+
+@pytest.mark.slow
+def test_a_map_is_drawn_refused_and_solved(browser: Browser, page: Path) -> None:
+    opened(browser, page, "#small=1&population=8&walls=6.7.14", LAPTOP)
+    browser.click(".evolve")
+    browser.wait(f"{STATE} === 'ended'", 120)
+    browser.driver.execute_script(
+        "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
+    )
+    box = "document.querySelector('.chase canvas').getBoundingClientRect()"
+    left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
+    told = "document.querySelector('.chase > [role=status]').textContent"
+    rows = "matrixworldEvolve.lanes[0].settings.world.obstacles"
+    for col, sentence in ((2, "Nobody may be walled in"), (3, "")):  # the first cuts off a corner
+        browser.drag((left + width * (col + 0.5) / 6, top + width * 0.5 / 6))
+        browser.wait(f"{told}.slice(0, 23) === '{sentence}'")
+    browser.wait(f"{rows}[0] === '...#..' && {rows}[1] === '##....'")
+    # What the page tells is what Python finds for the same champions.
+    shown = "Array.from(document.querySelectorAll('.regret strong'), (each) => each.textContent)"
+    before = browser.js(shown)
+    browser.wait(f"String({shown}) !== {json.dumps(','.join(before))}")
+    race = browser.js("""matrixworldEvolve.lanes[0].saved().then(({settings, archive}) => ({
+      settings, genomes: [archive.pursuer, archive.evader].map((each) => [...each.at(-1)]),
+    }))""")
+    settings = RaceSettings.of(race["settings"])
+    genomes = np.array(race["genomes"], np.float32)
+    champions = {
+        team: Population(genome[np.newaxis], settings.network)
+        for team, genome in zip(TEAMS, genomes, strict=True)
+    }
+    exact = guarantees(settings.world, champions).exploitability
+    assert browser.js(shown) == [f"regret {exact[team][0]:.2f}" for team in TEAMS]
     assert browser.errors() == []
 
 

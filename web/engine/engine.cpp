@@ -297,7 +297,8 @@ EMSCRIPTEN_KEEPALIVE States* states_new(const NamedArrays* config) {
 
 EMSCRIPTEN_KEEPALIVE void states_free(States* states) { delete states; }
 
-// `payoffs` (states of the first turn): the capture rate of an episode that is over there.
+// `payoffs` (states of the first turn): the capture rate of an episode that is over there; and the
+// `starts` among these states.
 EMSCRIPTEN_KEEPALIVE bool states_payoffs(const States* states) {
     return succeeds([&] {
         const Config& config = states->setup().config;
@@ -310,16 +311,37 @@ EMSCRIPTEN_KEEPALIVE bool states_payoffs(const States* states) {
             payoffs[state] = static_cast<double>(count) / config.n_evaders;
         }
         outputs.add("payoffs", payoffs.data(), payoffs.size());
+        outputs.add("starts", states->starts().data(), states->starts().size());
     });
 }
 
-// `values` of a turn's states from those of the next turn's, `next`.
-EMSCRIPTEN_KEEPALIVE bool states_backup(const States* states, int turn, const NamedArrays* next) {
+// `values` of a turn's states from those of the next turn's, `next`. A team whose `pursuers` or
+// `evaders` are given, as `states_weigh` returns them, plays by these probabilities; others play
+// their best.
+EMSCRIPTEN_KEEPALIVE bool states_backup(const States* states, int turn, const NamedArrays* given) {
     return succeeds([&] {
-        const auto after = Inputs(next).list<double>("next");
+        const Inputs in(given);
+        const auto after = in.list<double>("next");
+        const auto pursuers = in.list<double>("pursuers");
+        const auto evaders = in.list<double>("evaders");
+        States::Play play;
+        if (!pursuers.empty()) play.given[static_cast<int>(Team::Pursuer)] = pursuers.data();
+        if (!evaders.empty()) play.given[static_cast<int>(Team::Evader)] = evaders.data();
         std::vector<double> values(states->n_states(turn));
-        states->backup(turn, after.data(), values.data(), {}, 1);
+        states->backup(turn, after.data(), values.data(), play, 1);
         outputs.add("values", values.data(), values.size());
+    });
+}
+
+// `play` (states of a turn, joint actions): the probabilities with which a policy plays for a team.
+EMSCRIPTEN_KEEPALIVE bool states_weigh(const States* states, int turn, bool evaders,
+                                       const NamedArrays* policy) {
+    return succeeds([&] {
+        const Team team = evaders ? Team::Evader : Team::Pursuer;
+        const Player player(Inputs(policy), states->setup().config);
+        std::vector<double> play(states->n_states(turn) * states->n_joint(turn, team));
+        states->weigh(turn, team, player.candidates, play.data(), 1);
+        outputs.add("play", play.data(), play.size());
     });
 }
 

@@ -24,6 +24,8 @@ export class Chase {
   readonly #canvas = html("canvas");
   readonly #board: Board;
   readonly #told = html("p", { class: "small muted numbers" });
+  /** Why a wall was not drawn: below the board, which stays where it is. */
+  readonly #refused = html("p", { class: "small", role: "status" });
   readonly #next: () => Match | null;
   #recording: Recording | null = null;
   #began = 0;
@@ -34,7 +36,7 @@ export class Chase {
   constructor(next: () => Match | null) {
     this.#next = next;
     this.#board = new Board(this.#canvas, { numbers: false });
-    this.element = html("figure", { class: "chase" }, this.title, this.#canvas, this.#told);
+    this.element = html("figure", { class: "chase" }, this.title, this.#canvas, this.#told, this.#refused);
     this.player.addEventListener("frame", () => this.#draw());
     this.player.addEventListener("step", () => this.#tell());
     this.player.addEventListener("state", () => {
@@ -94,15 +96,16 @@ export class Chase {
 
   // ---- Walls ------------------------------------------------------------------------------------
 
-  /** Let a finger, a mouse or the keyboard draw walls; `set` gets each cell and whether it becomes a wall. */
-  drawWalls(set: (cell: Cell, wall: boolean) => void): { active: (on: boolean) => void } {
+  /** Let a finger, a mouse or the keyboard draw walls; `set` gets each cell and whether it becomes a wall, and returns why it does not. */
+  drawWalls(set: (cell: Cell, wall: boolean) => string): { active: (on: boolean) => void } {
     let active = false;
     let wall = true;
     let cursor: Cell = [0, 0];
     const isWall = ([row, col]: Cell): boolean => Boolean(this.#recording?.obstacles[row * this.#recording.cols + col]);
+    const put = (cell: Cell, wall: boolean): void => void (this.#refused.textContent = set(cell, wall));
     const draw = (event: PointerEvent): void => {
       const cell = this.#board.cellAt(event.clientX, event.clientY);
-      if (cell && isWall(cell) !== wall) set(cell, wall);
+      if (cell && isWall(cell) !== wall) put(cell, wall);
     };
     this.#canvas.addEventListener("pointerdown", (event) => {
       const cell = active && this.#board.cellAt(event.clientX, event.clientY);
@@ -119,7 +122,7 @@ export class Chase {
       const within = (value: number, size: number): number => Math.min(size - 1, Math.max(0, value));
       const { rows, cols } = this.#recording;
       if (move) cursor = [within(cursor[0] + move[0]!, rows), within(cursor[1] + move[1]!, cols)];
-      else set(cursor, !isWall(cursor));
+      else put(cursor, !isWall(cursor));
       this.#board.look = { cursor };
     });
     return {

@@ -1,5 +1,6 @@
 // What a person has chosen, and the settings of the race that follow from it. A link holds the choice.
 
+import type { WorldConfig } from "../engine/types.ts";
 import type { EvolveData, LearnerName } from "./data.ts";
 import { SCHEDULES, scheduleOf } from "./data.ts";
 import type { RaceSettings } from "./settings.ts";
@@ -10,6 +11,8 @@ export interface Choice {
   readonly beside: string | null;
   readonly learner: LearnerName;
   readonly seed: number;
+  /** Whether the world is the one that the page can solve. */
+  readonly small: boolean;
   readonly pursuers: number;
   readonly evaders: number;
   readonly view: number;
@@ -24,33 +27,37 @@ export interface Choice {
 
 export const MOST_AGENTS = 10;
 export const MOST_SEED = 999_999;
-export const VIEWS = [3, 5, 7, 9] as const;
+export const VIEWS = [3, 5, 7, 9, 11] as const;
 /** The smallest view that shows all that right of way asks for. */
 export const LEAST_VIEW = 5;
 export const POPULATIONS = [8, 16, 32, 64] as const;
-export const STEPS = [30, 60, 90, 120] as const;
-/** The largest share of walls. */
-const MOST_WALLS = 0.5;
+export const STEPS = [6, 10, 30, 60, 90, 120] as const;
 
 /** Return the choice with which the page begins. */
 export function usualChoice(data: EvolveData): Choice {
   const first = Object.values(data.races.es).find((race) => scheduleOf(race) === "generalist-generalist")!;
-  const { world, seed } = first;
-  return {
-    schedule: scheduleOf(first), beside: null, learner: "es", seed, pursuers: world.n_pursuers, evaders: world.n_evaders,
-    view: world.fov, way: false, population: 0, steps: world.max_steps, walls: [],
-  };
+  return { schedule: scheduleOf(first), beside: null, learner: "es", seed: first.seed, way: false, population: 0, ...inWorld(data, false) };
+}
+
+/** Return the world of a choice, without what it changes. */
+export const worldOf = (data: EvolveData, small: boolean): WorldConfig => (small ? data.small : Object.values(data.races.es)[0]!.world);
+
+/** Return the part of a choice with which another world begins. */
+export function inWorld(data: EvolveData, small: boolean): Pick<Choice, "small" | "pursuers" | "evaders" | "view" | "steps" | "walls"> {
+  const { n_pursuers, n_evaders, fov, max_steps } = worldOf(data, small);
+  return { small, pursuers: n_pursuers, evaders: n_evaders, view: fov, steps: max_steps, walls: [] };
 }
 
 /** Return the settings of the race that is chosen, or of the one beside it. */
 export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.schedule): RaceSettings {
   const base = data.races[choice.learner][schedule]!;
-  const { rows, cols } = base.world;
+  const usual = worldOf(data, choice.small);
+  const { rows, cols } = usual;
   const walls = new Set(choice.walls);
   const map = Array.from({ length: rows }, (_, row) => Array.from({ length: cols }, (_none, col) => (walls.has(row * cols + col) ? "#" : ".")).join(""));
   const world = {
-    ...base.world, n_pursuers: choice.pursuers, n_evaders: choice.evaders, fov: choice.view, max_steps: choice.steps,
-    obstacles: walls.size ? map : base.world.obstacles,
+    ...usual, n_pursuers: choice.pursuers, n_evaders: choice.evaders, fov: choice.view, max_steps: choice.steps,
+    obstacles: walls.size ? map : usual.obstacles,
   };
   return {
     ...base, world, train_steps: choice.steps, seed: choice.seed,
@@ -59,34 +66,49 @@ export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.s
   };
 }
 
-/** Return the walls with a cell added or taken away; the same ones if there would be too many. */
-export function withWall(walls: readonly number[], cell: number, wall: boolean, cells: number): readonly number[] {
+/** Return the walls with a cell added or taken away. */
+export function withWall(walls: readonly number[], cell: number, wall: boolean): readonly number[] {
   const left = walls.filter((each) => each !== cell);
-  return !wall ? left : left.length < MOST_WALLS * cells ? [...left, cell].sort((a, b) => a - b) : walls;
+  return wall ? [...left, cell].sort((a, b) => a - b) : left;
+}
+
+/** Return why a map cannot be played on; empty if it can: `matrixworld.coevolution.maps.playable`. */
+export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols }: WorldConfig): string {
+  const free = new Set(Array.from({ length: rows * cols }, (_, cell) => cell).filter((cell) => !walls.includes(cell)));
+  if (free.size < pursuers + evaders) return `There is no room: ${pursuers + evaders} agents need a free cell each.`;
+  const found = [Math.min(...free)]; // the cells that can be reached from the first one
+  free.delete(found[0]!);
+  for (const cell of found) {
+    const col = cell % cols;
+    const beside = [cell - cols, cell + cols, ...(col > 0 ? [cell - 1] : []), ...(col < cols - 1 ? [cell + 1] : [])];
+    found.push(...beside.filter((each) => free.delete(each)));
+  }
+  return free.size ? "Nobody may be walled in: all free cells have to be connected, side by side." : "";
 }
 
 /** Return the part of an address that holds a choice. */
 export function linkOf(choice: Choice): string {
-  const { walls, way, beside, ...rest } = choice;
-  const parts = { ...rest, ...(beside ? { beside } : {}), ...(way ? { way: 1 } : {}), ...(walls.length ? { walls: walls.join(".") } : {}) };
+  const { walls, way, beside, small, ...rest } = choice;
+  const parts = { ...rest, ...(small ? { small: 1 } : {}), ...(beside ? { beside } : {}), ...(way ? { way: 1 } : {}), ...(walls.length ? { walls: walls.join(".") } : {}) };
   return Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&");
 }
 
 /** Return the choice that an address holds; what is missing or not valid is as usual. */
 export function choiceOf(data: EvolveData, hash: string): Choice {
-  const usual = usualChoice(data);
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
+  const small = parts.get("small") === "1";
+  const usual = { ...usualChoice(data), ...inWorld(data, small) };
   const number = (name: keyof Choice & string, valid: (value: number) => boolean): number => {
     const given = parts.get(name) ?? "";
     return /^\d{1,6}$/.test(given) && valid(Number(given)) ? Number(given) : (usual[name] as number);
   };
   const schedule = (name: string): string | null => (Object.hasOwn(SCHEDULES, parts.get(name) ?? "") ? parts.get(name) : null);
-  const { rows, cols } = data.races.es[usual.schedule]!.world;
+  const world = worldOf(data, small);
   const walls = (parts.get("walls") ?? "").split(".").filter((each) => /^\d{1,4}$/.test(each)).map(Number);
   const view = number("view", (value) => VIEWS.includes(value as 3));
   const way = parts.get("way") === "1";
-  return {
-    schedule: schedule("schedule") ?? usual.schedule, beside: schedule("beside"),
+  const choice = {
+    schedule: schedule("schedule") ?? usual.schedule, beside: schedule("beside"), small,
     learner: parts.get("learner") === "ga" ? "ga" : usual.learner,
     seed: number("seed", (value) => value <= MOST_SEED),
     pursuers: number("pursuers", (value) => value >= 1 && value <= MOST_AGENTS),
@@ -94,6 +116,7 @@ export function choiceOf(data: EvolveData, hash: string): Choice {
     view: way ? Math.max(LEAST_VIEW, view) : view, way,
     population: number("population", (value) => POPULATIONS.includes(value as 8)),
     steps: number("steps", (value) => STEPS.includes(value as 30)),
-    walls: walls.filter((cell) => cell < rows * cols).reduce<readonly number[]>((all, cell) => withWall(all, cell, true, rows * cols), []),
-  };
+    walls: walls.filter((cell) => cell < world.rows * world.cols).reduce<readonly number[]>((all, cell) => withWall(all, cell, true), []),
+  } satisfies Choice;
+  return whyNotPlayed(choice, world) ? { ...choice, ...inWorld(data, small) } : choice;
 }

@@ -7,7 +7,7 @@ import { copy, hasAddress, html } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
 import { legend } from "../board/legend.ts";
-import { choiceOf, linkOf, settingsOf, withWall } from "./choice.ts";
+import { choiceOf, inWorld, linkOf, settingsOf, whyNotPlayed, withWall, worldOf } from "./choice.ts";
 import type { Choice } from "./choice.ts";
 import { controls } from "./controls.ts";
 import type { Ask } from "./controls.ts";
@@ -111,23 +111,31 @@ class Page {
   readonly #ask: Ask = (change, anew = false) => {
     const lanes = this.#schedules().length;
     const waiting = this.lanes.every(({ state }) => state === "waiting");
-    this.#choice = { ...this.#choice, ...change };
+    const elsewhere = change.small === undefined ? {} : inWorld(this.#data, change.small);
+    const asked = { ...this.#choice, ...change, ...elsewhere };
+    const why = whyNotPlayed(asked, worldOf(this.#data, asked.small));
+    if (!why) this.#choice = asked;
     this.#controls.show(this.#choice);
+    this.#told.textContent = why;
+    if (why) return;
     this.#link.hidden = true;
-    this.#told.textContent = "";
     if (this.#schedules().length !== lanes) this.#makeLanes();
     if (anew && !waiting) this.#start();
     else this.#schedules().forEach((schedule, number) => this.lanes[number]!.change(settingsOf(this.#data, this.#choice, schedule)));
   };
 
-  #draw(row: number, col: number, wall: boolean): void {
+  /** Draw a wall or remove it; returns why not. */
+  #draw(row: number, col: number, wall: boolean): string {
     const { rows, cols } = this.lanes[0]!.settings.world;
-    const walls = withWall(this.#choice.walls, row * cols + col, wall, rows * cols);
-    this.#choice = { ...this.#choice, walls };
+    const drawn = { ...this.#choice, walls: withWall(this.#choice.walls, row * cols + col, wall) };
+    const why = whyNotPlayed(drawn, this.lanes[0]!.settings.world);
+    if (why) return why;
+    const { walls } = this.#choice = drawn;
     const flags = Uint8Array.from({ length: rows * cols }, (_, cell) => Number(walls.includes(cell)));
     for (const lane of this.lanes) lane.newest.show(flags);
     clearTimeout(this.#due);
     this.#due = setTimeout(() => this.#ask({ walls }), REST);
+    return "";
   }
 
   #toggleWalls(): void {
