@@ -352,8 +352,8 @@ def best_response(
     Raises
     ------
     ValueError, TypeError
-        If a network does not see the whole world from every cell, or a script what it looks for; if
-        weights do not sum to 1; if a solution is of other States, or of fewer rounds.
+        If a network has a memory, or a script does not see what it looks for; if weights do not sum
+        to 1; if a solution is of other States, or of fewer rounds.
 
     Examples
     --------
@@ -400,7 +400,11 @@ def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
         return [(1.0, champion)]
     if isinstance(champion, str | Population):
         check_team("champion", champion)
-        _check_sees(config, champion)
+        if isinstance(champion, Population) and champion.network.memory != "none":
+            raise ValueError(
+                f"champion: expected a network without memory, whose choices depend on the present "
+                f"state alone, got memory {champion.network.memory!r}"
+            )
         return [(1.0, champion)]
     if not issubclass(type(champion), Sequence):
         expected = "a Population, the name of a script, a Solution, or weights with these"
@@ -435,18 +439,3 @@ def fixed_play(states: States, parts: Members, team: Team) -> Fixed:
             for weight, part in parts
         ),
     )
-
-
-def _check_sees(config: WorldConfig, champion: Population | str) -> None:
-    """Raise ValueError for a network that remembers, or does not see the whole world."""
-    if isinstance(champion, Population) and champion.network.memory != "none":
-        raise ValueError(
-            f"champion: expected a network without memory, whose choices depend on the present "
-            f"state alone, got memory {champion.network.memory!r}"
-        )
-    needed = 2 * max(config.rows, config.cols) - 1
-    if isinstance(champion, Population) and config.fov < needed:
-        raise ValueError(
-            f"champion: expected a network that sees the whole world from every cell, with fov "
-            f"{needed} or more, got {config.fov}"
-        )
