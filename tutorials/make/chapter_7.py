@@ -2,14 +2,12 @@
 
     python tutorials/make/chapter_7.py RUNS
 
-Plays four kinds of races of ten seeds each in the directory RUNS (about 3 minutes of one core), and
-writes ``tutorials/course/data/chapter_7.npz``. Finished races are not played again. The error
-rates of the judgement come from ``evolution/results/judgement``.
+Plays three kinds of races of ten seeds each in the directory RUNS (about 2 minutes of one core),
+and writes ``tutorials/course/data/chapter_7.npz``. Finished races are not played again.
 """
 
 from __future__ import annotations
 
-import csv
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -22,8 +20,6 @@ from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.types import TEAMS
 
 DATA = Path(__file__).parents[1] / "course" / "data"
-ROOT = Path(__file__).parents[2]
-COUNTS = ROOT / "evolution" / "results" / "judgement" / "counts.csv"
 SEEDS = range(10)
 EPISODES = 30
 """Episodes of each pair that are kept, of 40, so that the file stays small."""
@@ -50,7 +46,6 @@ EVEN = RaceSettings.of(
 RACES = {
     "even": EVEN,
     "few evader epochs": EVEN.changed({"schedule.evader_epochs": 2}),
-    "no overlap penalty": EVEN.changed({"fitness.overlap_penalty": 0.0}),
     "restrained pursuers": EVEN.changed(
         {"schedule.evader_epochs": 2, "fitness.pursuer_virulence": 0.75}
     ),
@@ -81,25 +76,13 @@ def captures(run: SavedRun) -> np.ndarray:
     return np.rint(rates * EVEN.world.n_evaders).astype(np.uint8)
 
 
-def false_alarms() -> dict[str, np.ndarray]:
-    """Return, by condition, the verdicts on races without it: (present, absent, cannot tell)."""
-    found: dict[str, np.ndarray] = {}
-    with COUNTS.open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            if row["sample"] in ("development", "held back"):
-                key = f"{'has' if row['truth'] == 'True' else 'has not'}: {row['condition']}"
-                counts = [int(row[name]) for name in ("present", "absent", "cannot tell")]
-                found[key] = found.get(key, np.zeros(3, np.int64)) + counts
-    return found
-
-
 def main(runs: Path) -> None:
     arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.world.n_evaders)}
     for name in RACES:
         played = [race(name, seed, runs) for seed in tqdm(SEEDS, desc=name)]
         arrays[f"captured: {name}"] = np.stack([captures(run) for run in played])
         arrays[f"spread of fitness: {name}"] = np.stack([spread(run) for run in played])
-    save_arrays(DATA / "chapter_7.npz", arrays | false_alarms())
+    save_arrays(DATA / "chapter_7.npz", arrays)
 
 
 if __name__ == "__main__":

@@ -54,10 +54,7 @@ EPISODES, EPISODES_OF_RACES = 100, 20
 def orders(team: Team) -> dict[str, tuple[str, ...]]:
     """Return the opponents of each stage, by the name of the sequence."""
     ladder = LADDERS[team]
-    found = {"random only": ladder[:1] * STAGES, "easy to hard": ladder}
-    if team == "evader":
-        found |= {"hard to easy": ladder[::-1], "hardest only": ladder[-1:] * STAGES}
-    return found
+    return {"random only": ladder[:1] * STAGES, "easy to hard": ladder}
 
 
 def alone(team: Team) -> RaceSettings:
@@ -116,15 +113,21 @@ def main(runs: Path) -> None:
             name: np.stack([taught(team, name, s, runs) for s in tqdm(SEEDS, f"{team}s, {name}")])
             for name in orders(team)
         }
-        ladder = learned["easy to hard"].reshape(-1, RACE.network.genome_size)
-        arrays[f"{team}s: ladder"] = np.stack(
-            [tested(team, ladder, script, EPISODES) for script in LADDERS[team]], axis=-1
-        ).reshape(len(SEEDS), STAGES + 1, STAGES)
         last = {name: genomes[:, -1] for name, genomes in learned.items()}
         last["co-evolution"] = np.stack([race.teams[team].genomes[-1] for race in races])
         arrays |= examined(team, last, races)
-        arrays[f"{team}s: genomes"] = np.stack([each[0] for each in last.values()]).astype("f2")
+        if team == "evader":  # the films
+            arrays["evaders: genomes"] = np.stack([each[0] for each in last.values()]).astype("f2")
+        else:  # what is forgotten on the way
+            arrays["pursuers: ladder"] = climbed(learned["easy to hard"])
     save_arrays(DATA / "chapter_8.npz", arrays)
+
+
+def climbed(genomes: np.ndarray) -> np.ndarray:
+    """Return the scores (seeds, stages + 1, scripts) of pursuers after each stage."""
+    flat = genomes.reshape(-1, RACE.network.genome_size)
+    scores = [tested("pursuer", flat, script, EPISODES) for script in LADDERS["pursuer"]]
+    return np.stack(scores, axis=-1).reshape(len(SEEDS), STAGES + 1, STAGES)
 
 
 def examined(
