@@ -1,6 +1,7 @@
 """Notebooks 3 to 9: what their texts say of learning, races and results that are kept is true."""
 
 import runpy
+from collections.abc import Callable
 from itertools import combinations, permutations, product
 from pathlib import Path
 from typing import Any
@@ -14,13 +15,14 @@ from course.chapter_5 import four_races
 from course.chapter_9 import (
     WEIGHTS,
     WORLD,
-    mask_of,
+    Mask,
     pack,
     play_masked,
     right_of_way,
 )
 from matrixworld import analysis
 from matrixworld.coevolution import finish
+from matrixworld.world.arrays import MOVES
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from student_functions import STEPS, left_waits
 from student_functions import right_of_way as as_on_a_road
@@ -126,6 +128,9 @@ def test_the_numbers_of_the_paper_are_those_of_the_results() -> None:
         assert np.array_equal(stored[name], values), name
 
 
+EVADERS, PURSUERS, OBSTACLES = range(3)  # channels of views
+
+
 # ---- Notebook 9: safety --------------------------------------------------------------------------
 
 
@@ -144,6 +149,26 @@ def test_conventions_that_stop_no_group_are_the_orders_of_the_moves() -> None:
         reply = check("9.4", lambda own, other, table=table: table[own, other])
         assert reply.right is (firsts in orders)
         assert reply.right or "exactly one goes first, so nobody collides" in reply.text
+
+
+def mask_of(goes_first: Callable[[int, int], bool]) -> Mask:
+    """Return the mask of a convention: moves to free cells before all teammates that could enter.
+
+    `goes_first` takes the moves, 1 to 4, by which a pursuer and a teammate can enter one cell.
+    """
+
+    def mask(views: np.ndarray) -> np.ndarray:
+        allowed, middle = np.ones((len(views), WORLD.n_actions), bool), views.shape[-1] // 2
+        for own in range(1, 5):
+            row, col = middle + MOVES[own]
+            allowed[:, own] = ~views[:, :, row, col].any(axis=1)
+            for other in range(1, 5):
+                if other != own and not goes_first(own, other):
+                    row, col = middle + MOVES[own] - MOVES[other]
+                    allowed[:, own] &= views[:, PURSUERS, row, col] == 0
+        return allowed
+
+    return mask
 
 
 def test_the_mask_of_the_package_is_that_of_right_before_left() -> None:
@@ -223,9 +248,6 @@ def test_answers_to_the_newest_never_improve_and_those_to_the_nash_mixture_do() 
         newest, nash = (names["respond"](game, names[n], 12)[-1] for n in ("newest", "nash"))
         assert newest > 0.95
         assert nash < 0.4
-
-
-EVADERS, PURSUERS, OBSTACLES = range(3)
 
 
 def wishes(view: np.ndarray, weights: np.ndarray) -> list[float]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import permutations
 from typing import Any
 
 import numpy as np
+from scipy.stats import spearmanr
 
 from course.checks import Mistake, compare, described, function, near, number, numbers
 from matrixworld.coevolution import RaceSettings
@@ -17,6 +19,16 @@ NEAR = 0.005
 """Exploitability of a mixture that counts as safe."""
 HALLS, GENERALISTS = 0.8305, 0.8431
 """NashConv of the last generations of the kept races, means over seeds; a test computes them."""
+
+
+def agreement(stored: Mapping[str, FloatArray], team: str, measure: str) -> list[float]:
+    """Return the rank correlation with the truth for each seed, a mean over its five races."""
+    said, truth = stored[f"{team}: {measure}"], stored[f"{team}: truth"]
+    races = (zip(said[:, seed], truth[:, seed], strict=True) for seed in range(said.shape[1]))
+    return [
+        float(np.mean([spearmanr(*pair).statistic for pair in each if min(map(np.ptp, pair)) > 0]))
+        for each in races
+    ]
 
 
 def exercise_1(answer: Any) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
+from deap import base
 
 from course.checks import Mistake, about, array, compare, described, function, whole
 from matrixworld import EpisodeStatistics, Matches, Network, Population, WorldConfig, rollout
@@ -33,9 +34,20 @@ def first_genome(seed: int, side: int) -> Genome:
     return NETWORK.initial(np.random.default_rng([seed, 0, side]), weight=0.2, head=0.5)
 
 
-def mean_of_best(candidates: Genomes, scores: FloatArray) -> Genome:
+def scores(side: int, candidates: Genomes, opponent: Genome, seeds: Any) -> FloatArray:
+    """Return the mean score of each candidate of a side (0 pursuers, 1 evaders)."""
+    who, luck = np.repeat(range(len(candidates)), len(seeds)), np.tile(seeds, len(candidates))
+    if side == 0:
+        shares = captured(candidates, opponent[None], Matches.of(who, 0, luck)).captured_fraction
+    else:
+        played = captured(opponent[None], candidates, Matches.of(0, who, luck))
+        shares = 1 - played.captured_fraction
+    return np.asarray(shares.reshape(len(candidates), len(seeds)).mean(axis=1))
+
+
+def mean_of_best(candidates: Genomes, found: FloatArray) -> Genome:
     """Return the next parent."""
-    return candidates[np.argsort(scores)[-BEST:]].mean(axis=0)
+    return candidates[np.argsort(found)[-BEST:]].mean(axis=0)
 
 
 def learn(
@@ -45,19 +57,12 @@ def learn(
     rng: np.random.Generator,
     select: Callable[[Genomes, FloatArray], Genome] = mean_of_best,
 ) -> Genome:
-    """Return what a side (0 pursuers, 1 evaders) learns against an opponent in a turn."""
-    who = np.repeat(range(CANDIDATES), MATCHES)
+    """Return what a side learns against an opponent in a turn."""
     for _ in range(EPOCHS):
         noise = rng.standard_normal((CANDIDATES, len(parent)), dtype=np.float32)
         candidates = parent + SIGMA * noise
-        luck = np.tile(rng.integers(2**63, size=MATCHES), CANDIDATES)
-        if side == 0:
-            played = captured(candidates, opponent[None], Matches.of(who, 0, luck))
-            shares = played.captured_fraction
-        else:
-            played = captured(opponent[None], candidates, Matches.of(0, who, luck))
-            shares = 1 - played.captured_fraction
-        parent = select(candidates, shares.reshape(CANDIDATES, MATCHES).mean(axis=1))
+        seeds = rng.integers(2**63, size=MATCHES)
+        parent = select(candidates, scores(side, candidates, opponent, seeds))
     return parent
 
 
@@ -77,15 +82,42 @@ def race(seed: int, generations: int) -> tuple[list[Genome], list[Genome]]:
     return archives
 
 
-EPISODES = 10
-
-
-def all_against_all(archives: Archives) -> FloatArray:
+def all_against_all(archives: Archives, episodes: int = 10) -> FloatArray:
     """Return the capture rates of all generations against all."""
-    shape = (*map(len, archives), EPISODES)
+    shape = (*map(len, archives), episodes)
     matches = Matches.of(*(each.ravel() for each in np.indices(shape)))
     rates = captured(np.stack(archives[0]), np.stack(archives[1]), matches).capture_rate
     return np.asarray(rates.reshape(shape).mean(axis=2), np.float64)
+
+
+# ---- The same with DEAP --------------------------------------------------------------------------
+
+
+class Fitness(base.Fitness):
+    """One value; more is better."""
+
+    weights = (1.0,)
+
+
+class Player:
+    """An individual, as DEAP expects it."""
+
+    def __init__(self, genome: Genome) -> None:
+        self.genome, self.fitness = genome, Fitness()
+
+
+def mutate(player: Player, rng: np.random.Generator) -> tuple[Player]:
+    """Return a child."""
+    noise = rng.standard_normal(len(player.genome), dtype=np.float32)
+    return (Player(player.genome + SIGMA * noise),)
+
+
+def evaluate(
+    players: Sequence[Player], side: int, opponent: Genome, rng: np.random.Generator
+) -> FloatArray:
+    """Return the fitness of players of a side, a row each, by one call of `rollout`."""
+    genomes = np.stack([player.genome for player in players])
+    return scores(side, genomes, opponent, rng.integers(2**63, size=MATCHES))[:, None]
 
 
 # ---- Exercises -----------------------------------------------------------------------------------

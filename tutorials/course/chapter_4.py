@@ -7,10 +7,13 @@ from functools import partial
 from typing import Any, TypeVar
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from course.checks import Mistake, about, array, compare, numbers
+from course.shown import film
 from course.toys import GAMES
+from matrixworld import colors, replay
 
 UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
 """How prediction 4.b names the games."""
@@ -20,6 +23,21 @@ T = TypeVar("T")
 def unnamed(of_games: Mapping[str, T]) -> dict[str, T]:
     """Return what belongs to each numbers game by a name that does not tell which game it is."""
     return {shown: of_games[name] for shown, name in UNNAMED.items()}
+
+
+def film_of_hands(hands: Mapping[str, NDArray[np.int_]]) -> replay.Animation:
+    """Show the hands of both teams after each turn: first the pursuers learn, then the evaders."""
+    figure = Figure(figsize=(4.4, 1.8), dpi=70)
+
+    def draw(turn: int) -> None:
+        figure.clear()
+        figure.text(0.5, 0.8, f"after turn {turn}", ha="center", size="large")
+        chosen = hands["pursuer"][(turn + 1) // 2], hands["evader"][turn // 2]
+        for team, hand, y in zip(("pursuers", "evaders"), chosen, (0.5, 0.2), strict=True):
+            text, color = f"{team}: {('rock', 'paper', 'scissors')[hand]}", colors.TEAMS[y < 0.5]
+            figure.text(0.25, y, text, color=color, size="x-large")
+
+    return film(figure, draw, range(24), fps=2, alt="rock-paper-scissors, played in turns")
 
 
 def exercise_1(answer: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from numbers import Integral
 from typing import Any
 
@@ -12,6 +13,59 @@ from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
 
 ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+
+# ---- Cures, in a toy -----------------------------------------------------------------------------
+
+WEIGHTED = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.4], [0.0, 0.6, 0.5]])
+"""Scissors beat paper in 60 % of the matches only."""
+Played = tuple[list[int], list[int]]
+"""The hands of both teams, from the first one on."""
+Source = Callable[[Played, int, np.random.Generator], tuple[FloatArray, float]]
+"""Takes hands and a team; returns a mixture of opponents, and the matches that it costs."""
+
+
+def _mixture(hands: Sequence[int], weights: FloatArray | None = None) -> FloatArray:
+    return np.bincount(hands, weights, minlength=3)
+
+
+def latest(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
+    """Answer the newest hand."""
+    return _mixture(played[team][-1:]), 3
+
+
+def hall(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
+    """Answer up to five hands drawn from all earlier ones."""
+    chosen = rng.choice(played[team], min(5, len(played[team])), replace=False)
+    return _mixture(chosen) / len(chosen), 3 * len(chosen)
+
+
+def nash(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
+    """Answer the Nash mixture of the earlier hands; the teams share the cost of new cells."""
+    found = analysis.nash_averaging(WEIGHTED[np.ix_(*played)])
+    weights = (found.pursuers, found.evaders)[team]
+    cells = 2 * len(played[0]) - 1
+    return _mixture(played[team], weights), 3 * np.count_nonzero(weights > 1e-6) + cells / 2
+
+
+def race(source: Source, budget: int, seed: int) -> FloatArray:
+    """Return (matches so far, exploitability) after each round.
+
+    A race is judged by the mixture of all hands that were played, and that of `nash` by its own.
+    """
+    played: Played = ([0], [0])
+    rng, matches, course = np.random.default_rng(seed), 0.0, []
+    while matches < budget:
+        (x, cost_x), (y, cost_y) = (source(played, team, rng) for team in (0, 1))
+        p, q = (x, y) if source is nash else (_mixture(each) / len(each) for each in played)
+        matches += cost_x + cost_y
+        course.append((matches, (WEIGHTED @ q).max() - (p @ WEIGHTED).min()))
+        for team, values in enumerate((WEIGHTED @ y, -(x @ WEIGHTED))):
+            played[team].append(rng.choice(np.flatnonzero(values > values.max() - 1e-9)))
+    return np.array(course)
+
+
+# ---- Exercises -----------------------------------------------------------------------------------
+
 OF_A_MATRIX = "For a matrix of {matrix.shape[0]} x {matrix.shape[1]}"
 
 

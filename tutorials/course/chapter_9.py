@@ -6,17 +6,20 @@ genome follows from six numbers, see `WEIGHTS`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import combinations, permutations
 from typing import Any, NamedTuple
 
+import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
 from course.checks import Mistake, function, near, number, numbers, whole
 from matrixworld import (
+    EpisodeStatistics,
     Matches,
     Network,
     Population,
@@ -24,6 +27,7 @@ from matrixworld import (
     SafetyMonitor,
     VectorEnv,
     WorldConfig,
+    analysis,
     rollout,
 )
 from matrixworld.world.arrays import MOVES
@@ -85,6 +89,27 @@ def _genomes(network: Network) -> NDArray[np.float32]:
     return genomes
 
 
+def steps_of(lengths: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Return the mean number of steps of episodes, and both ends of its 95% interval."""
+    mean = analysis.mean_over_episodes(lengths / WORLD.max_steps)
+    return WORLD.max_steps * np.array([mean.value, mean.low, mean.high], np.float64)
+
+
+def draw_front(crowds: Sequence[int], played: EpisodeStatistics) -> Figure:
+    """Draw how fast and how safe packs are that differ in the weight `crowd`."""
+    figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
+    for crowd, length, faults in zip(crowds, played.length, played.faults, strict=True):
+        steps, least, most = steps_of(length)
+        share = analysis.mean_over_episodes(faults[:, 0].sum(axis=1) > 0)
+        across = [[share.value - share.low], [share.high - share.value]]
+        axes.errorbar(share.value, steps, [[steps - least], [most - steps]], across, "o")
+        axes.annotate(f" {crowd}", (share.value, steps), va="bottom")
+    axes.set(xlabel="share of episodes with a collision at fault", ylabel="steps until capture")
+    axes.set(title="a mark for each `crowd`; lines: 95% intervals over episodes", xlim=(0, 1))
+    plt.close(figure)  # the cell shows it once
+    return figure
+
+
 class MaskedEpisodes(NamedTuple):
     """Episodes of a pack under a mask."""
 
@@ -134,26 +159,6 @@ def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
 def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
     """Allow the moves that the mask right-of-way of the package allows."""
     return action_masks(views, forbidding_cells(WORLD, "right-of-way", "pursuer")).astype(bool)
-
-
-def mask_of(goes_first: Callable[[int, int], bool]) -> Mask:
-    """Return the mask of a convention: moves to free cells before all teammates that could enter.
-
-    `goes_first` takes the moves, 1 to 4, by which a pursuer and a teammate can enter one cell.
-    """
-
-    def mask(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
-        allowed, middle = np.ones((len(views), WORLD.n_actions), bool), views.shape[-1] // 2
-        for own in MOVE:
-            row, col = middle + MOVES[own]
-            allowed[:, own] = ~views[:, :, row, col].any(axis=1)
-            for other in MOVE:
-                if other != own and not goes_first(own, other):
-                    row, col = middle + MOVES[own] - MOVES[other]
-                    allowed[:, own] &= views[:, _PURSUERS, row, col] == 0
-        return allowed
-
-    return mask
 
 
 # ---- Exercises -----------------------------------------------------------------------------------

@@ -35,16 +35,12 @@ def film(
         return replay.Animation(path.read_bytes(), alt=alt)
 
 
-def differences(
-    pairs: Mapping[str, tuple[ArrayLike, ArrayLike]],
-    words: tuple[str, str] = ("higher", "lower"),
-    level: float = 0.95,
-) -> str:
+def differences(pairs: Mapping[str, tuple[ArrayLike, ArrayLike]]) -> str:
     """Return lines with the first minus the second of each pair, over runs of the same seeds."""
     lines = []
     for name, (one, other) in pairs.items():
-        found = analysis.difference_of_runs(one, other, paired=True, level=level)
-        word = ("cannot tell", *words)[found.sign]
+        found = analysis.difference_of_runs(one, other, paired=True)
+        word = ("cannot tell", "higher", "lower")[found.sign]
         lines.append(f"  {name:{max(map(len, pairs))}}  {found:+.3f}  {word}")
     return "\n".join(lines)
 

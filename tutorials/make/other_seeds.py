@@ -38,8 +38,8 @@ from matrixworld.coevolution import SavedRun
 sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
 
 from course import chapter_3, toys
+from course import chapter_6 as toy_of_6
 from course.chapter_5 import noisy_race
-from course.chapter_6 import ROCK_PAPER_SCISSORS
 from course.chapter_8 import table_of
 from course.chapter_9 import WORLD, pack, play_masked
 from course.questions import DATA
@@ -178,11 +178,8 @@ def chance(seed: int) -> Effects:
 
 def toy_cures(seed: int) -> Effects:
     """Return how far races of three hands end from the limit of the prediction."""
-    names = {"np": np, "analysis": analysis, "ROCK_PAPER_SCISSORS": ROCK_PAPER_SCISSORS}
-    toy = defined("06", ("weighted = ", "def exploitability("), names)
-    latest, hall, nash = (
-        toy["race"](toy[name], 300, seed)[-1, 1] for name in ("latest", "hall", "nash")
-    )
+    sources = toy_of_6.latest, toy_of_6.hall, toy_of_6.nash
+    latest, hall, nash = (toy_of_6.race(source, 300, seed)[-1, 1] for source in sources)
     return {
         "latest, less 0.2": latest - 0.2,
         "0.2 less hall": 0.2 - hall,
