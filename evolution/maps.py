@@ -1,6 +1,6 @@
 """Which maps should teams learn on? By exact regret, by its estimates, novel ones, or any.
 
-    python evolution/maps.py             ten seeds, about two hours of one core
+    python evolution/maps.py             ten seeds, about three hours of one core
     python evolution/maps.py --quick     two seeds of tiny races, half a minute
 
 Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve
@@ -21,7 +21,8 @@ the whole interval is above 0.5, and to be refused if it is not above 0.
 on rooms, mazes and caves on which none has learned. Look at exact regret of each team, and at how
 often pursuers capture, and evaders escape from, the last generations of the races without selection
 by other seeds. A fitness helps a team if its difference from `none`, seed by seed, has an adjusted
-p-value (Holm, over the rows of a column) below 0.05.
+p-value (Holm, over the rows of a column) below 0.05. The same is asked of 4 pursuers against 4
+evaders on 16 x 16 cells. Regret is not known there, so only captures and escapes are compared.
 
 All this was decided when two seeds of five kinds, and one of `none` with these settings, had been
 seen.
@@ -37,7 +38,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import matrixworld as mw
-from common import Numbers, Runs, adjusted, by_seed, experiment, markdown, mean, shown_p
+from common import Numbers, Runs, adjusted, by_seed, experiment, kinds_in, markdown, mean, shown_p
 from matrixworld.coevolution import (
     TEAMS,
     RaceSettings,
@@ -60,6 +61,13 @@ BASE = RaceSettings.of({
     "world.max_steps": STEPS, "world.obstacles": 0.2, "train_steps": STEPS, "match_episodes": 32,
     "evaluation_episodes": 10,
 })  # fmt: skip
+LARGE = "16 x 16, "
+LARGE_WORLD = {
+    "world.rows": 16, "world.cols": 16, "world.n_pursuers": 4, "world.n_evaders": 4,
+    "world.fov": 7, "world.max_steps": 40, "train_steps": 40, "learner.population": 32,
+    "match_episodes": 8,
+}  # fmt: skip
+"""Their agents see three cells around them."""
 QUICK = {
     "schedule.generations": 2, "schedule.pursuer_epochs": 2, "schedule.evader_epochs": 2,
     "schedule.maps": 3, "schedule.children": 2, "schedule.map_matches": 1, "world.rows": 4,
@@ -75,12 +83,16 @@ SCORES = ("regret", "wins")
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
-    """Return the settings of races by the fitness of maps, and of exact regret by team."""
+    """Return the settings of races by the fitness of maps, of exact regret by team, and of size."""
     base = BASE.changed(QUICK if quick else {})
     found = {name: base.changed({"schedule.map_fitness": name}) for name in MAP_FITNESS}
     for team in TEAMS:
         changes = {"schedule.map_fitness": "regret", "schedule.map_team": team}
         found[f"regret of {team}s"] = base.changed(changes)
+    large = base.changed(LARGE_WORLD | ({"world.max_steps": 8, "train_steps": 8} if quick else {}))
+    for name, fitness in MAP_FITNESS.items():
+        if not fitness.exact:
+            found[LARGE + name] = large.changed({"schedule.map_fitness": name})
     return found
 
 
@@ -138,17 +150,21 @@ def wins(
     return captured if team == "pursuer" else 1.0 - captured
 
 
-def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return ranks, and the regret and wins of each kind and team on held-out maps."""
+def held_out(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return what teams of races in worlds of one size reach on held-out maps.
+
+    The regret of each kind and team, where it is known, and how often the team wins.
+    """
     budget = min(int(run.log()["matches"][-1]) for of_kind in runs.values() for run in of_kind)
-    plain = runs[NONE]
+    plain = next(of_kind for name, of_kind in runs.items() if name.endswith(NONE))
 
     def numbers_of(run: SavedRun) -> dict[str, Any]:
-        world = run.settings.world
+        world, found = run.settings.world, {}
         own = {team: last(run, team, budget) for team in TEAMS}
-        maps = held_out_maps(world.rows, world.cols, HELD_OUT[quick])
-        scores = score_on_maps(own, world, maps, exact=True, episodes=1)
-        found = {f"regret, {team}": scores.regret[team].mean() for team in TEAMS}
+        if world.rows <= SIDE:
+            maps = held_out_maps(world.rows, world.cols, HELD_OUT[quick])
+            scores = score_on_maps(own, world, maps, exact=True, episodes=1)
+            found |= {f"regret, {team}": scores.regret[team].mean() for team in TEAMS}
         rivals = [each for each in plain if each.settings.seed != run.settings.seed]
         for team in TEAMS:
             theirs = [last(each, TEAMS[1 - TEAMS.index(team)], budget) for each in rivals]
@@ -157,30 +173,48 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
             found[f"wins, {team}"] = wins(run, team, own[team], others, quick)
         return found
 
-    numbers = by_seed({NONE: plain}, lambda run: ranks(run, quick))
+    size = LARGE if next(iter(runs)).startswith(LARGE) else ""
+    return {**by_seed(runs, numbers_of), f"{size}budget": budget}
+
+
+def measured(runs: Runs, quick: bool) -> dict[str, Any]:
+    """Return ranks, and what is reached on held-out maps in both worlds."""
+    numbers = by_seed({NONE: runs[NONE]}, lambda run: ranks(run, quick))
     numbers = {name.replace(NONE, "ranks", 1): each for name, each in numbers.items()}
-    return {**numbers, **by_seed(runs, numbers_of), "budget": budget}
+    for large in (False, True):
+        of_size = {n: of_kind for n, of_kind in runs.items() if n.startswith(LARGE) == large}
+        numbers |= held_out(of_size, quick) if of_size else {}
+    return numbers
 
 
 def rank_table(numbers: Numbers) -> str:
     """Return the rank correlations by estimate and team."""
     names = [name for name in MAP_FITNESS if name not in ("regret", NONE)]
-    rows = [
-        [name, *(mean(numbers[f"ranks / {name}, {team}"], 2, "+") for team in MAP_TEAMS)]
-        for name in names
-    ]
+    rows = []
+    for name in names:
+        ranked = [numbers[f"ranks / {name}, {team}"] for team in MAP_TEAMS]
+        rows.append([name, *(mean(each, 2, "+", bounds=(-1.0, 1.0)) for each in ranked)])
     heads = ["rank correlation with exact regret", *(f"of {team}s" for team in TEAMS), "of both"]
     return markdown(heads, rows)
 
 
-def held_out_table(numbers: Numbers) -> str:
-    """Return what each kind reaches on held-out maps, and its difference from `none`."""
-    played = [name for name in kinds(False) if f"{name} / regret, pursuer" in numbers]
-    columns = [f"{score}, {team}" for team in TEAMS for score in SCORES]
+def held_out_table(numbers: Numbers, size: str) -> str:
+    """Return what each kind of a size reaches on held-out maps, and its difference from `none`."""
+    columns = [
+        column
+        for column in (f"{score}, {team}" for team in TEAMS for score in SCORES)
+        if f"{size}{NONE} / {column}" in numbers
+    ]
+    played = [
+        name
+        for name in kinds_in(numbers)
+        if name.startswith(LARGE) == bool(size) and f"{name} / {columns[0]}" in numbers
+    ]
 
     def differences(column: str) -> dict[str, NDArray[np.float64]]:
-        plain = numbers[f"{NONE} / {column}"]
-        return {name: numbers[f"{name} / {column}"] - plain for name in played if name != NONE}
+        plain = numbers[f"{size}{NONE} / {column}"]
+        compared = (name for name in played if name != size + NONE)
+        return {name: numbers[f"{name} / {column}"] - plain for name in compared}
 
     tests = {column: adjusted(differences(column)) for column in columns}
     rows = []
@@ -188,17 +222,18 @@ def held_out_table(numbers: Numbers) -> str:
         cells = []
         for column in columns:
             cells.append(mean(numbers[f"{name} / {column}"], bounds=(0.0, 1.0)))
-            compared = "" if name == NONE else shown_p(tests[column][name])
-            cells.append(compared)
-        rows.append([name, *cells])
+            cells.append("" if name == size + NONE else shown_p(tests[column][name]))
+        rows.append([name.removeprefix(size), *cells])
     heads = [head for column in columns for head in (column, "p, against none")]
-    told = f"After {int(numbers['budget']):,} matches, on held-out maps:"
+    world = size.rstrip(", ") or f"{SIDE} x {SIDE}"
+    told = f"{world}, after {int(numbers[f'{size}budget']):,} matches, on held-out maps:"
     return f"{told}\n\n{markdown(['maps by', *heads], rows)}"
 
 
 def table(numbers: Numbers) -> str:
-    """Return both tables."""
-    return f"{rank_table(numbers)}\n\n{held_out_table(numbers)}"
+    """Return the rank correlations, and what each kind reaches in each world that was played."""
+    sizes = [size for size in ("", LARGE) if f"{size}budget" in numbers]
+    return "\n\n".join([rank_table(numbers), *(held_out_table(numbers, size) for size in sizes)])
 
 
 if __name__ == "__main__":
