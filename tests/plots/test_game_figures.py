@@ -54,6 +54,25 @@ def test_the_drawing_shows_what_the_engine_made_of_each_situation() -> None:
             assert len(triangles) == sum(name[0] == "P" for name in drawn)
 
 
+def test_paths_are_numbered_by_rounds() -> None:
+    config = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=8)
+    episode = mw.record(config, "random", "random", seed=3)
+    [axes] = plots.paths({"an episode": episode}).axes
+    for agent, label in enumerate(("P0", "P1", "E0")):
+        [start] = [each for each in axes.texts if each.get_text() == label]
+        aside = np.array(start.get_position())[::-1] - episode.last_positions[0, agent]
+        for round_, cell in enumerate(episode.last_positions[:, agent].tolist()):
+            if cell == episode.last_positions[0, agent].tolist():
+                continue
+            near = [
+                each.get_text()
+                for each in axes.texts
+                if np.allclose(np.array(each.get_position())[::-1] - cell, aside, atol=0.05)
+            ]
+            spans = [[int(end) for end in part.split("-")] for part in near[0].split(",")]
+            assert any(ends[0] <= round_ <= ends[-1] for ends in spans)
+
+
 def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
     for axes, (*_, moves) in zip(plots.right_of_way().axes, CROSSINGS, strict=True):
         steps = {move: tuple(MOVES[move]) for move in moves}

@@ -28,8 +28,8 @@ Run = TypeVar("Run")
 FORMATS = ("png", "pdf", "svg")
 # Matplotlib takes half a second to import: the names of figures stand here, and a test compares.
 FIGURES = (
-    "training", "payoff", "generalization", "lag_profile", "collisions", "dynamics", "spinning_top",
-    "comparison", "seeds", "verdicts", "held_out",
+    "training", "payoff", "generalization", "lag_profile", "collisions", "dynamics", "worst_map",
+    "spinning_top", "comparison", "seeds", "verdicts", "held_out",
 )  # fmt: skip
 """Figures of runs: the functions of `matrixworld.plots.saved` that draw them."""
 OF_GAME = {

@@ -13,6 +13,7 @@ from matrixworld.plots.game import (
     conflict_outcomes,
     interaction_models,
     learning_concepts,
+    paths,
     right_of_way,
     rules_table,
 )
@@ -45,6 +46,7 @@ __all__ = [
     "interaction_models",
     "lag_profile_curve",
     "learning_concepts",
+    "paths",
     "payoff_heatmap",
     "replicator_trajectories",
     "right_of_way",

@@ -36,7 +36,8 @@ from matplotlib.transforms import Bbox
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_instance
-from matrixworld.plots.style import check_some, legend_below, new_figure
+from matrixworld.episodes.episode import Episode
+from matrixworld.plots.style import check_some, entitle, legend_below, new_figure
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import (
@@ -310,6 +311,72 @@ def right_of_way() -> Figure:
     waits = Line2D([], [], marker="|", markeredgewidth=3, **key)
     legend_below(figure, {"may go": arrow, "waits": waits})
     return figure
+
+
+# ---- Paths of an episode -------------------------------------------------------------------------
+
+
+def paths(episodes: Mapping[str, Episode], *, title: str | None = None) -> Figure:
+    """Draw the paths of all agents in recorded episodes of small worlds, side by side.
+
+    Agents stand where they start. The numbers on a path are the rounds after which its agent is
+    there, and a star is a capture.
+
+    Parameters
+    ----------
+    episodes : mapping of str to Episode
+        The episodes, by the titles of their panels.
+    title : str, optional
+        The title. The default is none.
+    """
+    check_some(episodes, "episode")
+    figure = new_figure(3.7 * len(episodes), 5.2)
+    panels = figure.subplots(1, len(episodes), squeeze=False)[0]
+    for axes, (name, episode) in zip(panels, episodes.items(), strict=True):
+        _draw_paths(axes, episode)
+        rounds = len(episode.actions)
+        told = (
+            "captured in round"
+            if episode.ever_captured[-1].all()
+            else "not captured in rounds 1 to"
+        )
+        axes.set_title(f"{name}:\n{told} {rounds}", fontweight="bold")
+    figure.supxlabel("Numbers are rounds; a star is a capture.", size="small")
+    entitle(figure, title)
+    return figure
+
+
+def _draw_paths(axes: Axes, episode: Episode) -> None:
+    walls = tuple((row, col) for row, col in np.argwhere(episode.map).tolist())
+    rows, cols = episode.map.shape
+    _draw_cells(axes, Situation("", "", rows, cols, (), obstacles=walls))
+    axes.set_xlim(-0.55, cols - 0.45)
+    n_pursuers, n_agents = episode.n_pursuers, episode.last_positions.shape[1]
+    for agent in range(n_agents):
+        team = int(agent >= n_pursuers)
+        # Each has a place of its own in all cells, so that no path hides another.
+        turn = 2 * math.pi * (agent / n_agents + 0.25)
+        path = episode.last_positions[:, agent] + 0.26 * np.array([math.sin(turn), math.cos(turn)])
+        look: dict[str, Any] = {"color": colors.TEAMS[team], "zorder": 3}
+        axes.plot(path[:, 1], path[:, 0], linewidth=1.5, linestyle=("-", "--")[team], **look)
+        axes.plot(path[0, 1], path[0, 0], marker="^o"[team], markersize=18, **look)
+        bold: dict[str, Any] = {"fontweight": "bold", "zorder": 4}
+        name = f"{'PE'[team]}{agent - team * n_pursuers}"
+        _write(
+            axes, path[0, 1], path[0, 0] + 0.03, name, color=colors.PAPER, size="x-small", **bold
+        )
+        if team and episode.ever_captured[-1, agent - n_pursuers]:
+            star: dict[str, Any] = {"color": colors.CAPTURE, "markeredgecolor": colors.INK}
+            axes.plot(path[-1, 1], path[-1, 0], marker="*", markersize=32, zorder=2, **star)
+        bold["path_effects"] = [withStroke(linewidth=3, foreground=colors.PAPER)]
+        for y, x in np.unique(path, axis=0):
+            rounds = np.flatnonzero((path == (y, x)).all(axis=1))
+            spells = np.split(rounds, np.flatnonzero(np.diff(rounds) > 1) + 1)
+            told = ",".join(
+                f"{each[0]}-{each[-1]}" if len(each) > 1 else f"{each[0]}" for each in spells
+            )
+            if rounds[0]:  # where an agent starts, its name stands
+                _write(axes, x, y, told, color=colors.TEAMS[team], **bold)
 
 
 # ---- Rules as a table ----------------------------------------------------------------------------

@@ -6,7 +6,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -19,11 +21,18 @@ from matrixworld.analysis import Judgement, headline
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.schedules import Against, Simultaneous, curve_window
+from matrixworld.coevolution.maps import MAP_FITNESS
+from matrixworld.coevolution.schedules import Against, Maps, Simultaneous, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.episodes.episode import Episode
+from matrixworld.episodes.record import record
 from matrixworld.plots.style import FORMATS
+from matrixworld.solve import States, best_response, guarantees, solve
+from matrixworld.world.policy import EnginePolicy
 
+EPISODES = 100
+"""Of the worst map, of which one is shown."""
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
 
@@ -77,15 +86,24 @@ def figures_of(
         alone = [*groups]
     found: dict[Path, Callable[[], Figure]] = {}
     for single in [single for group in alone for single in group.singles]:
-        # A spinning top takes the noise of the episodes: of one there is none, unless asked for.
-        few = single.is_race and name is None and (single.payoffs.episodes or 0) < 2
-        for figure in [*OF_RUN][: (len(OF_RUN) - few if single.is_race else 1)]:
-            file = single.runs[0].path / f"{figure}.{suffix}"
-            found[file] = partial(OF_RUN[figure], single, baselines)
+        for figure in OF_RUN:
+            if _is_usual(single, figure) or (single.is_race and figure == name):
+                file = single.runs[0].path / f"{figure}.{suffix}"
+                found[file] = partial(OF_RUN[figure], single, baselines)
     drawn = {group.name: group for group in seeds or races}
     for figure in together:
         found[Path(root) / f"{figure}.{suffix}"] = partial(OF_GROUPS[figure], drawn, baselines)
     return {file: draw for file, draw in found.items() if name in (None, file.stem)}
+
+
+def _is_usual(group: RunGroup, figure: str) -> bool:
+    """Return whether a figure of a run is drawn if nobody asks for it."""
+    schedule = group.runs[0].settings.schedule
+    if figure == "worst_map":  # which takes as long as a generation of such maps
+        return isinstance(schedule, Maps) and MAP_FITNESS[schedule.map_fitness].exact
+    if figure == "spinning_top":  # which takes the noise of the episodes: of one there is none
+        return group.is_race and (group.payoffs.episodes or 0) > 1
+    return group.is_race or figure == "training"
 
 
 # ---- Of a run --------------------------------------------------------------------------------
@@ -148,6 +166,43 @@ def _drawn(
     return draw(numbers(group), title=_title(group, shown or headline(group.judgement)))
 
 
+def _worst_map(group: RunGroup, baselines: Baselines) -> Figure:
+    """Draw on which of the last maps a newest team falls most short of perfect play.
+
+    On the left it meets the best reply to it, on the right both teams play perfectly: for a capture
+    as early, or as late, as possible. Of several starts it is that of the longest chase.
+    """
+    [run] = group.runs
+    world, newest = run.settings.training_world, {team: run.last(team) for team in TEAMS}
+    maps = [States(replace(world, obstacles=walls)) for walls in run.maps()["maps"][-1]]
+    solved = [(guarantees(states, newest), states) for states in maps]
+    team, (found, states) = max(
+        product(TEAMS, solved), key=lambda each: each[1][0].exploitability[each[0]][0]
+    )
+    perfect = solve(states, payoff="capture-time")
+    best: dict[Team, EnginePolicy] = {each: perfect.policy(each) for each in TEAMS}
+    other = TEAMS[1 - TEAMS.index(team)]
+    reply = best_response(states, newest[team], team, payoff="capture-time").policy(other)
+    sides = {f"The newest {team}s": {team: newest[team], other: reply}, f"Perfect {team}s": best}
+
+    def played(number: int) -> list[Episode]:
+        teams = ((side["pursuer"], side["evader"]) for side in sides.values())
+        return [record(states.config, *pair, seed=0, episode=number) for pair in teams]
+
+    def worth(pair: list[Episode]) -> tuple[int, int]:
+        won = [int(each.ever_captured[-1].all() == (team == "pursuer")) for each in pair]
+        return won[1] - won[0], sum(len(each.actions) for each in pair)
+
+    pair: list[Episode] = max(map(played, range(EPISODES)), key=worth)
+    told, rates = {
+        "pursuer": ("are sure of", found.pursuers),
+        "evader": ("cannot prevent", found.evaders),
+    }[team]
+    title = f"Captures that {team}s {told} on this map: newest {rates[0]:.0%}, "
+    title = _title(group, f"{title}perfect {found.value:.0%}")
+    return plots.paths(dict(zip(sides, pair, strict=True)), title=title)
+
+
 OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "training": _training,
     "payoff": partial(_drawn, plots.payoff_heatmap, _matrix, ""),
@@ -162,6 +217,7 @@ OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
         _matrix,
         "Which generations remain if winners spread (replicator dynamics)",
     ),
+    "worst_map": _worst_map,
     "spinning_top": partial(
         _drawn,
         plots.spinning_top,
