@@ -297,8 +297,8 @@ export class Lane extends EventTarget {
 
 /** Return why exact regret is not known on a map; empty if it is, and where nobody has drawn one. */
 function whyNoRegret(world: WorldConfig): string {
-  if (whyNotSolved(world)) return typeof world.obstacles === "number" ? "" : "Exact regret of a map is known where the world can be solved: choose 6 x 6 cells below, with few agents.";
-  return world.fov < 2 * Math.max(world.rows, world.cols) - 1 ? "Exact regret is known where agents see the whole map: choose a larger view." : "";
+  if (!whyNotSolved(world) || typeof world.obstacles === "number") return "";
+  return "Exact regret of a map is known where the world can be solved: choose 6 x 6 cells below, with few agents.";
 }
 
 /** Return what perfect play reaches, and what each team falls short of it, in words. */

@@ -18,7 +18,7 @@ const known = new Map<string, Promise<Solution | null>>();
 
 /** Return the solution of a world, which other work of the page can interrupt; null where it is not solved. */
 export function solved(engine: Engine, config: WorldConfig, payoff: Payoff = "capture-rate"): Promise<Solution | null> {
-  const key = JSON.stringify([{ ...config, rewards: null, fov: null }, payoff]);
+  const key = JSON.stringify([{ ...config, rewards: null }, payoff]);
   const found = known.get(key) ?? (whyNotSolved(config) ? Promise.resolve(null) : solve(engine, config, payoff));
   known.delete(key); // it becomes the newest
   known.set(key, found);

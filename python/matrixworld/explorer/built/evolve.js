@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 0c37396246d49d03621d943b0eb657995f88437ddc710353d0ddfebc483cafe7 */
+/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
 "use strict";(()=>{var zn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},st={DISAPPEAR:0,REACH:1,BOUNCE:2},Bn={OCCUPATION:0,SURROUND:1},jn={FAULT:0,INVOLVED:1};var Ir=["obstacle","teammate","adversary"],Fr=["vertex","edge","chain"],Hn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ur=["p\
 ursuer_{number}","evader_{number}"],Gn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ot={"both held":"both bounce","both doomed":"\
@@ -12,20 +12,20 @@ eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as 
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
 surrounder":"as team-surrounder, but takes only moves that right of way allows"},Yn={free:".GS",blocked:"#@OTW"};var Ue=1+Hn.length;function at(r,e){return r.replace(/\{(\w+)\}/g,(t,n)=>String(e[n]))}function H(r,e){return r<e?at(Ur[0],{number:r}):at(Ur[1],{number:r-e})}function Ka(r,e){
-let[t,n,s,o,a,i,l,...u]=Array.from(r),c=a<0?[o]:[o,a],[h,d,p]=u.map(v=>c.filter((x,w)=>v>>w&1)),g=c.map(v=>H(v,e)),f=at(Gn[a<0?"obstacle":Fr[s]],{first:g[0],second:g[g.
+let[t,n,s,o,a,i,l,...u]=Array.from(r),c=a<0?[o]:[o,a],[h,d,p]=u.map(b=>c.filter((x,w)=>b>>w&1)),g=c.map(b=>H(b,e)),f=at(Gn[a<0?"obstacle":Fr[s]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),y=at(Vn,{event:f,outcome:Ja(c.length,d,p,e)});return{kind:Ir[n],form:Fr[s],agents:c,cell:[i,l],at_fault:h,held:d,doomed:p,turn:t,
 text:y}}function Ja(r,e,t,n){if(r===2&&e.length===2)return ot["both held"];if(r===2&&t.length===2)return ot["both doomed"];let s=o=>a=>at(ot[o],{agent:H(a,n)});
 return[...e.map(s("held")),...t.map(s("doomed"))].join(", ")||ot.none}function Pt(r,e){let t=[];for(let n=0;n<r.length;n+=Ue)t.push(Ka(r.subarray(n+1,n+Ue),e));
-return t}var be=class extends Error{name="EngineError"};function I(r,e,t){let n=typeof t=="string"?`'${t}'`:typeof t=="object"?JSON.stringify(t):String(t);return new be(
+return t}var ve=class extends Error{name="EngineError"};function I(r,e,t){let n=typeof t=="string"?`'${t}'`:typeof t=="object"?JSON.stringify(t):String(t);return new ve(
 `${r}: expected ${e}, got ${n}`)}var De=class{bytes;constructor(e){this.bytes=e}},Jn=0,zr=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],qn=4,Kn=4,Za=new TextEncoder,
 Xa=new TextDecoder;function Qa(r){for(let e=zr.length-1;e>Jn;--e)if(r instanceof zr[e])return e;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function Wr(r){return new Uint8Array(r.buffer,r.byteOffset,r.byteLength)}function ei(r){return Za.encode(`${r}\0`)}var Br=class{engine;addresses=[];constructor(e){
-this.engine=e}copy(e){let t=this.engine._malloc(Math.max(e.length,1));if(t===0)throw new be("memory: expected room for the arguments, got none");return this.addresses.
+this.engine=e}copy(e){let t=this.engine._malloc(Math.max(e.length,1));if(t===0)throw new ve("memory: expected room for the arguments, got none");return this.addresses.
 push(t),this.engine.HEAPU8.set(e,t),t}text(e){return this.copy(ei(e))}arrays(e){let t=Object.entries(e),n=t.flatMap(([o,a])=>{let i=a instanceof De,l=i?a.bytes:
 a;return[this.text(o),i?Jn:Qa(l),l.length,this.copy(Wr(l))]}),s=this.copy(Wr(Int32Array.from(n)));return this.copy(Wr(Int32Array.of(t.length,s)))}free(){for(let e of this.
 addresses)this.engine._free(e)}};function Zn(r,e){let t=r.HEAPU8;return Xa.decode(t.subarray(e,t.indexOf(0,e)))}function We(r){let e=new Int32Array(r.HEAPU8.buffer),
 t=r._last_outputs()/qn,n=e[t+1]/qn,s={};for(let o=n;o<n+e[t]*Kn;o+=Kn){let a=zr[e[o+1]],i=e[o+2]*a.BYTES_PER_ELEMENT,l=e[o+3];s[Zn(r,e[o])]=new a(r.HEAPU8.slice(
-l,l+i).buffer)}return s}function we(r,e){let t=new Br(r);try{let n=e(t);if(n===0)throw new be(Zn(r,r._last_error()));return n}finally{t.free()}}var ti=2**31-1,Xn=["none","elman","gru"],ri=2n**64n-1n,ni=34028234663852886e22;function me(r,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>ti)throw I(
+l,l+i).buffer)}return s}function we(r,e){let t=new Br(r);try{let n=e(t);if(n===0)throw new ve(Zn(r,r._last_error()));return n}finally{t.free()}}var ti=2**31-1,Xn=["none","elman","gru"],ri=2n**64n-1n,ni=34028234663852886e22;function me(r,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>ti)throw I(
 r,"an integer",e);return Int32Array.of(e)}function Lt(r,e){if(typeof e!="boolean")throw I(r,"true or false",e);return new De(Uint8Array.of(Number(e)))}function Ce(r,e,t){
 let n=typeof e=="string"&&Object.hasOwn(t,e)?t[e]:void 0;if(n===void 0)throw I(r,`one of ${Object.keys(t).join(", ")}`,e);return Int32Array.of(n)}function jr(r,e){
 if(typeof e!="number"||!(Math.abs(e)<=ni))throw I(r,"a finite number",e);return e}function ze(r,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
@@ -62,7 +62,7 @@ e.config,t,n,ls(r,"_play_match",e,s))}function Hr(r,e,t,n){if(!Number.isInteger(
 n_episodes:Int32Array.of(n)});return is(s)}function cs(r,e,t,n){let s={pursuer:Int32Array.of(0),evader:Int32Array.of(0),seed:ze("seed",t)},o=Hr(r,e,s,n);return Array.
 from({length:n},(a,i)=>as(o,i))}var li=7e6,ui=new FinalizationRegistry(([r,e])=>r._states_free(e));function ci({rules:r,rows:e,cols:t,obstacles:n,diagonal:s,n_pursuers:o,n_evaders:a}){let i=typeof n==
 "number"||r.obstacle==="REACH"?0:n.join("").split("#").length-1,l=e*t-i,u=[r.obstacle,r.teammate,r.pursuer].includes("DISAPPEAR"),c=r.capture==="SURROUND"||r.evader===
-"REACH",h=r.interaction==="AGENT_TURNS",d=(f,y)=>Array.from({length:y},(v,x)=>h?f:(f+x)/(x+1)).reduce((v,x)=>v*x,1),p=d(l+Number(u),o)*d(l*(1+Number(c))+2,a);return{
+"REACH",h=r.interaction==="AGENT_TURNS",d=(f,y)=>Array.from({length:y},(b,x)=>h?f:(f+x)/(x+1)).reduce((b,x)=>b*x,1),p=d(l+Number(u),o)*d(l*(1+Number(c))+2,a);return{
 SIMULTANEOUS:[o+a],SWARM_TURNS:[o,a],AGENT_TURNS:Array(o+a).fill(1)}[r.interaction].reduce((f,y)=>f+p*(s?9:5)**y,0)}function je(r){return typeof r.obstacles=="n\
 umber"&&r.obstacles>0?"obstacles are drawn anew in each episode":ci(r)>li?"the world is too large to be solved on the page":""}var Gr=class{value;teams;matrix;n_actions;constructor(e,t){
 let{matrix:n,rows:s,cols:o,value:a,agents:i}=t,[l,u]=e.actors,c=Array.from(i).filter(d=>l<=d&&d<u),h=d=>d<e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=
@@ -100,7 +100,7 @@ n.arrays(t)))}call(e){return we(this.engine,e),We(this.engine)}};function hi(r){
 from(t,s=>s/n)}var Yr=class{compiled;constructor(e){this.compiled=e}world(e){return new lt(this.compiled,e)}solution(e,t="capture-rate"){return new it(this.compiled,e,t)}match(e,t,n,s,o=0){
 return us(this.compiled,{config:e,pursuers:t,evaders:n},s,o)}rollout(e,t,n,s,o){return cs(this.compiled,{config:e,pursuers:t,evaders:n},s,o)}rollouts(e,t,n,s,o){
 return Hr(this.compiled,{config:e,pursuers:t,evaders:n},s,o)}},ds;function It(r=globalThis.matrixworldEngine){return ds??=di(r),ds}async function di(r){if(!r)throw new Error(
-"matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(r.binary),t=>t.charCodeAt(0));return new Yr(await r({wasmBinary:e}))}var mi="http://www.w3.org/2000/svg";function m(r,e={},...t){return ms(document.createElement(r),e,t)}function b(r,e={},...t){return ms(document.createElementNS(
+"matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(r.binary),t=>t.charCodeAt(0));return new Yr(await r({wasmBinary:e}))}var mi="http://www.w3.org/2000/svg";function m(r,e={},...t){return ms(document.createElement(r),e,t)}function v(r,e={},...t){return ms(document.createElementNS(
 mi,r),e,t)}function ms(r,e,t){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?r.addEventListener(n.slice(2),s):r.setAttribute(n,s===!0?"":
 String(s)));return r.append(...t.filter(pi).map(n=>typeof n=="number"?String(n):n)),r}function pi(r){return r!=null&&r!==!1}var Ft=()=>["file:","http:","https:"].
 includes(location.protocol);async function ps(r,e){r.select();try{await navigator.clipboard.writeText(r.value),e.textContent="Copied."}catch{e.textContent="Sele\
@@ -108,9 +108,9 @@ cted: copy it with Ctrl+C."}}function fi(){let r=document.documentElement.datase
 dataset.theme=fi()?"light":"dark"}if(typeof document<"u"){let r=document.documentElement.dataset,e=r.theme;addEventListener("beforeprint",()=>{e=r.theme,r.theme=
 "light"}),addEventListener("afterprint",()=>{e?r.theme=e:delete r.theme})}function fs(){return m("button",{type:"button",title:"Light or dark (D)","aria-label":"\
 Light or dark",onclick:qr},"◐")}var ys=(r,e,...t)=>m("header",{class:"top"},m("div",{},m("h1",{},r),e?m("p",{class:"lead"},e):null),m("div",{class:"tools"},...t,fs()));var yi=Array.from({length:16},(r,e)=>{let[t,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+t*Math.sin(n)} ${12-t*Math.cos(n)}`}).join(" ");function Ut(){let r=[["pursu\
-er",b("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",b("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",b("polygon",{points:yi,class:"\
-filled-capture"})],["captured evader",b("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",b("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
-ct"})]];return m("ul",{class:"shapes small","aria-label":"Shapes on the board"},...r.map(([e,t])=>m("li",{},b("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},t),
+er",v("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",v("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",v("polygon",{points:yi,class:"\
+filled-capture"})],["captured evader",v("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",v("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
+ct"})]];return m("ul",{class:"shapes small","aria-label":"Shapes on the board"},...r.map(([e,t])=>m("li",{},v("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},t),
 e)))}var P=Uint8Array,J=Uint16Array,nn=Int32Array,Dt=new P([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Wt=new P([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Xr=new P([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Ss=function(r,e){for(var t=new J(31),n=0;n<31;++n)t[n]=e+=
 1<<r[n-1];for(var s=new nn(t[30]),n=1;n<30;++n)for(var o=t[n];o<t[n+1];++o)s[o]=o-t[n]<<5|n;return{b:t,r:s}},As=Ss(Dt,2),Ms=As.b,Qr=As.r;Ms[28]=258,Qr[258]=28;var Es=Ss(
@@ -118,46 +118,46 @@ Wt,0),gi=Es.b,gs=Es.r,en=new J(32768);for(E=0;E<32768;++E)pe=(E&43690)>>1|(E&218
 8|(pe&255)<<8)>>1;var pe,E,ie=(function(r,e,t){for(var n=r.length,s=0,o=new J(e);s<n;++s)r[s]&&++o[r[s]-1];var a=new J(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
 var i;if(t){i=new J(1<<e);var l=15-e;for(s=0;s<n;++s)if(r[s])for(var u=s<<4|r[s],c=e-r[s],h=a[r[s]-1]++<<c,d=h|(1<<c)-1;h<=d;++h)i[en[h]>>l]=u}else for(i=new J(
 n),s=0;s<n;++s)r[s]&&(i[s]=en[a[r[s]-1]++]>>15-r[s]);return i}),Se=new P(288);for(E=0;E<144;++E)Se[E]=8;var E;for(E=144;E<256;++E)Se[E]=9;var E;for(E=256;E<280;++E)
-Se[E]=7;var E;for(E=280;E<288;++E)Se[E]=8;var E,ht=new P(32);for(E=0;E<32;++E)ht[E]=5;var E,vi=ie(Se,9,0),bi=ie(Se,9,1),wi=ie(ht,5,0),xi=ie(ht,5,1),Kr=function(r){
+Se[E]=7;var E;for(E=280;E<288;++E)Se[E]=8;var E,ht=new P(32);for(E=0;E<32;++E)ht[E]=5;var E,bi=ie(Se,9,0),vi=ie(Se,9,1),wi=ie(ht,5,0),xi=ie(ht,5,1),Kr=function(r){
 for(var e=r[0],t=1;t<r.length;++t)r[t]>e&&(e=r[t]);return e},re=function(r,e,t){var n=e/8|0;return(r[n]|r[n+1]<<8)>>(e&7)&t},Jr=function(r,e){var t=e/8|0;return(r[t]|
 r[t+1]<<8|r[t+2]<<16)>>(e&7)},sn=function(r){return(r+7)/8|0},on=function(r,e,t){return(e==null||e<0)&&(e=0),(t==null||t>r.length)&&(t=r.length),new P(r.subarray(
 e,t))};var Si=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
 ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],G=function(r,e,t){var n=new Error(e||Si[r]);
 if(n.code=r,Error.captureStackTrace&&Error.captureStackTrace(n,G),!t)throw n;return n},Ai=function(r,e,t,n){var s=r.length,o=n?n.length:0;if(!s||e.f&&!e.l)return t||
 new P(0);var a=!t,i=a||e.i!=2,l=e.i;a&&(t=new P(s*3));var u=function(rt){var nt=t.length;if(rt>nt){var Fe=new P(Math.max(nt*2,rt));Fe.set(t),t=Fe}},c=e.f||0,h=e.
-p||0,d=e.b||0,p=e.l,g=e.d,f=e.m,y=e.n,v=s*8;do{if(!p){c=re(r,h,1);var x=re(r,h+1,3);if(h+=3,x)if(x==1)p=bi,g=xi,f=9,y=5;else if(x==2){var $=re(r,h,31)+257,L=re(
-r,h+10,15)+4,A=$+re(r,h+5,31)+1;h+=14;for(var S=new P(A),F=new P(19),N=0;N<L;++N)F[Xr[N]]=re(r,h+N*3,7);h+=L*3;for(var z=Kr(F),ve=(1<<z)-1,Y=ie(F,z,1),N=0;N<A;){
-var B=Y[re(r,h,ve)];h+=B&15;var w=B>>4;if(w<16)S[N++]=w;else{var U=0,O=0;for(w==16?(O=3+re(r,h,3),h+=2,U=S[N-1]):w==17?(O=3+re(r,h,7),h+=3):w==18&&(O=11+re(r,h,
+p||0,d=e.b||0,p=e.l,g=e.d,f=e.m,y=e.n,b=s*8;do{if(!p){c=re(r,h,1);var x=re(r,h+1,3);if(h+=3,x)if(x==1)p=vi,g=xi,f=9,y=5;else if(x==2){var $=re(r,h,31)+257,L=re(
+r,h+10,15)+4,A=$+re(r,h+5,31)+1;h+=14;for(var S=new P(A),F=new P(19),N=0;N<L;++N)F[Xr[N]]=re(r,h+N*3,7);h+=L*3;for(var z=Kr(F),be=(1<<z)-1,Y=ie(F,z,1),N=0;N<A;){
+var B=Y[re(r,h,be)];h+=B&15;var w=B>>4;if(w<16)S[N++]=w;else{var U=0,O=0;for(w==16?(O=3+re(r,h,3),h+=2,U=S[N-1]):w==17?(O=3+re(r,h,7),h+=3):w==18&&(O=11+re(r,h,
 127),h+=7);O--;)S[N++]=U}}var j=S.subarray(0,$),D=S.subarray($);f=Kr(j),y=Kr(D),p=ie(j,f,1),g=ie(D,y,1)}else G(1);else{var w=sn(h)+4,M=r[w-4]|r[w-3]<<8,_=w+M;if(_>
-s){l&&G(0);break}i&&u(d+M),t.set(r.subarray(w,_),d),e.b=d+=M,e.p=h=_*8,e.f=c;continue}if(h>v){l&&G(0);break}}i&&u(d+131072);for(var tt=(1<<f)-1,X=(1<<y)-1,de=h;;de=
-h){var U=p[Jr(r,h)&tt],q=U>>4;if(h+=U&15,h>v){l&&G(0);break}if(U||G(2),q<256)t[d++]=q;else if(q==256){de=h,p=null;break}else{var K=q-254;if(q>264){var N=q-257,R=Dt[N];
-K=re(r,h,(1<<R)-1)+Ms[N],h+=R}var ae=g[Jr(r,h)&X],Ne=ae>>4;ae||G(3),h+=ae&15;var D=gi[Ne];if(Ne>3){var R=Wt[Ne];D+=Jr(r,h)&(1<<R)-1,h+=R}if(h>v){l&&G(0);break}i&&
+s){l&&G(0);break}i&&u(d+M),t.set(r.subarray(w,_),d),e.b=d+=M,e.p=h=_*8,e.f=c;continue}if(h>b){l&&G(0);break}}i&&u(d+131072);for(var tt=(1<<f)-1,X=(1<<y)-1,de=h;;de=
+h){var U=p[Jr(r,h)&tt],q=U>>4;if(h+=U&15,h>b){l&&G(0);break}if(U||G(2),q<256)t[d++]=q;else if(q==256){de=h,p=null;break}else{var K=q-254;if(q>264){var N=q-257,R=Dt[N];
+K=re(r,h,(1<<R)-1)+Ms[N],h+=R}var ae=g[Jr(r,h)&X],Ne=ae>>4;ae||G(3),h+=ae&15;var D=gi[Ne];if(Ne>3){var R=Wt[Ne];D+=Jr(r,h)&(1<<R)-1,h+=R}if(h>b){l&&G(0);break}i&&
 u(d+131072);var Ie=d+K;if(d<D){var Ot=o-D,Rt=Math.min(D,Ie);for(Ot+d<0&&G(3);d<Rt;++d)t[d]=n[Ot+d]}for(;d<Ie;++d)t[d]=t[d-D]}}e.l=p,e.p=de,e.b=d,e.f=c,p&&(c=1,e.
 m=f,e.d=g,e.n=y)}while(!c);return d!=t.length&&a?on(t,0,d):t.subarray(0,d)},fe=function(r,e,t){t<<=e&7;var n=e/8|0;r[n]|=t,r[n+1]|=t>>8},ut=function(r,e,t){t<<=
 e&7;var n=e/8|0;r[n]|=t,r[n+1]|=t>>8,r[n+2]|=t>>16},Zr=function(r,e){for(var t=[],n=0;n<r.length;++n)r[n]&&t.push({s:n,f:r[n]});var s=t.length,o=t.slice();if(!s)
 return{t:Cs,l:0};if(s==1){var a=new P(t[0].s+1);return a[t[0].s]=1,{t:a,l:1}}t.sort(function(_,$){return _.f-$.f}),t.push({s:-1,f:25001});var i=t[0],l=t[1],u=0,
 c=1,h=2;for(t[0]={s:-1,f:i.f+l.f,l:i,r:l};c!=s-1;)i=t[t[u].f<t[h].f?u++:h++],l=t[u!=c&&t[u].f<t[h].f?u++:h++],t[c++]={s:-1,f:i.f+l.f,l:i,r:l};for(var d=o[0].s,n=1;n<
-s;++n)o[n].s>d&&(d=o[n].s);var p=new J(d+1),g=tn(t[c-1],p,0);if(g>e){var n=0,f=0,y=g-e,v=1<<y;for(o.sort(function($,L){return p[L.s]-p[$.s]||$.f-L.f});n<s;++n){
-var x=o[n].s;if(p[x]>e)f+=v-(1<<g-p[x]),p[x]=e;else break}for(f>>=y;f>0;){var w=o[n].s;p[w]<e?f-=1<<e-p[w]++-1:++n}for(;n>=0&&f;--n){var M=o[n].s;p[M]==e&&(--p[M],
-++f)}g=e}return{t:new P(p),l:g}},tn=function(r,e,t){return r.s==-1?Math.max(tn(r.l,e,t+1),tn(r.r,e,t+1)):e[r.s]=t},vs=function(r){for(var e=r.length;e&&!r[--e];)
+s;++n)o[n].s>d&&(d=o[n].s);var p=new J(d+1),g=tn(t[c-1],p,0);if(g>e){var n=0,f=0,y=g-e,b=1<<y;for(o.sort(function($,L){return p[L.s]-p[$.s]||$.f-L.f});n<s;++n){
+var x=o[n].s;if(p[x]>e)f+=b-(1<<g-p[x]),p[x]=e;else break}for(f>>=y;f>0;){var w=o[n].s;p[w]<e?f-=1<<e-p[w]++-1:++n}for(;n>=0&&f;--n){var M=o[n].s;p[M]==e&&(--p[M],
+++f)}g=e}return{t:new P(p),l:g}},tn=function(r,e,t){return r.s==-1?Math.max(tn(r.l,e,t+1),tn(r.r,e,t+1)):e[r.s]=t},bs=function(r){for(var e=r.length;e&&!r[--e];)
 ;for(var t=new J(++e),n=0,s=r[0],o=1,a=function(l){t[n++]=l},i=1;i<=e;++i)if(r[i]==s&&i!=e)++o;else{if(!s&&o>2){for(;o>138;o-=138)a(32754);o>2&&(a(o>10?o-11<<5|
 28690:o-3<<5|12305),o=0)}else if(o>3){for(a(s),--o;o>6;o-=6)a(8304);o>2&&(a(o-3<<5|8208),o=0)}for(;o--;)a(s);o=1,s=r[i]}return{c:t.subarray(0,n),n:e}},ct=function(r,e){
 for(var t=0,n=0;n<e.length;++n)t+=r[n]*e[n];return t},Ts=function(r,e,t){var n=t.length,s=sn(e+2);r[s]=n&255,r[s+1]=n>>8,r[s+2]=r[s]^255,r[s+3]=r[s+1]^255;for(var o=0;o<
-n;++o)r[s+o+4]=t[o];return(s+4+n)*8},bs=function(r,e,t,n,s,o,a,i,l,u,c){fe(e,c++,t),++s[256];for(var h=Zr(s,15),d=h.t,p=h.l,g=Zr(o,15),f=g.t,y=g.l,v=vs(d),x=v.c,
-w=v.n,M=vs(f),_=M.c,$=M.n,L=new J(19),A=0;A<x.length;++A)++L[x[A]&31];for(var A=0;A<_.length;++A)++L[_[A]&31];for(var S=Zr(L,7),F=S.t,N=S.l,z=19;z>4&&!F[Xr[z-1]];--z)
-;var ve=u+5<<3,Y=ct(s,Se)+ct(o,ht)+a,B=ct(s,d)+ct(o,f)+a+14+3*z+ct(L,F)+2*L[16]+3*L[17]+7*L[18];if(l>=0&&ve<=Y&&ve<=B)return Ts(e,c,r.subarray(l,l+u));var U,O,j,
+n;++o)r[s+o+4]=t[o];return(s+4+n)*8},vs=function(r,e,t,n,s,o,a,i,l,u,c){fe(e,c++,t),++s[256];for(var h=Zr(s,15),d=h.t,p=h.l,g=Zr(o,15),f=g.t,y=g.l,b=bs(d),x=b.c,
+w=b.n,M=bs(f),_=M.c,$=M.n,L=new J(19),A=0;A<x.length;++A)++L[x[A]&31];for(var A=0;A<_.length;++A)++L[_[A]&31];for(var S=Zr(L,7),F=S.t,N=S.l,z=19;z>4&&!F[Xr[z-1]];--z)
+;var be=u+5<<3,Y=ct(s,Se)+ct(o,ht)+a,B=ct(s,d)+ct(o,f)+a+14+3*z+ct(L,F)+2*L[16]+3*L[17]+7*L[18];if(l>=0&&be<=Y&&be<=B)return Ts(e,c,r.subarray(l,l+u));var U,O,j,
 D;if(fe(e,c,1+(B<Y)),c+=2,B<Y){U=ie(d,p,0),O=d,j=ie(f,y,0),D=f;var tt=ie(F,N,0);fe(e,c,w-257),fe(e,c+5,$-1),fe(e,c+10,z-4),c+=14;for(var A=0;A<z;++A)fe(e,c+3*A,
 F[Xr[A]]);c+=3*z;for(var X=[x,_],de=0;de<2;++de)for(var q=X[de],A=0;A<q.length;++A){var K=q[A]&31;fe(e,c,tt[K]),c+=F[K],K>15&&(fe(e,c,q[A]>>5&127),c+=q[A]>>12)}}else
-U=vi,O=Se,j=wi,D=ht;for(var A=0;A<i;++A){var R=n[A];if(R>255){var K=R>>18&31;ut(e,c,U[K+257]),c+=O[K+257],K>7&&(fe(e,c,R>>23&31),c+=Dt[K]);var ae=R&31;ut(e,c,j[ae]),
+U=bi,O=Se,j=wi,D=ht;for(var A=0;A<i;++A){var R=n[A];if(R>255){var K=R>>18&31;ut(e,c,U[K+257]),c+=O[K+257],K>7&&(fe(e,c,R>>23&31),c+=Dt[K]);var ae=R&31;ut(e,c,j[ae]),
 c+=D[ae],ae>3&&(ut(e,c,R>>5&8191),c+=Wt[ae])}else ut(e,c,U[R]),c+=O[R]}return ut(e,c,U[256]),c+O[256]},Mi=new nn([65540,131080,131088,131104,262176,1048704,1048832,
 2114560,2117632]),Cs=new P(0),Ei=function(r,e,t,n,s,o){var a=o.z||r.length,i=new P(n+a+5*(1+Math.ceil(a/7e3))+s),l=i.subarray(n,i.length-s),u=o.l,c=(o.r||0)&7;if(e){
-c&&(l[0]=o.r>>3);for(var h=Mi[e-1],d=h>>13,p=h&8191,g=(1<<t)-1,f=o.p||new J(32768),y=o.h||new J(g+1),v=Math.ceil(t/3),x=2*v,w=function(Nr){return(r[Nr]^r[Nr+1]<<
-v^r[Nr+2]<<x)&g},M=new nn(25e3),_=new J(288),$=new J(32),L=0,A=0,S=o.i||0,F=0,N=o.w||0,z=0;S+2<a;++S){var ve=w(S),Y=S&32767,B=y[ve];if(f[Y]=B,y[ve]=Y,N<=S){var U=a-
-S;if((L>7e3||F>24576)&&(U>423||!u)){c=bs(r,l,0,M,_,$,A,F,z,S-z,c),F=L=A=0,z=S;for(var O=0;O<286;++O)_[O]=0;for(var O=0;O<30;++O)$[O]=0}var j=2,D=0,tt=p,X=Y-B&32767;
-if(U>2&&ve==w(S-X))for(var de=Math.min(d,U)-1,q=Math.min(32767,S),K=Math.min(258,U);X<=q&&--tt&&Y!=B;){if(r[S+j]==r[S+j-X]){for(var R=0;R<K&&r[S+R]==r[S+R-X];++R)
+c&&(l[0]=o.r>>3);for(var h=Mi[e-1],d=h>>13,p=h&8191,g=(1<<t)-1,f=o.p||new J(32768),y=o.h||new J(g+1),b=Math.ceil(t/3),x=2*b,w=function(Nr){return(r[Nr]^r[Nr+1]<<
+b^r[Nr+2]<<x)&g},M=new nn(25e3),_=new J(288),$=new J(32),L=0,A=0,S=o.i||0,F=0,N=o.w||0,z=0;S+2<a;++S){var be=w(S),Y=S&32767,B=y[be];if(f[Y]=B,y[be]=Y,N<=S){var U=a-
+S;if((L>7e3||F>24576)&&(U>423||!u)){c=vs(r,l,0,M,_,$,A,F,z,S-z,c),F=L=A=0,z=S;for(var O=0;O<286;++O)_[O]=0;for(var O=0;O<30;++O)$[O]=0}var j=2,D=0,tt=p,X=Y-B&32767;
+if(U>2&&be==w(S-X))for(var de=Math.min(d,U)-1,q=Math.min(32767,S),K=Math.min(258,U);X<=q&&--tt&&Y!=B;){if(r[S+j]==r[S+j-X]){for(var R=0;R<K&&r[S+R]==r[S+R-X];++R)
 ;if(R>j){if(j=R,D=X,R>de)break;for(var ae=Math.min(X,R-2),Ne=0,O=0;O<ae;++O){var Ie=S-X+O&32767,Ot=f[Ie],Rt=Ie-Ot&32767;Rt>Ne&&(Ne=Rt,B=Ie)}}}Y=B,B=f[Y],X+=Y-B&
 32767}if(D){M[F++]=268435456|Qr[j]<<18|gs[D];var rt=Qr[j]&31,nt=gs[D]&31;A+=Dt[rt]+Wt[nt],++_[257+rt],++$[nt],N=S+j,++L}else M[F++]=r[S],++_[r[S]]}}for(S=Math.max(
-S,N);S<a;++S)M[F++]=r[S],++_[r[S]];c=bs(r,l,u,M,_,$,A,F,z,S-z,c),u||(o.r=c&7|l[c/8|0]<<3,c-=7,o.h=y,o.p=f,o.i=S,o.w=N)}else{for(var S=o.w||0;S<a+u;S+=65535){var Fe=S+
+S,N);S<a;++S)M[F++]=r[S],++_[r[S]];c=vs(r,l,u,M,_,$,A,F,z,S-z,c),u||(o.r=c&7|l[c/8|0]<<3,c-=7,o.h=y,o.p=f,o.i=S,o.w=N)}else{for(var S=o.w||0;S<a+u;S+=65535){var Fe=S+
 65535;Fe>=a&&(l[c/8|0]=u,Fe=a),c=Ts(l,c+1,r.subarray(S,Fe))}o.i=a}return on(i,0,n+sn(c)+s)},Ti=(function(){for(var r=new Int32Array(256),e=0;e<256;++e){for(var t=e,
 n=9;--n;)t=(t&1&&-306674912)^t>>>1;r[e]=t}return r})(),Ci=function(){var r=-1;return{p:function(e){for(var t=r,n=0;n<e.length;++n)t=Ti[t&255^e[n]]^t>>>8;r=t},d:function(){
 return~r}}};var ki=function(r,e,t,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new P(o.length+r.length);a.set(o),a.set(r,o.length),r=a,s.w=o.length}
@@ -173,7 +173,7 @@ t.compression>>8;var d=new Date(t.mtime==null?Date.now():t.mtime),p=d.getFullYea
 getHours()<<11|d.getMinutes()<<5|d.getSeconds()>>1),e+=4,o!=-1&&(W(r,e,t.crc),W(r,e+4,o<0?-o-2:o),W(r,e+8,t.size)),W(r,e+12,l),W(r,e+14,h),e+=16,a!=null&&(W(r,e,
 c),W(r,e+6,t.attrs),W(r,e+10,a),e+=14),r.set(n,e),e+=l,h)for(var g in u){var f=u[g],y=f.length;W(r,e,+g),W(r,e+2,y),r.set(f,e+4),e+=4+y}return c&&(r.set(i,e),e+=
 c),e},Li=function(r,e,t,n,s){W(r,e,101010256),W(r,e+8,t),W(r,e+10,t),W(r,e+12,n),W(r,e+16,s)};function zt(r,e){e||(e={});var t={},n=[];Os(r,"",t,e);var s=0,o=0;for(var a in t){var i=t[a],l=i[0],u=i[1],c=u.level==0?0:8,h=ne(a),d=h.length,p=u.comment,g=p&&
-ne(p),f=g&&g.length,y=rn(u.extra);d>65535&&G(11);var v=c?Oi(l,u):l,x=v.length,w=Ci();w.p(l),n.push(ks(u,{size:l.length,crc:w.d(),c:v,f:h,m:g,u:d!=a.length||g&&p.
+ne(p),f=g&&g.length,y=rn(u.extra);d>65535&&G(11);var b=c?Oi(l,u):l,x=b.length,w=Ci();w.p(l),n.push(ks(u,{size:l.length,crc:w.d(),c:b,f:h,m:g,u:d!=a.length||g&&p.
 length!=f,o:s,compression:c})),s+=30+d+y+x,o+=76+2*(d+y)+(f||0)+x}for(var M=new P(o+22),_=s,$=o-s,L=0;L<n.length;++L){var h=n[L];xs(M,h.o,h,h.f,h.u,h.c.length);
 var A=30+h.f.length+rn(h.extra);M.set(h.c,h.o+A),xs(M,s,h,h.f,h.u,h.c.length,h.o,h.m),s+=16+A+(h.m?h.m.length:0)}return Li(M,s,n.length,$,_),M}var se=(r,e)=>`${r}s of generation ${e}`,le=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var He=["pursuer","evader"];function Ge(r,e,t){let[n,s]=[e-r.payoff.first[0],t-r.payoff.first[1]],o=r.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:r.payoff.capture_rates[n][s],
 lengths:r.payoff.lengths[n][s]}}var Bt=({world:r,maps:e},t)=>e&&t!==null?{...r,obstacles:e.walls[t]}:r;function jt(r,e,t){let{script:n,network:s,kept:o,genomes:a}=r.
@@ -205,13 +205,13 @@ beside:a("beside"),small:n,learner:t.get("learner")==="ga"?"ga":s.learner,seed:o
 1&&d<=Gt),view:c?Math.max(Yt,u):u,way:c,population:o("population",d=>hn.includes(d)),steps:o("steps",d=>dn.includes(d)),walls:l.filter(d=>d<i.rows*i.cols).reduce(
 (d,p)=>mn(d,p,!0),[])};return Kt(h,i)?{...h,...mt(r,n)}:h}function ye(r,e){let t=m("select",{},...r.map(([n,s])=>m("option",{value:n},s)));return t.addEventListener("change",()=>e(t.value)),t}function oe(r,e,t,n=""){return m(
 "label",{class:`field ${n}`,title:e},m("span",{class:"field-name"},r),t,m("span",{class:"about small muted"},e))}function Is(r){let e=Object.entries(dt),t=ye(e,
-y=>r({schedule:y})),n=ye([["","Nothing"],...e],y=>r({beside:y||null},!0)),s=Array.from({length:Gt},(y,v)=>[v+1,String(v+1)]),o=ye(s,y=>r({pursuers:Number(y)})),
+y=>r({schedule:y})),n=ye([["","Nothing"],...e],y=>r({beside:y||null},!0)),s=Array.from({length:Gt},(y,b)=>[b+1,String(b+1)]),o=ye(s,y=>r({pursuers:Number(y)})),
 a=ye(s,y=>r({evaders:Number(y)})),i=ye(cn.map(y=>[y,`${y} x ${y}`]),y=>r({view:Number(y),...Number(y)<Yt?{way:!1}:{}})),l=m("input",{type:"checkbox"});l.addEventListener(
 "change",()=>r({way:l.checked,...l.checked?{view:Math.max(Yt,Number(i.value))}:{}}));let u=ye([[0,"usual"],...hn.map(y=>[y,String(y)])],y=>r({population:Number(
 y)})),c=ye(dn.map(y=>[y,String(y)]),y=>r({steps:Number(y)})),h=ye([["","12 x 12 cells"],["small","6 x 6, solved"]],y=>r({small:y==="small"},!0)),d=ye([["es","ev\
 olution strategy"],["ga","genetic algorithm"]],y=>r({learner:y},!0)),p=m("input",{type:"number",min:0,max:Vt,step:1,inputmode:"numeric"});p.addEventListener("ch\
 ange",()=>r({seed:Math.min(Vt,Math.max(0,Math.round(Number(p.value))||0))},!0));let g=m("button",{type:"button",onclick:()=>r({seed:Math.floor(Math.random()*1e3)},
-!0)},"Another seed"),f=(y,...v)=>m("section",{class:"card controls","aria-label":y},m("fieldset",{},m("legend",{},y),...v));return{now:f("Change it while it evo\
+!0)},"Another seed"),f=(y,...b)=>m("section",{class:"card controls","aria-label":y},m("fieldset",{},m("legend",{},y),...b));return{now:f("Change it while it evo\
 lves",oe("Opponents","whom the teams meet while they learn",t,"wide"),oe("Pursuers","triangles",o),oe("Evaders","discs",a),oe("View","cells that an agent sees a\
 round itself",i),oe("Right of way","agents never take a move that could put them at fault",m("span",{},l)),oe("Population","candidates that are compared at a ti\
 me",u),oe("Steps","of a match",c)),anew:f("Begin anew",oe("Side by side with","a second race of the same seed",n,"wide"),oe("World","where it is solved, the pag\
@@ -219,13 +219,13 @@ e tells exact regret",h,"half"),oe("Learner","how a team learns",d,"half"),oe("S
 n.value,i.value,d.value]=[y.schedule,y.beside??"",String(y.view),y.learner],[u.value,c.value,p.value,l.checked]=[String(y.population),String(y.steps),String(y.seed),
 y.way],h.value=y.small?"small":"",[o.value,a.value]=[String(y.pursuers),String(y.evaders)]}}}var V=(r,e=2)=>r==null?"-":r.toFixed(e);function Fs(r,e,t){return e===null||t===null?V(r):`${V(r)} (${V(e)} to ${V(t)})`}var Jt=r=>r.charAt(0).toUpperCase()+r.slice(1);function ft(r,e,t,n=!1){let s=(e-r)/Math.max(1,t),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(u=>u*o).find(
 u=>u>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(r/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,l-i+1)},(u,c)=>(i+c)*a)}var Zt={left:46,right:12,top:10,bottom:42},Us={x:56,y:34};function Ws(r,e,t,n){let[s,o]=[Zt.left,Zt.top],a=Math.max(s+40,r-Zt.right),i=Math.max(o+40,e-Zt.bottom),
-l=(f,y,v)=>x=>y+(x-f.low)/(f.high-f.low||1)*(v-y),[u,c]=[l(t,s,a),l(n,i,o)],h=b("g"),d=b("svg",{width:r,height:e,viewBox:`0 0 ${r} ${e}`,class:"plot"}),p=b("g",
-{class:"axes"});for(let f of ft(n.low,n.high,(i-o)/Us.y,n.whole))p.append(b("line",{x1:s,x2:a,y1:c(f),y2:c(f),class:"grid"}),b("text",{x:s-8,y:c(f),"text-anchor":"\
-end","dominant-baseline":"middle"},Ds(f)));for(let f of ft(t.low,t.high,(a-s)/Us.x,t.whole))p.append(b("text",{x:u(f),y:i+16,"text-anchor":"middle"},Ds(t.mirrored?
-Math.abs(f):f)));return p.append(b("line",{x1:s,x2:a,y1:i,y2:i,class:"axis"}),b("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},t.label),b("text",
+l=(f,y,b)=>x=>y+(x-f.low)/(f.high-f.low||1)*(b-y),[u,c]=[l(t,s,a),l(n,i,o)],h=v("g"),d=v("svg",{width:r,height:e,viewBox:`0 0 ${r} ${e}`,class:"plot"}),p=v("g",
+{class:"axes"});for(let f of ft(n.low,n.high,(i-o)/Us.y,n.whole))p.append(v("line",{x1:s,x2:a,y1:c(f),y2:c(f),class:"grid"}),v("text",{x:s-8,y:c(f),"text-anchor":"\
+end","dominant-baseline":"middle"},Ds(f)));for(let f of ft(t.low,t.high,(a-s)/Us.x,t.whole))p.append(v("text",{x:u(f),y:i+16,"text-anchor":"middle"},Ds(t.mirrored?
+Math.abs(f):f)));return p.append(v("line",{x1:s,x2:a,y1:i,y2:i,class:"axis"}),v("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},t.label),v("text",
 {transform:`translate(12 ${(o+i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),d.append(p,h),{root:d,marks:h,left:s,right:a,top:o,bottom:i,x:u,
 y:c,at:f=>{let y=f-d.getBoundingClientRect().left;return t.low+(y-s)/(a-s)*(t.high-t.low)}}}var Ds=r=>String(Number(r.toPrecision(6))).replace("-","−");function zs(r,e,t,n){
-let s="",o="M";t.forEach((a,i)=>{a===null?o="M":(s+=`${o}${r.x(e[i]).toFixed(1)} ${r.y(a).toFixed(1)}`,o="L")}),r.root.insertBefore(b("path",{d:s,class:`line ${n}`}),
+let s="",o="M";t.forEach((a,i)=>{a===null?o="M":(s+=`${o}${r.x(e[i]).toFixed(1)} ${r.y(a).toFixed(1)}`,o="L")}),r.root.insertBefore(v("path",{d:s,class:`line ${n}`}),
 r.marks)}function Bs(...r){return m("p",{class:"legend small"},...r.map(([e,t])=>m("span",{class:`key ${t}`},e)))}function js(r,e,t,n){let s=m("div",{class:"chart choose\
 s",role:"img","aria-label":r}),o=null,a=()=>{o?.marks.replaceChildren(),o&&t(o)};s.addEventListener("click",l=>o&&n(o.at(l.clientX),o,l));let i=()=>{let{clientWidth:l,
 clientHeight:u}=s;l<50||u<50||(o=e(l,u),s.replaceChildren(o.root),a())};return new ResizeObserver(i).observe(s),{element:s,update:a,redraw:i}}var Ve=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function Hs(r,e,t){let[n,s]=[e[0]-r[0],e[1]-r[1]];return!t&&Math.abs(n)>Math.abs(s)?s=0:t||
@@ -266,8 +266,8 @@ t.paper,r.lineJoin="round",r.lineWidth=c*.35,r.strokeText("You",l,d),r.fillStyle
 i=lo(r,e,n,s),l=qe(r,e,t);o.globalAlpha=.11,o.fillStyle=l,o.fillRect(...i),o.globalAlpha=.8,o.strokeStyle=l,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...i),
 o.globalAlpha=1}function mo(r,e,t,n,s){let{ctx:o,grid:a}=r,i=Math.min(Math.ceil(t),e.moments.length-1),l=e.moments[i];o.lineCap="round",o.lineWidth=Math.min(Vi,
 Math.max(1,a.cell*Gi));for(let u=Math.max(1,Math.floor(t-n)+1);u<=i;u++){let[c,h]=[e.moments[u-1],e.moments[u]],d=Math.max(0,Math.min(1,(t-u)/n));o.globalAlpha=
-no+(qi-no)*d;for(let p=0;p<h.alive.length;p++){let g=u===i&&t<i;if(!c.alive[p]||!(l.alive[p]||g))continue;let f=(_e(e,p)?-1:1)*Yi,[y,v]=k(c,p),[x,w]=k(h,p);if(y===
-x&&v===w)continue;let M=g?s[p].x:w+.5,_=g?s[p].y:x+.5;o.strokeStyle=qe(r,e,p),o.beginPath(),o.moveTo(Q(a,v+.5+f),ee(a,y+.5+f)),o.lineTo(Q(a,M+f),ee(a,_+f)),o.stroke()}}
+no+(qi-no)*d;for(let p=0;p<h.alive.length;p++){let g=u===i&&t<i;if(!c.alive[p]||!(l.alive[p]||g))continue;let f=(_e(e,p)?-1:1)*Yi,[y,b]=k(c,p),[x,w]=k(h,p);if(y===
+x&&b===w)continue;let M=g?s[p].x:w+.5,_=g?s[p].y:x+.5;o.strokeStyle=qe(r,e,p),o.beginPath(),o.moveTo(Q(a,b+.5+f),ee(a,y+.5+f)),o.lineTo(Q(a,M+f),ee(a,_+f)),o.stroke()}}
 o.globalAlpha=1}function po(r,e,t){let n=Math.min(Math.ceil(t),e.moments.length-1);for(let s=Math.max(1,n-ro+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
 i=s>t?Math.max(0,1-2*(s-t)):1-(t-s)/ro,l=yt(e,o,a);for(let u of tr(o,a))l.includes(u)||Ji(r,k(a,u),i);for(let u of l)Ki(r,k(a,u),i)}r.ctx.globalAlpha=1}function Ki({
 ctx:r,grid:e,colors:t},[n,s],o){r.globalAlpha=o,eo(r,Q(e,s+.5),ee(e,n+.5),Math.max(8,e.cell*Bi)),r.fillStyle=t.capture,r.fill(),r.strokeStyle=t.ink,r.lineWidth=
@@ -276,23 +276,23 @@ r.strokeStyle=t.collision,r.lineWidth=Math.max(2,e.cell*.17),r.lineCap="round",r
 r.strokeStyle=r.fillStyle=t.collision,r.lineWidth=Math.max(1,e.cell*.05),r.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)
 continue;let l=[Q(e,i)+o,ee(e,a)+o,e.cell-2*o,e.cell-2*o];r.globalAlpha=.2*s,r.fillRect(...l),r.globalAlpha=s,r.strokeRect(...l)}r.setLineDash([]),r.globalAlpha=
 1}function yo({ctx:r,grid:e,colors:t},n,s,o,a){r.globalAlpha=a,Oe(r,Q(e,n),ee(e,s),Math.max(8,e.cell*o*1.02)),r.strokeStyle=t.collision,r.lineWidth=Math.max(1.5,
-e.cell*.085*Math.sqrt(o)),r.stroke(),r.globalAlpha=1}var Zi=.8,Xi=.92,Qi=15,el=7,vn=9;function go(r,e,t,n,s,o){n.forEach((a,i)=>{a.alpha>0&&tl(r,e,t,i,a,s,o)}),r.ctx.globalAlpha=1;for(let a of gt(e,t).values())a.length>
-vn&&rl(r,n[a[vn-1]],a.length-vn+1)}function tl(r,e,t,n,s,o,a){let{ctx:i,grid:l,colors:u}=r,c=_e(e,n),[h,d]=[l.left+s.x*l.cell,l.top+s.y*l.cell],p=Math.max(4,l.cell*
+e.cell*.085*Math.sqrt(o)),r.stroke(),r.globalAlpha=1}var Zi=.8,Xi=.92,Qi=15,el=7,bn=9;function go(r,e,t,n,s,o){n.forEach((a,i)=>{a.alpha>0&&tl(r,e,t,i,a,s,o)}),r.ctx.globalAlpha=1;for(let a of gt(e,t).values())a.length>
+bn&&rl(r,n[a[bn-1]],a.length-bn+1)}function tl(r,e,t,n,s,o,a){let{ctx:i,grid:l,colors:u}=r,c=_e(e,n),[h,d]=[l.left+s.x*l.cell,l.top+s.y*l.cell],p=Math.max(4,l.cell*
 s.size*(c?Xi:Zi)),g=qe(r,e,n),f=!c&&!!t.captured[n-e.nPursuers];if(i.globalAlpha=s.alpha,(c?nr:Oe)(i,h,d,p),p>el*a&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(
 2,p*.1),i.stroke()),i.fillStyle=f?u.paper:g,i.fill(),f&&(Oe(i,h,d,p*.82),i.strokeStyle=g,i.lineWidth=p*.18,i.stroke()),!o||p<Qi*a)return;let y=String(c?n:n-e.nPursuers);
 i.font=`700 ${Math.round(p*(c?.4:.5)*(y.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?g:u.paper,i.fillText(
 y,h,d+p*(c?.17:.03))}function rl({ctx:r,grid:e,colors:t},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];r.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,r.textAlign="center",r.textBaseline="middle",r.strokeStyle=t.paper,r.lineWidth=e.cell*.1,r.strokeText(`+${s}`,o,a),r.fillStyle=t.ink,r.fillText(`+${s}`,
-o,a)}var nl=.46,sl=.86,ol=.66,vo=.48,al=.78,il=.58;function bo(r,e,t,n){let[s,o]=[e.moments[t-1],e.moments[t]];if(!s)return;let{ctx:a,grid:i,colors:l}=r;a.strokeStyle=
+o,a)}var nl=.46,sl=.86,ol=.66,bo=.48,al=.78,il=.58;function vo(r,e,t,n){let[s,o]=[e.moments[t-1],e.moments[t]];if(!s)return;let{ctx:a,grid:i,colors:l}=r;a.strokeStyle=
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let u=0;u<o.alive.length;u++)Xt(s,o,u)&&ll(r,e,k(s,u),Qt(s,o,u));a.globalAlpha=
 1}function ll({ctx:r,grid:e},t,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],i=h=>Q(e,n[1]+.5+o*h),l=h=>ee(e,n[0]+.5+a*h),u=pn(t,s)?al:il;r.setLineDash([e.cell*.09,e.cell*
-.06]),r.beginPath(),r.moveTo(i(vo),l(vo)),r.lineTo(i(u),l(u)),r.stroke(),r.setLineDash([]);let c=.17*e.cell/Math.hypot(o,a);r.beginPath(),r.moveTo(i(u)-a*c,l(u)+
+.06]),r.beginPath(),r.moveTo(i(bo),l(bo)),r.lineTo(i(u),l(u)),r.stroke(),r.setLineDash([]);let c=.17*e.cell/Math.hypot(o,a);r.beginPath(),r.moveTo(i(u)-a*c,l(u)+
 o*c),r.lineTo(i(u)+a*c,l(u)-o*c),r.stroke()}function wo(r,e,t,n,s,o){let a=Ve[o];if(!o||!a)return;let{ctx:i,grid:l,colors:u}=r,c=pn(e,[n[0]+a[0],n[1]+a[1]])?sl:
 ol,h=nl*s.size,d=[Q(l,s.x+a[1]*h),ee(l,s.y+a[0]*h),Q(l,s.x+a[1]*c),ee(l,s.y+a[0]*c)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[u.
 paper,p*2.1],[qe(r,e,t),p]])i.strokeStyle=g,i.lineWidth=f,to(i,...d,l.cell*.2),i.stroke()}var So={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function Ao(r,e,t,n,s){let{ctx:o,grid:a,colors:i}=r,l=Math.min(
 Math.ceil(t),e.moments.length-1),u=e.moments[l],c=t===l,h=rr(e,t),d=c?1:Math.max(0,1-2*(l-t));o.clearRect(0,0,o.canvas.width,o.canvas.height),so(r);for(let f of n.
-viewers)h[f]?.alpha&&ho(r,e,f,...gn(e,f,t));oo(r,e),n.axes&&io(r,s),mo(r,e,t,n.trail,h),fo(r,u.contested??[],d),po(r,e,t),bo(r,e,l,d),h.forEach(({x:f,y,size:v},x)=>{
-let w=Gs(u,x)?.4:0,M=yn(u,x)?1:w;M&&yo(r,f,y,v,M*d)});let p=c?u:e.moments[Math.max(0,l-1)];if(go(r,e,p,h,n.numbers,s),c&&n.plan)for(let[f,y]of h.entries())y.alpha&&
+viewers)h[f]?.alpha&&ho(r,e,f,...gn(e,f,t));oo(r,e),n.axes&&io(r,s),mo(r,e,t,n.trail,h),fo(r,u.contested??[],d),po(r,e,t),vo(r,e,l,d),h.forEach(({x:f,y,size:b},x)=>{
+let w=Gs(u,x)?.4:0,M=yn(u,x)?1:w;M&&yo(r,f,y,b,M*d)});let p=c?u:e.moments[Math.max(0,l-1)];if(go(r,e,p,h,n.numbers,s),c&&n.plan)for(let[f,y]of h.entries())y.alpha&&
 wo(r,e,f,k(u,f),y,n.plan[f]??0);n.you!==null&&(n.fog&&uo(r,e,...gn(e,n.you,t)),co(r,h[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=i.focus;let g=n.selected===
 null?void 0:h[n.selected];g?.alpha&&xo(r,g.x,g.y,g.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),xo(r,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
 []))}function xo({ctx:r,grid:e},t,n,s){let o=s*e.cell;r.beginPath(),r.roundRect(e.left+t*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),r.stroke()}var Mo=(r,e)=>(e+.24)/(r+.24);function Eo(r,e,t,n,s,o){let a=t?28*o:0,i=(u,c)=>(u-a)/(c+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(s,r))));return{rows:r,cols:e,
@@ -312,16 +312,16 @@ return null;let s=this.#e.moments[Math.round(this.#r)],o=gt(this.#e,s).get(n[0]*
 a[l].x,a[l].y);return Math.hypot(u-e,c-t)};return o.length?o.reduce((l,u)=>i(u)<i(l)?u:l):null}pointOf(e,t){let n=this.canvas.getBoundingClientRect(),s=n.width/
 this.canvas.width,{left:o,top:a,cell:i}=this.#n;return[n.left+(o+e*i)*s,n.top+(a+t*i)*s]}#m(){if(!this.#e)return;let{rows:e,cols:t}=this.#e;this.canvas.style.setProperty(
 "--board-aspect",String(Mo(e,t)))}#a(){let e=devicePixelRatio||1,{width:t,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
-t*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};function bn(r,e,t){return{rows:r.rows,cols:r.cols,nPursuers:r.n_pursuers,fov:r.fov,interaction:r.rules.interaction,obstacles:e,moments:t}}function wn(r,e){return{
+t*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};function vn(r,e,t){return{rows:r.rows,cols:r.cols,nPursuers:r.n_pursuers,fov:r.fov,interaction:r.rules.interaction,obstacles:e,moments:t}}function wn(r,e){return{
 positions:r.read("last_positions"),alive:r.read("alive"),captured:r.read("captured"),everCaptured:r.read("ever_captured"),actions:e,involved:r.read("involved"),
-fault:r.read("fault"),contested:r.conflicts().map(t=>t.cell)}}function or(r){let e=Array.from({length:r.length+1},(t,n)=>cl(r,n));return bn(r.config,r.map,e)}function cl(r,e){
+fault:r.read("fault"),contested:r.conflicts().map(t=>t.cell)}}function or(r){let e=Array.from({length:r.length+1},(t,n)=>cl(r,n));return vn(r.config,r.map,e)}function cl(r,e){
 let t=r.n_agents,n=r.config.n_evaders,s=(a,i,l)=>a.subarray(i*l,(i+1)*l),o={positions:s(r.last_positions,e,2*t),alive:s(r.alive,e,t),captured:s(r.captured,e,n),
 everCaptured:s(r.ever_captured,e,n)};return e===0?o:{...o,actions:s(r.actions,e-1,t),involved:s(r.involved,e-1,3*t),fault:s(r.fault,e-1,3*t),get contested(){return r.
-conflicts(e).map(a=>a.cell)}}}var vt=[.5,1,2,4,8,16,32,64],ar=0,ir=12,hl=2,Ee=class extends EventTarget{#e;#r;#t;#n=0;#o=0;#s=!1;#c=null;#u=0;#m=[];#a=[];glide=.28;constructor(e,t={}){super(),
+conflicts(e).map(a=>a.cell)}}}var bt=[.5,1,2,4,8,16,32,64],ar=0,ir=12,hl=2,Ee=class extends EventTarget{#e;#r;#t;#n=0;#o=0;#s=!1;#c=null;#u=0;#m=[];#a=[];glide=.28;constructor(e,t={}){super(),
 this.#e=e,this.#r=t.speed??4,this.#t=t.still??!1}get step(){return this.#n}get time(){return this.#t?this.#n:this.#o}get arrived(){return this.#o===this.#n}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#i("state")}get marks(){return this.#m}set marks(e){this.#m=e,this.#i(
 "state")}get ticks(){return this.#a}set ticks(e){this.#a=e,this.#i("state")}get pace(){return this.#r||Math.max(hl,this.#e/ir)}get speed(){return this.#r}set speed(e){
-this.#r=e,this.#i("state")}changeSpeed(e){let t=vt.findIndex(n=>n>=this.pace);this.speed=vt[Math.min(vt.length-1,Math.max(0,t+e))]}play(){this.#s||!this.#e||(this.#n===
+this.#r=e,this.#i("state")}changeSpeed(e){let t=bt.findIndex(n=>n>=this.pace);this.speed=bt[Math.min(bt.length-1,Math.max(0,t+e))]}play(){this.#s||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#l())}pause(){this.#s&&(this.#s=!1,this.#i("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
 pause();let t=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(t-this.#o)>1?this.jump(t):this.#h(t),this.#l()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(
 e))),this.#h(this.#o),this.#i("frame")}#h(e){e!==this.#n&&(this.#n=e,this.#i("step"),this.#t&&this.#i("frame"))}#l(){this.#c===null&&(this.#u=performance.now(),
@@ -331,11 +331,11 @@ if(this.#n===this.#e)return this.pause();this.#h(this.#n+1)}let n=this.#s?this.p
 Math.abs(s)?this.#n:this.#o+Math.sign(s)*o}this.#s&&this.#o===this.#e&&this.pause()}#i(e){this.dispatchEvent(new Event(e))}};function lr(r,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let t=e.shiftKey?10:1,s={" ":()=>r.toggle(),ArrowRight:()=>r.move(t),ArrowLeft:()=>r.move(-t),Home:()=>r.move(-r.length),End:()=>r.move(r.length),
 "+":()=>r.changeSpeed(1),"-":()=>r.changeSpeed(-1)}[e.key];return s?.(),s!==void 0}var dl={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function Co(r){return b("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},b("path",{d:dl[r]}))}function bt(r,e,t,n){return m("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${t})`,onclick:n},Co(r))}function ur(r){let e=bt("play","Play","Space",()=>r.toggle()),t=ml(r),
+l10 7-10 7z"};function Co(r){return v("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},v("path",{d:dl[r]}))}function vt(r,e,t,n){return m("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${t})`,onclick:n},Co(r))}function ur(r){let e=vt("play","Play","Space",()=>r.toggle()),t=ml(r),
 n=m("div",{class:"captures","aria-hidden":"true",title:"Captures"}),s=m("div",{class:"losses","aria-hidden":"true"}),o=pl(r),a=m("output",{class:"player-count"}),
-i=m("div",{class:"player",role:"group","aria-label":"Player"},bt("first","First step","Home",()=>r.move(-r.length)),bt("back","Step back","←",()=>r.move(-1)),
-e,bt("forward","Step forward","→",()=>r.move(1)),bt("last","Last step","End",()=>r.move(r.length)),m("div",{class:"scrub"},n,s,t),a,o),l=(h,d={})=>{let p=m("i",
+i=m("div",{class:"player",role:"group","aria-label":"Player"},vt("first","First step","Home",()=>r.move(-r.length)),vt("back","Step back","←",()=>r.move(-1)),
+e,vt("forward","Step forward","→",()=>r.move(1)),vt("last","Last step","End",()=>r.move(r.length)),m("div",{class:"scrub"},n,s,t),a,o),l=(h,d={})=>{let p=m("i",
 d);return p.style.left=`${100*h/Math.max(1,r.length)}%`,p},u=()=>{n.replaceChildren(...r.marks.map(h=>l(h))),s.replaceChildren(...r.ticks.map(({step:h,kind:d,size:p,
 text:g})=>{let f=l(h,{class:d,title:`Step ${h}: ${g}`});return f.style.height=`${100*p}%`,f}))},c=()=>{e.replaceChildren(Co(r.playing?"pause":"play")),e.ariaLabel=
 r.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,t.max=String(r.length),t.value=String(r.step),t.ariaValueText=`step ${r.step} of ${r.length}`,a.textContent=
@@ -343,7 +343,7 @@ r.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,t.max=String(r.length)
 tate",c),r.addEventListener("state",u),i.addEventListener("keydown",h=>{!(h.target instanceof HTMLSelectElement||h.key===" "&&h.target!==t)&&lr(r,h)&&h.preventDefault()}),
 c(),i}function ml(r){let e=m("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{r.pause(),r.jump(
 Number(e.value))}),e}function pl(r){let e=`Steps a second, or the whole in ${ir} s (+ and -)`,t=m("select",{class:"player-speed","aria-label":"Speed",title:e},m(
-"option",{value:ar},`in ${ir} s`),...vt.map(n=>m("option",{value:n},`${n} / s`)));return t.addEventListener("change",()=>{r.speed=Number(t.value)}),t}var fl=40,cr=class{element;#e;#r=m("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=m("p",{class:"check small numbers","aria-live":"\
+"option",{value:ar},`in ${ir} s`),...bt.map(n=>m("option",{value:n},`${n} / s`)));return t.addEventListener("change",()=>{r.speed=Number(t.value)}),t}var fl=40,cr=class{element;#e;#r=m("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#t=m("p",{class:"check small numbers","aria-live":"\
 polite"});constructor(e){this.#e=e,this.element=m("div",{class:"strip-of-episodes"},this.#r,this.#t)}show(e,t){let{pursuer:n,evader:s,episode:o,seed:a,map:i}=this.#e.
 selected,l=Ge(e,n,s);this.#r.replaceChildren(...(l?.rates??[]).slice(0,fl).map((p,g)=>this.#n(p,g)));let u=a===null&&i===null?l?.rates[o]:void 0,c=t.statistics.
 capture_rate,h=u!==void 0&&Math.abs(c-u)<1e-6&&t.length===l?.lengths[o],d=l?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";
@@ -367,11 +367,11 @@ over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(u);let c=!!(t.alive[e*t.n_agen
 `Field of view of ${H(a,t.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let h=u[a]??null;if(!c)return this.#f([],"It is gone.");let d=l[`${i}s`],
 p=typeof d=="string"?null:n.answer(d,a),g=p?.probabilities??null;p?.memory.length&&this.#s.replaceChildren(m("p",{class:"small muted"},"It remembers:"),wl(p.memory));
 let f=this.#u?.game(n)??null,y=typeof d=="string"?`The script "${d}" plays for it${h===null?"":`; it goes ${le[h]}`}.`:d.sampled?"Its action is drawn from these\
- probabilities.":"It takes the most probable action.",v=[["network",g],["perfect",f?.marginal(a)??null]],x=w=>m("p",{class:"small muted"},w);this.#f([...f?[x(`V\
-alue ${f.value.toFixed(2)} under perfect play.`)]:[],...vl(v,h)],h===null?"The episode is over.":y)}#f(e,t){this.#o.replaceChildren(...e),this.#n.textContent=t}};
-function vl(r,e){let t=r.filter(([,o])=>o);if(!t.length)return[];let n=m("div",{class:"action muted"},m("span"),...t.map(([o])=>m("span",{class:"head"},o))),s=Array.
-from(t[0][1],(o,a)=>m("div",{class:a===e?"action taken":"action"},m("span",{},le[a]),...t.flatMap(([,i])=>bl(i[a]))));return t.length>1||t[0][0]!==r[0][0]?[n,...s]:
-s}function bl(r){let e=m("span",{class:"filled"});return e.style.width=`${100*r}%`,[m("span",{class:"track"},e),m("span",{class:"numbers"},r.toFixed(2))]}function wl(r){
+ probabilities.":"It takes the most probable action.",b=[["network",g],["perfect",f?.marginal(a)??null]],x=w=>m("p",{class:"small muted"},w);this.#f([...f?[x(`V\
+alue ${f.value.toFixed(2)} under perfect play.`)]:[],...bl(b,h)],h===null?"The episode is over.":y)}#f(e,t){this.#o.replaceChildren(...e),this.#n.textContent=t}};
+function bl(r,e){let t=r.filter(([,o])=>o);if(!t.length)return[];let n=m("div",{class:"action muted"},m("span"),...t.map(([o])=>m("span",{class:"head"},o))),s=Array.
+from(t[0][1],(o,a)=>m("div",{class:a===e?"action taken":"action"},m("span",{},le[a]),...t.flatMap(([,i])=>vl(i[a]))));return t.length>1||t[0][0]!==r[0][0]?[n,...s]:
+s}function vl(r){let e=m("span",{class:"filled"});return e.style.width=`${100*r}%`,[m("span",{class:"track"},e),m("span",{class:"numbers"},r.toFixed(2))]}function wl(r){
 let e=Array.from(r,t=>{let n=m("span",{title:t.toFixed(2)});return n.style.transform=`scaleY(${t})`,n});return m("div",{class:"units",role:"img","aria-label":Po},
 ...e)}function Lo(r,e,{pursuer:t,evader:n,episode:s,seed:o,map:a}){let i=e.seeds[t][n];return r.match(Bt(e,a),Z(e,"pursuer",t),Z(e,"evader",n),BigInt(o??i),s)}function $o(r){let e=JSON.stringify(r,(t,n)=>t==="genome"?Array.from(n):n);return m("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
 outerHTML}var No="champion",Io=0,xn=64,Sn=100;var xl=(r,e)=>Object.keys(r).every(t=>r[t]===e[t]);function Fo(r,e){return Object.keys(e).find(t=>xl(e[t],r))??null}var wt="_",Sl="n",Ih=2n**64n-1n;var An={fov:11,maxSteps:500,rewards:"paper"},Al=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
@@ -389,16 +389,16 @@ o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}
 u=s*t.n_evaders+i-t.n_pursuers,c=h=>i>=t.n_pursuers&&!!h[u];return{cell:[r.last_positions[2*l],r.last_positions[2*l+1]],gone:!r.alive[l],captured:c(r.captured),
 everCaptured:c(r.ever_captured)}},a=Array.from({length:n},(i,l)=>o(l));return{rules:t.rules,others:null,rewards:t.rewards,rows:t.rows,cols:t.cols,diagonal:t.diagonal,
 fov:t.fov,maxSteps:t.max_steps,seed:r.seed,episode:BigInt(r.episode),steps:s,ended:s===r.length,walls:Array.from(r.map.keys()).filter(i=>r.map[i]),pursuers:a.slice(
-0,t.n_pursuers),evaders:a.slice(t.n_pursuers),played:[],next:Array.from(r.actions.subarray(s*n,(s+1)*n))}}var Mn=.005,jo=.05,_l=["pursuer","evader"],Ol=4,Ke=new Map;function Je(r,e,t="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},t]),s=Ke.get(n)??
-(je(e)?Promise.resolve(null):Rl(r,e,t));return Ke.delete(n),Ke.set(n,s),Ke.size>Ol&&Ke.delete([...Ke.keys()][0]),s}var Ho=({n_evaders:r})=>r===1?"capture-time":
-"capture-rate",Bo=()=>new Promise(r=>setTimeout(r));async function Rl(r,e,t){await Bo();let n=r.solution(e,t);for(;n.goBack();)await Bo();return n}function dr(r,e,t){
-let{payoff:n}=r;return t.flatMap((s,o)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)r.game(e)?.lost(s).forEach((u,c)=>a[c]+=u),e.playTurn(s);let i=n==="ca\
-pture-rate"?Mn:jo;return _l.map((l,u)=>({step:o+1,team:l,lost:a[u],payoff:n})).filter(l=>l.lost>=i)})}var mr=r=>r.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
-max(1,...r.map(({lost:t})=>t)),text:xt(e)})),Go=({lost:r,payoff:e})=>e==="capture-rate"?`${r.toFixed(2)} of the capture rate`:`${r.toFixed(1)} steps`,xt=r=>`The\
- ${r.team}s lose ${Go(r)} against a perfect opponent`;function Vo(r){let e=r.reduce((t,n)=>n.lost>t.lost?n:t);return`Your team's worst moves, in step ${e.step},\
- lost ${Go(e)} against a perfect opponent.`}function Yo({config:r,payoff:e},{value:t},n){if(e==="capture-rate")return`value ${t.toFixed(2)}`;let[s,o]=[1-t,Math.
-min(r.max_steps-n,Vr)];return s>o-jo?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function qo(r,e){return(r.marginal(e)??[]).map((n,s)=>({share:n,
-action:s})).filter(({share:n})=>n>=Mn).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-Mn?le[s]:`${le[s]} ${n.toFixed(2)}`).join(", ")}function pr(r,e,t){if(t===0)return[{kind:"start",text:Pl(r),agents:[]}];let[n,s]=[e.moments[t-1],e.moments[t]],o=c=>H(c,r.config.n_pursuers),a=yt(e,n,s),i=r.conflicts(
+0,t.n_pursuers),evaders:a.slice(t.n_pursuers),played:[],next:Array.from(r.actions.subarray(s*n,(s+1)*n))}}var Mn=.005,jo=.05,_l=["pursuer","evader"],Ol=4,Ke=new Map;function Je(r,e,t="capture-rate"){let n=JSON.stringify([{...e,rewards:null},t]),s=Ke.get(n)??(je(e)?Promise.
+resolve(null):Rl(r,e,t));return Ke.delete(n),Ke.set(n,s),Ke.size>Ol&&Ke.delete([...Ke.keys()][0]),s}var Ho=({n_evaders:r})=>r===1?"capture-time":"capture-rate",
+Bo=()=>new Promise(r=>setTimeout(r));async function Rl(r,e,t){await Bo();let n=r.solution(e,t);for(;n.goBack();)await Bo();return n}function dr(r,e,t){let{payoff:n}=r;
+return t.flatMap((s,o)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)r.game(e)?.lost(s).forEach((u,c)=>a[c]+=u),e.playTurn(s);let i=n==="capture-rate"?Mn:jo;
+return _l.map((l,u)=>({step:o+1,team:l,lost:a[u],payoff:n})).filter(l=>l.lost>=i)})}var mr=r=>r.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...r.map(
+({lost:t})=>t)),text:xt(e)})),Go=({lost:r,payoff:e})=>e==="capture-rate"?`${r.toFixed(2)} of the capture rate`:`${r.toFixed(1)} steps`,xt=r=>`The ${r.team}s los\
+e ${Go(r)} against a perfect opponent`;function Vo(r){let e=r.reduce((t,n)=>n.lost>t.lost?n:t);return`Your team's worst moves, in step ${e.step}, lost ${Go(e)} \
+against a perfect opponent.`}function Yo({config:r,payoff:e},{value:t},n){if(e==="capture-rate")return`value ${t.toFixed(2)}`;let[s,o]=[1-t,Math.min(r.max_steps-
+n,Vr)];return s>o-jo?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function qo(r,e){return(r.marginal(e)??[]).map((n,s)=>({share:n,action:s})).filter(
+({share:n})=>n>=Mn).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-Mn?le[s]:`${le[s]} ${n.toFixed(2)}`).join(", ")}function pr(r,e,t){if(t===0)return[{kind:"start",text:Pl(r),agents:[]}];let[n,s]=[e.moments[t-1],e.moments[t]],o=c=>H(c,r.config.n_pursuers),a=yt(e,n,s),i=r.conflicts(
 t),l=new Set(i.flatMap(c=>c.doomed)),u=a.map(c=>({kind:"capture",text:`${o(c)} is captured`,agents:[c]}));for(let c of tr(n,s))!a.includes(c)&&!l.has(c)&&u.push(
 {kind:"end",text:`${o(c)} disappears`,agents:[c]});return u.push(...i.map(({kind:c,text:h,agents:d})=>({kind:c,text:h,agents:d}))),t===r.length&&u.unshift({kind:"\
 end",text:Ll(r),agents:[]}),u}function Pl({config:r}){return`${r.n_pursuers} pursuers and ${r.n_evaders} evaders on ${r.rows} x ${r.cols} cells, at most ${r.max_steps}\
@@ -411,20 +411,20 @@ this.#n=new cr(t),this.inspector=new hr(o=>this.#x(o)),s.addEventListener("click
 dispatchEvent(new Event("takeover"))},"Take over"),n&&zo(()=>this.shown,n)),this.element=m("section",{class:"card match-card","aria-label":"Match",id:"match"},m(
 "div",{class:"match"},m("header",{class:"match-head"},this.#o,this.#s),this.#u,m("div",{class:"stage"},s),m("div",{class:"aside"},this.#c,Ut(),this.actions,this.
 inspector.element),ur(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.
-player.addEventListener("step",()=>this.#v()),t.on("match",()=>this.#g()),t.on("rest",()=>this.player.pause()),this.#w(),this.#S(0,0)}get#i(){return this.#r[this.#t.
+player.addEventListener("step",()=>this.#b()),t.on("match",()=>this.#g()),t.on("rest",()=>this.player.pause()),this.#w(),this.#S(0,0)}get#i(){return this.#r[this.#t.
 selected.run]}reveal(){this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#a&&{match:this.match,step:this.player.step,champions:this.#a}}start(e){
 this.#m=e,this.#y()}playSoon(){this.#l=!0,this.#h||this.#d()}goTo(e){this.#p=e,!this.#h&&this.match&&this.#y()}#d(){!this.#l||!this.match||(this.#l=!1,this.player.
 jump(0),ge()||this.player.play())}#g(){this.#w(),clearTimeout(this.#h),this.#h=setTimeout(()=>this.#y(),$l)}#y(){clearTimeout(this.#h),this.#h=0,this.player.pause(),
 this.#w();let{selected:e}=this.#t,t=He.map(o=>jt(this.#i,o,e[o])).find(Boolean)??"";if(this.#u.textContent=t,t||!this.#m)return;this.match=Lo(this.#m,this.#i,e);
 let[n,s]=this.names(e);this.#a={pursuer:{name:n,policy:Z(this.#i,"pursuer",e.pursuer)},evader:{name:s,policy:Z(this.#i,"evader",e.evader)}},this.recording=or(this.
 match),this.#n.show(this.#i,this.match),this.inspector.show(this.#m,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=er(this.recording),
-this.#f=this.player.ticks=[],this.player.jump(this.#p),this.#p=0,this.#v(),this.#b(this.#m,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
- ${e.episode} ${e.seed??""}`,this.element.dataset.map=String(e.map??""),this.#d()}async#b(e,t){let n=await Je(e,t.config);if(this.match!==t||!n)return;let s=e.world(
-t.config);t.seek(s,0),this.#f=dr(n,s,Nl(t)),s.free(),this.player.ticks=mr(this.#f),this.inspector.solution=n,this.#v()}names({run:e,pursuer:t,evader:n}){let{teams:s}=this.#r[e];
+this.#f=this.player.ticks=[],this.player.jump(this.#p),this.#p=0,this.#b(),this.#v(this.#m,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
+ ${e.episode} ${e.seed??""}`,this.element.dataset.map=String(e.map??""),this.#d()}async#v(e,t){let n=await Je(e,t.config);if(this.match!==t||!n)return;let s=e.world(
+t.config);t.seek(s,0),this.#f=dr(n,s,Nl(t)),s.free(),this.player.ticks=mr(this.#f),this.inspector.solution=n,this.#b()}names({run:e,pursuer:t,evader:n}){let{teams:s}=this.#r[e];
 return[s.pursuer.script??se("pursuer",t),s.evader.script??se("evader",n)]}#w(){let{episode:e,seed:t,map:n}=this.#t.selected,{payoff:s,maps:o}=this.#i,[a,i]=this.
 names(this.#t.selected),l=t===null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${t}`,u=o&&n!==null?`, on map ${n%
 o.count+1} of generation ${Math.floor(n/o.count)}`:"";this.#o.replaceChildren(m("span",{class:"pursuer"},Jt(a))," against ",m("span",{class:"evader"},i),m("span",
-{class:"muted small"},l+u))}#v(){let e=this.match;if(!e||!this.recording)return;let t=this.player.step,n=this.recording.moments[t];this.#S(Array.from(n.everCaptured).
+{class:"muted small"},l+u))}#b(){let e=this.match;if(!e||!this.recording)return;let t=this.player.step,n=this.recording.moments[t];this.#S(Array.from(n.everCaptured).
 filter(Boolean).length,t),this.#c.replaceChildren(...this.#f.filter(s=>s.step===t).map(s=>m("li",{class:`loss-${s.team}`},xt(s))),...pr(e,this.recording,t).map(
 s=>m("li",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(t),this.#A()}#S(e,t){this.#s.replaceChildren(m("strong",{},e),` of ${this.#i.
 world.n_evaders} captured`,m("span",{class:"muted"},` · step ${t}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#A()}#A(){let e=this.inspector.
@@ -443,51 +443,51 @@ min(gr,o)],c=[];for(let g=a+l-1;g>=a;g--){c.push(m("span",{class:"pursuer"},g));
 span",{class:"evader"},i+f)),d=m("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),p=m("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap"},...c,d,...h);return p.style.gridTemplateColumns=`2.4rem repeat(${u}, minmax(0, 1fr))`,p.addEventListener("click",g=>g.stopPropagation()),
 p}function Wl(r,e,t,n){let s=Ge(r,e,t)?.rate,o=m("button",{type:"button","aria-label":`${V(s)}: ${se("pursuer",e)} against ${se("evader",t)}`,onclick:()=>n({pursuer:e,
-evader:t})},V(s));return s!==void 0&&([o.style.backgroundColor,o.style.color]=[Xo(s),Zo(s)]),o}var ra=(r,e)=>Math.max(0,Math.min(e-gr,r-Math.floor(gr/2)));var te={left:52,bottom:46,top:76,right:84},ue=10,zl=160,At=te.right-ue-14,Re=te.top-ue-14,vr=class{element;#e;#r;#t=m("canvas",{"aria-hidden":"true"});#n=b("svg",
-{"aria-hidden":"true"});#o=b("g");#s;#c=m("h2");#u=m("strong",{class:"rate numbers"});#m=m("span",{class:"small muted"});#a=m("p",{class:"of-both-teams small mu\
+evader:t})},V(s));return s!==void 0&&([o.style.backgroundColor,o.style.color]=[Xo(s),Zo(s)]),o}var ra=(r,e)=>Math.max(0,Math.min(e-gr,r-Math.floor(gr/2)));var te={left:52,bottom:46,top:76,right:84},ue=10,zl=160,At=te.right-ue-14,Re=te.top-ue-14,br=class{element;#e;#r;#t=m("canvas",{"aria-hidden":"true"});#n=v("svg",
+{"aria-hidden":"true"});#o=v("g");#s;#c=m("h2");#u=m("strong",{class:"rate numbers"});#m=m("span",{class:"small muted"});#a=m("p",{class:"of-both-teams small mu\
 ted numbers"});#h=null;constructor(e,t){[this.#r,this.#e]=[e,t],this.#s=m("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
 ch, Enter plays it."},this.#t,this.#n);let n=m("header",{class:"readout","aria-live":"polite"},m("div",{},this.#c,this.#a),m("div",{class:"of-cell"},this.#u,this.#m));
 this.element=m("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,ta("0 all escape","1 all caught")),this.#g(),new ResizeObserver(()=>this.#p()).
 observe(this.#s),this.#s.addEventListener("pointermove",s=>this.#w(s)),this.#s.addEventListener("pointerleave",()=>t.point({})),this.#s.addEventListener("click",
-s=>this.#v(s)),this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),Jo(this.#s,
+s=>this.#b(s)),this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),Jo(this.#s,
 t,()=>this.#l.payoff.shape),this.#s.addEventListener("keydown",s=>{s.key==="Enter"&&this.#x()}),t.on("run",()=>this.#p()),t.on("match",()=>this.#d()),t.on("hove\
 r",()=>this.#d())}get#l(){return this.#r[this.#e.selected.run]}#p(){let[e,t]=this.#l.payoff.shape,{clientWidth:n,clientHeight:s}=this.#s;if(n<50)return;let a=Math.
 max(zl,Math.min(n-te.left-te.right,s-te.top-te.bottom))/Math.max(e,t),i=Math.max(te.left,(n-t*a-te.right+te.left)/2),l=te.top+Math.max(0,(s-te.top-te.bottom-e*a)/
 2),u={width:n,height:s,left:i,top:l,cell:a,rows:e,columns:t};this.#h=u,ea(this.#t,this.#l.payoff,{left:i,top:l,width:t*a,height:e*a});for(let[c,h,d]of[["left",i,
 n],["top",l,s],["width",t*a,n],["height",e*a,s]])this.#t.style.setProperty(c,`${100*h/d}%`);this.#s.style.setProperty("--shape",`${n} / ${s}`),this.#n.setAttribute(
 "viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(Bl(u),...jl(u),...this.#i(u),this.#o),this.#d()}#f(e){let t=this.#l.findings?.generalization;if(!t)return[];let{
-selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=oa(e,t.pursuers.mean[o]??0,o),[u,c]=aa(e,t.evaders.mean[a]??0,a);return[b("cir\
-cle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),b("circle",{class:"dot of-evaders",cx:u,cy:c,r:5})]}#i(e){let t=this.#l.findings?.generalization;if(!t)return[];let{
-left:n,top:s,cell:o,rows:a,columns:i}=e,[l,u]=[n+i*o+ue,s-ue],c={class:"side"};return[b("rect",{...c,x:l,y:s,width:At,height:a*o}),b("rect",{...c,x:n,y:u-Re,width:i*
-o,height:Re}),...ia(t.pursuers,(h,d)=>oa(e,h,d),"of-pursuers"),...ia(t.evaders,(h,d)=>aa(e,h,d),"of-evaders"),b("text",{class:"tick",x:l,y:s+a*o+16,"text-anchor":"\
-start"},"0"),b("text",{class:"tick",x:l+At,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:u-4,"text-anchor":"end"},"0"),b("text",{class:"ti\
-ck",x:n-6,y:u-Re+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:l+At,y:s+a*o+34,"text-anchor":"end"},"captures"),b("text",{class:"label of-ev\
+selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[i,l]=oa(e,t.pursuers.mean[o]??0,o),[u,c]=aa(e,t.evaders.mean[a]??0,a);return[v("cir\
+cle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),v("circle",{class:"dot of-evaders",cx:u,cy:c,r:5})]}#i(e){let t=this.#l.findings?.generalization;if(!t)return[];let{
+left:n,top:s,cell:o,rows:a,columns:i}=e,[l,u]=[n+i*o+ue,s-ue],c={class:"side"};return[v("rect",{...c,x:l,y:s,width:At,height:a*o}),v("rect",{...c,x:n,y:u-Re,width:i*
+o,height:Re}),...ia(t.pursuers,(h,d)=>oa(e,h,d),"of-pursuers"),...ia(t.evaders,(h,d)=>aa(e,h,d),"of-evaders"),v("text",{class:"tick",x:l,y:s+a*o+16,"text-anchor":"\
+start"},"0"),v("text",{class:"tick",x:l+At,y:s+a*o+16,"text-anchor":"end"},"1"),v("text",{class:"tick",x:n-6,y:u-4,"text-anchor":"end"},"0"),v("text",{class:"ti\
+ck",x:n-6,y:u-Re+8,"text-anchor":"end"},"1"),v("text",{class:"label of-pursuers",x:l+At,y:s+a*o+34,"text-anchor":"end"},"captures"),v("text",{class:"label of-ev\
 aders",x:n+i*o+ue,y:u-Re+10,"text-anchor":"start"},"escapes")]}#d(){let e=this.#h;if(!e)return;let{selected:t,hover:n}=this.#e,{left:s,top:o,cell:a,rows:i,columns:l}=e,
-u=g=>o+(i-1-g)*a,c=[],h=(g,f)=>b("rect",{class:f,x:s,y:u(g),width:l*a+ue+At,height:a}),d=(g,f)=>b("rect",{class:f,x:s+g*a,y:o-ue-Re,width:a,height:ue+Re+i*a});c.
+u=g=>o+(i-1-g)*a,c=[],h=(g,f)=>v("rect",{class:f,x:s,y:u(g),width:l*a+ue+At,height:a}),d=(g,f)=>v("rect",{class:f,x:s+g*a,y:o-ue-Re,width:a,height:ue+Re+i*a});c.
 push(h(t.pursuer,"strip pursuer"),d(t.evader,"strip evader")),n.pursuer!==null&&n.pursuer<i&&c.push(h(n.pursuer,"strip hover")),n.evader!==null&&n.evader<l&&c.push(
-d(n.evader,"strip hover")),c.push(...this.#f(e));let p={x:s+t.evader*a,y:u(t.pursuer),width:a,height:a};c.push(b("rect",{class:"chosen under",...p}),b("rect",{class:"\
+d(n.evader,"strip hover")),c.push(...this.#f(e));let p={x:s+t.evader*a,y:u(t.pursuer),width:a,height:a};c.push(v("rect",{class:"chosen under",...p}),v("rect",{class:"\
 chosen",...p})),this.#o.replaceChildren(...c),this.#g()}#g(){let{selected:e,hover:t}=this.#e,n=t.pursuer??e.pursuer,s=t.evader??e.evader,o=Ge(this.#l,n,s);this.#c.
 replaceChildren(m("span",{class:"pursuer"},Jt(se("pursuer",n)))," against ",m("span",{class:"evader"},se("evader",s))),this.#u.textContent=o?V(o.rate,3):"-",this.#m.
 textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#a.textContent=this.#y(n,s)}#y(e,t){let n=this.#l.findings?.generalization;
-if(!n)return"";let s=(o,a)=>Fs(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,t)}`}#b(e){
+if(!n)return"";let s=(o,a)=>Fs(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,t)}`}#v(e){
 let t=this.#h;if(!t)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-t.left)/t.cell),o=t.rows-1-Math.floor((e.clientY-n.top-t.top)/
-t.cell),[a,i]=[o>=0&&o<t.rows,s>=0&&s<t.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#w(e){let t=this.#b(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,
-evader:t.h<0?null:t.h}:{})}#v(e){let t=this.#b(e);if(t){if(t.inside&&na(this.#h.cell))return this.#S(t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?
+t.cell),[a,i]=[o>=0&&o<t.rows,s>=0&&s<t.columns];return a||i?{g:a?o:-1,h:i?s:-1,inside:a&&i}:null}#w(e){let t=this.#v(e);this.#e.point(t?{pursuer:t.g<0?null:t.g,
+evader:t.h<0?null:t.h}:{})}#b(e){let t=this.#v(e);if(t){if(t.inside&&na(this.#h.cell))return this.#S(t.g,t.h);this.#e.select({...t.g<0?{}:{pursuer:t.g},...t.h<0?
 {}:{evader:t.h}}),t.inside&&this.#x()}}#S(e,t){let n=sa(this.#l,e,t,s=>{n.remove(),s&&(this.#e.select(s),this.#x())});this.#s.append(n)}#x(){this.#s.dispatchEvent(
-new CustomEvent("play",{bubbles:!0}))}};function Bl({left:r,top:e,cell:t,rows:n,columns:s}){let o=b("g",{class:"axes"}),a=e+n*t,i=l=>ft(0,l-1,Math.min(l,l*t/44),
-!0);for(let l of i(s))o.append(b("text",{class:"tick",x:r+(l+.5)*t,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))o.append(b("text",{class:"tick",x:r-7,y:a-
-(l+.5)*t,"text-anchor":"end","dominant-baseline":"middle"},l));return o.append(b("text",{class:"label of-evaders",x:r+s*t/2,y:a+36,"text-anchor":"middle"},"evad\
-er generation"),b("text",{class:"label of-pursuers",transform:`translate(${r-36} ${e+n*t/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function jl({
-left:r,top:e,cell:t,rows:n,columns:s}){let o=b("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*t;for(let c of["H","V"]){let h=`M${r} ${i}`;for(let d=1;d<=
-a;d++){let[p,g]=[`H${r+d*t}`,`V${i-d*t}`];h+=c==="H"?p+g:g+p}o.append(b("path",{d:h,class:"under"}),b("path",{d:h}))}let[l,u]=[r+a/2*t-.7*t-4,i-a/2*t-.7*t-4];return[
-o,b("text",{class:"on-cells",transform:`translate(${l} ${u}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var oa=({left:r,top:e,cell:t,rows:n,columns:s},o,a)=>[
+new CustomEvent("play",{bubbles:!0}))}};function Bl({left:r,top:e,cell:t,rows:n,columns:s}){let o=v("g",{class:"axes"}),a=e+n*t,i=l=>ft(0,l-1,Math.min(l,l*t/44),
+!0);for(let l of i(s))o.append(v("text",{class:"tick",x:r+(l+.5)*t,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))o.append(v("text",{class:"tick",x:r-7,y:a-
+(l+.5)*t,"text-anchor":"end","dominant-baseline":"middle"},l));return o.append(v("text",{class:"label of-evaders",x:r+s*t/2,y:a+36,"text-anchor":"middle"},"evad\
+er generation"),v("text",{class:"label of-pursuers",transform:`translate(${r-36} ${e+n*t/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function jl({
+left:r,top:e,cell:t,rows:n,columns:s}){let o=v("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let i=e+n*t;for(let c of["H","V"]){let h=`M${r} ${i}`;for(let d=1;d<=
+a;d++){let[p,g]=[`H${r+d*t}`,`V${i-d*t}`];h+=c==="H"?p+g:g+p}o.append(v("path",{d:h,class:"under"}),v("path",{d:h}))}let[l,u]=[r+a/2*t-.7*t-4,i-a/2*t-.7*t-4];return[
+o,v("text",{class:"on-cells",transform:`translate(${l} ${u}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var oa=({left:r,top:e,cell:t,rows:n,columns:s},o,a)=>[
 r+s*t+ue+o*At,e+(n-a-.5)*t],aa=({left:r,top:e,cell:t},n,s)=>[r+(s+.5)*t,e-ue-n*Re];function ia(r,e,t){let n=o=>o.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(
-" ")),s=[];return r.low&&r.high&&s.push(b("path",{class:`band ${t}`,d:`M${[...n(r.high),...n(r.low).reverse()].join("L")}Z`})),s.push(b("path",{class:`line ${t}`,
-d:`M${n(r.mean).join("L")}`})),s}var la={pursuer:null,evader:null},br=class extends EventTarget{#e;#r=la;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#r}select(e){
+" ")),s=[];return r.low&&r.high&&s.push(v("path",{class:`band ${t}`,d:`M${[...n(r.high),...n(r.low).reverse()].join("L")}Z`})),s.push(v("path",{class:`line ${t}`,
+d:`M${n(r.mean).join("L")}`})),s}var la={pursuer:null,evader:null},vr=class extends EventTarget{#e;#r=la;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#r}select(e){
 let t=this.#e,n=["run","pursuer","evader"].some(o=>o in e&&e[o]!==t[o]),s=e.run!==void 0&&e.run!==t.run;this.#e={...t,...n?{episode:0,seed:null}:{},...s?{map:null}:
 {},...e},this.#e.run!==t.run&&this.dispatchEvent(new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let t={...la,...e};t.pursuer===this.#r.pursuer&&
 t.evader===this.#r.evader||(this.#r=t,this.dispatchEvent(new Event("hover")))}on(e,t){this.addEventListener(e,t)}};var wr=class{config;start;recording;actions=[];#e;#r;#t=[[]];constructor(e,t,n){[this.config,this.start]=[t,n],this.#e=e.world(t),this.#e.reset(n),this.#r=[wn(this.#e)],
-this.recording=bn(t,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
+this.recording=vn(t,this.#e.map(),this.#r)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(e){return this.#t[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#n(e)}step(e,t,n){let[s,o]=[this.#e,this.config.n_pursuers],
 a=new Uint8Array(s.n_agents);for(let i=s.n_turns;i>0&&!s.over;--i){let[l,u]=s.actors;l<o&&(a=s.decide(e.pursuer,[l,Math.min(u,o)],a)),u>o&&(a=s.decide(e.evader,
 [Math.max(l,o),u],a)),typeof n=="number"?a[t]=n:l<=t&&t<u&&(a=s.decide(n,[t,t+1],a)),s.playTurn(a)}this.#n(a)}#n(e){this.actions.push(e),this.#r.push(wn(this.#e,
@@ -510,21 +510,21 @@ r.key];return n!==void 0&&n>4&&!e?void 0:n}function ya(r){let e=Cn.map(t=>m("but
 Math.max(Math.abs(r),Math.abs(e)),s=o=>Math.abs(o)<n?0:o;return Hs([0,0],t?[s(r),s(e)]:[r,e],t)}function ga(r,e,t){let n=null,{canvas:s}=r;s.addEventListener("p\
 ointerdown",({button:o,clientX:a,clientY:i})=>{n=o===0?[a,i]:null}),s.addEventListener("pointercancel",()=>{n=null}),s.addEventListener("pointerup",({clientX:o,
 clientY:a})=>{let[i,l]=[n,e()];if(n=null,!i||!l)return;let[u,c]=[o-i[0],a-i[1]],h=r.cellAt(o,a);Math.hypot(u,c)>=Yl?t(pa(c,u,l.diagonal)):h&&t(pa(h[0]-l.cell[0],
-h[1]-l.cell[1],l.diagonal))})}function va(r,e){let t=n=>{let s=e[n]-r[n],o=Ve.findIndex(a=>a[n]===Math.sign(s)&&a[1-n]===0);return s?`${Math.abs(s)} ${le[o]}`:""};
-return[t(0),t(1)].filter(Boolean).join(", ")||"on your cell"}var xa="NUMPY\0",ba=xa.length+2,wa=64;function Sr(r){return zt(Object.fromEntries(Object.entries(r).map(([e,t])=>[`${e}.npy`,Kl(t)])))}function Kl({dtype:r,shape:e,
+h[1]-l.cell[1],l.diagonal))})}function ba(r,e){let t=n=>{let s=e[n]-r[n],o=Ve.findIndex(a=>a[n]===Math.sign(s)&&a[1-n]===0);return s?`${Math.abs(s)} ${le[o]}`:""};
+return[t(0),t(1)].filter(Boolean).join(", ")||"on your cell"}var xa="NUMPY\0",va=xa.length+2,wa=64;function Sr(r){return zt(Object.fromEntries(Object.entries(r).map(([e,t])=>[`${e}.npy`,Kl(t)])))}function Kl({dtype:r,shape:e,
 data:t}){let n=typeof t=="string"?Array.from(t,c=>c.codePointAt(0)):null,s=e.map(c=>`${c}, `).join(""),o=`{'descr': '${n?`<U${n.length}`:r}', 'fortran_order': F\
-alse, 'shape': (${s}), }`,a=Math.ceil((ba+o.length+1)/wa)*wa-ba,i=xa+String.fromCharCode(a&255,a>>8)+o.padEnd(a-1)+`
+alse, 'shape': (${s}), }`,a=Math.ceil((va+o.length+1)/wa)*wa-va,i=xa+String.fromCharCode(a&255,a>>8)+o.padEnd(a-1)+`
 `,l=n?Int32Array.from(n):t,u=new Uint8Array(i.length+l.byteLength);return u.set(ne(i,!0)),u.set(new Uint8Array(l.buffer,l.byteOffset,l.byteLength),i.length),u}var Jl="matrixworld episode 3";function Sa(r,e,t){let{config:n,actions:s,length:o,recording:a}=e,[i,l]=[n.n_pursuers+n.n_evaders,n.n_evaders],u={positions:["<i4",
 i,2],last_positions:["<i4",i,2],alive:["|b1",i],captured:["|b1",l],ever_captured:["|b1",l]},c={rewards:["<f4",i],involved:["|b1",i,3],fault:["|b1",i,3]},h={},d=w=>{
 for(let M of Object.keys(w))(h[M]??=[]).push(Array.from(p.read(M),Number))},p=r.world(n);p.reset(e.start);let g=[];d(u);for(let w of s)p.step(w),d({...u,...c}),
 g.push(...p.conflictTable());p.free();let f={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},y={};for(let[w,[M,..._]]of Object.entries({...u,...c})){let $=o+
-+(w in u);y[w]={dtype:M,shape:[$,..._],data:f[M].from((h[w]??[]).flat())}}let v=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),x=w=>({dtype:"<U",shape:[],data:w});
-return Sr({format:x(Jl),n_pursuers:v(n.n_pursuers),config:x(JSON.stringify(n)),seat:v(t),...y,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
++(w in u);y[w]={dtype:M,shape:[$,..._],data:f[M].from((h[w]??[]).flat())}}let b=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),x=w=>({dtype:"<U",shape:[],data:w});
+return Sr({format:x(Jl),n_pursuers:b(n.n_pursuers),config:x(JSON.stringify(n)),seat:b(t),...y,actions:{dtype:"|i1",shape:[o,i],data:Int8Array.from(s.flatMap(w=>[
 ...w]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[g.length/11,11],data:Int32Array.from(
 g)}})}var Zl=[0,1,2,4,8],Ar=class{element;player=new Ee(0,{speed:4,still:ge()});#e;#r;#t=m("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=m("h2");#o=m("p",{
 class:"play-told",role:"status"});#s=ya(e=>this.act(e));#c=m("select",{},...Zl.map(e=>m("option",{value:e},e?`${e} / s`:"step by step")));#u=m("input",{type:"ch\
 eckbox"});#m=m("input",{type:"checkbox"});#a=m("label",{class:"play-choice"},this.#m,"Best move");#h=m("p",{class:"small muted play-keys",id:"play-keys"});#l=m(
-"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#p=ur(this.player);#f=null;#i=null;#d=[];#g=null;#y=null;#b=[];#w=0;#v=0;constructor(e){
+"section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#p=ur(this.player);#f=null;#i=null;#d=[];#g=null;#y=null;#v=[];#w=0;#b=0;constructor(e){
 this.#e=e,this.#r=new Me(this.#t,{numbers:!1}),this.#t.setAttribute("role","application"),this.#c.addEventListener("change",()=>this.#M()),this.#u.addEventListener(
 "change",()=>this.#x()),this.#m.addEventListener("change",()=>this.#O()),ga(this.#r,()=>{let t=this.#g!==null&&this.#i&&k(this.#i.recording.moments.at(-1),this.#g);
 return t?{cell:t,diagonal:this.#i.config.diagonal}:null},t=>this.act(t)),this.player.addEventListener("frame",()=>this.#i&&this.#r.show(this.#i.recording,this.player.
@@ -534,33 +534,33 @@ play-choice"},this.#u,m("span",{},"Fog",m("span",{class:"at-length"},": see only
 played,moves:this.#d}}get live(){return this.#i}play(e){this.#S(En(this.#e,e.played),e.played.seat,e.title),[this.#f,this.#d,this.#w]=[e,[...e.played.moves],0],
 this.element.dataset.state="playing",this.#t.focus({preventScroll:!0}),xr(this.#i,e.played.seat)&&this.#_()}watch(e,t,n){this.#f=null,this.#S(e,t,n),this.#R()}stop(){
 this.#M(),this.player.pause(),this.#f=null}act(e){let[t,n]=[this.#f,this.#i];if(!t||!n||this.element.dataset.state!=="playing")return;this.#w=e;let s=Number(this.#c.
-value);this.#v||(this.#E(),s&&this.element.dataset.state==="playing"&&(this.#v=setInterval(()=>this.#E(),1e3/s)))}key(e){let{target:t,key:n}=e;if(t instanceof HTMLSelectElement||
+value);this.#b||(this.#E(),s&&this.element.dataset.state==="playing"&&(this.#b=setInterval(()=>this.#E(),1e3/s)))}key(e){let{target:t,key:n}=e;if(t instanceof HTMLSelectElement||
 t instanceof HTMLInputElement&&(t.type==="text"||n===" ")||t instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#i)return!1;if(this.element.dataset.state!==
 "playing")return lr(this.player,e);let o=fa(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#S(e,t,n){this.#M(),this.player.pause(),[this.#i,
 this.#g]=[e,t],this.#n.textContent=n,this.#t.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#h.replaceChildren(
 m("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
 board: swipe, or tap where to go."),this.#A(e),this.#l.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#O()}#x(){this.#r.look={you:this.#g,
-fog:this.#u.checked,viewers:this.#g===null?[]:[this.#g],plan:this.#k()}}#A(e){this.#y=null,this.#b=this.player.ticks=[],this.#a.hidden=this.#m.disabled=!!je(e.config),
+fog:this.#u.checked,viewers:this.#g===null?[]:[this.#g],plan:this.#k()}}#A(e){this.#y=null,this.#v=this.player.ticks=[],this.#a.hidden=this.#m.disabled=!!je(e.config),
 Je(this.#e,e.config,Ho(e.config)).then(t=>{this.#i===e&&(this.#y=t,this.#T(),this.#O())})}#T(){let[e,t]=[this.#i,this.#y];if(!t||this.element.dataset.state==="p\
-laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#b=dr(t,n,e.actions),n.free(),this.player.ticks=mr(this.#b)}get#C(){return this.#m.checked&&this.#f&&
+laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#v=dr(t,n,e.actions),n.free(),this.player.ticks=mr(this.#v)}get#C(){return this.#m.checked&&this.#f&&
 this.element.dataset.state==="playing"&&this.#y&&this.#i.game(this.#y)||null}#k(){let[e,t]=[this.#g,this.#g!==null&&this.#C?.marginal(this.#g)];return e!==null&&
-t?Object.assign(Array(e).fill(0),{[e]:t.indexOf(Math.max(...t))}):null}#M(){clearInterval(this.#v),this.#v=0,this.#o.ariaLive=Number(this.#c.value)?"off":"polit\
+t?Object.assign(Array(e).fill(0),{[e]:t.indexOf(Math.max(...t))}):null}#M(){clearInterval(this.#b),this.#b=0,this.#o.ariaLive=Number(this.#c.value)?"off":"polit\
 e"}#E(){let[{policies:e,seat:t},n]=[this.#f.played,this.#i];n.step(e,t,this.#w),this.#d.push(this.#w),this.player.length=n.length,this.player.glide=Math.min(.22,
 .9/(Number(this.#c.value)||4)),this.player.move(n.length-this.player.step),xr(n,t)&&this.#_()}#_(){this.#M();let[e,t,n]=[this.#f,this.#i,this.played],s=Ft()?e.link(
 n):null;this.#l.replaceChildren(m("h3",{id:"play-headline"},eu(t,n.seat)),...e.ending(t,n),m("div",{class:"play-buttons"},m("button",{type:"button",class:"prima\
 ry",onclick:()=>e.again()},"Again"),m("button",{type:"button",onclick:()=>this.#R()},"Watch it"),m("button",{type:"button",onclick:()=>this.#P(t,n.seat)},"Save"),
-s&&m("button",{type:"button",onclick:({currentTarget:a})=>ru(a,s)},"Link"))),this.element.dataset.state="ended",this.#T();let o=this.#b.filter(({team:a})=>a===ce(
+s&&m("button",{type:"button",onclick:({currentTarget:a})=>ru(a,s)},"Link"))),this.element.dataset.state="ended",this.#T();let o=this.#v.filter(({team:a})=>a===ce(
 t.config,n.seat));o.length&&this.#l.children[0].after(m("p",{class:"small muted"},Vo(o))),this.#l.focus({preventScroll:!0}),this.#l.scrollIntoView({block:"neare\
 st"})}#R(){this.element.dataset.state="watched",this.player.length=this.#i.length,this.player.jump(0),ge()||this.player.play()}#P(e,t){let n=new Blob([Sa(this.#e,
 e,t)],{type:"application/octet-stream"});m("a",{href:URL.createObjectURL(n),download:`${H(t,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#O(){let[e,t,
 {step:n}]=[this.#i,this.#g,this.player];if(!e||n>e.length)return;let s=pr(e,e.recording,n).filter(({agents:l})=>t===null||l.includes(t)),o=this.#f&&n===0,a=o?[Xl(
-e.config,t),this.#f.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&t!==null&&a.push(Ql(e,n,t)),a.push(...this.#b.filter(l=>l.step===
+e.config,t),this.#f.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:l})=>l)];!o&&t!==null&&a.push(Ql(e,n,t)),a.push(...this.#v.filter(l=>l.step===
 n).map(xt));let i=n===e.length&&t!==null?this.#C:null;i&&a.push(`Perfect play: ${qo(i,t)||"decided in its turn"}; ${Yo(this.#y,i,n)}`),this.#x(),this.#o.textContent=
 a.filter(Boolean).map(l=>`${l}.`).join(" ")}};function Xl(r,e){let t=r.rules.capture==="SURROUND";return ce(r,e)==="evader"?`Run away: you win if ${t?"the pursu\
 ers do not surround you":"no pursuer reaches your cell"} in ${r.max_steps} steps`:`Capture evaders: ${t?"surround them with your team":"move onto their cells"}`}
 function Ql({config:r,recording:e},t,n){let s=e.moments[t],a=ce(r,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let i=k(s,n),l=h=>{let[d,p]=k(s,h);return Math.
 max(Math.abs(d-i[0]),Math.abs(p-i[1]))},u=Array.from({length:s.alive.length},(h,d)=>d).filter(h=>ce(r,h)===a&&s.alive[h]&&!s.captured[h-r.n_pursuers]&&2*l(h)<r.
-fov);if(!u.length)return`No ${a} in view`;let c=u.reduce((h,d)=>l(d)<l(h)?d:h);return`Nearest ${a}: ${va(i,k(s,c))}`}function eu(r,e){let[{lasted:t,out:n,captured:s},
+fov);if(!u.length)return`No ${a} in view`;let c=u.reduce((h,d)=>l(d)<l(h)?d:h);return`Nearest ${a}: ${ba(i,k(s,c))}`}function eu(r,e){let[{lasted:t,out:n,captured:s},
 {config:o}]=[Ze(r,e),r];return ce(o,e)==="pursuer"?`Your team captured ${s} of ${tu(o)} in ${t} steps.`:n?`You lasted ${t} of ${o.max_steps} steps.`:`You escape\
 d: ${t} steps.`}var tu=({n_evaders:r})=>`${r} evader${r===1?"":"s"}`;function ru(r,e){let t=m("input",{type:"text",readonly:!0,value:e,"aria-label":"Link to thi\
 s match"});r.replaceWith(t),t.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var nu=2n**64n-1n;function Aa(r,e,t){let n=new URLSearchParams(r.replace(/^#/,"")),s=(u,c,h)=>{let d=n.get(u)??"";return/^\d{1,9}$/.test(d)&&Number(d)<c?Number(
@@ -572,8 +572,8 @@ dialog.addEventListener("close",()=>this.view?.stop())}start(e,t=""){this.#o=e;l
 this.#e[n.run].world);s&&this.play(n,s)}open(){let e=this.#t.shown;if(!e)return;let{match:t,step:n}=e;this.#t.player.pause();let s=this.#t.inspector.agent,o=n<t.
 length?n:0,a=(h,d)=>!!t.alive[d*t.n_agents+h],i=Array.from({length:t.n_agents},(h,d)=>(d+t.config.n_pursuers)%t.n_agents),l=s??i.find(h=>a(h,o)),u=a(l,o)?o:0,c=Array.
 from({length:u},(h,d)=>t.actions[d*t.n_agents+l]);this.play(this.#r.selected,{seat:l,from:u,moves:c})}play(e,t){let[n,s]=[this.#o,this.#e[e.run]];if(!n||He.some(
-v=>jt(s,v,e[v])))return;let{run:o,pursuer:a,evader:i,episode:l,seed:u,map:c}=e,h=ce(s.world,t.seat),d=s.teams[h].kept.map(v=>({name:s.teams[h].script??`generati\
-on ${v}`,text:"",policy:()=>Z(s,h,v)}));this.view||(this.view=new Ar(n),this.dialog.append(m("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},
+b=>jt(s,b,e[b])))return;let{run:o,pursuer:a,evader:i,episode:l,seed:u,map:c}=e,h=ce(s.world,t.seat),d=s.teams[h].kept.map(b=>({name:s.teams[h].script??`generati\
+on ${b}`,text:"",policy:()=>Z(s,h,b)}));this.view||(this.view=new Ar(n),this.dialog.append(m("button",{type:"button",class:"leave",onclick:()=>this.dialog.close()},
 "Close"),this.view.element)),this.dialog.open||this.dialog.showModal();let p=`You are ${H(t.seat,s.world.n_pursuers)}: ${this.#t.names(e).join(" against ")}`,g={
 pursuer:Z(s,"pursuer",a),evader:Z(s,"evader",i)},f={config:Bt(s,c),seed:BigInt(u??s.seeds[a][i]),episode:l,policies:g,...t},y={run:o,pursuers:a,evaders:i,episode:l,
 ...u===null?{}:{seed:u},...c===null?{}:{map:c}};Tn(n,this.view,p,f,d,this.#n?y:null)}};var ou=8,au=700,Ma=1400,Mt=class{element;player=new Ee(0,{speed:ou,still:ge()});title=m("figcaption");generation=0;#e=m("canvas");#r;#t=m("p",{class:"small mute\
@@ -595,8 +595,8 @@ inputs:e[s],outputs:n};return t+=(o.inputs+1)*n,o})}function Xe(r){let{at:e,inpu
 relu",sampled:!0,memory:"none",genome:e});function Ca(r,e,t,n){let s=new Float32Array(Xe(r)),o=Et(r);return o.forEach(({at:a,inputs:i,outputs:l},u)=>{let c=Math.
 fround(u===o.length-1?n:t);e.normals(i*l).forEach((h,d)=>s[a+d]=c*h)}),s}function kn(r){let{fov:e,mask:t}=r;if(!t)return null;let[n,s]=[new Uint8Array(Xe(r)),new Float32Array(
 Xe(r))],o=Et(r),a=o.length-1,i=Math.floor(e/2);return o.forEach(({at:l,inputs:u,outputs:c},h)=>{let d=(p,g)=>l+p*c+g;for(let p=0;p<4;p++)if(h>0&&n.fill(1,d(u-4+
-p,0),d(u-4+p+1,0)),h<a)for(let g=0;g<=u;g++)n[d(g,c-4+p)]=1;t.forEach((p,g)=>{let f=h===a?1+g:c-4+g,y=h===0?p.map(([v,x,w])=>(v*e+i+x)*e+i+w):[u-4+g];for(let v of y)
-n[d(v,f)]=1,s[d(v,f)]=h===a?Ea:1})}),{fixed:n,values:s}}function _n(r,e){return e?r.map((t,n)=>e.fixed[n]?e.values[n]:t):r}function ka(r,e,t){let n=new Float32Array(
+p,0),d(u-4+p+1,0)),h<a)for(let g=0;g<=u;g++)n[d(g,c-4+p)]=1;t.forEach((p,g)=>{let f=h===a?1+g:c-4+g,y=h===0?p.map(([b,x,w])=>(b*e+i+x)*e+i+w):[u-4+g];for(let b of y)
+n[d(b,f)]=1,s[d(b,f)]=h===a?Ea:1})}),{fixed:n,values:s}}function _n(r,e){return e?r.map((t,n)=>e.fixed[n]?e.values[n]:t):r}function ka(r,e,t){let n=new Float32Array(
 Xe(t)),[s,o]=[Et(e),Et(t)],a=Math.floor(t.fov/2)-Math.floor(e.fov/2),i=u=>u>=0&&u<t.fov,l=u=>{let[c,h,d]=[Math.floor(u/e.fov**2),Math.floor(u/e.fov)%e.fov+a,u%e.
 fov+a];return i(h)&&i(d)?(c*t.fov+h)*t.fov+d:-1};return s.forEach((u,c)=>{let h=o[c],d=e.hidden[c]??5;for(let p=0;p<(c?e.hidden[c-1]:u.inputs);p++){let g=c?p:l(
 p);if(!(g<0))for(let f=0;f<d;f++)n[h.at+g*h.outputs+f]=r[u.at+p*u.outputs+f]}for(let p=0;p<d;p++)n[h.at+h.inputs*h.outputs+p]=r[u.at+u.inputs*u.outputs+p]}),_n(
@@ -635,9 +635,9 @@ subarray(0,d))+Nn(r.subarray(d))}if(e<Qe)return r.reduce((d,p)=>d+p,0);let t=r.s
 subarray(n).reduce((d,p)=>d+p,s+o+(a+i)+(l+u+(c+h)))}var C=["pursuer","evader"],Le=r=>r==="pursuer"?"evader":"pursuer";var Ia=({world:r,fitness:e})=>e.overlap_penalty??(r.rules.teammate==="REACH"?.2:0);var _r={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},hu=20,du=8,mu=-1,$e=r=>Array.from(r).reduce((e,t)=>e+t,0)/r.length,Or=({world:r,policy:e},t,n)=>({
 fov:r.fov,hidden:e.hidden,mask:e.mask==="none"?null:t[n]}),et=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#r;#t;#n={};#o=new Set;#s=0;#c=0;#u=0;constructor(e,t,n,s=La(
 t.seed)){[this.#e,this.settings,this.#r,this.#t]=[e,t,n,s];for(let o of C){let{initial_weight:a,initial_head:i}=t.policy,l=s("initial",C.indexOf(o)),u=t.learner.
-kind==="ga"?t.learner.population:1,c=Array.from({length:u},()=>Ca(this.shape(o),l,a,i));this.#a(o,c),this.archive[o].push(this.#n[o].genome)}this.#v()}shape(e){
+kind==="ga"?t.learner.population:1,c=Array.from({length:u},()=>Ca(this.shape(o),l,a,i));this.#a(o,c),this.archive[o].push(this.#n[o].genome)}this.#b()}shape(e){
 return Or(this.settings,this.#r,e)}get finished(){return Math.min(this.archive.pursuer.length,this.archive.evader.length)}*run(){yield*this.#S(0);for(let e=1;e<=
-this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of C)yield*this.#h(t,e);else yield*this.#l(e);this.#v(),yield*this.#S(
+this.settings.schedule.generations;e++){if(this.settings.schedule.kind==="alternating")for(let t of C)yield*this.#h(t,e);else yield*this.#l(e);this.#b(),yield*this.#S(
 e)}}change(e){let t=this.settings,n={pursuer:this.shape("pursuer"),evader:this.shape("evader")},s=l=>JSON.stringify(l(t))===JSON.stringify(l(e));this.settings=e;
 let o=s(l=>[l.world.fov,l.policy]);if(!o||!s(l=>l.learner))for(let l of C){let u=c=>ka(c,n[l],this.shape(l));this.archive[l]=this.archive[l].map(u),this.#a(l,this.#m(
 l).map(u))}if(o&&s(l=>l.world))return null;this.cells.clear(),this.#o.clear();let{pursuer:a,evader:i}=this.archive;return{type:"anew",settings:e,genomes:{pursuer:a.
@@ -647,21 +647,21 @@ let{learner:n}=this.settings,[s,o]=[this.shape(e),n.kind==="ga"?n.mutation:n.sig
 u=>_n(u,a));this.#n[e]=n.kind==="ga"?new kt(kr(l),i,n):new Cr(l[0],i,n)}*#h(e,t){for(let n=0;n<this.#i(e);n++){let s=this.archive[Le(e)].length,o=this.settings.
 schedule[`${e}s_meet`].rule,a=o==="latest"?s-1:o==="round-robin"?n%s:this.#t("opponents",C.indexOf(e),t,n).choice(s,1)[0],i=e==="pursuer"?[t,a]:[a,t],l=this.#n[e],
 {groups:u}=l,c=Ct([this.settings.seed,...i,Rn[e],n],Math.max(...u)+1),h=l.ask(this.#t("learn",C.indexOf(e),t,n)),[d,p]=[Int32Array.from(u.keys()),new Int32Array(
-u.length)],g={[e]:h,[Le(e)]:this.archive[Le(e)][a]},f={[e]:d,[Le(e)]:p},y=this.#g(g,f,BigUint64Array.from(u,x=>c[x])),v=this.#b(y,e);this.#w(y,v,{generation:t,team:e,
-epoch:n,opponent:a}),l.tell(v),yield*this.#d(t,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let t=0;t<this.#i("pursuer");t++){let{schedule:n,learner:{
+u.length)],g={[e]:h,[Le(e)]:this.archive[Le(e)][a]},f={[e]:d,[Le(e)]:p},y=this.#g(g,f,BigUint64Array.from(u,x=>c[x])),b=this.#v(y,e);this.#w(y,b,{generation:t,team:e,
+epoch:n,opponent:a}),l.tell(b),yield*this.#d(t,n,e)}this.archive[e].push(this.#n[e].genome)}*#l(e){for(let t=0;t<this.#i("pursuer");t++){let{schedule:n,learner:{
 population:s}}=this.settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],i={pursuer:this.#p("pursuer",e,t),evader:this.#p("evader",e,t)},
-l=this.#t("opponents",0,e,t),u={pursuer:this.#f(o,l),evader:this.#f(o,l)},c=y=>kr([i[y],...Array.from(u[Le(y)],v=>this.archive[y][v])]),h=[u.evader.length,u.pursuer.
+l=this.#t("opponents",0,e,t),u={pursuer:this.#f(o,l),evader:this.#f(o,l)},c=y=>kr([i[y],...Array.from(u[Le(y)],b=>this.archive[y][b])]),h=[u.evader.length,u.pursuer.
 length],d=$a(this.#n.pursuer.groups,a,h,l),p=Ct([this.settings.seed,e,e,Rn.both,t],Math.max(...d.group)+1),g={pursuer:c("pursuer"),evader:c("evader")},f=this.#g(
-g,d,BigUint64Array.from(d.group,y=>p[y]));for(let y of C){let v=Na(d[y],d[Le(y)],s,this.#b(f,y));this.#w(f,v,{generation:e,team:y,epoch:t,opponent:mu}),this.#n[y].
-tell(v)}yield*this.#d(e,t,"both")}for(let t of C)this.archive[t].push(this.#n[t].genome)}#p(e,t,n){return this.#n[e].ask(this.#t("learn",C.indexOf(e),t,n))}#f(e,t){
+g,d,BigUint64Array.from(d.group,y=>p[y]));for(let y of C){let b=Na(d[y],d[Le(y)],s,this.#v(f,y));this.#w(f,b,{generation:e,team:y,epoch:t,opponent:mu}),this.#n[y].
+tell(b)}yield*this.#d(e,t,"both")}for(let t of C)this.archive[t].push(this.#n[t].genome)}#p(e,t,n){return this.#n[e].ask(this.#t("learn",C.indexOf(e),t,n))}#f(e,t){
 let n=this.archive.pursuer.length;return e?t.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:t}=this.settings;return t.kind==="hall-of-fame"?t.joint_epochs:
 t[`${e}_epochs`]}*#d(e,t,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("evader")],a=t+1+(n==="evad\
 er"?s:0),i=s+o;yield{type:"epoch",done:(e-1)*i+a,of:this.settings.schedule.generations*i},yield*this.catchUp()}#g(e,t,n){let s={...this.settings.world,max_steps:this.
 settings.train_steps},o=this.#e.rollouts(s,this.#y("pursuer",e.pursuer),this.#y("evader",e.evader),{...t,seed:n},1);this.#s+=o.length.length;for(let a of o.length)
-this.#c+=Number(a);for(let a of o.agent_steps)this.#u+=Number(a);return o}#y(e,t){return Tt(this.shape(e),t)}#b({captured_fraction:e,overlap:t},n){let s=Ia(this.
+this.#c+=Number(a);for(let a of o.agent_steps)this.#u+=Number(a);return o}#y(e,t){return Tt(this.shape(e),t)}#v({captured_fraction:e,overlap:t},n){let s=Ia(this.
 settings);return Float64Array.from(e,(o,a)=>n==="pursuer"?o:1-o-s*Number(t[2*a+1]))}#w(e,t,n){let s=$e(t),o=[0,0];e.faults.forEach((a,i)=>o[Math.floor(i/3)%2]+=
 Number(a)),this.rows.push({...n,fitness_mean:s,fitness_std:Math.sqrt($e(t.map(a=>(a-s)**2))),fitness_best:Math.max(...t),capture_rate:$e(e.capture_rate),length:$e(
-e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#c})}#v(){this.counters.push({matches:this.#s,steps:this.#c,
+e.length),pursuer_faults:o[0]/e.length.length,evader_faults:o[1]/e.length.length,matches:this.#s,steps:this.#c})}#b(){this.counters.push({matches:this.#s,steps:this.#c,
 agent_steps:this.#u})}*#S(e){yield{type:"generation",number:e,genomes:{pursuer:this.archive.pursuer[e],evader:this.archive.evader[e]}},yield*this.catchUp()}*catchUp(){
 for(let e=this.finished-1;e>=0;e--){for(let t=e;t>=0;t--)for(let[n,s]of t===e?[[e,e]]:[[e,t],[t,e]]){if(this.cells.has(`${n} ${s}`))continue;let o=this.#x(n,s);
 this.cells.set(`${n} ${s}`,o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o.add(e),yield{type:"scores",number:e,scores:{pursuer:this.#A("pursuer",e),evader:this.#A(
@@ -686,24 +686,24 @@ s.map(o=>Fn(n(e.map(a=>a[o])).map(a=>1-a))))}}};var Un=r=>r.reduce((e,t)=>e+t,0)
 r,e).map(s=>Un(s.map((o,a)=>(t[a]=Math.max(t[a]??0,o),t[a]-o))));return Un(n.slice(Math.floor(n.length/2)))}var Te=r=>`${Math.round(100*r)} %`,pu=100,fu=0,Pr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#r;#t;#n=m("h2",
 {class:"lane-title"});#o=m("p",{class:"facts numbers"});#s=m("p",{class:"regret small numbers",title:"Regret: what perfect play would bring, and the team does n\
 ot get against an opponent that knows it"});#c=m("div",{class:"lane-room",hidden:!0});#u=m("section",{class:"card measures",hidden:!0});#m=m("div");#a;#h={pursuer:[],
-evader:[]};#l=new Map;#p;#f;#i=[];#d=()=>{};#g=0;#y=!0;#b=0;#w=null;constructor(e,t,n,s){super(),[this.#e,this.#r,this.#t,this.settings]=[e,t,n,s],this.newest=new Mt(
+evader:[]};#l=new Map;#p;#f;#i=[];#d=()=>{};#g=0;#y=!0;#v=0;#w=null;constructor(e,t,n,s){super(),[this.#e,this.#r,this.#t,this.settings]=[e,t,n,s],this.newest=new Mt(
 ()=>this.#k(this.#a.newest)),this.beginning=new Mt(()=>this.#k(0)),this.beginning.element.classList.add("beginning");let o=m("div",{class:"boards"},this.newest.
 element,this.beginning.element);this.element=m("section",{class:"lane"},this.#n,this.#o,this.#s,o,this.#c,this.#u,this.#m),n.onmessage=({data:a})=>this.#S(a),this.
-reset(s)}reset(e){this.#v({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#C();let{archive:t}=new et(this.#r,e,this.#e.masks);this.#a.add(
+reset(s)}reset(e){this.#b({type:"stop"}),[this.settings,this.state,this.done]=[e,"waiting",0],this.#C();let{archive:t}=new et(this.#r,e,this.#e.masks);this.#a.add(
 {pursuer:t.pursuer[0],evader:t.evader[0]}),this.#c.hidden=this.#u.hidden=!0,this.#M(!0),this.#E()}start(){this.#C(),[this.state,this.done]=["evolving",0],this.#c.
-hidden=!1,this.#u.hidden=!0,this.#v({type:"start",settings:this.settings,masks:this.#e.masks}),this.#E()}stop(){this.#v({type:"stop"}),this.state==="evolving"&&
-(this.state="stopped"),this.#E()}change(e){if(this.state==="waiting")return this.reset(e);this.settings=e,this.#v({type:"change",settings:e}),this.#E()}takeOver(){
+hidden=!1,this.#u.hidden=!0,this.#b({type:"start",settings:this.settings,masks:this.#e.masks}),this.#E()}stop(){this.#b({type:"stop"}),this.state==="evolving"&&
+(this.state="stopped"),this.#E()}change(e){if(this.state==="waiting")return this.reset(e);this.settings=e,this.#b({type:"change",settings:e}),this.#E()}takeOver(){
 let e=this.#a.newest;this.#f.play({run:0,pursuer:e,evader:e,episode:0,seed:null,map:null},{seat:this.#a.world.n_pursuers,from:0,moves:[]})}saved(){return new Promise(
-e=>{this.#w=e,this.#v({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#t.terminate(),this.newest.runs=this.beginning.runs=!1}#v(e){this.#t.
+e=>{this.#w=e,this.#b({type:"save"})})}get newestGeneration(){return this.#a.newest}close(){this.#t.terminate(),this.newest.runs=this.beginning.runs=!1}#b(e){this.#t.
 postMessage(e)}#S(e){if(e.type==="generation"){if(this.state!=="evolving")return;this.#a.add(e.genomes),this.#M(e.number===0)}else if(e.type==="cell"){let{pursuer:t,
 evader:n}=e.cell;this.#a.addCell(e.cell),this.#y&&t===n&&t===this.#a.newest&&this.#p.select({pursuer:t,evader:n}),this.#l.set(`${t} ${n}`,e.cell)}else if(e.type===
 "scores")for(let t of C)this.#h[t][e.number]=e.scores[t];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#T(),this.#M(!0)):e.type==="epoch"?this.
 done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#_()):e.type==="saved"?this.#w?.(e.race):
-(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#b||(this.#b=setTimeout(()=>requestAnimationFrame(()=>this.#x()),pu))}#x(){this.#b=
+(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#v||(this.#v=setTimeout(()=>requestAnimationFrame(()=>this.#x()),pu))}#x(){this.#v=
 0,this.#p.dispatchEvent(new Event("run")),this.#d(),this.#E(),this.#A()}async#A(){let e=this.#a,{world:t,newest:n}=e;if(n<0||this.#i[0]===t&&this.#i[1]===n)return;
 let s=this.#i=[t,n],o=yu(t),a=o?null:await Je(this.#r,t);this.#i!==s||this.#a!==e||e.world!==t||this.#s.replaceChildren(...a?gu(a.value,C.map(i=>a.guaranteed(i,
 e.policy(i,n)))):[o])}#T(){this.#l=new Map,this.#h={pursuer:[],evader:[]},this.#u.hidden=!0}#C(){let e=`race ${fu++}`,t=Ht(this.settings);this.#a=new Rr(this.settings,
-this.#e.masks,t,e),this.#T(),this.#y=!0,this.#p=new br({run:0,pursuer:0,evader:0,episode:0,seed:null,map:null});let[n,s]=[new vr([this.#a],this.#p),new fr([this.#a],
+this.#e.masks,t,e),this.#T(),this.#y=!0,this.#p=new vr({run:0,pursuer:0,evader:0,episode:0,seed:null,map:null});let[n,s]=[new br([this.#a],this.#p),new fr([this.#a],
 this.#p,null)];n.element.ariaLabel=`Payoff matrix. ${t}`,this.#f=new Mr([this.#a],this.#p,s,!1),this.#f.start(this.#r);let o=m("dialog",{class:"of-cell-match","\
 aria-label":"Match"},m("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element);o.addEventListener("close",()=>s.player.pause());let a=!1;
 n.element.addEventListener("play",()=>{let{pursuer:l,evader:u}=this.#p.selected;this.#y=!1,this.#a.payoff.capture_rate[l][u]!==void 0&&(o.showModal(),a||s.start(
@@ -718,24 +718,24 @@ for(let u of[this.newest,this.beginning])u.generation=t;for(let u of[this.newest
 "pursuer",e),this.#a.policy("evader",t)];return this.#r.match(n,i,l,BigInt(o[e][t]),a)}#M(e){this.newest.renew(e),(this.#a.newest>0||this.state!=="waiting")&&this.
 beginning.renew(e)}#E(){this.element.dataset.state=this.state,this.#n.textContent=Ht(this.settings);let e=this.#l.get(`${this.#a.newest} ${this.#a.newest}`)??this.#l.
 get(`${this.#a.newest-1} ${this.#a.newest-1}`),t=e?[`Generation ${this.#a.newest} of ${this.settings.schedule.generations}`,`the newest pursuers catch ${Te(e.capture_rates.
-reduce((n,s)=>n+s,0)/e.capture_rates.length)} of the newest evaders`,`${vu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...t.map(n=>m("s\
+reduce((n,s)=>n+s,0)/e.capture_rates.length)} of the newest evaders`,`${bu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...t.map(n=>m("s\
 pan",{},n))),this.dispatchEvent(new Event("state"))}#_(){this.#u.ariaLabel=`What came out. ${Ht(this.settings)}`;let e=this.#a.payoff.capture_rate.slice(0,this.#a.
 newest+1).map(n=>n.slice(0,this.#a.newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let t=[["Score against scripts: generation 0",n=>Te(
 this.#h[n][0]??0)],["Score against scripts: newest generation",n=>Te(this.#h[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Te(
 Ua(e,n))],["Below its own best so far, in the later half (forgetting)",n=>Te(Da(e,n))]];this.#u.replaceChildren(m("h3",{},"What came out"),m("table",{class:"num\
 bers"},m("thead",{},m("tr",{},m("td"),...C.map(n=>m("th",{scope:"col",class:n},`${n}s`)))),m("tbody",{},...t.map(([n,s])=>m("tr",{},m("th",{scope:"row"},n),...C.
 map(o=>m("td",{},s(o))))))),m("p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",m("code",{},"matrixworld j\
-udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function yu(r){return je(r)?typeof r.obstacles=="number"?"":"Exact regret of a map is known \
-where the world can be solved: choose 6 x 6 cells below, with few agents.":r.fov<2*Math.max(r.rows,r.cols)-1?"Exact regret is known where agents see the whole m\
-ap: choose a larger view.":""}function gu(r,[e,t]){let n=(s,o,a)=>m("span",{},o,m("strong",{class:s},`regret ${Math.max(0,a).toFixed(2)}`));return[m("span",{},`\
-Perfect play captures ${Te(r)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Te(e)}: `,r-e),n("evader",`Perfect pursuers capture ${Te(t)} of the\
- newest evaders: `,t-r)]}function vu({means:{faults:r,agent_steps:e}}){let t=n=>n.reduce((s,o)=>s+o,0);return 1e3*t(r)/Math.max(1,t(e))}function Wa(r,e){let t=[];for(let n=2;t.length<r;n++)t.every(s=>n%s)&&t.push(n);return Int32Array.from(t,n=>e(n)%1*2**32)}var he=(r,e)=>r>>>e|r<<32-e;function Lr(r){
+udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function yu(r){return!je(r)||typeof r.obstacles=="number"?"":"Exact regret of a map is known\
+ where the world can be solved: choose 6 x 6 cells below, with few agents."}function gu(r,[e,t]){let n=(s,o,a)=>m("span",{},o,m("strong",{class:s},`regret ${Math.
+max(0,a).toFixed(2)}`));return[m("span",{},`Perfect play captures ${Te(r)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Te(e)}: `,r-e),n("evade\
+r",`Perfect pursuers capture ${Te(t)} of the newest evaders: `,t-r)]}function bu({means:{faults:r,agent_steps:e}}){let t=n=>n.reduce((s,o)=>s+o,0);return 1e3*t(
+r)/Math.max(1,t(e))}function Wa(r,e){let t=[];for(let n=2;t.length<r;n++)t.every(s=>n%s)&&t.push(n);return Int32Array.from(t,n=>e(n)%1*2**32)}var he=(r,e)=>r>>>e|r<<32-e;function Lr(r){
 let e=Wa(64,Math.cbrt),t=Wa(8,Math.sqrt),n=new Uint8Array(Math.ceil((r.length+9)/64)*64);n.set(r),n[r.length]=128;let s=new DataView(n.buffer);s.setBigUint64(n.
-length-8,BigInt(r.length)*8n);let o=new Int32Array(64);for(let a=0;a<n.length;a+=64){for(let f=0;f<16;f++)o[f]=s.getInt32(a+4*f);for(let f=16;f<64;f++){let[y,v]=[
-o[f-15],o[f-2]],x=he(y,7)^he(y,18)^y>>>3,w=he(v,17)^he(v,19)^v>>>10;o[f]=o[f-16]+x+o[f-7]+w}let[i,l,u,c,h,d,p,g]=t;for(let f=0;f<64;f++){let y=g+(he(h,6)^he(h,11)^
-he(h,25))+(h&d^~h&p)+e[f]+o[f]|0,v=(he(i,2)^he(i,13)^he(i,22))+(i&l^i&u^l&u)|0;[g,p,d,h,c,u,l,i]=[p,d,h,c+y|0,u,l,i,y+v|0]}[i,l,u,c,h,d,p,g].forEach((f,y)=>t[y]+=
+length-8,BigInt(r.length)*8n);let o=new Int32Array(64);for(let a=0;a<n.length;a+=64){for(let f=0;f<16;f++)o[f]=s.getInt32(a+4*f);for(let f=16;f<64;f++){let[y,b]=[
+o[f-15],o[f-2]],x=he(y,7)^he(y,18)^y>>>3,w=he(b,17)^he(b,19)^b>>>10;o[f]=o[f-16]+x+o[f-7]+w}let[i,l,u,c,h,d,p,g]=t;for(let f=0;f<64;f++){let y=g+(he(h,6)^he(h,11)^
+he(h,25))+(h&d^~h&p)+e[f]+o[f]|0,b=(he(i,2)^he(i,13)^he(i,22))+(i&l^i&u^l&u)|0;[g,p,d,h,c,u,l,i]=[p,d,h,c+y|0,u,l,i,y+b|0]}[i,l,u,c,h,d,p,g].forEach((f,y)=>t[y]+=
 f)}return Array.from(t,a=>(a>>>0).toString(16).padStart(8,"0")).join("")}function $r(r){return Array.isArray(r)?`[${r.map($r).join(", ")}]`:typeof r!="object"||r===null?JSON.stringify(r):`{${Object.entries(r).sort(([t],[n])=>t<n?-1:1).
-map(([t,n])=>`${JSON.stringify(t)}: ${$r(n)}`).join(", ")}}`}var za="sha256:",bu=64;function Ba(r,e){let t=Sr(r),[n,s]=[ne(e),za.length+bu],o=new Uint8Array(n.length+
+map(([t,n])=>`${JSON.stringify(t)}: ${$r(n)}`).join(", ")}}`}var za="sha256:",vu=64;function Ba(r,e){let t=Sr(r),[n,s]=[ne(e),za.length+vu],o=new Uint8Array(n.length+
 t.length);o.set(n),o.set(t,n.length),o.set([s&255,s>>8],o.length-2);let a=ne(za+Lr(o)),i=new Uint8Array(t.length+a.length);return i.set(o.subarray(n.length)),i.
 set(a,t.length),i}function ja(r,e=""){return ne(JSON.stringify({...r,sha256:Lr(ne(e+$r(r)))},null,2))}var Dn=(r,...e)=>({dtype:"<f8",shape:e,data:Float64Array.from(
 r)}),_t=r=>r.reduce((e,t)=>e+t,0)/r.length,Ha=r=>Math.sqrt(_t(r.map(e=>(e-_t(r))**2))),wu=["generation","team","epoch","opponent","fitness_mean","fitness_std","\
@@ -772,14 +772,14 @@ this.#m,this.#a,this.#f,m("button",{type:"button",class:"to-link",onclick:()=>th
 div",{class:"start"},this.#n,n,m("div",{class:"progress"},this.#o,this.#s)),this.#p.now,this.#t,this.#p.anew,m("div",{class:"card below"},Ut(),m("p",{class:"sma\
 ll muted"},"The page plays and learns with the engine of matrixworld, in this browser; nothing is sent."),m("p",{class:"small muted of-saving"},"A saved race is\
  an archive: ",m("code",{},"matrixworld judge"),", ",m("code",{},"explore")," and ",m("code",{},"replay")," read it. Python plays its matches again, and does no\
-t continue it."))),m("footer",{class:"muted small"},`matrixworld ${e.version}`)),this.#b(),this.#k()}#y(){return[this.#d.schedule,...this.#d.beside?[this.#d.beside]:
-[]]}#b(){for(let e of this.lanes.splice(0))e.close();for(let e of this.#y()){let t=new Pr(this.#e,this.#r,Ya("evolve"),qt(this.#e,this.#d,e));t.addEventListener(
+t continue it."))),m("footer",{class:"muted small"},`matrixworld ${e.version}`)),this.#v(),this.#k()}#y(){return[this.#d.schedule,...this.#d.beside?[this.#d.beside]:
+[]]}#v(){for(let e of this.lanes.splice(0))e.close();for(let e of this.#y()){let t=new Pr(this.#e,this.#r,Ya("evolve"),qt(this.#e,this.#d,e));t.addEventListener(
 "state",()=>this.#M()),this.lanes.push(t)}this.#i=this.lanes.map(e=>e.newest.drawWalls(([t,n],s)=>this.#A(t,n,s))),this.#u.ariaPressed="false",this.#t.dataset.count=
 String(this.lanes.length),this.#t.replaceChildren(...this.lanes.map(({element:e})=>e)),this.#p.show(this.#d),this.#M()}#w(){this.lanes.some(({state:e})=>e==="ev\
-olving")?this.lanes.forEach(e=>e.stop()):this.#v()}#v(){this.#l.textContent="";for(let[e,t]of this.#y().entries()){let n=this.lanes[e];n.settings=qt(this.#e,this.#d,
+olving")?this.lanes.forEach(e=>e.stop()):this.#b()}#b(){this.#l.textContent="";for(let[e,t]of this.#y().entries()){let n=this.lanes[e];n.settings=qt(this.#e,this.#d,
 t),n.start()}}#S(){let e=this.#d.schedule==="specialist-specialist"?"generalist-generalist":"specialist-specialist";this.#x({beside:this.#d.beside?null:e},!0)}#x=(e,t=!1)=>{
 let n=this.#y().length,s=this.lanes.every(({state:l})=>l==="waiting"),o=e.small===void 0?{}:mt(this.#e,e.small),a={...this.#d,...e,...o},i=Kt(a,pt(this.#e,a.small));
-i||(this.#d=a),this.#p.show(this.#d),this.#l.textContent=i,!i&&(this.#h.hidden=!0,this.#y().length!==n&&this.#b(),t&&!s?this.#v():this.#y().forEach((l,u)=>this.
+i||(this.#d=a),this.#p.show(this.#d),this.#l.textContent=i,!i&&(this.#h.hidden=!0,this.#y().length!==n&&this.#v(),t&&!s?this.#b():this.#y().forEach((l,u)=>this.
 lanes[u].change(qt(this.#e,this.#d,l))))};#A(e,t,n){let{rows:s,cols:o}=this.lanes[0].settings.world,a={...this.#d,walls:mn(this.#d.walls,e*o+t,n)},i=Kt(a,this.lanes[0].
 settings.world);if(i)return i;let{walls:l}=this.#d=a,u=Uint8Array.from({length:s*o},(c,h)=>Number(l.includes(h)));for(let c of this.lanes)c.newest.show(u);return clearTimeout(
 this.#g),this.#g=setTimeout(()=>this.#x({walls:l}),Eu),""}#T(){let e=this.#u.ariaPressed!=="true";this.#u.ariaPressed=String(e);for(let t of this.#i)t.active(e)}#C(){

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 0c37396246d49d03621d943b0eb657995f88437ddc710353d0ddfebc483cafe7 */
+/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
 "use strict";(()=>{var Oa=Object.create;var xn=Object.defineProperty;var La=Object.getOwnPropertyDescriptor;var Ia=Object.getOwnPropertyNames;var Na=Object.getPrototypeOf,Ba=Object.prototype.hasOwnProperty;var Fa=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Ua=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ia(e))!Ba.call(t,o)&&o!==r&&xn(t,o,{get:()=>e[o],enumerable:!(n=La(e,o))||n.enumerable});
 return t};var za=(t,e,r)=>(r=t!=null?Oa(Na(t)):{},Ua(e||!t||!t.__esModule?xn(r,"default",{value:t,enumerable:!0}):r,t));var ia=Fa(hn=>{var Xs=Object.defineProperty,Ql=t=>Xs(t,"__esModule",{value:!0}),ec=(t,e)=>{for(var r in e)Xs(t,r,{get:e[r],enumerable:!0})};Ql(hn);ec(hn,{GIFEncoder:()=>sa,
 applyPalette:()=>cc,default:()=>vc,nearestColor:()=>mc,nearestColorIndex:()=>na,nearestColorIndexWithDistance:()=>oa,prequantize:()=>lc,quantize:()=>ac,snapColorsToPalette:()=>pc});
@@ -453,16 +453,16 @@ s);window.open(`${URL.createObjectURL(new Blob([o],{type:"text/html"}))}#${n}`)}
 d=o*r.n_evaders+i-r.n_pursuers,c=u=>i>=r.n_pursuers&&!!u[d];return{cell:[t.last_positions[2*l],t.last_positions[2*l+1]],gone:!t.alive[l],captured:c(t.captured),
 everCaptured:c(t.ever_captured)}},a=Array.from({length:n},(i,l)=>s(l));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
 fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:o,ended:o===t.length,walls:Array.from(t.map.keys()).filter(i=>t.map[i]),pursuers:a.slice(
-0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(o*n,(o+1)*n))}}var cn=.005,Ss=.05,kl=["pursuer","evader"],Rl=4,rt=new Map;function sr(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=rt.get(n)??
-(Bt(e)?Promise.resolve(null):_l(t,e,r));return rt.delete(n),rt.set(n,o),rt.size>Rl&&rt.delete([...rt.keys()][0]),o}var Ms=({n_evaders:t})=>t===1?"capture-time":
-"capture-rate",xs=()=>new Promise(t=>setTimeout(t));async function _l(t,e,r){await xs();let n=t.solution(e,r);for(;n.goBack();)await xs();return n}function ar(t,e,r){
-let{payoff:n}=t;return r.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((d,c)=>a[c]+=d),e.playTurn(o);let i=n==="ca\
-pture-rate"?cn:Ss;return kl.map((l,d)=>({step:s+1,team:l,lost:a[d],payoff:n})).filter(l=>l.lost>=i)})}var ir=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
-max(1,...t.map(({lost:r})=>r)),text:Ct(e)})),As=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,Ct=t=>`The\
- ${t.team}s lose ${As(t)} against a perfect opponent`;function Es(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step},\
- lost ${As(e)} against a perfect opponent.`}function Ts({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.
-min(t.max_steps-n,Lr)];return o>s-Ss?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function Cs(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,
-action:o})).filter(({share:n})=>n>=cn).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-cn?pe[o]:`${pe[o]} ${n.toFixed(2)}`).join(", ")}function lr(t,e,r){if(r===0)return[{kind:"start",text:$l(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>K(c,t.config.n_pursuers),a=vt(e,n,o),i=t.conflicts(
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(o*n,(o+1)*n))}}var cn=.005,Ss=.05,kl=["pursuer","evader"],Rl=4,rt=new Map;function sr(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),o=rt.get(n)??(Bt(e)?Promise.
+resolve(null):_l(t,e,r));return rt.delete(n),rt.set(n,o),rt.size>Rl&&rt.delete([...rt.keys()][0]),o}var Ms=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
+xs=()=>new Promise(t=>setTimeout(t));async function _l(t,e,r){await xs();let n=t.solution(e,r);for(;n.goBack();)await xs();return n}function ar(t,e,r){let{payoff:n}=t;
+return r.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((d,c)=>a[c]+=d),e.playTurn(o);let i=n==="capture-rate"?cn:Ss;
+return kl.map((l,d)=>({step:s+1,team:l,lost:a[d],payoff:n})).filter(l=>l.lost>=i)})}var ir=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
+({lost:r})=>r)),text:Ct(e)})),As=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,Ct=t=>`The ${t.team}s los\
+e ${As(t)} against a perfect opponent`;function Es(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${As(e)} \
+against a perfect opponent.`}function Ts({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.min(t.max_steps-
+n,Lr)];return o>s-Ss?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function Cs(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,action:o})).filter(
+({share:n})=>n>=cn).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-cn?pe[o]:`${pe[o]} ${n.toFixed(2)}`).join(", ")}function lr(t,e,r){if(r===0)return[{kind:"start",text:$l(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=c=>K(c,t.config.n_pursuers),a=vt(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(c=>c.doomed)),d=a.map(c=>({kind:"capture",text:`${s(c)} is captured`,agents:[c]}));for(let c of Gt(n,o))!a.includes(c)&&!l.has(c)&&d.push(
 {kind:"end",text:`${s(c)} disappears`,agents:[c]});return d.push(...i.map(({kind:c,text:u,agents:m})=>({kind:c,text:u,agents:m}))),r===t.length&&d.unshift({kind:"\
 end",text:Pl(t),agents:[]}),d}function $l({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\

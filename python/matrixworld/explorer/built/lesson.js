@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 0c37396246d49d03621d943b0eb657995f88437ddc710353d0ddfebc483cafe7 */
+/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
 "use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],ys=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
 ursuer_{number}","evader_{number}"],gs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
@@ -576,16 +576,16 @@ o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}
 c=s*r.n_evaders+l-r.n_pursuers,d=m=>l>=r.n_pursuers&&!!m[c];return{cell:[t.last_positions[2*i],t.last_positions[2*i+1]],gone:!t.alive[i],captured:d(t.captured),
 everCaptured:d(t.ever_captured)}},a=Array.from({length:n},(l,i)=>o(i));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
 fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:s,ended:s===t.length,walls:Array.from(t.map.keys()).filter(l=>t.map[l]),pursuers:a.slice(
-0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var ns=.005,ei=.05,Qc=["pursuer","evader"],eu=4,dt=new Map;function mt(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),s=dt.get(n)??
-(Ze(e)?Promise.resolve(null):tu(t,e,r));return dt.delete(n),dt.set(n,s),dt.size>eu&&dt.delete([...dt.keys()][0]),s}var ti=({n_evaders:t})=>t===1?"capture-time":
-"capture-rate",Qa=()=>new Promise(t=>setTimeout(t));async function tu(t,e,r){await Qa();let n=t.solution(e,r);for(;n.goBack();)await Qa();return n}function Wr(t,e,r){
-let{payoff:n}=t;return r.flatMap((s,o)=>{let a=[0,0];for(let i=e.n_turns;i>0&&!e.over;i--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let l=n==="ca\
-pture-rate"?ns:ei;return Qc.map((i,c)=>({step:o+1,team:i,lost:a[c],payoff:n})).filter(i=>i.lost>=l)})}var zr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
-max(1,...t.map(({lost:r})=>r)),text:jt(e)})),ri=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,jt=t=>`The\
- ${t.team}s lose ${ri(t)} against a perfect opponent`;function ni(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step},\
- lost ${ri(e)} against a perfect opponent.`}function si({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[s,o]=[1-r,Math.
-min(t.max_steps-n,un)];return s>o-ei?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function oi(t,e){return(t.marginal(e)??[]).map((n,s)=>({share:n,
-action:s})).filter(({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?le[s]:`${le[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:ru(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>G(d,t.config.n_pursuers),a=Lt(e,n,s),l=t.conflicts(
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var ns=.005,ei=.05,Qc=["pursuer","evader"],eu=4,dt=new Map;function mt(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=dt.get(n)??(Ze(e)?Promise.
+resolve(null):tu(t,e,r));return dt.delete(n),dt.set(n,s),dt.size>eu&&dt.delete([...dt.keys()][0]),s}var ti=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
+Qa=()=>new Promise(t=>setTimeout(t));async function tu(t,e,r){await Qa();let n=t.solution(e,r);for(;n.goBack();)await Qa();return n}function Wr(t,e,r){let{payoff:n}=t;
+return r.flatMap((s,o)=>{let a=[0,0];for(let i=e.n_turns;i>0&&!e.over;i--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let l=n==="capture-rate"?ns:ei;
+return Qc.map((i,c)=>({step:o+1,team:i,lost:a[c],payoff:n})).filter(i=>i.lost>=l)})}var zr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
+({lost:r})=>r)),text:jt(e)})),ri=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,jt=t=>`The ${t.team}s los\
+e ${ri(t)} against a perfect opponent`;function ni(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${ri(e)} \
+against a perfect opponent.`}function si({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[s,o]=[1-r,Math.min(t.max_steps-
+n,un)];return s>o-ei?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function oi(t,e){return(t.marginal(e)??[]).map((n,s)=>({share:n,action:s})).filter(
+({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?le[s]:`${le[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:ru(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>G(d,t.config.n_pursuers),a=Lt(e,n,s),l=t.conflicts(
 r),i=new Set(l.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${o(d)} is captured`,agents:[d]}));for(let d of wr(n,s))!a.includes(d)&&!i.has(d)&&c.push(
 {kind:"end",text:`${o(d)} disappears`,agents:[d]});return c.push(...l.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===t.length&&c.unshift({kind:"\
 end",text:nu(t),agents:[]}),c}function ru({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
@@ -810,11 +810,11 @@ this.#m[n][0]??0)],["Score against scripts: newest generation",n=>Re(this.#m[n].
 _i(e,n))],["Below its own best so far, in the later half (forgetting)",n=>Re(Pi(e,n))]];this.#u.replaceChildren(u("h3",{},"What came out"),u("table",{class:"num\
 bers"},u("thead",{},u("tr",{},u("td"),...R.map(n=>u("th",{scope:"col",class:n},`${n}s`)))),u("tbody",{},...r.map(([n,s])=>u("tr",{},u("th",{scope:"row"},n),...R.
 map(o=>u("td",{},s(o))))))),u("p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",u("code",{},"matrixworld j\
-udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function Ru(t){return Ze(t)?typeof t.obstacles=="number"?"":"Exact regret of a map is known \
-where the world can be solved: choose 6 x 6 cells below, with few agents.":t.fov<2*Math.max(t.rows,t.cols)-1?"Exact regret is known where agents see the whole m\
-ap: choose a larger view.":""}function $u(t,[e,r]){let n=(s,o,a)=>u("span",{},o,u("strong",{class:s},`regret ${Math.max(0,a).toFixed(2)}`));return[u("span",{},`\
-Perfect play captures ${Re(t)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Re(e)}: `,t-e),n("evader",`Perfect pursuers capture ${Re(r)} of the\
- newest evaders: `,r-t)]}function _u({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,r(e))}function Li(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Pu={present:"●",absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,l,i],c)=>{
+udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function Ru(t){return!Ze(t)||typeof t.obstacles=="number"?"":"Exact regret of a map is known\
+ where the world can be solved: choose 6 x 6 cells below, with few agents."}function $u(t,[e,r]){let n=(s,o,a)=>u("span",{},o,u("strong",{class:s},`regret ${Math.
+max(0,a).toFixed(2)}`));return[u("span",{},`Perfect play captures ${Re(t)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Re(e)}: `,t-e),n("evade\
+r",`Perfect pursuers capture ${Re(r)} of the newest evaders: `,r-t)]}function _u({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(
+t)/Math.max(1,r(e))}function Li(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Pu={present:"●",absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,l,i],c)=>{
 let d=Lu(e.reasons[c]??"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Pu[a]??""),u("div",{},u("p",{},u("\
 strong",{},o),` ${a}`,u("span",{class:"muted"},` · ${i}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},l)))}),s=Li("What happened",
 "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("p",{},e.headline),

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 0c37396246d49d03621d943b0eb657995f88437ddc710353d0ddfebc483cafe7 */
+/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
 "use strict";(()=>{var lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},$e={DISAPPEAR:0,REACH:1,BOUNCE:2},ur={OCCUPATION:0,SURROUND:1},cr={FAULT:0,INVOLVED:1};var wt=["obstacle","teammate","adversary"],xt=["vertex","edge","chain"],mr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],At=["p\
 ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ue={"both held":"both bounce","both doomed":"\
@@ -352,16 +352,16 @@ r),l=new Set(i.flatMap(c=>c.doomed)),u=a.map(c=>({kind:"capture",text:`${s(c)} i
 {kind:"end",text:`${s(c)} disappears`,agents:[c]});return u.push(...i.map(({kind:c,text:m,agents:f})=>({kind:c,text:m,agents:f}))),r===t.length&&u.unshift({kind:"\
 end",text:ua(t),agents:[]}),u}function la({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
  steps`}function ua(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var sr=.005,lo=.05,ca=["pursuer","evader"],ma=4,Ne=new Map;function uo(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null,fov:null},r]),o=Ne.get(n)??
-(rt(e)?Promise.resolve(null):fa(t,e,r));return Ne.delete(n),Ne.set(n,o),Ne.size>ma&&Ne.delete([...Ne.keys()][0]),o}var co=({n_evaders:t})=>t===1?"capture-time":
-"capture-rate",io=()=>new Promise(t=>setTimeout(t));async function fa(t,e,r){await io();let n=t.solution(e,r);for(;n.goBack();)await io();return n}function mo(t,e,r){
-let{payoff:n}=t;return r.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((u,c)=>a[c]+=u),e.playTurn(o);let i=n==="ca\
-pture-rate"?sr:lo;return ca.map((l,u)=>({step:s+1,team:l,lost:a[u],payoff:n})).filter(l=>l.lost>=i)})}var fo=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.
-max(1,...t.map(({lost:r})=>r)),text:ar(e)})),po=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,ar=t=>`The\
- ${t.team}s lose ${po(t)} against a perfect opponent`;function ho(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step},\
- lost ${po(e)} against a perfect opponent.`}function yo({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.
-min(t.max_steps-n,Rt)];return o>s-lo?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function go(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,
-action:o})).filter(({share:n})=>n>=sr).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-sr?de[o]:`${de[o]} ${n.toFixed(2)}`).join(", ")}var vo=["·","↑","→","↓","←","↗","↘","↙","↖"];var pa={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},ir=[8,1,5,4,0,2,7,3,6],ha=[7,8,9,4,5,6,1,2,3],da=24,ya=Math.tan(
+ evaders captured`}var sr=.005,lo=.05,ca=["pursuer","evader"],ma=4,Ne=new Map;function uo(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),o=Ne.get(n)??(rt(e)?Promise.
+resolve(null):fa(t,e,r));return Ne.delete(n),Ne.set(n,o),Ne.size>ma&&Ne.delete([...Ne.keys()][0]),o}var co=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
+io=()=>new Promise(t=>setTimeout(t));async function fa(t,e,r){await io();let n=t.solution(e,r);for(;n.goBack();)await io();return n}function mo(t,e,r){let{payoff:n}=t;
+return r.flatMap((o,s)=>{let a=[0,0];for(let l=e.n_turns;l>0&&!e.over;l--)t.game(e)?.lost(o).forEach((u,c)=>a[c]+=u),e.playTurn(o);let i=n==="capture-rate"?sr:lo;
+return ca.map((l,u)=>({step:s+1,team:l,lost:a[u],payoff:n})).filter(l=>l.lost>=i)})}var fo=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
+({lost:r})=>r)),text:ar(e)})),po=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,ar=t=>`The ${t.team}s los\
+e ${po(t)} against a perfect opponent`;function ho(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${po(e)} \
+against a perfect opponent.`}function yo({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[o,s]=[1-r,Math.min(t.max_steps-
+n,Rt)];return o>s-lo?`free for ${s} steps`:`captured after ${o.toFixed(1)} steps`}function go(t,e){return(t.marginal(e)??[]).map((n,o)=>({share:n,action:o})).filter(
+({share:n})=>n>=sr).sort((n,o)=>o.share-n.share).map(({share:n,action:o})=>n>1-sr?de[o]:`${de[o]} ${n.toFixed(2)}`).join(", ")}var vo=["·","↑","→","↓","←","↗","↘","↙","↖"];var pa={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},ir=[8,1,5,4,0,2,7,3,6],ha=[7,8,9,4,5,6,1,2,3],da=24,ya=Math.tan(
 Math.PI/8);function wo(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=ha.findIndex(o=>t.code===`Numpad${o}`),n=ir[r]??pa[t.key.length===1?t.key.toLowerCase():
 t.key];return n!==void 0&&n>4&&!e?void 0:n}function xo(t){let e=ir.map(r=>p("button",{type:"button","aria-label":de[r],onclick:()=>t(r)},vo[r]));return{element:p(
 "div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,o)=>n.classList.toggle("absent",ir[o]>4&&!r))}}function bo(t,e,r){let n=ya*

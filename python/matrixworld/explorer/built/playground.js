@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 0c37396246d49d03621d943b0eb657995f88437ddc710353d0ddfebc483cafe7 */
+/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
 "use strict";(()=>{var xt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},At={OCCUPATION:0,SURROUND:1},Ct={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
@@ -245,11 +245,11 @@ this.canvas.width,{left:s,top:a,cell:i}=this.#n;return[r.left+(s+t*i)*o,r.top+(a
 "--board-aspect",String(Vn(t,n)))}#u(){let t=devicePixelRatio||1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
 n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};function Zn(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:e.rules.interaction,obstacles:t,moments:n}}function Qn(e,t){return{
 positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_captured"),actions:t,involved:e.read("involved"),
-fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var pt=.005,tr=.05,zo=["pursuer","evader"],Ko=4,oe=new Map;function nr(e,t,n="capture-rate"){let r=JSON.stringify([{...t,rewards:null,fov:null},n]),o=oe.get(r)??
-(Ee(t)?Promise.resolve(null):Vo(e,t,n));return oe.delete(r),oe.set(r,o),oe.size>Ko&&oe.delete([...oe.keys()][0]),o}var rr=({n_evaders:e})=>e===1?"capture-time":
-"capture-rate",er=()=>new Promise(e=>setTimeout(e));async function Vo(e,t,n){await er();let r=e.solution(t,n);for(;r.goBack();)await er();return r}function or(e,t,n){
-let{payoff:r}=e;return n.flatMap((o,s)=>{let a=[0,0];for(let l=t.n_turns;l>0&&!t.over;l--)e.game(t)?.lost(o).forEach((c,d)=>a[d]+=c),t.playTurn(o);let i=r==="ca\
-pture-rate"?pt:tr;return zo.map((l,c)=>({step:s+1,team:l,lost:a[c],payoff:r})).filter(l=>l.lost>=i)})}var Yo=({lost:e,payoff:t})=>t==="capture-rate"?`${e.toFixed(2)} of the capture rate`:`${e.toFixed(1)} steps`,sr=e=>`The ${e.team}s lose ${Yo(e)} against a perfe\
+fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var pt=.005,tr=.05,zo=["pursuer","evader"],Ko=4,oe=new Map;function nr(e,t,n="capture-rate"){let r=JSON.stringify([{...t,rewards:null},n]),o=oe.get(r)??(Ee(t)?Promise.
+resolve(null):Vo(e,t,n));return oe.delete(r),oe.set(r,o),oe.size>Ko&&oe.delete([...oe.keys()][0]),o}var rr=({n_evaders:e})=>e===1?"capture-time":"capture-rate",
+er=()=>new Promise(e=>setTimeout(e));async function Vo(e,t,n){await er();let r=e.solution(t,n);for(;r.goBack();)await er();return r}function or(e,t,n){let{payoff:r}=e;
+return n.flatMap((o,s)=>{let a=[0,0];for(let l=t.n_turns;l>0&&!t.over;l--)e.game(t)?.lost(o).forEach((c,d)=>a[d]+=c),t.playTurn(o);let i=r==="capture-rate"?pt:tr;
+return zo.map((l,c)=>({step:s+1,team:l,lost:a[c],payoff:r})).filter(l=>l.lost>=i)})}var Yo=({lost:e,payoff:t})=>t==="capture-rate"?`${e.toFixed(2)} of the capture rate`:`${e.toFixed(1)} steps`,sr=e=>`The ${e.team}s lose ${Yo(e)} against a perfe\
 ct opponent`;function ar({config:e,payoff:t},{value:n},r){if(t==="capture-rate")return`value ${n.toFixed(2)}`;let[o,s]=[1-n,Math.min(e.max_steps-r,Ze)];return o>s-tr?`free f\
 or ${s} steps`:`captured after ${o.toFixed(1)} steps`}function ir(e,t){return(e.marginal(t)??[]).map((r,o)=>({share:r,action:o})).filter(({share:r})=>r>=pt).sort(
 (r,o)=>o.share-r.share).map(({share:r,action:o})=>r>1-pt?C[o]:`${C[o]} ${r.toFixed(2)}`).join(", ")}var Ue=class{recording;rules;outcomes=[];#e;#r;#t;#n=[];#s=[];constructor(t,n,r,o){this.#e=n,this.#r=o,this.rules=r;let s=te(n,r);this.#t=t.world(s),this.#t.restore(
