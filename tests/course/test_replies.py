@@ -224,6 +224,13 @@ WRONG |= {
         "turns only": lambda west, east, memory: ("west" if east else "east", memory),
         "no memory": lambda west, east, memory: "east",
     },
+    "10.5": {
+        "free": ["......"] * 6,
+        "many walls": [".#...#", "...#..", ".#.#.#", ".#.#..", "...#.#", ".#...."],
+        "cut off": [".#....", "#.....", *["......"] * 4],
+        "five rows": ["......"] * 5,
+        "a number": 6,
+    },
 }
 
 RIGHT: dict[str, list[Any]] = {

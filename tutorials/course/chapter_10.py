@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import permutations
 from typing import Any
 
@@ -11,7 +12,11 @@ from scipy.stats import spearmanr
 
 from course.checks import Mistake, compare, described, function, near, number, numbers
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.types import FloatArray
+from matrixworld.coevolution.maps import playable
+from matrixworld.coevolution.types import BoolArray, FloatArray
+from matrixworld.solve import States, best_response, solve
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.maps import read_map
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
 """Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""
@@ -127,3 +132,39 @@ def exercise_4(answer: Any) -> None:
                 f"From cell {start} it does not find the evader in cell {evader} (the westernmost "
                 f"cell is 0). These are the cells that it visits: {', '.join(map(str, path))}."
             )
+
+
+BOARD = WorldConfig("TO", rows=6, cols=6, n_pursuers=2, n_evaders=1, max_steps=5)
+"""The world of the notebook, on any map."""
+HIGH = 0.3
+"""Regret that a drawn map has to have."""
+
+
+def regret(walls: BoolArray) -> float:
+    """Return by how much chasers fall short of perfect play on a map, True where a wall is."""
+    there = States(replace(BOARD, obstacles=walls))
+    return solve(there).value - best_response(there, "chaser", "pursuer").value
+
+
+def exercise_5(answer: Any) -> None:
+    """Draw a map on which chasers are far from perfect."""
+    try:
+        walls = read_map(answer)
+    except (OSError, TypeError, ValueError):
+        raise Mistake(
+            f"Expected six texts of six characters, . or #, got {described(answer)}."
+        ) from None
+    if walls.shape != (BOARD.rows, BOARD.cols):
+        raise Mistake(
+            "The map has to have {} rows of {} cells, and has {} of {}.".format(
+                BOARD.rows, BOARD.cols, *walls.shape
+            )
+        )
+    if not playable(walls, BOARD.n_agents):
+        raise Mistake(
+            "All free cells have to be connected by steps to the four sides, and three agents "
+            "need room."
+        )
+    found = regret(walls)
+    if found < HIGH:
+        raise Mistake(f"On this map the regret of chasers is {found:.3f}, less than {HIGH}.")
