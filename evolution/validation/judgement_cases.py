@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from common import SAME_STEPS, SMALL_RACE
-from course.synthetic_races import Draws, SyntheticRace, disengagement, play_episodes
-from judgement_races import KINDS, synthetic_races
+from course.synthetic_races import Draws, SyntheticRace, play_episodes
+from judgement_races import KINDS, disengagement, synthetic_races
 from judgement_toys import RACES
 from judgement_truths import (
     WINDOWS,

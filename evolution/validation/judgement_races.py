@@ -22,6 +22,7 @@ from course.synthetic_races import (
     by_chance,
     constant,
     cycle,
+    logit,
     of_one_team,
     race,
     rotation,
@@ -228,6 +229,19 @@ def collapse(n: int, effect: float, draws: Draws) -> SyntheticRace:
 # ---- Kinds ---------------------------------------------------------------------------------------
 
 
+def disengagement(n: int, effect: float, draws: Draws, *, rate: float) -> SyntheticRace:
+    """Return a race (2 logits), until one team wins `rate` of the current matches from an onset on.
+
+    The onset lies between t = 0 and .4, and takes .05. From then on both stand still. The effect
+    size has no effect.
+    """
+    del effect
+    t, onset = time(n), draws.moment(0.0, 0.4)
+    engaged = draws.size(1.5, 2.5) * np.minimum(t, onset)
+    ahead = logit(rate) * np.clip((t - onset) / 0.05, 0.0, 1.0)
+    return of_one_team(engaged + ahead, engaged, 0.0, pursuers=draws.coin())
+
+
 class Kind(NamedTuple):
     """A kind of race.
 
@@ -276,9 +290,9 @@ KINDS: Mapping[str, Kind] = {
     "forgetting": Kind(forgetting, development=True),
     "decline": Kind(decline),
     "collapse": Kind(collapse),
-    "disengagement, .95": Kind(SYNTHETIC["disengagement, .95"]),
-    "disengagement, .985": Kind(SYNTHETIC["disengagement, .985"]),
-    "disengagement, .995": Kind(SYNTHETIC["disengagement, .995"]),
+    "disengagement, .95": Kind(partial(disengagement, rate=0.95)),
+    "disengagement, .985": Kind(partial(disengagement, rate=0.985)),
+    "disengagement, .995": Kind(partial(disengagement, rate=0.995)),
 }
 """Kinds of races by name."""
 

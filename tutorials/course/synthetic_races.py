@@ -157,19 +157,6 @@ def stagnation(n: int, effect: float, draws: Draws, *, until: float) -> Syntheti
     return additive(a * rise, b * rise, draws.level())
 
 
-def disengagement(n: int, effect: float, draws: Draws, *, rate: float) -> SyntheticRace:
-    """Return a race (2 logits), until one team wins `rate` of the current matches from an onset on.
-
-    The onset lies between t = 0 and .4, and takes .05. From then on both stand still. The effect
-    size has no effect.
-    """
-    del effect
-    t, onset = time(n), draws.moment(0.0, 0.4)
-    engaged = draws.size(1.5, 2.5) * np.minimum(t, onset)
-    ahead = logit(rate) * np.clip((t - onset) / 0.05, 0.0, 1.0)
-    return of_one_team(engaged + ahead, engaged, 0.0, pursuers=draws.coin())
-
-
 SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
     "pure race": partial(race, total=4.0),
     "slow race": slow_race,
@@ -179,9 +166,6 @@ SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
     "noise only, .5": partial(constant, rate=0.5),
     "drift": drift,
     "early stagnation": partial(stagnation, until=1 / 3),
-    "disengagement, .95": partial(disengagement, rate=0.95),
-    "disengagement, .985": partial(disengagement, rate=0.985),
-    "disengagement, .995": partial(disengagement, rate=0.995),
 }
 """Kinds of races by name; `evolution/validation/judgement_races.py` has more of them."""
 
