@@ -33,7 +33,7 @@ import numpy as np
 from matrixworld._util.checks import check_choice, check_integer
 from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.maps import BOTH, MAP_FITNESS, MAP_TEAMS, MapTeam
+from matrixworld.coevolution.maps import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, MapTeam
 from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.coevolution.own_code import OPPONENT, made
 from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
@@ -439,12 +439,16 @@ class Maps(Alternating):
     )  # fmt: skip
 
     def check(self) -> None:
-        """Raise ValueError for the team of a fitness that is the same for both."""
-        if self.map_team != BOTH and not MAP_FITNESS[self.map_fitness].by_team:
-            raise ValueError(
-                f"map_team: expected {BOTH}, got {self.map_team!r}; it has no effect with "
-                f"{self.map_fitness}"
-            )
+        """Raise ValueError for a value that has no effect with this fitness."""
+        same_for_both = not MAP_FITNESS[self.map_fitness].by_team
+        idle = {"map_team": same_for_both, "edits": self.map_fitness == NONE}
+        for item in fields(self):
+            value, usual = getattr(self, item.name), item.metadata["default"]
+            if idle.get(item.name) and value != usual:
+                raise ValueError(
+                    f"{item.name}: expected {usual}, got {value!r}; it has no effect with "
+                    f"{self.map_fitness}"
+                )
 
     @property
     def name(self) -> str:

@@ -151,6 +151,7 @@ def test_threads_change_nothing(tmp_path, fitness):
         ({"map_fitness": "regrets"}, r"schedule\.map_fitness: expected one of regret, value-loss"),
         ({"map_team": "evaders"}, r"schedule\.map_team: expected one of pursuer, evader, both"),
         ({"map_team": "evader"}, r"schedule\.map_team: expected both, got 'evader'; .* learnab"),
+        ({"fitness": "none", "edits": 5}, r"schedule\.edits: expected 3, got 5; it has no .* none"),
         ({"walls": 0.9}, r"schedule\.walls: expected at most 0\.812, .* 3 agents, got 0\.9"),
     ],
 )  # fmt: skip
