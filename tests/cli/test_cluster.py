@@ -1,7 +1,12 @@
-"""The option --cluster, on a real Dask cluster of two processes."""
+"""The option --cluster, on a real Dask cluster of two processes; what docs/cluster.md shows."""
 
+import os
+import re
+import signal
+import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +14,7 @@ import pytest
 
 from command_line import RACE, matrixworld_command, words
 from matrixworld.cli import cluster
-from matrixworld.coevolution import evolve
+from matrixworld.coevolution import evolve, open_runs
 from tiny_race import results, tiny_race
 
 distributed = pytest.importorskip("distributed")
@@ -86,3 +91,44 @@ def _files_in(target: Path) -> dict[str, bytes]:
         for config in target.rglob("config.json")
         for name, content in results(config.parent).items()
     }
+
+
+# The page
+
+PAGE = (Path(__file__).parents[2] / "docs/cluster.md").read_text(encoding="utf-8")
+SCRIPTS = re.findall(r"^```sh\n(#!/bin/bash\n.*?)^```", PAGE, re.M | re.S)
+TINY = {"world.rows": 8, "world.n_evaders": 2, "schedule.generations": 1}
+
+
+@pytest.mark.slow
+def test_the_example_in_python_runs(tmp_path: Path) -> None:
+    [code] = re.findall(r"^```python\n(.*?)^```", PAGE, re.M | re.S)
+    (tmp_path / "script.py").write_text(code)
+    subprocess.run([sys.executable, "script.py"], cwd=tmp_path, check=True)
+    assert len(open_runs(tmp_path / "many")) == 4
+
+
+@pytest.mark.nightly
+@pytest.mark.skipif(sys.platform != "linux", reason="scripts of batch systems of Linux")
+@pytest.mark.parametrize("script", SCRIPTS, ids=["array", "cluster"])
+def test_scripts_for_batch_systems_run(script: str, tmp_path: Path) -> None:
+    settings = f"RaceSettings.of({{**{TINY}, 'schedule': schedule, 'seed': seed}})"
+    sets = "".join(f" --set {path}={value}" for path, value in TINY.items())
+    changes = {
+        "RaceSettings(schedule=schedule, seed=seed)": settings,
+        "--seeds 0-999": f"--seeds 0-1 --schedule generalist-generalist{sets}",
+        "/shared": str(tmp_path),
+        "ib0": "lo",
+    }
+    for old, new in changes.items():
+        script = script.replace(old, new)
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    found = {**os.environ, "PATH": path, "SLURM_ARRAY_TASK_ID": "0", "SLURM_JOB_ID": "7"}
+    begin = 'srun() { "$@"; }; matrixworld() { python -m matrixworld "$@"; }\n'
+    task = subprocess.Popen(["bash", "-c", begin + script], env=found, start_new_session=True)
+    try:
+        assert task.wait(300) == 0
+    finally:
+        with suppress(ProcessLookupError):  # of the array; a cluster leaves scheduler and worker
+            os.killpg(task.pid, signal.SIGKILL)
+    assert open_runs(tmp_path / "my-races")

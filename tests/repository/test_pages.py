@@ -65,7 +65,7 @@ RUN = {
 ELSEWHERE = {
     "docs/browser.md": "needs a browser; tests/repository/test_browser.py",
     "docs/class.md": "tests/classroom/test_class.py",
-    "docs/cluster.md": "needs a cluster; tests/cli/test_cluster.py",
+    "docs/cluster.md": "needs several processes; tests/cli/test_cluster.py",
     "docs/explorer.md": "needs a run; tests/explorer/test_runs_page.py",
     "docs/files.md": "one line for a run of the reader's",
     "docs/held_out.md": "needs a run; tests/coevolution/evaluation",

@@ -41,7 +41,15 @@ from typing import Any
 from matrixworld._util.checks import check_instance, check_threads, shown
 from matrixworld._util.files import DamagedFileError, locked, save_json, sentence_of
 from matrixworld._util.imports import HAS_PROCESSES
-from matrixworld.coevolution.progress import SECONDS, OnEpoch, Progress, Report, StopRun, silent
+from matrixworld.coevolution.progress import (
+    LOG,
+    SECONDS,
+    OnEpoch,
+    Progress,
+    Report,
+    StopRun,
+    silent,
+)
 from matrixworld.coevolution.runs import check_own_code, finish
 from matrixworld.coevolution.runs.map_race import check_maps
 from matrixworld.coevolution.runs.race import DisengagementWarning, race_to_replay
@@ -438,6 +446,7 @@ class _Play:
         except Exception as error:  # noqa: BLE001, of one run: the others go on
             self.failures[name] = error
         else:
+            LOG.info("%s: ended", self._root / name)  # its process has told it to nobody
             # The warning of the run itself stayed in its process.
             for text in numbers.get("disengagement", []):
                 warnings.warn(f"{name}: {text}", DisengagementWarning, stacklevel=5)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -10,6 +11,8 @@ from typing import Any, TextIO
 
 from tqdm import tqdm
 
+LOG = logging.getLogger("matrixworld")
+"""Told when a run begins or goes on, has saved a stage, and ends; shows nothing by itself."""
 SECONDS = 0.5
 """Minimum time between two updates, in seconds."""
 TENTH = 0.1

@@ -42,6 +42,7 @@ class EnvSettings(WorldSettings, total=False):
 
 
 View = NDArray[np.uint8]
+Info = dict[str, Any]
 
 RENDER_MODES = ("human", "rgb_array", "ansi")
 
@@ -70,7 +71,7 @@ class Status(WorldArrays):
         np.maximum(self.captors, earlier.captors, out=self.captors)
         self.cost[:] = self.fault.sum(axis=1)
 
-    def infos(self) -> list[dict[str, Any]]:
+    def infos(self) -> list[Info]:
         """Return the info of each agent, with plain values."""
         n_pursuers = len(self.alive) - len(self.captured)
         by_kind = {"involved": self.involved, "fault": self.fault, "cost": self.fault.astype(float)}
@@ -182,7 +183,7 @@ class MatrixWorldBase(HasOpponents):
         """The last step for all agents at once, in arrays in which an agent keeps its index."""
         return Status(self.world)
 
-    def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[dict[str, Any]]:
+    def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[Info]:
         """Return the info of each agent, in which `views` are what the agents see now."""
         infos = status.infos()
         if self._masks.given:
@@ -319,7 +320,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
 
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
-    ) -> tuple[dict[str, View], dict[str, dict[str, Any]]]:
+    ) -> tuple[dict[str, View], dict[str, Info]]:
         """Start an episode, and return observations and infos by the name of the agent.
 
         Parameters
@@ -347,7 +348,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         dict[str, float],
         dict[str, bool],
         dict[str, bool],
-        dict[str, dict[str, Any]],
+        dict[str, Info],
     ]:
         """Play a round.
 
@@ -435,7 +436,7 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
         self.terminations: dict[str, bool] = dict.fromkeys(self.agents, False)
         self.truncations: dict[str, bool] = dict.fromkeys(self.agents, False)
-        self.infos: dict[str, dict[str, Any]] = {}
+        self.infos: dict[str, Info] = {}
         self._skip_agent_selection: str | None = None
         self._play_until_actors()
         self._accumulate_rewards()

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import sys
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
-from typing import Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import gymnasium
 from pettingzoo.env_registry.registration import register
@@ -21,12 +21,26 @@ from typing_extensions import Unpack
 
 from matrixworld._util.files import load_toml
 from matrixworld.envs.agent import AgentEnv
-from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldParallel
+from matrixworld.envs.single import EnvSettings, Info, MatrixWorldAEC, MatrixWorldParallel, View
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.world.config import WorldConfig, with_limit
 from matrixworld.world.rules import INTERACTION_TEXTS, OUTCOME_TEXTS, Capture, Rules
 
-AECWrapper: TypeAlias = OrderEnforcingWrapper
+if TYPE_CHECKING:  # PettingZoo has no types
+
+    class AECWrapper(MatrixWorldAEC):
+        """An AEC environment in wrappers, which pass on what it has."""
+
+        unwrapped: MatrixWorldAEC
+
+        def last(self, observe: bool = True) -> tuple[View | None, float, bool, bool, Info]:
+            """Return observation, reward, termination, truncation and info of the next agent."""
+
+        def agent_iter(self, max_iter: int = 2**63) -> Iterator[str]:
+            """Yield the agents in the order in which they act."""
+
+else:
+    AECWrapper = OrderEnforcingWrapper
 
 _CAPTURES = {
     Capture.OCCUPATION: "a pursuer reaches it",
@@ -70,7 +84,10 @@ def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSetti
     config, **settings
         As for `parallel_env`.
     """
-    return OrderEnforcingWrapper(AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings)))
+    env: AECWrapper = OrderEnforcingWrapper(
+        AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings))
+    )
+    return env
 
 
 class VariantText(NamedTuple):

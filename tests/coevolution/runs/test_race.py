@@ -50,6 +50,15 @@ def test_each_team_can_have_a_learner_of_its_own(straight, tmp_path):
     assert isinstance(races["ga"].learners["evader"], coevolution.GeneticAlgorithm)
 
 
+def test_a_logger_is_told_where_a_run_is(tmp_path, caplog):
+    caplog.set_level("INFO", logger="matrixworld")
+    race = Race(tiny_race(generations=1), tmp_path / "run", threads=1)
+    race.run()
+    told = [record.getMessage().removeprefix(f"{tmp_path / 'run'}: ") for record in caplog.records]
+    saved = [f"saved stage {n} of 2" for n in range(3)]
+    assert told == [saved[0], "goes on from stage 0 of 2", *saved[1:], "ended"]
+
+
 def test_log_has_a_row_per_epoch_and_counts_matches(straight):
     log = straight.files.log()
     assert log["generation"].tolist() == [1] * 5 + [2] * 5

@@ -28,7 +28,7 @@ from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.own_code import PluginError
-from matrixworld.coevolution.progress import OnEpoch, Progress, Report, silent
+from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches, training_matches
 from matrixworld.coevolution.schedules import Schedule
 from matrixworld.coevolution.sections import different_settings
@@ -218,6 +218,7 @@ class Run(ABC):
             # Also if this object has just been made: an interrupted stage has changed learners, and
             # another process may have continued the run.
             self._restore()
+            LOG.info("%s: goes on from stage %d of %d", self.files.path, self.stage, self.n_stages)
             self._before, self._total_matches = self.training.matches, self.total_matches()
             while self.stage < self.n_stages:
                 try:
@@ -233,6 +234,7 @@ class Run(ABC):
             if not self.files.finished:
                 payoff = self.evaluate()
                 self.files.save_results(payoff.arrays(), self.summary(payoff))
+                LOG.info("%s: ended", self.files.path)
                 return payoff
             self.files.summary()  # only to raise an error if it is damaged
             return self.files.payoff()
@@ -293,6 +295,7 @@ class Run(ABC):
         }
         more = self.results_of_stage()
         self.files.save(self.stage, self.archive, self.training.rows, counters, state, more)
+        LOG.info("%s: saved stage %d of %d", self.files.path, self.stage, self.n_stages)
         self.training.rows = []
 
     def _restore(self) -> None:
