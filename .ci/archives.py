@@ -14,7 +14,7 @@ from pathlib import Path
 from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
 from packaging.requirements import Requirement
-from rattler_build import Stage0Recipe, VariantConfig
+from rattler_build import PlatformConfig, RenderConfig, Stage0Recipe, VariantConfig
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -28,6 +28,13 @@ NEEDED = {"CMakeLists.txt", "cpp", "docs", "evolution", "licenses", "python", "t
 UNWANTED = re.compile(r"\.(so|o|pyc)$|/(build|node_modules|__pycache__|\.venv[^/]*)/")
 LARGEST = 16_000_000  # bytes of an archive
 PYTHONS = ["3.10.* *_cpython", "3.13.* *_cp313"]  # with and without `tomli`
+COMPILERS = {
+    "cxx_compiler": ["gxx"],
+    "c_stdlib": ["sysroot"],
+    "m2w64_cxx_compiler": ["gxx"],
+    "m2w64_c_stdlib": ["m2w64-sysroot"],
+}
+"""Names that conda-forge gives to compilers and their libraries, on Windows those of MinGW."""
 OTHER_NAMES = {"matplotlib": "matplotlib-base"}
 
 
@@ -84,10 +91,13 @@ def write_recipe(archive: Path) -> None:
     recipe.parent.mkdir(exist_ok=True)
     recipe.write_text(text.replace("0" * 64, digest), encoding="utf-8")
     for python in PYTHONS:
-        settings = {"python": [python], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"]}
-        (rendered,) = Stage0Recipe.from_file(recipe).render(VariantConfig(settings))
-        run = set(map(str, rendered.recipe.requirements.run)) - {"python"}
-        expect(run == needs(python), f"recipe: expected {needs(python)}, got {run}")
+        settings = {**COMPILERS, "python": [python]}
+        for system in ("linux-64", "win-64"):
+            target = RenderConfig(platform=PlatformConfig(target_platform=system))
+            given = Stage0Recipe.from_file(recipe).render(VariantConfig(settings), target)
+            (rendered,) = given  # no system is left out
+            run = set(map(str, rendered.recipe.requirements.run)) - {"python"}
+            expect(run == needs(python), f"recipe: expected {needs(python)}, got {run}")
     print(f"{recipe.relative_to(ROOT)}: sha256 {digest}")
 
 
