@@ -187,7 +187,9 @@ def test_bad_options_are_refused_before_anything_is_written(options, message, tm
 
 
 def test_the_main_job_writes_figures_and_numbers(main_job):
-    output, _ = main_job
+    output, told = main_job
+    first = "The first run has ended. A match of it: matrixworld replay 'main job/"
+    assert told.stderr.count(first) == 1
     names = {path.name for path in output.iterdir()}
     written = {"job.json", ".lock", "comparison.png", "summary.json", "explorer.html"}
     assert names == {*MAIN_JOB, *written}

@@ -318,9 +318,9 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
 
 
-def test_cores_are_shared_so_that_the_last_run_does_not_play_alone():
-    asked = [(1, 2), (2, 2), (3, 2), (4, 2), (3, 1), (3, 8)]
-    expected = [(1, 2), (2, 1), (3, 1), (2, 1), (1, 1), (3, 2)]
+def test_a_few_runs_have_two_threads_each_and_of_more_the_last_does_not_play_alone():
+    asked = [(1, 2), (2, 2), (3, 2), (3, 1), (3, 4), (3, 8), (4, 2), (5, 4), (9, 4)]
+    expected = [(1, 2), (1, 2), (1, 2), (1, 1), (2, 2), (3, 2), (2, 1), (5, 1), (4, 1)]
     assert [shares(runs, cores) for runs, cores in asked] == expected
 
 

@@ -116,6 +116,13 @@ def test_connections_that_ask_nothing_take_no_files_from_the_run(live: LivePage)
         assert served <= MOST_CONNECTIONS + 1
 
 
+def test_untrained_teams_are_shown_before_anything_is_learned(tmp_path: Path) -> None:
+    start(tiny_race(), tmp_path / "run")
+    with LivePage(tmp_path, ["run"]) as page:
+        until_shown(page)
+        assert '"live":"' in str(page.answer(urlsplit(page.url).path))
+
+
 def bytes_of(root: Path) -> dict[Path, bytes]:
     files = (file for file in root.rglob("*") if file.is_file() and file.name != "explorer.html")
     return {file.relative_to(root): file.read_bytes() for file in files}
@@ -125,7 +132,7 @@ def bytes_of(root: Path) -> dict[Path, bytes]:
 def test_runs_have_the_same_bytes_with_a_page_beside_them(job: Path, tmp_path: Path) -> None:
     root = tmp_path / "job"
     with LivePage(root, [*JOB]) as page:
-        assert b"first generation" in urllib.request.urlopen(page.url).read()
+        assert b"first run begins" in urllib.request.urlopen(page.url).read()
         evolve(JOB, root, threads=1)
         until_shown(page)
         assert b'"live":"' in urllib.request.urlopen(page.url).read()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -177,7 +178,9 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 )
 @options("seed", "seeds", "threads", "cluster")
 @click.option(
-    "--live", is_flag=True, help="show the runs on a page of this machine while they go on"
+    "--live/--no-live",
+    default=None,
+    help="show the runs on a page of this machine while they go on  [default: in a terminal]",
 )
 @click.option(
     "--resume",
@@ -198,7 +201,7 @@ def evolve_command(
     resumed: Path | None,
     threads: int | None,
     where: str | None,
-    live: bool,
+    live: bool | None,
     **settings: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
@@ -220,8 +223,8 @@ def evolve_command(
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
     Results do not depend on --threads.
 
-    With --live an address is printed: a page with the matrix, the curves and the newest match of
-    the first runs, while they go on. It ends as explorer.html.
+    In a terminal, or with --live, an address is printed: a page with the matrix, the curves and the
+    newest match of the first runs, while they go on. It ends as explorer.html.
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
@@ -242,9 +245,10 @@ def evolve_command(
         if resumed is None and not given:
             note(PAGE_HINT)
         began = time.monotonic()
+        live = sys.stderr.isatty() if live is None else live
         with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
             with progress() as bar:
-                whole = Whole(job, bar, page)
+                whole = Whole(job, bar, page, root)
                 with on_cluster(where, threads) as executor:
                     results, failed = play_runs(
                         job, root, threads, executor, new=resumed is None, report=whole.played
@@ -403,7 +407,9 @@ class Whole:
     in the same time.
     """
 
-    def __init__(self, job: Job, bar: ProgressBar, page: LivePage | None = None) -> None:
+    def __init__(
+        self, job: Job, bar: ProgressBar, page: LivePage | None = None, root: Path | None = None
+    ) -> None:
         races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
         self._score = sum(SCORED * each.world.max_steps / each.train_steps for each in races)
@@ -411,12 +417,22 @@ class Whole:
         self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
         self._bar, self._page, self._began = bar, page, time.monotonic()
         self._done, self._draw = Progress("", 0, 1), 0.0
+        # Runs of which the first one that ends is told.
+        self._runs = [root / name for name in job] if root and len(job) > 1 else []
 
     def played(self, progress: Progress) -> None:
         """Show the progress of the runs."""
         rate = (progress.done - progress.before) / max(time.monotonic() - self._began, SECONDS)
+        if progress.what != self._done.what:
+            self._tell_first()
         self._done, self._draw = progress, self._seconds * rate
         self._show(f"evolve, {progress.what}", 0.0)
+
+    def _tell_first(self) -> None:
+        ended = [path for path in self._runs if SavedRun(path).finished]
+        if ended:
+            note(f"The first run has ended. A match of it: {command('replay', ended[0])}")
+            self._runs = []
 
     def scored(self, progress: Progress) -> None:
         """Show the progress of matches against held-out opponents."""

@@ -78,6 +78,8 @@ ITSELF = "."
 """Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
 RUNNING = ".running-"
 """Begin of the name of the folder that a job has while it is played."""
+FEW = 3
+"""Most runs, such as those of a default `matrixworld evolve`, whose first one should end early."""
 STOP_WAIT = 3.0
 """Seconds for which runs that have been stopped are waited for."""
 BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
@@ -314,6 +316,8 @@ def shares(runs: int, threads: int | None) -> tuple[int, int]:
     cores = check_threads(threads)
     # A few runs more than cores share them from the beginning: the last one would play alone.
     workers = max(1, runs if runs < 2 * cores else cores)
+    if runs <= FEW:  # two threads each lose little, and the first run is there in half the time
+        workers = max(1, min(runs, cores // 2))
     return workers, max(1, cores // workers)
 
 

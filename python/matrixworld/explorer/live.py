@@ -2,7 +2,8 @@
 
 Readers beside a run see whole stages and take no lock, so a run has the same bytes with this page
 and without. The payoff matrix is made at the end of a run only: a thread here plays the first
-episodes of the evaluation of all generations that there are, and plays on when a stage is sealed.
+episodes of the evaluation of all generations that there are, and plays on when a stage is sealed,
+as long as a browser asks: a page at which nobody looks costs nothing.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ EPISODES = 2
 SECONDS = 1.0
 """Time between two looks at the files; the page asks as often."""
 LEFT = 5.0
-"""Seconds for which a browser that has just asked may load the finished page."""
+"""Seconds for which a browser that has just asked counts as one that looks."""
 MOST_CONNECTIONS = 16
 PROGRESS = f"{LINE}, {{rate_fmt}}"
 NOTE = (
@@ -47,7 +48,7 @@ NOTE = (
 )
 WAITING = (
     '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="1">'
-    "<title>matrixworld</title><p>The first generation is being trained.</p><p>{}</p>"
+    "<title>matrixworld</title><p>The first run begins.</p><p>{}</p>"
 )
 
 
@@ -90,7 +91,7 @@ class LivePage:
     def finish(self, page: Path) -> None:
         """Serve the page of the finished runs, if a browser is there to take it."""
         self._finished = page
-        if time.monotonic() - self._asked < LEFT:
+        if self._is_looked_at():
             self._taken.wait(LEFT)
 
     def report(self, progress: Progress) -> None:
@@ -106,8 +107,9 @@ class LivePage:
 
     def answer(self, path: str) -> str | None:
         """Return what is at an address; None if nothing is."""
-        if path == f"{self._place}progress":
+        if path.startswith(self._place):
             self._asked = time.monotonic()
+        if path == f"{self._place}progress":
             version = "end" if self._finished else str(self._version)
             return json.dumps({"version": version, **self._progress})
         return self._page() if path == self._place else None
@@ -116,6 +118,9 @@ class LivePage:
         """Note that a browser has got what is at an address."""
         if self._finished and path == self._place:
             self._taken.set()
+
+    def _is_looked_at(self) -> bool:
+        return time.monotonic() - self._asked < LEFT
 
     def _page(self) -> str:
         if self._finished:
@@ -131,7 +136,7 @@ class LivePage:
 
     def _follow(self) -> None:
         while not self._closed.wait(SECONDS):
-            for name in self._names:
+            for name in self._names if self._is_looked_at() else ():
                 # The run is being made or mended, or too many files are open: the next look may
                 # succeed, and the end of the job tells what is damaged.
                 with suppress(OSError, DamagedFileError):
@@ -143,8 +148,6 @@ class LivePage:
         if stages == self._stages.get(name, 0) or self._finished:
             return
         run = open_run(self._root / name)
-        if not all(team_size(run.teams[team]) > 1 for team in run.settings.learning_teams):
-            return
         known = self._runs[name][1] if name in self._runs else None
         self._runs[name] = run, extended(run, known, self._check)
         self._stages[name] = stages

@@ -277,7 +277,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
-    every = -(-len(learner) // MOST_POINTS)
+    every = max(1, -(-len(learner) // MOST_POINTS))
     starts = np.arange(0, len(learner), every)
     counts = np.diff([*starts, len(learner)])
     return {
