@@ -143,8 +143,8 @@ def test_the_worst_map_shows_what_the_newest_lose_and_perfect_teams_do_not(tmp_p
     team, _ = key = max(lost, key=lambda each: each[1])
     rates = [f"{rate:.0%}" for rate in lost[key]]
     assert re.findall(r"\d+%", figure.get_suptitle()) == rates
-    ends = [axes.get_title().split(":\n")[1].split(" in ")[0] for axes in figure.axes]
-    expected = ["not captured", "captured"]
+    ends = [axes.get_title().split(":\n")[1].split()[1] for axes in figure.axes]
+    expected = ["free", "captured"]
     assert ends == (expected if team == "pursuer" else expected[::-1])
 
 

@@ -334,13 +334,9 @@ def paths(episodes: Mapping[str, Episode], *, title: str | None = None) -> Figur
     panels = figure.subplots(1, len(episodes), squeeze=False)[0]
     for axes, (name, episode) in zip(panels, episodes.items(), strict=True):
         _draw_paths(axes, episode)
-        rounds = len(episode.actions)
-        told = (
-            "captured in round"
-            if episode.ever_captured[-1].all()
-            else "not captured in rounds 1 to"
-        )
-        axes.set_title(f"{name}:\n{told} {rounds}", fontweight="bold")
+        ends = "captured in round" if episode.ever_captured[-1].all() else "free after round"
+        who = "evaders" if episode.ever_captured.shape[1] > 1 else "evader"
+        axes.set_title(f"{name}:\n{who} {ends} {len(episode.actions)}", fontweight="bold")
     figure.supxlabel("Numbers are rounds; a star is a capture.", size="small")
     entitle(figure, title)
     return figure
@@ -356,27 +352,23 @@ def _draw_paths(axes: Axes, episode: Episode) -> None:
         team = int(agent >= n_pursuers)
         # Each has a place of its own in all cells, so that no path hides another.
         turn = 2 * math.pi * (agent / n_agents + 0.25)
-        path = episode.last_positions[:, agent] + 0.26 * np.array([math.sin(turn), math.cos(turn)])
+        aside = 0.26 * np.array([math.sin(turn), math.cos(turn)])
+        y, x = (episode.last_positions[:, agent] + aside).T
         look: dict[str, Any] = {"color": colors.TEAMS[team], "zorder": 3}
-        axes.plot(path[:, 1], path[:, 0], linewidth=1.5, linestyle=("-", "--")[team], **look)
-        axes.plot(path[0, 1], path[0, 0], marker="^o"[team], markersize=18, **look)
-        bold: dict[str, Any] = {"fontweight": "bold", "zorder": 4}
+        axes.plot(x, y, linewidth=1.5, linestyle=("-", "--")[team], **look)
+        axes.plot(x[0], y[0], marker="^o"[team], markersize=18, **look)
+        text: dict[str, Any] = {"color": colors.PAPER, "fontweight": "bold", "zorder": 4}
         name = f"{'PE'[team]}{agent - team * n_pursuers}"
-        _write(
-            axes, path[0, 1], path[0, 0] + 0.03, name, color=colors.PAPER, size="x-small", **bold
-        )
+        _write(axes, x[0], y[0] + 0.03, name, size="x-small", **text)
         if team and episode.ever_captured[-1, agent - n_pursuers]:
             star: dict[str, Any] = {"color": colors.CAPTURE, "markeredgecolor": colors.INK}
-            axes.plot(path[-1, 1], path[-1, 0], marker="*", markersize=32, zorder=2, **star)
-        bold["path_effects"] = [withStroke(linewidth=3, foreground=colors.PAPER)]
-        for y, x in np.unique(path, axis=0):
-            rounds = np.flatnonzero((path == (y, x)).all(axis=1))
+            axes.plot(x[-1], y[-1], marker="*", markersize=32, zorder=2, **star)
+        text |= look | {"path_effects": [withStroke(linewidth=3, foreground=colors.PAPER)]}
+        for place in {*zip(x[1:], y[1:], strict=True)} - {(x[0], y[0])}:
+            rounds = np.flatnonzero((x == place[0]) & (y == place[1]))
             spells = np.split(rounds, np.flatnonzero(np.diff(rounds) > 1) + 1)
-            told = ",".join(
-                f"{each[0]}-{each[-1]}" if len(each) > 1 else f"{each[0]}" for each in spells
-            )
-            if rounds[0]:  # where an agent starts, its name stands
-                _write(axes, x, y, told, color=colors.TEAMS[team], **bold)
+            told = ("-".join(map(str, dict.fromkeys((each[0], each[-1])))) for each in spells)
+            _write(axes, *place, ",".join(told), **text)
 
 
 # ---- Rules as a table ----------------------------------------------------------------------------
