@@ -440,8 +440,10 @@ class Maps(Alternating):
 
     def check(self) -> None:
         """Raise ValueError for a value that has no effect with this fitness."""
-        same_for_both = not MAP_FITNESS[self.map_fitness].by_team
-        idle = {"map_team": same_for_both, "edits": self.map_fitness == NONE}
+        idle = {
+            "map_team": not MAP_FITNESS[self.map_fitness].by_team,
+            **dict.fromkeys(("children", "fresh", "edits"), self.map_fitness == NONE),
+        }
         for item in fields(self):
             value, usual = getattr(self, item.name), item.metadata["default"]
             if idle.get(item.name) and value != usual:

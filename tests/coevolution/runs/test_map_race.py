@@ -9,7 +9,7 @@ import pytest
 
 from matrixworld import coevolution, rollout
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.maps import MAP_FITNESS, playable, symmetric
+from matrixworld.coevolution.maps import MAP_FITNESS, NONE, playable, symmetric
 from matrixworld.solve import guarantees
 from tiny_race import StopAt, check_resumes, results, straight, tiny_race
 
@@ -18,13 +18,16 @@ SMALL: dict[str, Any] = {
     "max_steps": 6, "train_steps": 6, "match_episodes": 3,
     "maps": 4, "children": 3, "fresh": 2, "map_matches": 2,
 }  # fmt: skip
+UNSELECTED = ("children", "fresh")
+"""Settings without effect where no maps are selected."""
 N_NEW = SMALL["maps"] + SMALL["children"] + SMALL["fresh"]
 CALLS = 10
 """Calls of `rollout` in the epochs of a tiny race."""
 
 
 def map_race(fitness: str = "learnability", **changes: Any) -> RaceSettings:
-    return tiny_race(**{**SMALL, "schedule": f"maps-{fitness}", **changes})
+    small = {name: SMALL[name] for name in SMALL if fitness != NONE or name not in UNSELECTED}
+    return tiny_race(**{**small, "schedule": f"maps-{fitness}", **changes})
 
 
 def played_and_kept(settings: RaceSettings, directory: Any) -> tuple[list[Any], Any]:
@@ -151,6 +154,8 @@ def test_threads_change_nothing(tmp_path, fitness):
         ({"map_fitness": "regrets"}, r"schedule\.map_fitness: expected one of regret, value-loss"),
         ({"map_team": "evaders"}, r"schedule\.map_team: expected one of pursuer, evader, both"),
         ({"map_team": "evader"}, r"schedule\.map_team: expected both, got 'evader'; .* learnab"),
+        ({"fitness": "none", "fresh": 1}, r"schedule\.fresh: expected 4, got 1; it has no .* none"),
+        ({"fitness": "none", "children": 0}, r"schedule\.children: expected 12, got 0; it has no"),
         ({"fitness": "none", "edits": 5}, r"schedule\.edits: expected 3, got 5; it has no .* none"),
         ({"walls": 0.9}, r"schedule\.walls: expected at most 0\.812, .* 3 agents, got 0\.9"),
     ],
