@@ -52,8 +52,7 @@ from matrixworld.coevolution.maps import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Tri
 SIDE, STEPS = 6, 6
 BASE = RaceSettings.of({
     "schedule": "maps", "schedule.generations": 20, "schedule.pursuer_epochs": 50,
-    "schedule.evader_epochs": 50, "schedule.maps": 8, "schedule.children": 4, "schedule.fresh": 1,
-    "schedule.map_matches": 4, "schedule.pursuers_meet": "latest",
+    "schedule.evader_epochs": 50, "schedule.maps": 8, "schedule.pursuers_meet": "latest",
     "schedule.evaders_meet": "latest", "learner": "es", "learner.population": 64,
     "learner.sigma": 0.1, "learner.relative_sigma": 0.3, "learner.learning_rate": 0.03,
     "policy.hidden": [16], "world.rules": "TO", "world.rows": SIDE, "world.cols": SIDE,
@@ -61,6 +60,9 @@ BASE = RaceSettings.of({
     "world.max_steps": STEPS, "world.obstacles": 0.2, "train_steps": STEPS, "match_episodes": 32,
     "evaluation_episodes": 10,
 })  # fmt: skip
+SELECTION = {"schedule.children": 4, "schedule.fresh": 1}
+MATCHES = 4
+"""On each map, for an estimate."""
 LARGE = "16 x 16, "
 LARGE_WORLD = {
     "world.rows": 16, "world.cols": 16, "world.n_pursuers": 4, "world.n_evaders": 4,
@@ -70,9 +72,8 @@ LARGE_WORLD = {
 """Their agents see three cells around them."""
 QUICK = {
     "schedule.generations": 2, "schedule.pursuer_epochs": 2, "schedule.evader_epochs": 2,
-    "schedule.maps": 3, "schedule.children": 2, "schedule.map_matches": 1, "world.rows": 4,
-    "world.cols": 4, "world.max_steps": 8, "train_steps": 8, "learner.population": 4,
-    "evaluation_episodes": 2,
+    "schedule.maps": 3, "world.rows": 4, "world.cols": 4, "world.max_steps": 8,
+    "train_steps": 8, "learner.population": 4, "evaluation_episodes": 2,
 }  # fmt: skip
 RANKED = {False: 32, True: 6}
 HELD_OUT = {False: 15, True: 3}
@@ -85,14 +86,22 @@ SCORES = ("regret", "wins")
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of races by the fitness of maps, of exact regret by team, and of size."""
     base = BASE.changed(QUICK if quick else {})
-    found = {name: base.changed({"schedule.map_fitness": name}) for name in MAP_FITNESS}
-    for team in TEAMS:
-        changes = {"schedule.map_fitness": "regret", "schedule.map_team": team}
-        found[f"regret of {team}s"] = base.changed(changes)
     large = base.changed(LARGE_WORLD | ({"world.max_steps": 8, "train_steps": 8} if quick else {}))
-    for name, fitness in MAP_FITNESS.items():
-        if not fitness.exact:
-            found[LARGE + name] = large.changed({"schedule.map_fitness": name})
+    fitness: dict[str, dict[str, Any]] = {
+        name: {
+            "schedule.map_fitness": name,
+            **(SELECTION if name != NONE else {}),
+            **({"schedule.map_matches": MATCHES} if each.plays else {}),
+        }
+        for name, each in MAP_FITNESS.items()
+    }
+    found = {name: base.changed(changes) for name, changes in fitness.items()}
+    for team in TEAMS:
+        changes = fitness["regret"] | {"schedule.map_team": team}
+        found[f"regret of {team}s"] = base.changed(changes)
+    for name, changes in fitness.items():
+        if not MAP_FITNESS[name].exact:
+            found[LARGE + name] = large.changed(changes)
     return found
 
 
@@ -110,7 +119,7 @@ def ranks(run: SavedRun, quick: bool) -> dict[str, float]:
     walls = settings.schedule.walls
     maps = np.array([random_map(shape, walls, agents, rng) for _ in range(RANKED[quick])])
     champions = {team: run.last(team) for team in TEAMS}
-    matches = mw.Matches.of(0, 0, rng.integers(2**62, size=settings.schedule.map_matches))
+    matches = mw.Matches.of(0, 0, rng.integers(2**62, size=MATCHES))
 
     def play(world: mw.WorldConfig) -> mw.EpisodeStatistics:
         return mw.rollout(world, *champions.values(), matches, episodes=settings.match_episodes)

@@ -440,8 +440,10 @@ class Maps(Alternating):
 
     def check(self) -> None:
         """Raise ValueError for a value that has no effect with this fitness."""
+        fitness = MAP_FITNESS[self.map_fitness]
         idle = {
-            "map_team": not MAP_FITNESS[self.map_fitness].by_team,
+            "map_team": not fitness.by_team,
+            "map_matches": not fitness.plays,
             **dict.fromkeys(("children", "fresh", "edits"), self.map_fitness == NONE),
         }
         for item in fields(self):

@@ -16,17 +16,17 @@ from tiny_race import StopAt, check_resumes, results, straight, tiny_race
 SMALL: dict[str, Any] = {
     "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "fov": 7,
     "max_steps": 6, "train_steps": 6, "match_episodes": 3,
-    "maps": 4, "children": 3, "fresh": 2, "map_matches": 2,
+    "maps": 4, "children": 3, "fresh": 2,
 }  # fmt: skip
-UNSELECTED = ("children", "fresh")
-"""Settings without effect where no maps are selected."""
 N_NEW = SMALL["maps"] + SMALL["children"] + SMALL["fresh"]
 CALLS = 10
 """Calls of `rollout` in the epochs of a tiny race."""
 
 
 def map_race(fitness: str = "learnability", **changes: Any) -> RaceSettings:
-    small = {name: SMALL[name] for name in SMALL if fitness != NONE or name not in UNSELECTED}
+    small = SMALL | ({"map_matches": 2} if MAP_FITNESS[fitness].plays else {})
+    if fitness == NONE:  # which selects no maps
+        small = {name: value for name, value in small.items() if name not in ("children", "fresh")}
     return tiny_race(**{**small, "schedule": f"maps-{fitness}", **changes})
 
 
@@ -157,6 +157,7 @@ def test_threads_change_nothing(tmp_path, fitness):
         ({"fitness": "none", "fresh": 1}, r"schedule\.fresh: expected 4, got 1; it has no .* none"),
         ({"fitness": "none", "children": 0}, r"schedule\.children: expected 12, got 0; it has no"),
         ({"fitness": "none", "edits": 5}, r"schedule\.edits: expected 3, got 5; it has no .* none"),
+        ({"fitness": "novelty", "map_matches": 2}, r"map_matches: expected 16, got 2; .* novelty"),
         ({"walls": 0.9}, r"schedule\.walls: expected at most 0\.812, .* 3 agents, got 0\.9"),
     ],
 )  # fmt: skip
