@@ -38,7 +38,8 @@ class Reservation {
     static constexpr int kCountShift = kDiagonalMoves + 1;
     static constexpr std::uint32_t kOne = 1u << kCountShift;
 
-    static_assert(kMaxTeam << kCountShift <= UINT32_MAX, "the count of a whole team fits");
+    static_assert(std::uint64_t{kMaxTeam} << kCountShift <= UINT32_MAX,
+                  "the count of a whole team fits");
 
     explicit constexpr Reservation(std::uint32_t bits) : bits_(bits) {}
     // The bits, without the count, of an agent that makes this move; `acts` says whether it is one

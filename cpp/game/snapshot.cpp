@@ -10,7 +10,7 @@ namespace matrixworld {
 
 namespace {
 
-void refuse(const SnapshotField& field, const std::string& expected, long given) {
+void refuse(const SnapshotField& field, const std::string& expected, std::int64_t given) {
     throw std::invalid_argument("snapshot, " + std::string(field.name) + ": expected " + expected +
                                 ", got " + std::to_string(given));
 }
@@ -26,7 +26,7 @@ void check_field(const SnapshotField& field, const Value& value) {
     if constexpr (std::is_arithmetic_v<Value>) {
         if (field.limits) require_limits(field, static_cast<int>(value));
     } else {
-        const long size = static_cast<long>(value.size());
+        const auto size = static_cast<std::int64_t>(value.size());
         if (field.size != kAnySize && size != field.size) {
             refuse(field, std::to_string(field.size) + " entries", size);
         }
@@ -75,9 +75,9 @@ void World::check(const Snapshot& s) const {
     for_each_field(s, config(), [](const SnapshotField& field, const auto& value) {
         check_field(field, value);
     });
-    const long n = 2 * s.memory_sizes.cast<long>().sum();
-    if (n == static_cast<long>(s.memories.size())) return;
-    refuse({"memories", n}, std::to_string(n) + " entries", static_cast<long>(s.memories.size()));
+    const std::int64_t n = 2 * s.memory_sizes.cast<std::int64_t>().sum();
+    const auto size = static_cast<std::int64_t>(s.memories.size());
+    if (size != n) refuse({"memories", n}, std::to_string(n) + " entries", size);
 }
 
 void World::restore(const Snapshot& s, Scratch& scratch) {

@@ -46,11 +46,11 @@ struct Limits {
 // One row of the table. `size` is the number of entries; 1 for a plain number.
 struct SnapshotField {
     const char* name;
-    long size;
+    std::int64_t size;
     std::optional<Limits> limits = {};
 };
 
-constexpr long kAnySize = -1;
+constexpr std::int64_t kAnySize = -1;
 constexpr int kMostMemory = 1 << 20;  // numbers of an agent; the largest layer of a network
 
 // Calls visit(field, value) for every field of a (const) snapshot of a world of this configuration.

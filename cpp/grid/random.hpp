@@ -15,6 +15,8 @@
 #include <array>
 #include <cstdint>
 
+#include "grid/compiler.hpp"
+
 namespace matrixworld {
 
 constexpr int kDrawsPerBlock = 4;
@@ -31,14 +33,10 @@ inline Block philox(Block counter, std::uint64_t key0, std::uint64_t key1) {
     constexpr std::uint64_t kWeyl0 = 0x9E3779B97F4A7C15ULL;
     constexpr std::uint64_t kWeyl1 = 0xBB67AE8584CAA73BULL;
     for (int round = 0; round < 10; ++round) {
-        const unsigned __int128 product0 =
-            static_cast<unsigned __int128>(kMultiplier0) * counter[0];
-        const unsigned __int128 product1 =
-            static_cast<unsigned __int128>(kMultiplier1) * counter[2];
-        counter = {static_cast<std::uint64_t>(product1 >> 64) ^ counter[1] ^ key0,
-                   static_cast<std::uint64_t>(product1),
-                   static_cast<std::uint64_t>(product0 >> 64) ^ counter[3] ^ key1,
-                   static_cast<std::uint64_t>(product0)};
+        const Bits128 product0 = product(kMultiplier0, counter[0]);
+        const Bits128 product1 = product(kMultiplier1, counter[2]);
+        counter = {upper(product1) ^ counter[1] ^ key0, lower(product1),
+                   upper(product0) ^ counter[3] ^ key1, lower(product0)};
         key0 += kWeyl0;
         key1 += kWeyl1;
     }
@@ -62,8 +60,7 @@ inline int below(std::uint32_t bits, int n) {
     return static_cast<int>((static_cast<std::uint64_t>(bits) * static_cast<unsigned>(n)) >> 32);
 }
 inline int below(std::uint64_t bits, int n) {
-    return static_cast<int>((static_cast<unsigned __int128>(bits) * static_cast<unsigned>(n)) >>
-                            64);
+    return static_cast<int>(upper(product(bits, static_cast<unsigned>(n))));
 }
 
 // A float in [0, 1) from the upper 24 of 32 random bits, as many as a float holds exactly.

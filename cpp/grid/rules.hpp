@@ -44,11 +44,11 @@ inline int channel(Team team) { return team == Team::Pursuer ? kPursuers : kEvad
 
 constexpr int kTeams = 2;
 constexpr int kKinds = 3;
-constexpr int kMaxSide = 4096;             // cells along one side of the grid; fits 16 bits
-constexpr int kMaxFieldOfView = 255;       // cells along one side of a view
-constexpr long kMaxTeam = (1L << 22) - 1;  // agents; what a `Reservation` can count
-constexpr int kCompassMoves = 5;           // stay, north, east, south, west
-constexpr int kDiagonalMoves = 9;          // the same, then NE, SE, SW, NW
+constexpr int kMaxSide = 4096;           // cells along one side of the grid; fits 16 bits
+constexpr int kMaxFieldOfView = 255;     // cells along one side of a view
+constexpr int kMaxTeam = (1 << 22) - 1;  // agents; what a `Reservation` can count
+constexpr int kCompassMoves = 5;         // stay, north, east, south, west
+constexpr int kDiagonalMoves = 9;        // the same, then NE, SE, SW, NW
 
 using ByteArray = Eigen::Array<std::uint8_t, Eigen::Dynamic, 1>;
 using IntArray = Eigen::ArrayXi;
@@ -91,7 +91,7 @@ struct Rewards {
 };
 
 // Throws std::invalid_argument that says what was expected and what came.
-void require_range(const char* name, long value, long low, long high);
+void require_range(const char* name, int value, int low, int high);
 
 // Everything that is fixed for a world before its first episode.
 struct Config {

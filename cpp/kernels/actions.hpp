@@ -37,8 +37,8 @@ inline Mask<V> best(const V* logit, int n_actions) {
     Mask<V> chosen{};
     for (int a = 1; a < n_actions; ++a) {
         const Mask<V> is_larger = largest < logit[a];
-        largest = is_larger ? logit[a] : largest;
-        chosen = is_larger ? Mask<V>{} + a : chosen;
+        largest = where(is_larger, logit[a], largest);
+        chosen = where(is_larger, Mask<V>{} + a, chosen);
     }
     return chosen;
 }
@@ -59,7 +59,7 @@ inline void choose_lanes(const float* logits, int stride, int n, int n_actions, 
         const int i = lane < n ? lane : n - 1;  // lanes beyond the last agent repeat it
         by_lane[lane] = units ? units[i] : 0;
         for (int a = 0; a < n_actions; ++a) {
-            by_action[a][lane] = logits[static_cast<long>(i) * stride + a];
+            by_action[a][lane] = logits[static_cast<std::ptrdiff_t>(i) * stride + a];
         }
     }
     V logit[kMaxActions];
@@ -76,7 +76,7 @@ void choose(const float* logits, int stride, int n, int n_actions, const float* 
     while (i < n) {
         const bool few = n - i <= kLanesOf<Half>;
         const auto lanes = few ? choose_lanes<Half> : choose_lanes<Vec>;
-        lanes(logits + static_cast<long>(i) * stride, stride, n - i, n_actions,
+        lanes(logits + static_cast<std::ptrdiff_t>(i) * stride, stride, n - i, n_actions,
               units ? units + i : nullptr, actions + i);
         i += few ? kLanesOf<Half> : kLanes;
     }
@@ -115,7 +115,7 @@ template <typename V>
 inline void load_columns(const float* in, int stride, V* columns) {
     constexpr int kN = kLanesOf<V>;
     V rows[kN];
-    for (int i = 0; i < kN; ++i) rows[i] = load<V>(in + static_cast<long>(i) * stride);
+    for (int i = 0; i < kN; ++i) rows[i] = load<V>(in + static_cast<std::ptrdiff_t>(i) * stride);
     for (int n = kN; n > 1; n /= 2) {
         for (int i = 0; i < kN / 2; ++i) {
             columns[2 * i] = interleave_low(rows[i], rows[i + kN / 2]);
@@ -149,11 +149,11 @@ inline void outputs(const float* in, int in_stride, int n_in, const float* weigh
 template <typename V, int kActions>
 inline void finish_lanes(const float* in, int in_stride, int n_in, const float* weights,
                          const float* bias, int width, const float* units, std::uint8_t* actions) {
-    typedef std::uint8_t Bytes __attribute__((vector_size(kLanesOf<V>)));
+    using Bytes = Lanes<std::uint8_t, kLanesOf<V>>;
     V logit[kMaxActions];
     outputs<V, kActions>(in, in_stride, n_in, weights, bias, width, logit);
-    const Bytes bytes = __builtin_convertvector(chosen(logit, kActions, units), Bytes);
-    __builtin_memcpy(actions, &bytes, sizeof(bytes));
+    const Bytes bytes = converted<Bytes>(chosen(logit, kActions, units));
+    std::memcpy(actions, &bytes, sizeof(bytes));
 }
 
 // The last agents take half a vector where that is enough.
@@ -163,8 +163,8 @@ inline void finish_all(const float* in, int in_stride, int n, int n_in, const fl
     for (int i = 0; i < n; i += kLanes) {
         const bool few = n - i <= kLanesOf<Half>;
         const auto lanes = few ? finish_lanes<Half, kActions> : finish_lanes<Vec, kActions>;
-        lanes(in + static_cast<long>(i) * in_stride, in_stride, n_in, weights, bias, width,
-              units ? units + i : nullptr, actions + i);
+        lanes(in + static_cast<std::ptrdiff_t>(i) * in_stride, in_stride, n_in, weights, bias,
+              width, units ? units + i : nullptr, actions + i);
     }
 }
 
@@ -182,8 +182,8 @@ void finish(const float* in, int in_stride, int n, int n_in, const float* weight
     float logits[kRowPad * kPad];
     for (int i = 0; i < n; i += kRowPad) {
         const int rows = n - i < kRowPad ? n - i : kRowPad;
-        dense(in + static_cast<long>(i) * in_stride, in_stride, rows, n_in, weights, bias, width,
-              n_actions, Activation::None, logits);
+        dense(in + static_cast<std::ptrdiff_t>(i) * in_stride, in_stride, rows, n_in, weights, bias,
+              width, n_actions, Activation::None, logits);
         choose(logits, width, rows, n_actions, units ? units + i : nullptr, actions + i);
     }
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/compiler.hpp"
 #include "kernels/kernels.hpp"
 
 namespace matrixworld {
@@ -23,16 +24,12 @@ struct Level {
     const Kernels& (*kernels)();
 };
 
-// Best first. Each level needs every feature that the compiler may use for it.
+// Best first.
 std::vector<Level> levels() {
     std::vector<Level> all;
 #ifdef MATRIXWORLD_X86_LEVELS
-    const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-                    __builtin_cpu_supports("avx512cd");
-    all.push_back({"x86-64-v4", v4, kernels_v4});
-    all.push_back({"x86-64-v3", v3, kernels_v3});
+    all.push_back({"x86-64-v4", runs_x86_64_v4(), kernels_v4});
+    all.push_back({"x86-64-v3", runs_x86_64_v3(), kernels_v3});
 #endif
     all.push_back({"base", true, kernels_base});
     return all;

@@ -102,7 +102,7 @@ inline Seen<kWords> without_duplicates(const Positions& positions, Seen<kWords> 
     int n = 0;
     for (int i = 0; i < kWords; ++i) {
         for (std::uint64_t bits = seen.words[i] & positions.shared[i]; bits; bits &= bits - 1) {
-            const int agent = i * kPositionPad + __builtin_ctzll(bits);
+            const int agent = i * kPositionPad + lowest_bit(bits);
             bool known = false;
             for (int k = 0; k < n; ++k)
                 known |= positions.cells[first[k]] == positions.cells[agent];

@@ -25,9 +25,9 @@ inline V saturating_tanh(V x) {
     q = madd(q, t, number(s * 0.467264243f));
     p = madd(p, t, number(kScale * 0.999999932f));
     q = madd(q, t, number(1.0f));
-    const V end = x < V{} ? number(-1.0f) : number(1.0f);
-    const V magnitude = (V)((Mask<V>)x & 0x7fffffff);
-    return magnitude < number(8.7f / kScale) ? x * p / q : end;
+    const V end = where(x < V{}, number(-1.0f), number(1.0f));
+    const V magnitude = as<V>(as<Mask<V>>(x) & 0x7fffffff);
+    return where(magnitude < number(8.7f / kScale), x * p / q, end);
 }
 
 // 1 / (1 + e^-x) = 1/2 + tanh(x / 2) / 2, off by at most 2e-7.
@@ -53,7 +53,7 @@ struct Recurrent {
     }
     template <typename V, int kRows, int kVecs>
     void add_states(int column, V (&sum)[kRows][kVecs]) const {
-        const float* rows = weights + static_cast<long>(n_units) * stride;
+        const float* rows = weights + static_cast<std::ptrdiff_t>(n_units) * stride;
         add_products(states, width, n_units, rows + column, stride, sum);
     }
 };
@@ -68,7 +68,7 @@ inline void elman_tile(const Recurrent& layer, const float* bias, int column, fl
     layer.add_inputs(column, sum);
     layer.add_states(column, sum);
     for (int i = 0; i < kRows; ++i) {
-        float* const row = out + static_cast<long>(i) * layer.width + column;
+        float* const row = out + static_cast<std::ptrdiff_t>(i) * layer.width + column;
         for (int v = 0; v < kVecs; ++v) store(row + v * kLanes, saturating_tanh<0>(sum[i][v]));
     }
 }
@@ -101,7 +101,7 @@ inline void gru_tile(const Recurrent& layer, const float* bias, int block, float
         }
     }
     for (int i = 0; i < kRows; ++i) {
-        const long row = static_cast<long>(i) * layer.width + block;
+        const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(i) * layer.width + block;
         for (int v = 0; v < kVecs; ++v) {
             const Vec fresh = sum[i][2 * kVecs + v];
             const Vec old = load<Vec>(layer.states + row + v * kLanes);
@@ -129,9 +129,9 @@ void remember(const float* in, int in_stride, const float* states, int n, int n_
             }
             if (c < width) elman_tile<kElmanRows, 1>(layer, bias, c, out);
         }
-        layer.in += static_cast<long>(rows) * in_stride;
-        layer.states += static_cast<long>(rows) * width;
-        out += static_cast<long>(rows) * width;
+        layer.in += static_cast<std::ptrdiff_t>(rows) * in_stride;
+        layer.states += static_cast<std::ptrdiff_t>(rows) * width;
+        out += static_cast<std::ptrdiff_t>(rows) * width;
     }
 }
 

@@ -11,17 +11,19 @@
 // without overflow or underflow. Included by vector.hpp and by a test.
 #pragma once
 
+#include "grid/compiler.hpp"
+
 namespace matrixworld {
 
 namespace {
 
-typedef float Floats __attribute__((vector_size(16)));
+using Floats = Lanes<float, 4>;
 // Two numbers at a time, as many as the narrowest registers hold: compilers take wider comparisons
 // apart into single numbers.
-typedef float TwoFloats __attribute__((vector_size(8)));
-typedef double FourDoubles __attribute__((vector_size(32)));
-typedef double Doubles __attribute__((vector_size(16)));
-typedef long long Bits __attribute__((vector_size(16)));  // a comparison of doubles is -1 or 0
+using TwoFloats = Lanes<float, 2>;
+using FourDoubles = Lanes<double, 4>;
+using Doubles = Lanes<double, 2>;
+using Bits = Mask<Doubles>;
 
 // The exact a * b + c rounded to odd.
 inline Doubles add_product_to_odd(Doubles a, Doubles b, Doubles c) {
@@ -37,7 +39,7 @@ inline Doubles add_product_to_odd(Doubles a, Doubles b, Doubles c) {
     // One unit back towards 0 where the sum was rounded away from it; then the last bit is set where
     // anything was left over.
     const Bits away = inexact & (below ^ (sum < zero));
-    return (Doubles)(((Bits)sum + away) | (inexact & 1));
+    return as<Doubles>((as<Bits>(sum) + away) | (inexact & 1));
 }
 
 // The numbers of four floats as doubles.
@@ -46,13 +48,13 @@ struct Wide {
 };
 
 inline Wide widened(Floats x) {
-    const FourDoubles wide = __builtin_convertvector(x, FourDoubles);
+    const auto wide = converted<FourDoubles>(x);
     return {{Doubles{wide[0], wide[1]}, Doubles{wide[2], wide[3]}}};
 }
 
 inline Floats narrowed(const Wide& x) {
     const FourDoubles wide{x.halves[0][0], x.halves[0][1], x.halves[1][0], x.halves[1][1]};
-    return __builtin_convertvector(wide, Floats);
+    return converted<Floats>(wide);
 }
 
 inline Floats multiply_add(Floats a, Floats b, Floats c) {
@@ -69,8 +71,8 @@ inline Floats multiply_add(Floats a, Floats b, Floats c) {
 // zeros, or where the float is subnormal and has fewer bits. Both are rare. So products are added
 // without more ado, and `doubt` remembers whether a sum was one of these: then the caller does all
 // of it again by `multiply_add`.
-typedef unsigned Words __attribute__((vector_size(16)));  // lower and upper words of two doubles
-typedef int Signs __attribute__((vector_size(16)));
+using Words = Lanes<std::uint32_t, 4>;  // lower and upper words of two doubles
+using Signs = Lanes<std::int32_t, 4>;
 
 struct Doubt {
     Signs found{};
@@ -79,13 +81,12 @@ struct Doubt {
     // the middle between two floats; the upper word is among the smallest if the exponent is that of
     // a subnormal float, and the largest for 0, which is exact.
     void look_at(Doubles sum) {
-        static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the lower word comes first");
         constexpr Words kept = {0x1FFFFFFF, 0x7FFFFFFF, 0x1FFFFFFF, 0x7FFFFFFF};
         constexpr Words shift = {0x70000000, 0x7FFFFFFF, 0x70000000, 0x7FFFFFFF};
         constexpr int lowest = -0x7FFFFFFF - 1;
         constexpr int subnormal = lowest + 0x380FFFFF;  // the exponent of 2^-126, less 1
         constexpr Signs limit = {lowest + 1, subnormal, lowest + 1, subnormal};
-        found |= (Signs)(((Words)sum & kept) + shift) < limit;
+        found |= as<Signs>((as<Words>(sum) & kept) + shift) < limit;
     }
 
     bool any() const { return found[0] | found[1] | found[2] | found[3]; }
@@ -96,8 +97,8 @@ inline void add_product(Wide& sum, double x, const Wide& y, Doubt& doubt) {
     for (int i = 0; i < 2; ++i) {
         const Doubles near = sum.halves[i] + Doubles{x, x} * y.halves[i];
         doubt.look_at(near);
-        const TwoFloats rounded = __builtin_convertvector(near, TwoFloats);
-        sum.halves[i] = __builtin_convertvector(rounded, Doubles);
+        const auto rounded = converted<TwoFloats>(near);
+        sum.halves[i] = converted<Doubles>(rounded);
     }
 }
 

@@ -15,7 +15,7 @@ inline void sum_columns(const float* base, const float* weights, int stride, con
     Vec sum[kVecs];
     for (int v = 0; v < kVecs; ++v) sum[v] = load<Vec>(base + v * kLanes);
     for (int i = 0; i < n; ++i) {
-        const float* row = weights + static_cast<long>(rows[i]) * stride;
+        const float* row = weights + static_cast<std::ptrdiff_t>(rows[i]) * stride;
         for (int v = 0; v < kVecs; ++v) sum[v] += load<Vec>(row + v * kLanes);
     }
     for (int v = 0; v < kVecs; ++v) store(out + v * kLanes, activate(sum[v], activation));
@@ -38,9 +38,9 @@ inline void sum_bits_columns(const float* base, const float* weights, const std:
                              int n_words, int width, float* out) {
     Vec sum[kVecs];
     for (int v = 0; v < kVecs; ++v) sum[v] = load<Vec>(base + v * kLanes);
-    for (int w = 0; w < n_words; ++w, weights += static_cast<long>(width) * 64) {
+    for (int w = 0; w < n_words; ++w, weights += static_cast<std::ptrdiff_t>(width) * 64) {
         for (std::uint64_t bits = words[w]; bits; bits &= bits - 1) {
-            const float* row = weights + static_cast<long>(__builtin_ctzll(bits)) * width;
+            const float* row = weights + static_cast<std::ptrdiff_t>(lowest_bit(bits)) * width;
             for (int v = 0; v < kVecs; ++v) sum[v] += load<Vec>(row + v * kLanes);
         }
     }
@@ -76,16 +76,15 @@ inline void sum_seen_columns(const Seen<kWords>& seen, const std::int32_t* cells
     constexpr int kMost = 3;
     const auto nothing = reinterpret_cast<std::uintptr_t>(kNothing.row);
     const auto row_of = [&](std::uint64_t bits) {
-        const int agent = __builtin_ctzll(bits | std::uint64_t{1} << 63);
-        return weights + static_cast<long>(cells[agent] - seen.corner) * width;
+        const int agent = lowest_bit(bits | std::uint64_t{1} << 63);
+        return weights + static_cast<std::ptrdiff_t>(cells[agent] - seen.corner) * width;
     };
     Vec sum[kVecs];
     for (int v = 0; v < kVecs; ++v) sum[v] = load<Vec>(base + v * kLanes);
     for (int i = 0; i < kWords; ++i, cells += kPositionPad) {
         std::uint64_t bits = seen.words[i];
         for (int k = 0; k < kMost; ++k, bits &= bits - 1) {
-            std::uintptr_t mask = -static_cast<std::uintptr_t>(bits != 0);
-            __asm__("" : "+r"(mask));  // otherwise the compiler makes a branch of it
+            const std::uintptr_t mask = opaque(std::uintptr_t{0} - (bits != 0));
             const auto seen_row = reinterpret_cast<std::uintptr_t>(row_of(bits));
             const auto* row =
                 reinterpret_cast<const float*>(nothing + ((seen_row - nothing) & mask));
@@ -146,10 +145,10 @@ inline void add_products(const float* in, int in_stride, int n_in, const float* 
     for (int k = 0; k < n_in; ++k) {
         V row[kVecs];
         for (int v = 0; v < kVecs; ++v) {
-            row[v] = load<V>(weights + static_cast<long>(k) * width + v * kLanesOf<V>);
+            row[v] = load<V>(weights + static_cast<std::ptrdiff_t>(k) * width + v * kLanesOf<V>);
         }
         for (int i = 0; i < kRows; ++i) {
-            const V x = splat<V>(in[static_cast<long>(i) * in_stride + k]);
+            const V x = splat<V>(in[static_cast<std::ptrdiff_t>(i) * in_stride + k]);
             for (int v = 0; v < kVecs; ++v) sum[i][v] = madd(x, row[v], sum[i][v]);
         }
     }
@@ -169,10 +168,11 @@ inline bool add_products_in_doubles(const float* in, int in_stride, int n_in, co
     for (int k = 0; k < n_in; ++k) {
         Wide row[kVecs];
         for (int v = 0; v < kVecs; ++v) {
-            row[v] = widened(load<Vec>(weights + static_cast<long>(k) * width + v * kLanes));
+            row[v] =
+                widened(load<Vec>(weights + static_cast<std::ptrdiff_t>(k) * width + v * kLanes));
         }
         for (int i = 0; i < kRows; ++i) {
-            const double x = in[static_cast<long>(i) * in_stride + k];
+            const double x = in[static_cast<std::ptrdiff_t>(i) * in_stride + k];
             for (int v = 0; v < kVecs; ++v) add_product(sum[i][v], x, row[v], doubt);
         }
     }
@@ -189,8 +189,8 @@ inline void add_products(const float* in, int in_stride, int n_in, const float* 
     Vec end[kRows][kVecs];
     bool sure = true;
     for (int i = 0; i < kRows; i += kFew) {
-        sure &= add_products_in_doubles<kFew>(in + static_cast<long>(i) * in_stride, in_stride,
-                                              n_in, weights, width, sum + i, end + i);
+        sure &= add_products_in_doubles<kFew>(in + static_cast<std::ptrdiff_t>(i) * in_stride,
+                                              in_stride, n_in, weights, width, sum + i, end + i);
     }
     if (!sure) return add_products<Vec, kRows, kVecs>(in, in_stride, n_in, weights, width, sum);
     for (int i = 0; i < kRows; ++i) {
@@ -211,7 +211,8 @@ inline void dense_tile(const float* in, int in_stride, int n_in, const float* we
     add_products(in, in_stride, n_in, weights, width, sum);
     for (int i = 0; i < kRows; ++i) {
         for (int v = 0; v < kVecs; ++v) {
-            store(out + static_cast<long>(i) * width + v * kStep, activate(sum[i][v], activation));
+            store(out + static_cast<std::ptrdiff_t>(i) * width + v * kStep,
+                  activate(sum[i][v], activation));
         }
     }
 }
@@ -236,8 +237,8 @@ void dense(const float* in, int in_stride, int n, int n_in, const float* weights
            int width, int n_out, Activation activation, float* out) {
     for (int i = 0; i < n; i += kRowPad) {
         const auto rows = n - i > kRowPad / 2 ? dense_rows<kRowPad> : dense_rows<kRowPad / 2>;
-        rows(in + static_cast<long>(i) * in_stride, in_stride, n_in, weights, bias, width, n_out,
-             activation, out + static_cast<long>(i) * width);
+        rows(in + static_cast<std::ptrdiff_t>(i) * in_stride, in_stride, n_in, weights, bias, width,
+             n_out, activation, out + static_cast<std::ptrdiff_t>(i) * width);
     }
 }
 

@@ -1,11 +1,15 @@
-// Vectors of floats and the activation functions on them, by the compiler's vector extension, so
-// that one source serves all instruction sets. Included by kernels.cpp alone.
+// Vectors of floats and the activation functions on them: one source for all instruction sets. Included
+// by kernels.cpp alone.
 #pragma once
+
+#include <cstddef>
+#include <cstring>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
+#include "grid/compiler.hpp"
 #include "kernels/kernels.hpp"
 #include "kernels/multiply_add.hpp"
 
@@ -13,60 +17,54 @@ namespace matrixworld {
 
 namespace {
 
-#if defined(__AVX512F__)
+#if !defined(MATRIXWORLD_PLAIN) && \
+    (defined(__FMA__) || defined(__FP_FAST_FMAF) || defined(__aarch64__))
+#define MATRIXWORLD_FUSED  // there is an instruction for a * b + c, rounded once
+#endif
+
+#if defined(MATRIXWORLD_FUSED) && defined(__AVX512F__)
 constexpr int kLanes = 16;
-#elif defined(__AVX2__)
+#elif defined(MATRIXWORLD_FUSED) && defined(__AVX2__)
 constexpr int kLanes = 8;
 #else
 constexpr int kLanes = 4;
 #endif
 
-typedef float Vec __attribute__((vector_size(4 * kLanes)));
+using Vec = Lanes<float, kLanes>;
 // Half of the widest vector: for a layer with few outputs (the actions), or few agents, where a
 // whole one would mostly compute padding.
-typedef float Half __attribute__((vector_size(kLanes > 8 ? 32 : 4 * kLanes)));
+using Half = Lanes<float, (kLanes > 8 ? 8 : kLanes)>;
 
 template <typename V>
 constexpr int kLanesOf = sizeof(V) / sizeof(float);
-// The type of a comparison: integers of the same size, -1 where it holds and 0 elsewhere.
-template <typename V>
-using Mask = decltype(V{} < V{});
 
 // A memcpy of this size is one unaligned load or store.
 template <typename V>
 inline V load(const float* at) {
     V value;
-    __builtin_memcpy(&value, at, sizeof(V));
+    std::memcpy(&value, at, sizeof(V));
     return value;
 }
 template <typename V>
 inline void store(float* at, V value) {
-    __builtin_memcpy(at, &value, sizeof(V));
-}
-template <typename V>
-inline V splat(float value) {
-    return value - V{};
+    std::memcpy(at, &value, sizeof(V));
 }
 template <typename V>
 inline V larger(V a, V b) {
-    return a > b ? a : b;
+    return where(a > b, a, b);
 }
-
-#if defined(__FMA__) || defined(__FP_FAST_FMAF) || defined(__aarch64__)
-#define MATRIXWORLD_FUSED  // there is an instruction for a * b + c, rounded once
-#endif
 
 // a * b + c, rounded once ("multiply-add"). Without an instruction (old x86 processors, WebAssembly),
 // the same bits by way of doubles.
-#if defined(__AVX512F__)
+#if defined(MATRIXWORLD_FUSED) && defined(__AVX512F__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm512_fmadd_ps(a, b, c); }
 inline Half madd(Half a, Half b, Half c) { return _mm256_fmadd_ps(a, b, c); }
-#elif defined(__FMA__)
+#elif defined(MATRIXWORLD_FUSED) && defined(__AVX2__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm256_fmadd_ps(a, b, c); }
 #elif defined(MATRIXWORLD_FUSED)
 inline Vec madd(Vec a, Vec b, Vec c) {
     Vec result;
-    for (int i = 0; i < kLanes; ++i) result[i] = __builtin_fmaf(a[i], b[i], c[i]);
+    for (int i = 0; i < kLanes; ++i) result[i] = fused(a[i], b[i], c[i]);
     return result;
 }
 #else
@@ -98,19 +96,19 @@ inline V exp_negative(V x) {
     p = madd(p, r, number(5.0000001201e-1f));
     const V value = madd(p * r, r, r) + number(1.0f);
     // 2^n: n is added to the exponent's bits.
-    const V scaled = (V)((Mask<V>)value + ((Mask<V>)shifted << 23));
-    return tiny ? V{} : scaled;
+    const V scaled = as<V>(as<Mask<V>>(value) + (as<Mask<V>>(shifted) << 23));
+    return where(tiny, V{}, scaled);
 }
 
 // tanh |x| = (1 - e^(-2|x|)) / (1 + e^(-2|x|)), whose exponential never overflows; then the sign of
 // x.
 template <typename V>
 inline V tanh_of(V x) {
-    const Mask<V> sign = (Mask<V>)x & static_cast<std::int32_t>(0x80000000u);
-    const V magnitude = (V)((Mask<V>)x ^ sign);
+    const Mask<V> sign = as<Mask<V>>(x) & static_cast<std::int32_t>(0x80000000u);
+    const V magnitude = as<V>(as<Mask<V>>(x) ^ sign);
     const V t = exp_negative(magnitude * splat<V>(-2.0f));
     const V value = (splat<V>(1.0f) - t) / (splat<V>(1.0f) + t);
-    return (V)((Mask<V>)value | sign);
+    return as<V>(as<Mask<V>>(value) | sign);
 }
 
 template <typename V>

@@ -15,8 +15,8 @@ constexpr int kPiece = 4 * kLanes;  // bytes
 template <int kBytes>
 inline void copy_pieces(const std::uint8_t* from, std::uint8_t* to, int n) {
     int i = 0;
-    for (; i + kBytes <= n; i += kBytes) __builtin_memcpy(to + i, from + i, kBytes);
-    if (i < n) __builtin_memcpy(to + n - kBytes, from + n - kBytes, kBytes);
+    for (; i + kBytes <= n; i += kBytes) std::memcpy(to + i, from + i, kBytes);
+    if (i < n) std::memcpy(to + n - kBytes, from + n - kBytes, kBytes);
 }
 
 inline void copy(const std::uint8_t* from, std::uint8_t* to, int n) {
@@ -35,14 +35,14 @@ inline void copy(const std::uint8_t* from, float* to, int n) {
 
 // Sets n bytes to 0 in whole pieces: aligned ones but for the first and the last, which overlap
 // their neighbours.
-inline void clear(std::uint8_t* to, long n) {
+inline void clear(std::uint8_t* to, std::ptrdiff_t n) {
     const Vec zero{};
     if (n < 2 * kPiece) {
-        for (long i = 0; i < n; ++i) to[i] = 0;
+        for (std::ptrdiff_t i = 0; i < n; ++i) to[i] = 0;
         return;
     }
     store(reinterpret_cast<float*>(to), zero);
-    long i = kPiece - static_cast<long>(reinterpret_cast<std::uintptr_t>(to) % kPiece);
+    auto i = static_cast<std::ptrdiff_t>(kPiece - reinterpret_cast<std::uintptr_t>(to) % kPiece);
     for (; i + kPiece <= n; i += kPiece) store(reinterpret_cast<float*>(to + i), zero);
     store(reinterpret_cast<float*>(to + n - kPiece), zero);
 }
@@ -59,12 +59,11 @@ inline void mark_others(const Positions& positions, int agent, int fov, Number* 
         const std::int32_t* cells = positions.cells + i * kPositionPad;
         std::uint64_t bits = seen.words[i];
         for (int k = 0; k < kMost; ++k, bits &= bits - 1) {
-            const int cell = cells[__builtin_ctzll(bits | std::uint64_t{1} << 63)] - seen.corner;
-            int mask = -static_cast<int>(bits != 0);
-            __asm__("" : "+r"(mask));  // otherwise the compiler makes a branch of it
+            const int cell = cells[lowest_bit(bits | std::uint64_t{1} << 63)] - seen.corner;
+            const int mask = opaque(-static_cast<int>(bits != 0));
             view[unused + ((cell - unused) & mask)] = 1;
         }
-        for (; bits; bits &= bits - 1) view[cells[__builtin_ctzll(bits)] - seen.corner] = 1;
+        for (; bits; bits &= bits - 1) view[cells[lowest_bit(bits)] - seen.corner] = 1;
     }
 }
 
@@ -74,9 +73,9 @@ void write_views(const Positions positions, const int* agents, int n_views,
     const int fov = kFov ? kFov : positions.fov;  // a constant lets the compiler unroll the copies
     const int size = 3 * fov * fov;
     clear(reinterpret_cast<std::uint8_t*>(views),
-          static_cast<long>(sizeof(Number)) * size * n_views);
+          static_cast<std::ptrdiff_t>(sizeof(Number)) * size * n_views);
     for (int a = 0; a < positions.n_agents; ++a) {
-        Number* const view = views + static_cast<long>(agents[a]) * size;
+        Number* const view = views + static_cast<std::ptrdiff_t>(agents[a]) * size;
         Number* const channel = view + 2 * fov * fov;
         mark_others<kWords>(positions, a, fov, view);
         if (stride == fov) {
@@ -84,7 +83,7 @@ void write_views(const Positions positions, const int* agents, int n_views,
             continue;
         }
         for (int r = 0; r < fov; ++r) {
-            copy(obstacles[a] + static_cast<long>(r) * stride, channel + r * fov, fov);
+            copy(obstacles[a] + static_cast<std::ptrdiff_t>(r) * stride, channel + r * fov, fov);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "grid/compiler.hpp"
 #include "kernels/kernels.hpp"
 
 namespace matrixworld {
@@ -211,7 +212,7 @@ int* list_packed(const Bitboard& bitboard, const Window& window, int first, bool
         if (hide_centre && r <= fov / 2 && fov / 2 < r + rows_a_word) {
             bits &= ~(std::uint64_t{1} << (fov * fov / 2 - r * fov));
         }
-        for (; bits; bits &= bits - 1) *out++ = first + r * fov + __builtin_ctzll(bits);
+        for (; bits; bits &= bits - 1) *out++ = first + r * fov + lowest_bit(bits);
     }
     return out;
 }
@@ -225,7 +226,7 @@ int* list_parts(const Bitboard& bitboard, const Window& window, int first, bool 
             const auto reader = bitboard.window(window.top + r, window.left + c);
             Bitboard::Word bits = reader.row(0, std::min(Bitboard::kMaxWidth, window.fov - c));
             for (; bits; bits &= bits - 1) {
-                const int col = c + __builtin_ctzll(bits);
+                const int col = c + lowest_bit(bits);
                 const bool hidden = hide_centre && r == centre && col == centre;
                 if (!hidden) *out++ = first + r * window.fov + col;
             }

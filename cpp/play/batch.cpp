@@ -2,13 +2,28 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 
 namespace matrixworld {
 
 namespace {
 
-// Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
-constexpr std::int64_t kWorldsPerPiece = 16;
+// Copies n values as bytes, and returns whether all of them are at least 0 and below the limit. Each
+// value is read once and the copies are judged, since another thread may be writing to the values.
+// Two loops without branches, which the compiler turns into vector instructions: nearly always all
+// actions of a batch are legal.
+template <typename Integer>
+bool copy_below(int limit, const Integer* values, std::size_t n, std::uint8_t* copies) {
+    std::make_unsigned_t<Integer> bits = 0;  // of all values; those of a negative one are high
+    for (std::size_t i = 0; i < n; ++i) {
+        const Integer value = values[i];
+        bits |= static_cast<std::make_unsigned_t<Integer>>(value);
+        copies[i] = static_cast<std::uint8_t>(value);
+    }
+    std::uint8_t most = 0;
+    for (std::size_t i = 0; i < n; ++i) most = std::max(most, copies[i]);
+    return bits <= UINT8_MAX && most < limit;
+}
 
 EpisodeKey next_episode(const World& world) { return {world.key().seed, world.key().episode + 1}; }
 
@@ -26,6 +41,25 @@ Batch::Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Au
         workspaces_.push_back(std::make_unique<Workspace>(*setup_));
     }
 }
+
+template <typename Integer>
+void Batch::commit(const Integer* actions, std::pair<int, int> agents) {
+    const std::size_t n_agents = static_cast<std::size_t>(setup_->config.n_agents());
+    if (copy_below(setup_->config.n_actions(), actions, actions_.size(), actions_.data())) return;
+    // Some action is out of range, which is allowed for agents that are gone or do not act, and in
+    // worlds that are over.
+    std::fill(actions_.begin(), actions_.end(), std::uint8_t{0});
+    for (std::size_t w = 0; w < worlds_.size(); ++w) {
+        if (worlds_[w].over()) continue;
+        commit_actions(worlds_[w], w, agents.first, agents.second, actions + w * n_agents,
+                       actions_.data() + w * n_agents);
+    }
+}
+
+template void Batch::commit(const std::int8_t*, std::pair<int, int>);
+template void Batch::commit(const std::uint8_t*, std::pair<int, int>);
+template void Batch::commit(const std::int32_t*, std::pair<int, int>);
+template void Batch::commit(const std::int64_t*, std::pair<int, int>);
 
 template <typename Play>
 void Batch::for_each_world(Play play) {

@@ -2,12 +2,10 @@
 // output fields into the caller's arrays.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,23 +44,6 @@ void commit_actions(const World& world, std::size_t number, int first, int last,
     }
 }
 
-// Copies n values as bytes, and returns whether all of them are at least 0 and below the limit. Each
-// value is read once and the copies are judged, since another thread may be writing to the values.
-// Two loops without branches, which the compiler turns into vector instructions: nearly always all
-// actions of a batch are legal.
-template <typename Integer>
-bool copy_below(int limit, const Integer* values, std::size_t n, std::uint8_t* copies) {
-    std::make_unsigned_t<Integer> bits = 0;  // of all values; those of a negative one are high
-    for (std::size_t i = 0; i < n; ++i) {
-        const Integer value = values[i];
-        bits |= static_cast<std::make_unsigned_t<Integer>>(value);
-        copies[i] = static_cast<std::uint8_t>(value);
-    }
-    std::uint8_t most = 0;
-    for (std::size_t i = 0; i < n; ++i) most = std::max(most, copies[i]);
-    return bits <= UINT8_MAX && most < limit;
-}
-
 class Batch {
   public:
     Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Autoreset autoreset);
@@ -76,7 +57,8 @@ class Batch {
 
     // Plays one round, with actions (W, A), in every world that is not over; `Autoreset` says what
     // happens in the others. Throws std::invalid_argument if an agent that acts has an action out
-    // of range; then no world has changed. No round may be in progress.
+    // of range; then no world has changed. No round may be in progress. Integers are int8_t, uint8_t,
+    // int32_t or int64_t.
     template <typename Integer>
     void step(const Integer* actions, const Buffers& buffers) {
         commit(actions, {0, setup_->config.n_agents()});
@@ -155,19 +137,5 @@ class Batch {
     Workers workers_;
     std::vector<std::unique_ptr<Workspace>> workspaces_;  // by thread
 };
-
-template <typename Integer>
-void Batch::commit(const Integer* actions, std::pair<int, int> agents) {
-    const std::size_t n_agents = static_cast<std::size_t>(setup_->config.n_agents());
-    if (copy_below(setup_->config.n_actions(), actions, actions_.size(), actions_.data())) return;
-    // Some action is out of range, which is allowed for agents that are gone or do not act, and in
-    // worlds that are over.
-    std::fill(actions_.begin(), actions_.end(), std::uint8_t{0});
-    for (std::size_t w = 0; w < worlds_.size(); ++w) {
-        if (worlds_[w].over()) continue;
-        commit_actions(worlds_[w], w, agents.first, agents.second, actions + w * n_agents,
-                       actions_.data() + w * n_agents);
-    }
-}
 
 }  // namespace matrixworld

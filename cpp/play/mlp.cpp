@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "grid/compiler.hpp"
+
 namespace matrixworld {
 
 Memory to_memory(const std::string& name) {
@@ -143,7 +145,7 @@ const float* Mlp::obstacle_base(const World& world, Kept* kept, int row, int col
     if (kept && kept->known[cell]) {
         // The tables of all worlds leave the inner caches, and the row is read only later.
         const float* known = kept->bases[cell];
-        for (int i = 0; i < layers_.front().width(); i += kPad) __builtin_prefetch(known + i);
+        for (int i = 0; i < layers_.front().width(); i += kPad) prefetch(known + i);
         return known;
     }
     float* const base = kept ? kept->bases[cell] : room;

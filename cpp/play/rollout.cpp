@@ -9,9 +9,6 @@ namespace matrixworld {
 
 namespace {
 
-// Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
-constexpr std::int64_t kWorldsPerPiece = 16;
-
 // The memory of one thread: a world, its scratch and both teams' policies.
 class Workspace {
   public:

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "grid/compiler.hpp"
+
 namespace matrixworld {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 // ---- Sets of cells -----------------------------------------------------------------------------
 
 // A set of cells around the agent, which is in the middle: at most 11 x 11, also of a wider view.
-using Cells = unsigned __int128;
+using Cells = Bits128;
 constexpr int kSide = 11;
 constexpr int kReach = kSide / 2;
 
@@ -36,16 +38,11 @@ constexpr Cells column(int col) {
 constexpr Cells kWest = column(-kReach);
 constexpr Cells kEast = column(kReach);
 
-int count(Cells cells) {
-    return __builtin_popcountll(static_cast<std::uint64_t>(cells)) +
-           __builtin_popcountll(static_cast<std::uint64_t>(cells >> 64));
-}
+int count(Cells cells) { return count_bits(lower(cells)) + count_bits(upper(cells)); }
 
 // Removes the first cell of a set and returns its number.
 int take(Cells& cells) {
-    const auto low = static_cast<std::uint64_t>(cells);
-    const int first =
-        low ? __builtin_ctzll(low) : 64 + __builtin_ctzll(static_cast<std::uint64_t>(cells >> 64));
+    const int first = lower(cells) ? lowest_bit(lower(cells)) : 64 + lowest_bit(upper(cells));
     cells &= cells - 1;
     return first;
 }
@@ -288,7 +285,7 @@ bool rate_way(const View& view, int side, int* worth) {
         }
         wave = view.beside(wave) & free & ~reached;
     }
-    return reached & kMe;
+    return static_cast<bool>(reached & kMe);
 }
 
 // ---- Search ------------------------------------------------------------------------------------

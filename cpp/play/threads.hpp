@@ -21,6 +21,9 @@ namespace matrixworld {
 // between a process and its children.
 int fork_depth();
 
+// Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
+constexpr std::int64_t kWorldsPerPiece = 16;
+
 class Workers {
   public:
     using Work = std::function<void(std::int64_t piece, int thread)>;

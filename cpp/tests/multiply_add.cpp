@@ -1,7 +1,7 @@
 // Compares multiply_add and add_product with the standard library's fma: on hard cases, on random bit patterns and on
 // patterns that make sums that lie in, or next to, the middle between two floats.
 //
-//     c++ -std=gnu++17 -O2 -ffp-contract=off -Icpp cpp/tests/multiply_add.cpp -o multiply_add
+//     c++ -std=c++17 -O2 -ffp-contract=off -Icpp cpp/tests/multiply_add.cpp -o multiply_add
 //     ./multiply_add [random cases, in millions]
 #include "kernels/multiply_add.hpp"
 

@@ -93,7 +93,9 @@ std::vector<EpisodeStatistics> watch_all(const Game& game) {
 }
 
 void play_rollout(const Rules& rules, Random& random) {
-    const Game game = random_game(rules, random.between(1, 2), random.between(1, 20), random);
+    const int n_matches = random.between(1, 2);
+    const int n_worlds = random.between(1, 20);
+    const Game game = random_game(rules, n_matches, n_worlds, random);
     const auto alone = watch_all(game);
     check_same(alone, game.play(1));
     check_same(alone, game.play(3));
@@ -125,7 +127,10 @@ struct Interruption : std::exception {};
 void play_lockstep(const Rules& rules, Random& random) {
     if (rules.interaction == Interaction::AgentTurns) return;
     const Config config = lockstep_config(rules, random);
-    const auto networks = [&] { return random_networks(config, random.between(1, 3), random); };
+    const auto networks = [&] {
+        const int n_hidden = random.between(1, 3);
+        return random_networks(config, n_hidden, random);
+    };
     const Game game{config, networks(), networks(), 2, random.one_of({1, 2, 3, 15, 16, 17, 33}),
                     random};
     const auto alone = watch_all(game);

@@ -1,7 +1,7 @@
 // Compares the tanh and the logistic function of recurrent layers with the standard library's in
 // double precision, over the whole range of floats.
 //
-//     c++ -std=gnu++17 -O2 -ffp-contract=off -Icpp cpp/tests/recurrent_units.cpp -o recurrent_units
+//     c++ -std=c++17 -O2 -ffp-contract=off -Icpp cpp/tests/recurrent_units.cpp -o recurrent_units
 //     ./recurrent_units [distance between the bit patterns that are tried; 1 tries all]
 #include <algorithm>
 #include <cmath>

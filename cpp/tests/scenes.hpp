@@ -149,16 +149,17 @@ struct Side {
     std::vector<float> genomes;
 };
 
-inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden, Random& random) {
+// Random numbers are drawn in statements or in braces, never among the arguments of a function: there
+// the compiler chooses the order.
+inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden,
+                                             matrixworld::Memory memory, Random& random) {
     auto side = std::make_unique<Side>();
     std::vector<int> hidden(static_cast<std::size_t>(n_hidden));
     for (int& size : hidden) size = random.one_of({1, 7, 16, 20, 32, 33, 64});
     const Activation activation = random.one_of({Activation::Relu, Activation::Tanh});
-    side->candidates.network.emplace(
-        config.fov, hidden, config.n_actions(), activation, random.chance(70),
-        hidden.empty() ? matrixworld::Memory::None
-                       : random.one_of({matrixworld::Memory::None, matrixworld::Memory::Elman,
-                                        matrixworld::Memory::Gru}));
+    const bool sampled = random.chance(70);
+    side->candidates.network.emplace(config.fov, hidden, config.n_actions(), activation, sampled,
+                                     memory);
     side->candidates.n = random.between(1, 3);
     side->genomes.resize(static_cast<std::size_t>(side->candidates.n) *
                          static_cast<std::size_t>(side->candidates.network->genome_size()));
@@ -167,8 +168,17 @@ inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden,
     return side;
 }
 
+inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden, Random& random) {
+    using Kind = matrixworld::Memory;
+    const Kind kind = random.one_of({Kind::None, Kind::Elman, Kind::Gru});
+    return random_networks(config, n_hidden, n_hidden ? kind : Kind::None, random);
+}
+
 inline std::unique_ptr<Side> random_side(const Config& config, Random& random) {
-    if (!random.chance(40)) return random_networks(config, random.below(4), random);
+    if (!random.chance(40)) {
+        const int n_hidden = random.below(4);
+        return random_networks(config, n_hidden, random);
+    }
     auto side = std::make_unique<Side>();
     side->candidates.script =
         &scripts()[static_cast<std::size_t>(random.below(static_cast<int>(scripts().size())))];

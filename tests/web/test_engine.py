@@ -54,7 +54,7 @@ def test_arithmetic_of_our_own(driver: str, argument: str, answer: str, tmp_path
     compiler = shutil.which("c++")
     if compiler is None:
         pytest.skip("needs a C++ compiler")
-    options = ["-std=gnu++17", "-O2", "-ffp-contract=off", "-w", f"-I{ROOT / 'cpp'}"]
+    options = ["-std=c++17", "-O2", "-ffp-contract=off", "-w", f"-I{ROOT / 'cpp'}"]
     built = tmp_path / driver
     subprocess.run([compiler, *options, ROOT / f"cpp/tests/{driver}.cpp", "-o", built], check=True)
     done = subprocess.run([built, argument], capture_output=True, text=True, check=False)
