@@ -1,5 +1,7 @@
 """Small worlds and payoff matrices as games of OpenSpiel."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -7,13 +9,17 @@ import matrixworld as mw
 from matrixworld.integrations.openspiel import matrix_game, world_game
 from matrixworld.solve import solve
 
-pyspiel = pytest.importorskip("pyspiel")
-
 WORLDS = {
     "all at once": mw.WorldConfig("O", rows=1, cols=4, n_pursuers=1, n_evaders=1, max_steps=2),
     "team at once": mw.WorldConfig("R", rows=1, cols=4, n_pursuers=2, n_evaders=1, max_steps=1),
     "agent turns": mw.WorldConfig("TO", rows=2, cols=3, n_pursuers=1, n_evaders=1, max_steps=2),
 }
+
+
+@pytest.fixture(autouse=True)
+def pyspiel() -> Any:
+    """The library; the tests are skipped without it, one by one."""
+    return pytest.importorskip("pyspiel")
 
 
 @pytest.mark.slow
@@ -29,7 +35,7 @@ def test_value_iteration_of_the_library_finds_the_solution(config: mw.WorldConfi
 
 
 @pytest.mark.parametrize("config", WORLDS.values(), ids=WORLDS)
-def test_a_world_passes_the_tests_of_the_library(config: mw.WorldConfig) -> None:
+def test_a_world_passes_the_tests_of_the_library(config: mw.WorldConfig, pyspiel: Any) -> None:
     game = world_game(config)
     pyspiel.random_sim_test(game, num_sims=5, serialize=False, verbose=False)
     state = game.new_initial_state()
