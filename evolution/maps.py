@@ -10,7 +10,7 @@ about two thirds of all starts. In 20 they always do, and evaders have nothing t
 
 Agents see two cells around them, and meet the newest opponents. With a view of the whole map, or
 with opponents from all generations, the evaders of every pilot learned to stand still, and no map
-taught them anything else: scripts that flee escape twice as often.
+taught them anything else, though scripts that flee escape more often.
 
 *Ranks.* Fresh random maps are ranked by each estimate and by exact regret, for the last generations
 of the races without selection. As many matches are played on each map as in a race. Look at the

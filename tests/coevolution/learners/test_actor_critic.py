@@ -212,6 +212,16 @@ def test_a_race_learns_and_resumes_bit_for_bit(torch, rules: str, tmp_path: Path
         assert len(np.unique(genomes, axis=0)) == len(genomes) == 3
 
 
+@pytest.mark.parametrize("kinds", [("actor-critic", "es"), ("es", "actor-critic")])
+def test_one_team_alone_can_learn_by_gradients(
+    torch, kinds: tuple[str, str], tmp_path: Path
+) -> None:
+    race = tiny_race().changed({"learner": kinds[0], "evader_learner": kinds[1]})
+    check_resumes(race, 5, tmp_path / "run")
+    for team in open_run(tmp_path / "run").teams.values():
+        assert len(np.unique(team.genomes, axis=0)) == 3
+
+
 @pytest.mark.parametrize(
     "changes",
     [
