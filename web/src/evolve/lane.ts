@@ -308,7 +308,7 @@ function regretText(value: number, [guaranteed, conceded]: readonly number[]): H
   return [
     html("span", {}, `Perfect play captures ${percent(value)} on this map.`),
     regret("pursuer", `The newest pursuers are sure of ${percent(guaranteed!)}: `, value - guaranteed!),
-    regret("evader", `Perfect pursuers capture ${percent(conceded!)} of the newest evaders: `, conceded! - value),
+    regret("evader", `The newest evaders cannot prevent ${percent(conceded!)}: `, conceded! - value),
   ];
 }
 

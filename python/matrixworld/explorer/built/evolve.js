@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
+/* built from web/ by "npm run build"; sources 61d0154eae338a06c9bf580f6c003c54e35b0cf63b92e3290446c4acdb6ef0ad */
 "use strict";(()=>{var zn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},st={DISAPPEAR:0,REACH:1,BOUNCE:2},Bn={OCCUPATION:0,SURROUND:1},jn={FAULT:0,INVOLVED:1};var Ir=["obstacle","teammate","adversary"],Fr=["vertex","edge","chain"],Hn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ur=["p\
 ursuer_{number}","evader_{number}"],Gn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ot={"both held":"both bounce","both doomed":"\
@@ -728,8 +728,8 @@ map(o=>m("td",{},s(o))))))),m("p",{class:"small muted"},"These are measures with
 udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function yu(r){return!je(r)||typeof r.obstacles=="number"?"":"Exact regret of a map is known\
  where the world can be solved: choose 6 x 6 cells below, with few agents."}function gu(r,[e,t]){let n=(s,o,a)=>m("span",{},o,m("strong",{class:s},`regret ${Math.
 max(0,a).toFixed(2)}`));return[m("span",{},`Perfect play captures ${Te(r)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Te(e)}: `,r-e),n("evade\
-r",`Perfect pursuers capture ${Te(t)} of the newest evaders: `,t-r)]}function bu({means:{faults:r,agent_steps:e}}){let t=n=>n.reduce((s,o)=>s+o,0);return 1e3*t(
-r)/Math.max(1,t(e))}function Wa(r,e){let t=[];for(let n=2;t.length<r;n++)t.every(s=>n%s)&&t.push(n);return Int32Array.from(t,n=>e(n)%1*2**32)}var he=(r,e)=>r>>>e|r<<32-e;function Lr(r){
+r",`The newest evaders cannot prevent ${Te(t)}: `,t-r)]}function bu({means:{faults:r,agent_steps:e}}){let t=n=>n.reduce((s,o)=>s+o,0);return 1e3*t(r)/Math.max(1,
+t(e))}function Wa(r,e){let t=[];for(let n=2;t.length<r;n++)t.every(s=>n%s)&&t.push(n);return Int32Array.from(t,n=>e(n)%1*2**32)}var he=(r,e)=>r>>>e|r<<32-e;function Lr(r){
 let e=Wa(64,Math.cbrt),t=Wa(8,Math.sqrt),n=new Uint8Array(Math.ceil((r.length+9)/64)*64);n.set(r),n[r.length]=128;let s=new DataView(n.buffer);s.setBigUint64(n.
 length-8,BigInt(r.length)*8n);let o=new Int32Array(64);for(let a=0;a<n.length;a+=64){for(let f=0;f<16;f++)o[f]=s.getInt32(a+4*f);for(let f=16;f<64;f++){let[y,b]=[
 o[f-15],o[f-2]],x=he(y,7)^he(y,18)^y>>>3,w=he(b,17)^he(b,19)^b>>>10;o[f]=o[f-16]+x+o[f-7]+w}let[i,l,u,c,h,d,p,g]=t;for(let f=0;f<64;f++){let y=g+(he(h,6)^he(h,11)^

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 2d127aeab92fc098f26fd2fa95c6b782680b4d4f1d5f166950e6ab69be0cd0eb */
+/* built from web/ by "npm run build"; sources 61d0154eae338a06c9bf580f6c003c54e35b0cf63b92e3290446c4acdb6ef0ad */
 "use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],ys=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
 ursuer_{number}","evader_{number}"],gs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
@@ -813,8 +813,8 @@ map(o=>u("td",{},s(o))))))),u("p",{class:"small muted"},"These are measures with
 udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function Ru(t){return!Ze(t)||typeof t.obstacles=="number"?"":"Exact regret of a map is known\
  where the world can be solved: choose 6 x 6 cells below, with few agents."}function $u(t,[e,r]){let n=(s,o,a)=>u("span",{},o,u("strong",{class:s},`regret ${Math.
 max(0,a).toFixed(2)}`));return[u("span",{},`Perfect play captures ${Re(t)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Re(e)}: `,t-e),n("evade\
-r",`Perfect pursuers capture ${Re(r)} of the newest evaders: `,r-t)]}function _u({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(
-t)/Math.max(1,r(e))}function Li(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Pu={present:"●",absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,l,i],c)=>{
+r",`The newest evaders cannot prevent ${Re(r)}: `,r-t)]}function _u({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,
+r(e))}function Li(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Pu={present:"●",absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,l,i],c)=>{
 let d=Lu(e.reasons[c]??"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Pu[a]??""),u("div",{},u("p",{},u("\
 strong",{},o),` ${a}`,u("span",{class:"muted"},` · ${i}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},l)))}),s=Li("What happened",
 "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("p",{},e.headline),
