@@ -36,8 +36,8 @@ RACE: dict[str, Any] = {
 }
 """A race that takes some seconds in a browser, and in which both teams visibly learn: without
 hidden layers a genome has so few numbers that few matches tell which ones are good."""
-SMALL = WorldConfig("TO", rows=6, cols=6, n_pursuers=2, n_evaders=1, fov=11, max_steps=6)
-"""A world that a page solves in less than a second, and all of which its networks see."""
+SMALL = WorldConfig("TO", rows=6, cols=6, n_pursuers=2, n_evaders=1, fov=5, max_steps=6)
+"""A world that a page solves in less than a second. Networks that see less of it learn faster."""
 ES, GA = EvolutionStrategySettings.kind, GeneticAlgorithmSettings.kind
 LEARNERS: dict[str, dict[str, Any]] = {
     ES: {"learner": ES, "learner.sigma": 0.3, "learner.learning_rate": 0.2},
