@@ -6,7 +6,7 @@ import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import { work } from "../evolve/worker.ts";
 import { html } from "../page/dom.ts";
-import { themeButton } from "../page/theme.ts";
+import { top } from "../page/top.ts";
 import { isPrediction, predictionsOf, readLesson } from "./data.ts";
 import type { Lesson, Part, Section, WidgetPart } from "./data.ts";
 import { exitWidget, saveFile } from "./exit.ts";
@@ -81,9 +81,7 @@ class Page {
       location.reload();
     };
     document.getElementById("page")!.replaceWith(
-      html("header", { class: "top" },
-        html("div", {}, html("h1", {}, lesson.title), html("p", { class: "lead" }, lesson.lead)),
-        html("div", { class: "tools" }, themeButton())),
+      top(lesson.title, lesson.lead),
       html("nav", { class: "sections", "aria-label": "Sections" },
         ...lesson.sections.map((section, at) => html("a", { href: `#${section.id}` }, `${at + 1}. ${section.title}`))),
       html("main", {}, ...lesson.sections.map((section, at) => this.#sectionOf(section, at))),

@@ -1,7 +1,7 @@
 // The votes of a class: files are dropped, and each question shows how many chose what; then its outcome.
 
 import { html } from "../page/dom.ts";
-import { themeButton } from "../page/theme.ts";
+import { top } from "../page/top.ts";
 import { predictionsOf } from "./data.ts";
 import type { Lesson, Prediction } from "./data.ts";
 import { paragraphs } from "./parts.ts";
@@ -45,9 +45,7 @@ export function votePage(lesson: Lesson): void {
     void add(event.dataTransfer?.files ?? []);
   });
   document.getElementById("page")!.replaceWith(
-    html("header", { class: "top" },
-      html("div", {}, html("h1", {}, "How the class voted"), html("p", { class: "lead" }, `${lesson.title} `, html("a", { href: "#" }, "Back to the lesson"))),
-      html("div", { class: "tools" }, themeButton())),
+    top("How the class voted", html("span", {}, `${lesson.title} `, html("a", { href: "#" }, "Back to the lesson"))),
     html("main", {}, zone, questions),
     html("footer", { class: "small muted" }, `matrixworld ${lesson.version}, edition ${lesson.edition} of the course`));
   show();

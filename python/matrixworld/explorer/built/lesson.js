@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 61d0154eae338a06c9bf580f6c003c54e35b0cf63b92e3290446c4acdb6ef0ad */
+/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
 "use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],ys=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
 ursuer_{number}","evader_{number}"],gs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
@@ -11,28 +11,28 @@ m":"as random, but takes only moves that right of way allows","careful-chaser":"
 eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
-surrounder":"as team-surrounder, but takes only moves that right of way allows"},bs={free:".GS",blocked:"#@OTW"};var Ve=1+ys.length;function St(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function G(t,e){return t<e?St(tn[0],{number:t}):St(tn[1],{number:t-e})}function qi(t,e){
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},bs={free:".GS",blocked:"#@OTW"};var Ve=1+ys.length;function St(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function G(t,e){return t<e?St(tn[0],{number:t}):St(tn[1],{number:t-e})}function Yi(t,e){
 let[r,n,s,o,a,l,i,...c]=Array.from(t),d=a<0?[o]:[o,a],[m,p,h]=c.map(x=>d.filter((v,w)=>x>>w&1)),f=d.map(x=>G(x,e)),y=St(gs[a<0?"obstacle":en[s]],{first:f[0],second:f[f.
-length-1],cell:`(${l}, ${i})`}),g=St(vs,{event:y,outcome:Yi(d.length,p,h,e)});return{kind:Qr[n],form:en[s],agents:d,cell:[l,i],at_fault:m,held:p,doomed:h,turn:r,
-text:g}}function Yi(t,e,r,n){if(t===2&&e.length===2)return xt["both held"];if(t===2&&r.length===2)return xt["both doomed"];let s=o=>a=>St(xt[o],{agent:G(a,n)});
-return[...e.map(s("held")),...r.map(s("doomed"))].join(", ")||xt.none}function Yt(t,e){let r=[];for(let n=0;n<t.length;n+=Ve)r.push(qi(t.subarray(n+1,n+Ve),e));
+length-1],cell:`(${l}, ${i})`}),g=St(vs,{event:y,outcome:Ki(d.length,p,h,e)});return{kind:Qr[n],form:en[s],agents:d,cell:[l,i],at_fault:m,held:p,doomed:h,turn:r,
+text:g}}function Ki(t,e,r,n){if(t===2&&e.length===2)return xt["both held"];if(t===2&&r.length===2)return xt["both doomed"];let s=o=>a=>St(xt[o],{agent:G(a,n)});
+return[...e.map(s("held")),...r.map(s("doomed"))].join(", ")||xt.none}function Yt(t,e){let r=[];for(let n=0;n<t.length;n+=Ve)r.push(Yi(t.subarray(n+1,n+Ve),e));
 return r}var Se=class extends Error{name="EngineError"};function I(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new Se(
-`${t}: expected ${e}, got ${n}`)}var qe=class{bytes;constructor(e){this.bytes=e}},Ss=0,sn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],ws=4,xs=4,Ki=new TextEncoder,
-Ji=new TextDecoder;function Zi(t){for(let e=sn.length-1;e>Ss;--e)if(t instanceof sn[e])return e;throw new TypeError("array: expected a typed array of the engine\
-'s numbers, got another")}function nn(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Xi(t){return Ki.encode(`${t}\0`)}var on=class{engine;addresses=[];constructor(e){
+`${t}: expected ${e}, got ${n}`)}var qe=class{bytes;constructor(e){this.bytes=e}},Ss=0,sn=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],ws=4,xs=4,Ji=new TextEncoder,
+Zi=new TextDecoder;function Xi(t){for(let e=sn.length-1;e>Ss;--e)if(t instanceof sn[e])return e;throw new TypeError("array: expected a typed array of the engine\
+'s numbers, got another")}function nn(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Qi(t){return Ji.encode(`${t}\0`)}var on=class{engine;addresses=[];constructor(e){
 this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new Se("memory: expected room for the arguments, got none");return this.addresses.
-push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Xi(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([o,a])=>{let l=a instanceof qe,i=l?a.bytes:
-a;return[this.text(o),l?Ss:Zi(i),i.length,this.copy(nn(i))]}),s=this.copy(nn(Int32Array.from(n)));return this.copy(nn(Int32Array.of(r.length,s)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function As(t,e){let r=t.HEAPU8;return Ji.decode(r.subarray(e,r.indexOf(0,e)))}function Ye(t){let e=new Int32Array(t.HEAPU8.buffer),
+push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Qi(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([o,a])=>{let l=a instanceof qe,i=l?a.bytes:
+a;return[this.text(o),l?Ss:Xi(i),i.length,this.copy(nn(i))]}),s=this.copy(nn(Int32Array.from(n)));return this.copy(nn(Int32Array.of(r.length,s)))}free(){for(let e of this.
+addresses)this.engine._free(e)}};function As(t,e){let r=t.HEAPU8;return Zi.decode(r.subarray(e,r.indexOf(0,e)))}function Ye(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/ws,n=e[r+1]/ws,s={};for(let o=n;o<n+e[r]*xs;o+=xs){let a=sn[e[o+1]],l=e[o+2]*a.BYTES_PER_ELEMENT,i=e[o+3];s[As(t,e[o])]=new a(t.HEAPU8.slice(
-i,i+l).buffer)}return s}function Ae(t,e){let r=new on(t);try{let n=e(r);if(n===0)throw new Se(As(t,t._last_error()));return n}finally{r.free()}}var Qi=2**31-1,Ms=["none","elman","gru"],el=2n**64n-1n,tl=34028234663852886e22;function ge(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>Qi)throw I(
+i,i+l).buffer)}return s}function Ae(t,e){let r=new on(t);try{let n=e(r);if(n===0)throw new Se(As(t,t._last_error()));return n}finally{r.free()}}var el=2**31-1,Ms=["none","elman","gru"],tl=2n**64n-1n,rl=34028234663852886e22;function ge(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>el)throw I(
 t,"an integer",e);return Int32Array.of(e)}function Kt(t,e){if(typeof e!="boolean")throw I(t,"true or false",e);return new qe(Uint8Array.of(Number(e)))}function $e(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw I(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function an(t,e){
-if(typeof e!="number"||!(Math.abs(e)<=tl))throw I(t,"a finite number",e);return e}function Ke(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
-e)?BigInt(e):-1n;if(n<0n||n>el)throw I(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function rl(t){return{"rules.interaction":$e("interactio\
+if(typeof e!="number"||!(Math.abs(e)<=rl))throw I(t,"a finite number",e);return e}function Ke(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
+e)?BigInt(e):-1n;if(n<0n||n>tl)throw I(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function nl(t){return{"rules.interaction":$e("interactio\
 n",t.interaction,ps),"rules.obstacle":$e("obstacle",t.obstacle,wt),"rules.teammate":$e("teammate",t.teammate,wt),"rules.evader":$e("evader",t.evader,wt),"rules.\
 pursuer":$e("pursuer",t.pursuer,wt),"rules.capture":$e("capture",t.capture,hs),"rules.captured_disappear":Kt("captured_disappear",t.captured_disappear)}}function Es(t,e){
-let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw I(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>an(t,n))}function nl(t){let e=(r,n)=>Float32Array.
+let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw I(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>an(t,n))}function sl(t){let e=(r,n)=>Float32Array.
 of(an(r,t[r]),an(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Es("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":Es("evader_collide",t.evader_collide),
 "rewards.blame":$e("blame",t.blame,fs),"rewards.capture_repeats":Kt("capture_repeats",t.capture_repeats)}}function ks(t){if(t===void 0||typeof t=="number")return new Uint8Array(
@@ -40,19 +40,19 @@ p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":Es("pursuer_collide
 cells as in row 0`,s.length);let o=[...s].find(a=>!e.includes(a)&&!r.includes(a));if(o)throw I(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,o)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function Cs(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
 throw I("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function Je(t){Cs(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
-...rl(t.rules),...nl(t.rewards),rows:ge("rows",t.rows),cols:ge("cols",t.cols),n_pursuers:ge("n_pursuers",t.n_pursuers),n_evaders:ge("n_evaders",t.n_evaders),fov:ge(
+...nl(t.rules),...sl(t.rewards),rows:ge("rows",t.rows),cols:ge("cols",t.cols),n_pursuers:ge("n_pursuers",t.n_pursuers),n_evaders:ge("n_evaders",t.n_evaders),fov:ge(
 "fov",t.fov),diagonal:Kt("diagonal",t.diagonal),max_steps:ge("max_steps",t.max_steps),density:Float64Array.of(e),map:ks(t.obstacles)}}function Ts(t,e){return Int32Array.
 from((e??[]).flat(),r=>ge(t,r)[0])}function Os(t,e){return Cs(t.obstacles,e),{seed:Ke("seed",t.seed??0n),episode:Ke("episode",t.episode??0),pursuers:Ts("pursuer\
 s",t.pursuers),evaders:Ts("evaders",t.evaders),map:ks(t.obstacles)}}function Jt(t){return{actions:Int32Array.from(t,e=>ge("actions",e)[0])}}function Me(t){if(typeof t==
 "string"){if(!Object.hasOwn(rn,t))throw I("policy",`one of ${Object.keys(rn).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
 t.activation!=="tanh")throw I("activation","'relu' or 'tanh'",t.activation);if(!Ms.includes(t.memory))throw I("memory",`one of ${Ms.join(", ")}`,t.memory);return{
 hidden:Int32Array.from(t.hidden,e=>ge("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:Kt("sampled",t.sampled),memory:new TextEncoder().
-encode(t.memory),genome:t.genome}}var sl=["first_turn","terminated","truncated"];function Rs(t){let e={...t};for(let r of sl)e[r]=new qe(t[r]);return e}var $s="statistics.",Zt=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,s){this.config=e,this.seed=r,this.episode=n,this.n_agents=
-e.n_pursuers+e.n_evaders,this.statistics=_s(Ps(s),0),Object.assign(this,s),this.first_conflict=ol(this.conflict_table,this.length)}get length(){return this.actions.
+encode(t.memory),genome:t.genome}}var ol=["first_turn","terminated","truncated"];function Rs(t){let e={...t};for(let r of ol)e[r]=new qe(t[r]);return e}var $s="statistics.",Zt=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,s){this.config=e,this.seed=r,this.episode=n,this.n_agents=
+e.n_pursuers+e.n_evaders,this.statistics=_s(Ps(s),0),Object.assign(this,s),this.first_conflict=al(this.conflict_table,this.length)}get length(){return this.actions.
 length/this.n_agents}conflicts(e){this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],s=this.conflict_table.subarray(r*Ve,n*Ve);return Yt(s,
 this.config.n_pursuers)}seek(e,r,n){this.check(r),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>r)&&e.reset({seed:this.seed,episode:this.
 episode});for(let o=e.steps;o<r;++o){let a=this.actions.subarray(o*this.n_agents,(o+1)*this.n_agents);n?e.replay(a,{pursuer:n.pursuers,evader:n.evaders}):e.step(
-a)}}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw I("step",`0 to ${this.length}`,e)}};function ol(t,e){let r=new Int32Array(e+2);for(let n=0;n<
+a)}}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw I("step",`0 to ${this.length}`,e)}};function al(t,e){let r=new Int32Array(e+2);for(let n=0;n<
 t.length;n+=Ve)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function _s(t,e){let r=t.length.length,n=o=>{let a=t[o],l=a.length/r;return a.slice(
 e*l,(e+1)*l)},s=o=>Number(n(o)[0]);return{capture_rate:s("capture_rate"),ever_capture_rate:s("ever_capture_rate"),captured_fraction:s("captured_fraction"),length:s(
 "length"),return:n("return"),survivors:n("survivors"),overlap:n("overlap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}var Ps=t=>Object.
@@ -60,17 +60,17 @@ fromEntries(Object.entries(t).flatMap(([e,r])=>e.startsWith($s)?[[e.slice($s.len
 n];return Ae(t,o=>{let[a,l,i,c]=s.map(d=>o.arrays(d));return t[e](a,l,i,c)}),Ye(t)}function Ns(t,e,r,n){let s={seed:Ke("seed",r),episode:Ke("episode",n)};return new Zt(
 e.config,r,n,Ls(t,"_play_match",e,s))}function ln(t,e,r,n){if(!Number.isInteger(n)||n<1)throw I("n_episodes","at least 1",n);let s=Ls(t,"_play_rollout",e,{...r,
 n_episodes:Int32Array.of(n)});return Ps(s)}function Is(t,e,r,n){let s={pursuer:Int32Array.of(0),evader:Int32Array.of(0),seed:Ke("seed",r)},o=ln(t,e,s,n);return Array.
-from({length:n},(a,l)=>_s(o,l))}var al=7e6,il=new FinalizationRegistry(([t,e])=>t._states_free(e));function ll({rules:t,rows:e,cols:r,obstacles:n,diagonal:s,n_pursuers:o,n_evaders:a}){let l=typeof n==
+from({length:n},(a,l)=>_s(o,l))}var il=7e6,ll=new FinalizationRegistry(([t,e])=>t._states_free(e));function cl({rules:t,rows:e,cols:r,obstacles:n,diagonal:s,n_pursuers:o,n_evaders:a}){let l=typeof n==
 "number"||t.obstacle==="REACH"?0:n.join("").split("#").length-1,i=e*r-l,c=[t.obstacle,t.teammate,t.pursuer].includes("DISAPPEAR"),d=t.capture==="SURROUND"||t.evader===
 "REACH",m=t.interaction==="AGENT_TURNS",p=(y,g)=>Array.from({length:g},(x,v)=>m?y:(y+v)/(v+1)).reduce((x,v)=>x*v,1),h=p(i+Number(c),o)*p(i*(1+Number(d))+2,a);return{
 SIMULTANEOUS:[o+a],SWARM_TURNS:[o,a],AGENT_TURNS:Array(o+a).fill(1)}[t.interaction].reduce((y,g)=>y+h*(s?9:5)**g,0)}function Ze(t){return typeof t.obstacles=="n\
-umber"&&t.obstacles>0?"obstacles are drawn anew in each episode":ll(t)>al?"the world is too large to be solved on the page":""}var cn=class{value;teams;matrix;n_actions;constructor(e,r){
+umber"&&t.obstacles>0?"obstacles are drawn anew in each episode":cl(t)>il?"the world is too large to be solved on the page":""}var cn=class{value;teams;matrix;n_actions;constructor(e,r){
 let{matrix:n,rows:s,cols:o,value:a,agents:l}=r,[i,c]=e.actors,d=Array.from(l).filter(p=>i<=p&&p<c),m=p=>p<e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=
 [a[0],n,e.n_actions],this.teams=[{agents:d.filter(m),play:s},{agents:d.filter(p=>!m(p)),play:o}]}marginal(e){let r=this.teams.find(({agents:o})=>o.includes(e));
 if(!r)return null;let n=this.n_actions**(r.agents.length-1-r.agents.indexOf(e)),s=Array(this.n_actions).fill(0);return r.play.forEach((o,a)=>s[Math.floor(a/n)%this.
 n_actions]+=o),s}lost(e){let[r,n]=this.teams.map(({agents:i})=>i.reduce((c,d)=>c*this.n_actions+e[d],0)),[s,o]=this.teams.map(({play:i})=>i),a=o.reduce((i,c,d)=>i+
 c*this.matrix[r*o.length+d],0),l=s.reduce((i,c,d)=>i+c*this.matrix[d*o.length+n],0);return[Math.max(0,this.value-a),Math.max(0,l-this.value)]}},un=60,At=class{config;payoff;engine;states;n_turns;values;starts;constructor(e,r,n){
-[this.engine,this.config,this.payoff]=[e,r,n],this.states=Ae(e,i=>e._states_new(i.arrays(Je(r)))),il.register(this,[e,this.states]);let s={SIMULTANEOUS:1,SWARM_TURNS:2,
+[this.engine,this.config,this.payoff]=[e,r,n],this.states=Ae(e,i=>e._states_new(i.arrays(Je(r)))),ll.register(this,[e,this.states]);let s={SIMULTANEOUS:1,SWARM_TURNS:2,
 AGENT_TURNS:r.n_pursuers+r.n_evaders};this.n_turns=s[r.rules.interaction];let{payoffs:o,starts:a}=this.call(()=>e._states_payoffs(this.states)),l=o;this.starts=
 a,this.values=[[n==="capture-rate"?l:l.fill(0)]]}goBack(){let e=this.values.at(-1)[0],r=[];for(let s=this.n_turns-1;s>=0;s--){let o=r[s+1]??e;r[s]=this.backup(s,
 {next:o})}this.payoff==="capture-time"&&(r[0]=r[0].map((s,o)=>o===this.config.n_evaders?0:s-1)),this.values.push(r);let n=this.payoff==="capture-rate"?this.config.
@@ -94,33 +94,33 @@ return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(
 1||this.read("truncated")[0]===1}read(e){return this.call(r=>this.engine._world_read(this.address,r.text(e)))[e]}view(e){let r=3*this.config.fov**2;return this.
 read("views").slice(e*r,(e+1)*r)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return Yt(this.conflictTable(),this.config.
 n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(e,r){let n=Me(e),{logits:s,memory:o}=this.call(
-i=>this.engine._world_logits(this.address,i.arrays(n),r)),a=s,l=this.decide(e,[r,r+1],new Uint8Array(this.n_agents))[r];return{logits:a,probabilities:cl(a),action:l,
+i=>this.engine._world_logits(this.address,i.arrays(n),r)),a=s,l=this.decide(e,[r,r+1],new Uint8Array(this.n_agents))[r];return{logits:a,probabilities:ul(a),action:l,
 memory:o}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(e){let r=Rs(e);this.call(n=>this.engine._world_restore(this.address,
-n.arrays(r)))}call(e){return Ae(this.engine,e),Ye(this.engine)}};function cl(t){let e=Math.max(...t),r=Array.from(t,s=>Math.exp(s-e)),n=r.reduce((s,o)=>s+o,0);return Float32Array.
+n.arrays(r)))}call(e){return Ae(this.engine,e),Ye(this.engine)}};function ul(t){let e=Math.max(...t),r=Array.from(t,s=>Math.exp(s-e)),n=r.reduce((s,o)=>s+o,0);return Float32Array.
 from(r,s=>s/n)}var dn=class{compiled;constructor(e){this.compiled=e}world(e){return new Mt(this.compiled,e)}solution(e,r="capture-rate"){return new At(this.compiled,e,r)}match(e,r,n,s,o=0){
 return Ns(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}rollout(e,r,n,s,o){return Is(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}rollouts(e,r,n,s,o){
-return ln(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}},Us;function Xt(t=globalThis.matrixworldEngine){return Us??=ul(t),Us}async function ul(t){if(!t)throw new Error(
+return ln(this.compiled,{config:e,pursuers:r,evaders:n},s,o)}},Us;function Xt(t=globalThis.matrixworldEngine){return Us??=dl(t),Us}async function dl(t){if(!t)throw new Error(
 "matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new dn(await t({wasmBinary:e}))}var L=Uint8Array,J=Uint16Array,wn=Int32Array,er=new L([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),tr=new L([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,
 6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),fn=new L([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),js=function(t,e){for(var r=new J(31),n=0;n<31;++n)r[n]=e+=
 1<<t[n-1];for(var s=new wn(r[30]),n=1;n<30;++n)for(var o=r[n];o<r[n+1];++o)s[o]=o-r[n]<<5|n;return{b:r,r:s}},Gs=js(er,2),Vs=Gs.b,yn=Gs.r;Vs[28]=258,yn[258]=28;var qs=js(
-tr,0),dl=qs.b,Ds=qs.r,gn=new J(32768);for(T=0;T<32768;++T)ve=(T&43690)>>1|(T&21845)<<1,ve=(ve&52428)>>2|(ve&13107)<<2,ve=(ve&61680)>>4|(ve&3855)<<4,gn[T]=((ve&65280)>>
+tr,0),ml=qs.b,Ds=qs.r,gn=new J(32768);for(T=0;T<32768;++T)ve=(T&43690)>>1|(T&21845)<<1,ve=(ve&52428)>>2|(ve&13107)<<2,ve=(ve&61680)>>4|(ve&3855)<<4,gn[T]=((ve&65280)>>
 8|(ve&255)<<8)>>1;var ve,T,ie=(function(t,e,r){for(var n=t.length,s=0,o=new J(e);s<n;++s)t[s]&&++o[t[s]-1];var a=new J(e);for(s=1;s<e;++s)a[s]=a[s-1]+o[s-1]<<1;
 var l;if(r){l=new J(1<<e);var i=15-e;for(s=0;s<n;++s)if(t[s])for(var c=s<<4|t[s],d=e-t[s],m=a[t[s]-1]++<<d,p=m|(1<<d)-1;m<=p;++m)l[gn[m]>>i]=c}else for(l=new J(
 n),s=0;s<n;++s)t[s]&&(l[s]=gn[a[t[s]-1]++]>>15-t[s]);return l}),Ee=new L(288);for(T=0;T<144;++T)Ee[T]=8;var T;for(T=144;T<256;++T)Ee[T]=9;var T;for(T=256;T<280;++T)
-Ee[T]=7;var T;for(T=280;T<288;++T)Ee[T]=8;var T,kt=new L(32);for(T=0;T<32;++T)kt[T]=5;var T,ml=ie(Ee,9,0),pl=ie(Ee,9,1),hl=ie(kt,5,0),fl=ie(kt,5,1),mn=function(t){
+Ee[T]=7;var T;for(T=280;T<288;++T)Ee[T]=8;var T,kt=new L(32);for(T=0;T<32;++T)kt[T]=5;var T,pl=ie(Ee,9,0),hl=ie(Ee,9,1),fl=ie(kt,5,0),yl=ie(kt,5,1),mn=function(t){
 for(var e=t[0],r=1;r<t.length;++r)t[r]>e&&(e=t[r]);return e},re=function(t,e,r){var n=e/8|0;return(t[n]|t[n+1]<<8)>>(e&7)&r},pn=function(t,e){var r=e/8|0;return(t[r]|
 t[r+1]<<8|t[r+2]<<16)>>(e&7)},xn=function(t){return(t+7)/8|0},Sn=function(t,e,r){return(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length),new L(t.subarray(
-e,r))};var yl=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
-ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],V=function(t,e,r){var n=new Error(e||yl[t]);
-if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,V),!r)throw n;return n},gl=function(t,e,r,n){var s=t.length,o=n?n.length:0;if(!s||e.f&&!e.l)return r||
+e,r))};var gl=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 da\
+ta","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],V=function(t,e,r){var n=new Error(e||gl[t]);
+if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,V),!r)throw n;return n},vl=function(t,e,r,n){var s=t.length,o=n?n.length:0;if(!s||e.f&&!e.l)return r||
 new L(0);var a=!r,l=a||e.i!=2,i=e.i;a&&(r=new L(s*3));var c=function(vt){var bt=r.length;if(vt>bt){var Ge=new L(Math.max(bt*2,vt));Ge.set(r),r=Ge}},d=e.f||0,m=e.
-p||0,p=e.b||0,h=e.l,f=e.d,y=e.m,g=e.n,x=s*8;do{if(!h){d=re(t,m,1);var v=re(t,m+1,3);if(m+=3,v)if(v==1)h=pl,f=fl,y=9,g=5;else if(v==2){var k=re(t,m,31)+257,C=re(
+p||0,p=e.b||0,h=e.l,f=e.d,y=e.m,g=e.n,x=s*8;do{if(!h){d=re(t,m,1);var v=re(t,m+1,3);if(m+=3,v)if(v==1)h=hl,f=yl,y=9,g=5;else if(v==2){var k=re(t,m,31)+257,C=re(
 t,m+10,15)+4,E=k+re(t,m+5,31)+1;m+=14;for(var M=new L(E),F=new L(19),N=0;N<C;++N)F[fn[N]]=re(t,m+N*3,7);m+=C*3;for(var B=mn(F),xe=(1<<B)-1,q=ie(F,B,1),N=0;N<E;){
 var H=q[re(t,m,xe)];m+=H&15;var w=H>>4;if(w<16)M[N++]=w;else{var U=0,_=0;for(w==16?(_=3+re(t,m,3),m+=2,U=M[N-1]):w==17?(_=3+re(t,m,7),m+=3):w==18&&(_=11+re(t,m,
 127),m+=7);_--;)M[N++]=U}}var j=M.subarray(0,k),D=M.subarray(k);y=mn(j),g=mn(D),h=ie(j,y,1),f=ie(D,g,1)}else V(1);else{var w=xn(m)+4,S=t[w-4]|t[w-3]<<8,A=w+S;if(A>
 s){i&&V(0);break}l&&c(p+S),r.set(t.subarray(w,A),p),e.b=p+=S,e.p=m=A*8,e.f=d;continue}if(m>x){i&&V(0);break}}l&&c(p+131072);for(var gt=(1<<y)-1,X=(1<<g)-1,ye=m;;ye=
 m){var U=h[pn(t,m)&gt],Y=U>>4;if(m+=U&15,m>x){i&&V(0);break}if(U||V(2),Y<256)r[p++]=Y;else if(Y==256){ye=m,h=null;break}else{var K=Y-254;if(Y>264){var N=Y-257,P=er[N];
-K=re(t,m,(1<<P)-1)+Vs[N],m+=P}var ae=f[pn(t,m)&X],He=ae>>4;ae||V(3),m+=ae&15;var D=dl[He];if(He>3){var P=tr[He];D+=pn(t,m)&(1<<P)-1,m+=P}if(m>x){i&&V(0);break}l&&
+K=re(t,m,(1<<P)-1)+Vs[N],m+=P}var ae=f[pn(t,m)&X],He=ae>>4;ae||V(3),m+=ae&15;var D=ml[He];if(He>3){var P=tr[He];D+=pn(t,m)&(1<<P)-1,m+=P}if(m>x){i&&V(0);break}l&&
 c(p+131072);var je=p+K;if(p<D){var Vt=o-D,qt=Math.min(D,je);for(Vt+p<0&&V(3);p<qt;++p)r[p]=n[Vt+p]}for(;p<je;++p)r[p]=r[p-D]}}e.l=h,e.p=ye,e.b=p,e.f=d,h&&(d=1,e.
 m=y,e.d=f,e.n=g)}while(!d);return p!=r.length&&a?Sn(r,0,p):r.subarray(0,p)},be=function(t,e,r){r<<=e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8},Et=function(t,e,r){r<<=
 e&7;var n=e/8|0;t[n]|=r,t[n+1]|=r>>8,t[n+2]|=r>>16},hn=function(t,e){for(var r=[],n=0;n<t.length;++n)t[n]&&r.push({s:n,f:t[n]});var s=r.length,o=r.slice();if(!s)
@@ -137,23 +137,23 @@ w=x.n,S=Ws(y),A=S.c,k=S.n,C=new J(19),E=0;E<v.length;++E)++C[v[E]&31];for(var E=
 ;var xe=c+5<<3,q=Tt(s,Ee)+Tt(o,kt)+a,H=Tt(s,p)+Tt(o,y)+a+14+3*B+Tt(C,F)+2*C[16]+3*C[17]+7*C[18];if(i>=0&&xe<=q&&xe<=H)return Ys(e,d,t.subarray(i,i+c));var U,_,j,
 D;if(be(e,d,1+(H<q)),d+=2,H<q){U=ie(p,h,0),_=p,j=ie(y,g,0),D=y;var gt=ie(F,N,0);be(e,d,w-257),be(e,d+5,k-1),be(e,d+10,B-4),d+=14;for(var E=0;E<B;++E)be(e,d+3*E,
 F[fn[E]]);d+=3*B;for(var X=[v,A],ye=0;ye<2;++ye)for(var Y=X[ye],E=0;E<Y.length;++E){var K=Y[E]&31;be(e,d,gt[K]),d+=F[K],K>15&&(be(e,d,Y[E]>>5&127),d+=Y[E]>>12)}}else
-U=ml,_=Ee,j=hl,D=kt;for(var E=0;E<l;++E){var P=n[E];if(P>255){var K=P>>18&31;Et(e,d,U[K+257]),d+=_[K+257],K>7&&(be(e,d,P>>23&31),d+=er[K]);var ae=P&31;Et(e,d,j[ae]),
-d+=D[ae],ae>3&&(Et(e,d,P>>5&8191),d+=tr[ae])}else Et(e,d,U[P]),d+=_[P]}return Et(e,d,U[256]),d+_[256]},vl=new wn([65540,131080,131088,131104,262176,1048704,1048832,
-2114560,2117632]),Ks=new L(0),bl=function(t,e,r,n,s,o){var a=o.z||t.length,l=new L(n+a+5*(1+Math.ceil(a/7e3))+s),i=l.subarray(n,l.length-s),c=o.l,d=(o.r||0)&7;if(e){
-d&&(i[0]=o.r>>3);for(var m=vl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,y=o.p||new J(32768),g=o.h||new J(f+1),x=Math.ceil(r/3),v=2*x,w=function(Xr){return(t[Xr]^t[Xr+1]<<
+U=pl,_=Ee,j=fl,D=kt;for(var E=0;E<l;++E){var P=n[E];if(P>255){var K=P>>18&31;Et(e,d,U[K+257]),d+=_[K+257],K>7&&(be(e,d,P>>23&31),d+=er[K]);var ae=P&31;Et(e,d,j[ae]),
+d+=D[ae],ae>3&&(Et(e,d,P>>5&8191),d+=tr[ae])}else Et(e,d,U[P]),d+=_[P]}return Et(e,d,U[256]),d+_[256]},bl=new wn([65540,131080,131088,131104,262176,1048704,1048832,
+2114560,2117632]),Ks=new L(0),wl=function(t,e,r,n,s,o){var a=o.z||t.length,l=new L(n+a+5*(1+Math.ceil(a/7e3))+s),i=l.subarray(n,l.length-s),c=o.l,d=(o.r||0)&7;if(e){
+d&&(i[0]=o.r>>3);for(var m=bl[e-1],p=m>>13,h=m&8191,f=(1<<r)-1,y=o.p||new J(32768),g=o.h||new J(f+1),x=Math.ceil(r/3),v=2*x,w=function(Xr){return(t[Xr]^t[Xr+1]<<
 x^t[Xr+2]<<v)&f},S=new wn(25e3),A=new J(288),k=new J(32),C=0,E=0,M=o.i||0,F=0,N=o.w||0,B=0;M+2<a;++M){var xe=w(M),q=M&32767,H=g[xe];if(y[q]=H,g[xe]=q,N<=M){var U=a-
 M;if((C>7e3||F>24576)&&(U>423||!c)){d=zs(t,i,0,S,A,k,E,F,B,M-B,d),F=C=E=0,B=M;for(var _=0;_<286;++_)A[_]=0;for(var _=0;_<30;++_)k[_]=0}var j=2,D=0,gt=h,X=q-H&32767;
 if(U>2&&xe==w(M-X))for(var ye=Math.min(p,U)-1,Y=Math.min(32767,M),K=Math.min(258,U);X<=Y&&--gt&&q!=H;){if(t[M+j]==t[M+j-X]){for(var P=0;P<K&&t[M+P]==t[M+P-X];++P)
 ;if(P>j){if(j=P,D=X,P>ye)break;for(var ae=Math.min(X,P-2),He=0,_=0;_<ae;++_){var je=M-X+_&32767,Vt=y[je],qt=je-Vt&32767;qt>He&&(He=qt,H=je)}}}q=H,H=y[q],X+=q-H&
 32767}if(D){S[F++]=268435456|yn[j]<<18|Ds[D];var vt=yn[j]&31,bt=Ds[D]&31;E+=er[vt]+tr[bt],++A[257+vt],++k[bt],N=M+j,++C}else S[F++]=t[M],++A[t[M]]}}for(M=Math.max(
 M,N);M<a;++M)S[F++]=t[M],++A[t[M]];d=zs(t,i,c,S,A,k,E,F,B,M-B,d),c||(o.r=d&7|i[d/8|0]<<3,d-=7,o.h=g,o.p=y,o.i=M,o.w=N)}else{for(var M=o.w||0;M<a+c;M+=65535){var Ge=M+
-65535;Ge>=a&&(i[d/8|0]=c,Ge=a),d=Ys(i,d+1,t.subarray(M,Ge))}o.i=a}return Sn(l,0,n+xn(d)+s)},wl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,
-n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),xl=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=wl[r&255^e[n]]^r>>>8;t=r},d:function(){
-return~t}}};var Sl=function(t,e,r,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new L(o.length+t.length);a.set(o),a.set(t,o.length),t=a,s.w=o.length}
-return bl(t,e.level==null?6:e.level,e.mem==null?s.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,s)},Js=function(t,e){var r={};for(var n in t)
-r[n]=t[n];for(var n in e)r[n]=e[n];return r};var W=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var Al=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&V(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&V(6,"invalid zlib data: "+(t[1]&32?"need":"u\
-nexpected")+" dictionary"),(t[1]>>3&4)+2};function Ml(t,e){return Sl(t,e||{},0,0)}function Zs(t,e){return gl(t.subarray(Al(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Xs=function(t,e,r,n){for(var s in t){var o=t[s],a=e+s,l=n;Array.isArray(o)&&(l=Js(n,o[1]),o=o[0]),o instanceof L?r[a]=[o,l]:(r[a+="/"]=[new L(0),l],Xs(o,a,r,
-n))}},Bs=typeof TextEncoder<"u"&&new TextEncoder,El=typeof TextDecoder<"u"&&new TextDecoder,Tl=0;try{El.decode(Ks,{stream:!0}),Tl=1}catch{}function Qt(t,e){if(e){for(var r=new L(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Bs)return Bs.encode(t);for(var s=t.length,o=new L(t.length+
+65535;Ge>=a&&(i[d/8|0]=c,Ge=a),d=Ys(i,d+1,t.subarray(M,Ge))}o.i=a}return Sn(l,0,n+xn(d)+s)},xl=(function(){for(var t=new Int32Array(256),e=0;e<256;++e){for(var r=e,
+n=9;--n;)r=(r&1&&-306674912)^r>>>1;t[e]=r}return t})(),Sl=function(){var t=-1;return{p:function(e){for(var r=t,n=0;n<e.length;++n)r=xl[r&255^e[n]]^r>>>8;t=r},d:function(){
+return~t}}};var Al=function(t,e,r,n,s){if(!s&&(s={l:1},e.dictionary)){var o=e.dictionary.subarray(-32768),a=new L(o.length+t.length);a.set(o),a.set(t,o.length),t=a,s.w=o.length}
+return wl(t,e.level==null?6:e.level,e.mem==null?s.l?Math.ceil(Math.max(8,Math.min(13,Math.log(t.length)))*1.5):20:12+e.mem,r,n,s)},Js=function(t,e){var r={};for(var n in t)
+r[n]=t[n];for(var n in e)r[n]=e[n];return r};var W=function(t,e,r){for(;r;++e)t[e]=r,r>>>=8};var Ml=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&V(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&V(6,"invalid zlib data: "+(t[1]&32?"need":"u\
+nexpected")+" dictionary"),(t[1]>>3&4)+2};function El(t,e){return Al(t,e||{},0,0)}function Zs(t,e){return vl(t.subarray(Ml(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Xs=function(t,e,r,n){for(var s in t){var o=t[s],a=e+s,l=n;Array.isArray(o)&&(l=Js(n,o[1]),o=o[0]),o instanceof L?r[a]=[o,l]:(r[a+="/"]=[new L(0),l],Xs(o,a,r,
+n))}},Bs=typeof TextEncoder<"u"&&new TextEncoder,Tl=typeof TextDecoder<"u"&&new TextDecoder,kl=0;try{Tl.decode(Ks,{stream:!0}),kl=1}catch{}function Qt(t,e){if(e){for(var r=new L(t.length),n=0;n<t.length;++n)r[n]=t.charCodeAt(n);return r}if(Bs)return Bs.encode(t);for(var s=t.length,o=new L(t.length+
 (t.length>>1)),a=0,l=function(d){o[a++]=d},n=0;n<s;++n){if(a+5>o.length){var i=new L(a+8+(s-n<<1));i.set(o),o=i}var c=t.charCodeAt(n);c<128||e?l(c):c<2048?(l(192|
 c>>6),l(128|c&63)):c>55295&&c<57344?(c=65536+(c&1047552)|t.charCodeAt(++n)&1023,l(240|c>>18),l(128|c>>12&63),l(128|c>>6&63),l(128|c&63)):(l(224|c>>12),l(128|c>>
 6&63),l(128|c&63))}return Sn(o,0,a)}var bn=function(t){var e=0;if(t)for(var r in t){var n=t[r].length;n>65535&&V(9),e+=n+4}return e},Hs=function(t,e,r,n,s,o,a,l){var i=n.length,c=r.extra,d=l&&l.length,
@@ -161,18 +161,18 @@ m=bn(c);W(t,e,a!=null?33639248:67324752),e+=4,a!=null&&(t[e++]=20,t[e++]=r.os),t
 r.compression>>8;var p=new Date(r.mtime==null?Date.now():r.mtime),h=p.getFullYear()-1980;if((h<0||h>119)&&V(10),W(t,e,h<<25|p.getMonth()+1<<21|p.getDate()<<16|p.
 getHours()<<11|p.getMinutes()<<5|p.getSeconds()>>1),e+=4,o!=-1&&(W(t,e,r.crc),W(t,e+4,o<0?-o-2:o),W(t,e+8,r.size)),W(t,e+12,i),W(t,e+14,m),e+=16,a!=null&&(W(t,e,
 d),W(t,e+6,r.attrs),W(t,e+10,a),e+=14),t.set(n,e),e+=i,m)for(var f in c){var y=c[f],g=y.length;W(t,e,+f),W(t,e+2,g),t.set(y,e+4),e+=4+g}return d&&(t.set(l,e),e+=
-d),e},kl=function(t,e,r,n,s){W(t,e,101010256),W(t,e+8,r),W(t,e+10,r),W(t,e+12,n),W(t,e+16,s)};function Qs(t,e){e||(e={});var r={},n=[];Xs(t,"",r,e);var s=0,o=0;for(var a in r){var l=r[a],i=l[0],c=l[1],d=c.level==0?0:8,m=Qt(a),p=m.length,h=c.comment,f=h&&
-Qt(h),y=f&&f.length,g=bn(c.extra);p>65535&&V(11);var x=d?Ml(i,c):i,v=x.length,w=xl();w.p(i),n.push(Js(c,{size:i.length,crc:w.d(),c:x,f:m,m:f,u:p!=a.length||f&&h.
+d),e},Cl=function(t,e,r,n,s){W(t,e,101010256),W(t,e+8,r),W(t,e+10,r),W(t,e+12,n),W(t,e+16,s)};function Qs(t,e){e||(e={});var r={},n=[];Xs(t,"",r,e);var s=0,o=0;for(var a in r){var l=r[a],i=l[0],c=l[1],d=c.level==0?0:8,m=Qt(a),p=m.length,h=c.comment,f=h&&
+Qt(h),y=f&&f.length,g=bn(c.extra);p>65535&&V(11);var x=d?El(i,c):i,v=x.length,w=Sl();w.p(i),n.push(Js(c,{size:i.length,crc:w.d(),c:x,f:m,m:f,u:p!=a.length||f&&h.
 length!=y,o:s,compression:d})),s+=30+p+g+v,o+=76+2*(p+g)+(y||0)+v}for(var S=new L(o+22),A=s,k=o-s,C=0;C<n.length;++C){var m=n[C];Hs(S,m.o,m,m.f,m.u,m.c.length);
-var E=30+m.f.length+bn(m.extra);S.set(m.c,m.o+E),Hs(S,s,m,m.f,m.u,m.c.length,m.o,m.m),s+=16+E+(m.m?m.m.length:0)}return kl(S,s,n.length,k,A),S}var ne=(t,e)=>`${t}s of generation ${e}`,le=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Xe=["pursuer","evader"];function Qe(t,e,r){let[n,s]=[e-t.payoff.first[0],r-t.payoff.first[1]],o=t.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:t.payoff.capture_rates[n][s],
+var E=30+m.f.length+bn(m.extra);S.set(m.c,m.o+E),Hs(S,s,m,m.f,m.u,m.c.length,m.o,m.m),s+=16+E+(m.m?m.m.length:0)}return Cl(S,s,n.length,k,A),S}var ne=(t,e)=>`${t}s of generation ${e}`,le=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Xe=["pursuer","evader"];function Qe(t,e,r){let[n,s]=[e-t.payoff.first[0],r-t.payoff.first[1]],o=t.payoff.capture_rate[n]?.[s];return o===void 0?null:{rate:o,rates:t.payoff.capture_rates[n][s],
 lengths:t.payoff.lengths[n][s]}}var rr=({world:t,maps:e},r)=>e&&r!==null?{...t,obstacles:e.walls[r]}:t;function nr(t,e,r){let{script:n,network:s,kept:o,genomes:a}=t.
 teams[e];if(n!==null||s===null)return"";if(!o.includes(r))return`The page holds no genome of ${ne(e,r)}: it would be too large. Choose a generation of ${o.join(
 ", ")}.`;let l=o.length*s.genome_size;return to(a,s.genome_size).length===l?"":`The page is damaged: it does not hold the ${l} numbers of the ${e}s' genomes. Wr\
 ite it again from its run.`}function Z(t,e,r){let{script:n,network:s,kept:o,genomes:a}=t.teams[e];if(n!==null||s===null)return n??"random";let l=o.indexOf(r);if(l<
 0)throw new RangeError(`${e}: expected a generation whose genome the page holds, got ${r}`);let i=s.genome_size,c=to(a,i).subarray(l*i,(l+1)*i),{hidden:d,activation:m,
 sampled:p,memory:h}=s;return{hidden:d,activation:m,sampled:p,memory:h,genome:c}}var An=4,Mn=new Map,eo=(t,e)=>{Mn.set(t,e)};function to(t,e){let r=Mn.get(t);if(r)
-return r;let n=new Float32Array;try{let s=Ol(En(t),e);s.every(Number.isFinite)&&(n=s)}catch(s){if(!(s instanceof DOMException||s instanceof RangeError||Cl(s)))throw s}
-return Mn.set(t,n),n}var Cl=t=>t instanceof Error&&"code"in t;function Ol(t,e){let r=Zs(t),n=r.length/An,s=new Uint8Array(r.length);for(let a=0;a<s.length;a++)s[a]=
+return r;let n=new Float32Array;try{let s=Rl(En(t),e);s.every(Number.isFinite)&&(n=s)}catch(s){if(!(s instanceof DOMException||s instanceof RangeError||Ol(s)))throw s}
+return Mn.set(t,n),n}var Ol=t=>t instanceof Error&&"code"in t;function Rl(t,e){let r=Zs(t),n=r.length/An,s=new Uint8Array(r.length);for(let a=0;a<s.length;a++)s[a]=
 r[a%An*n+Math.floor(a/An)];let o=new Uint32Array(s.buffer);for(let a=e;a<o.length;a++)o[a]^=o[a-e];return new Float32Array(s.buffer)}function En(t){let e=atob(we(
 t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function we(t){return document.getElementById(t)?.textContent??""}var oo={initial:1,noise:2,learn:3,opponents:4},kn={pursuer:1,evader:2,both:3},_e=4,Tn=2n**32n;function ro(t){let e=[],r=BigInt(t);do e.push(Number(r%Tn)),r/=Tn;while(r>
 0n);return e}function no(t,e){let r=t;return n=>{let s=n^r;return r=Math.imul(r,e),s=Math.imul(s,r),s^s>>>16}}function so(t,e){let r=Math.imul(3389127133,t)-Math.
@@ -183,19 +183,19 @@ from({length:e},(n,s)=>BigInt(r[2*s])+Tn*BigInt(r[2*s+1]))}var sr=(t,e,r)=>Ct([t
 let e=this.#e+this.#t+this.#n++|0;return this.#e=this.#t^this.#t>>>9,this.#t=this.#r+(this.#r<<3)|0,this.#r=(this.#r<<21|this.#r>>>11)+e|0,e>>>0}#s(){return(this.#o()+
 .5)/2**32}normals(e){let r=new Float32Array(e);for(let n=0;n<e;n+=2){let[s,o]=[Math.sqrt(-2*Math.log(this.#s())),2*Math.PI*this.#s()];r[n]=s*Math.cos(o),n+1<e&&
 (r[n+1]=s*Math.sin(o))}return r}integers(e,r){return Int32Array.from({length:r},()=>Math.floor(this.#s()*e))}permutation(e){return this.choice(e,e)}choice(e,r){
-let n=Int32Array.from({length:e},(s,o)=>o);for(let s=0;s<r;s++){let o=s+Math.floor(this.#s()*(e-s));[n[s],n[o]]=[n[o],n[s]]}return n.slice(0,r)}};var O=Math.fround,Rl=5,$l=256,or=class{size;sigma;fixed;#e;constructor(e,r,n,s){[this.size,this.sigma,this.fixed]=[e,n,s],this.#e=r.normals((1+$l)*e);for(let o=0;o<
+let n=Int32Array.from({length:e},(s,o)=>o);for(let s=0;s<r;s++){let o=s+Math.floor(this.#s()*(e-s));[n[s],n[o]]=[n[o],n[s]]}return n.slice(0,r)}};var O=Math.fround,$l=5,_l=256,or=class{size;sigma;fixed;#e;constructor(e,r,n,s){[this.size,this.sigma,this.fixed]=[e,n,s],this.#e=r.normals((1+_l)*e);for(let o=0;o<
 this.#e.length;o++)this.#e[o]*=O(n)}draw(e,r){let n=r.integers(this.#e.length-this.size+1,e);return Array.from(n,s=>{let o=this.#e.subarray(s,s+this.size);return this.
 fixed?o.map((a,l)=>this.fixed[l]?0:a):o})}},Rn=class{#e;#t;#r=0;constructor(e){[this.#e,this.#t]=[new Float32Array(e),new Float32Array(e)]}moved(e,r,n){let[s,o,
 a]=[.9,.999,O(1e-8)];this.#r+=1;let[l,i]=[O(1-s),O(1-o)],[c,d]=[O(1-s**this.#r),O(1-o**this.#r)];return e.map((m,p)=>{let h=r[p],f=this.#e[p]+=O(l*O(h-this.#e[p])),
-y=this.#t[p]+=O(i*O(O(h*h)-this.#t[p])),g=O(O(Math.sqrt(O(O(y)/d)))+a);return O(m+O(O(O(n)*O(O(f)/c))/g))})}};function _l(t){let e=Array.from(t).sort((r,n)=>r-n);
+y=this.#t[p]+=O(i*O(O(h*h)-this.#t[p])),g=O(O(Math.sqrt(O(O(y)/d)))+a);return O(m+O(O(O(n)*O(O(f)/c))/g))})}};function Pl(t){let e=Array.from(t).sort((r,n)=>r-n);
 return t.map(r=>(e.indexOf(r)+e.lastIndexOf(r))/(2*(t.length-1))-.5)}var ar=class{genome;groups;#e;#t;#r;#n=[];constructor(e,r,n){[this.genome,this.#t,this.#e,this.#r]=
 [e,r,n,new Rn(e.length)],this.groups=Int32Array.from({length:n.population},(s,o)=>o%(n.population/2))}get#o(){let{sigma:e,fixed:r}=this.#t,[n,s]=[0,0];return this.
 genome.forEach((o,a)=>{r?.[a]||(n+=o*o,s+=1)}),Math.max(e,this.#e.relative_sigma*Math.sqrt(n/s))}ask(e){let[r,n]=[this.#e.population/2,this.genome.length];this.#n=
 this.#t.draw(r,e);let s=O(this.#o/this.#t.sigma),o=new Float32Array(2*r*n);return this.#n.forEach((a,l)=>{for(let i=0;i<n;i++){let c=O(s*a[i]);o[l*n+i]=this.genome[i]+
-c,o[(r+l)*n+i]=this.genome[i]-c}}),o}tell(e){let[r,n]=[_l(e),this.#n.length],s=new Float32Array(this.genome.length);this.#n.forEach((o,a)=>{let l=O((r[a]-r[n+a])/
+c,o[(r+l)*n+i]=this.genome[i]-c}}),o}tell(e){let[r,n]=[Pl(e),this.#n.length],s=new Float32Array(this.genome.length);this.#n.forEach((o,a)=>{let l=O((r[a]-r[n+a])/
 (2*n*this.#t.sigma**2));for(let i=0;i<s.length;i++)s[i]+=O(l*o[i])}),this.genome=this.#r.moved(this.genome,s,this.#e.learning_rate)}},Ot=class{population;groups;#e;#t;#r=new Float64Array(
 0);#n=0;constructor(e,r,n){[this.population,this.#t,this.#e]=[e,r,n],this.groups=new Int32Array(n.population)}get genome(){return this.#o(this.#n).slice()}#o(e){
-let{size:r}=this.#t;return this.population.subarray(e*r,(e+1)*r)}#s(e,r){let n=this.#e.tournament??Rl,s=r.integers(this.#r.length,e*n);return Array.from({length:e},
+let{size:r}=this.#t;return this.population.subarray(e*r,(e+1)*r)}#s(e,r){let n=this.#e.tournament??$l,s=r.integers(this.#r.length,e*n);return Array.from({length:e},
 (o,a)=>s.subarray(a*n,(a+1)*n).reduce((l,i)=>this.#r[i]>this.#r[l]?i:l))}ask(e){if(!this.#r.length)return this.population;let{size:r}=this.#t,{population:n,elites:s}=this.#e,
 o=n-s,a=this.#s(o,e);this.#s(o,e);let l=Array.from(this.#r.keys()).sort((c,d)=>this.#r[d]-this.#r[c]).slice(0,s),i=new Float32Array(this.population.length);return[
 ...l,...a].forEach((c,d)=>i.set(this.#o(c),d*r)),this.#t.draw(o,e).forEach((c,d)=>{let m=(s+d)*r;for(let p=0;p<r;p++)i[m+p]+=c[p]}),this.population=i,i}tell(e){
@@ -214,9 +214,9 @@ n.map(c=>c<=io/2?0:c),$n(r))}function mo(t,e,r,n){let[s,o]=[t.length,Math.max(..
 i.push([l,d(m)]);for(let m=0;m<r[0];m++)i.push([d(m),l]);return{pursuer:Int32Array.from(i.flatMap(([m])=>m)),evader:Int32Array.from(i.flatMap(([,m])=>m)),group:Int32Array.
 from(i.flatMap((m,p)=>l.map(h=>p*o+t[h])))}}function po(t,e,r,n){let s=Math.max(...e)+1,[o,a]=[new Float64Array(r*s),new Float64Array(r*s)];n.forEach((i,c)=>{if(t[c]>=
 r)return;let d=t[c]*s+e[c];o[d]+=i,a[d]+=1});let l=o.map((i,c)=>a[c]?i/a[c]:0);return Float64Array.from({length:r},(i,c)=>{let d=l.subarray(c*s,(c+1)*s);return Pn(
-d)/a.subarray(c*s,(c+1)*s).filter(Boolean).length})}var Pl=128,tt=8;function Pn(t){let{length:e}=t;if(e>Pl){let p=Math.floor(e/2)-Math.floor(e/2)%tt;return Pn(t.
+d)/a.subarray(c*s,(c+1)*s).filter(Boolean).length})}var Ll=128,tt=8;function Pn(t){let{length:e}=t;if(e>Ll){let p=Math.floor(e/2)-Math.floor(e/2)%tt;return Pn(t.
 subarray(0,p))+Pn(t.subarray(p))}if(e<tt)return t.reduce((p,h)=>p+h,0);let r=t.slice(0,tt),n=e-e%tt;for(let p=tt;p<n;p++)r[p%tt]+=t[p];let[s,o,a,l,i,c,d,m]=r;return t.
-subarray(n).reduce((p,h)=>p+h,s+o+(a+l)+(i+c+(d+m)))}var R=["pursuer","evader"],Pe=t=>t==="pursuer"?"evader":"pursuer";var ho=({world:t,fitness:e})=>e.overlap_penalty??(t.rules.teammate==="REACH"?.2:0);var lr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},Ll=20,Nl=8,Il=-1,Le=t=>Array.from(t).reduce((e,r)=>e+r,0)/t.length,cr=({world:t,policy:e},r,n)=>({
+subarray(n).reduce((p,h)=>p+h,s+o+(a+l)+(i+c+(d+m)))}var R=["pursuer","evader"],Pe=t=>t==="pursuer"?"evader":"pursuer";var ho=({world:t,fitness:e})=>e.overlap_penalty??(t.rules.teammate==="REACH"?.2:0);var lr={pursuer:["random","clumsy-fleer"],evader:["random","clumsy-chaser"]},Nl=20,Il=8,Fl=-1,Le=t=>Array.from(t).reduce((e,r)=>e+r,0)/t.length,cr=({world:t,policy:e},r,n)=>({
 fov:t.fov,hidden:e.hidden,mask:e.mask==="none"?null:r[n]}),rt=class{settings;archive={pursuer:[],evader:[]};rows=[];cells=new Map;counters=[];#e;#t;#r;#n={};#o=new Set;#s=0;#l=0;#u=0;constructor(e,r,n,s=ao(
 r.seed)){[this.#e,this.settings,this.#t,this.#r]=[e,r,n,s];for(let o of R){let{initial_weight:a,initial_head:l}=r.policy,i=s("initial",R.indexOf(o)),c=r.learner.
 kind==="ga"?r.learner.population:1,d=Array.from({length:c},()=>co(this.shape(o),i,a,l));this.#a(o,d),this.archive[o].push(this.#n[o].genome)}this.#g()}shape(e){
@@ -236,7 +236,7 @@ epoch:n,opponent:a}),i.tell(x),yield*this.#b(r,n,e)}this.archive[e].push(this.#n
 population:s}}=this.settings,[o,a]=n.kind==="hall-of-fame"?[n.hall_sample,n.contemporaries]:[0,1],l={pursuer:this.#p("pursuer",e,r),evader:this.#p("evader",e,r)},
 i=this.#r("opponents",0,e,r),c={pursuer:this.#h(o,i),evader:this.#h(o,i)},d=g=>ir([l[g],...Array.from(c[Pe(g)],x=>this.archive[g][x])]),m=[c.evader.length,c.pursuer.
 length],p=mo(this.#n.pursuer.groups,a,m,i),h=Ct([this.settings.seed,e,e,kn.both,r],Math.max(...p.group)+1),f={pursuer:d("pursuer"),evader:d("evader")},y=this.#y(
-f,p,BigUint64Array.from(p.group,g=>h[g]));for(let g of R){let x=po(p[g],p[Pe(g)],s,this.#v(y,g));this.#w(y,x,{generation:e,team:g,epoch:r,opponent:Il}),this.#n[g].
+f,p,BigUint64Array.from(p.group,g=>h[g]));for(let g of R){let x=po(p[g],p[Pe(g)],s,this.#v(y,g));this.#w(y,x,{generation:e,team:g,epoch:r,opponent:Fl}),this.#n[g].
 tell(x)}yield*this.#b(e,r,"both")}for(let r of R)this.archive[r].push(this.#n[r].genome)}#p(e,r,n){return this.#n[e].ask(this.#r("learn",R.indexOf(e),r,n))}#h(e,r){
 let n=this.archive.pursuer.length;return e?r.choice(n,Math.min(e,n)):new Int32Array(0)}#i(e){let{schedule:r}=this.settings;return r.kind==="hall-of-fame"?r.joint_epochs:
 r[`${e}_epochs`]}*#b(e,r,n){let[s,o]=this.settings.schedule.kind==="hall-of-fame"?[this.#i("pursuer"),0]:[this.#i("pursuer"),this.#i("evader")],a=r+1+(n==="evad\
@@ -253,50 +253,50 @@ this.cells.set(`${n} ${s}`,o),yield{type:"cell",cell:o}}this.#o.has(e)||(this.#o
 o,e,r))},l=R.map(d=>this.#f(d,this.archive[d][d==="pursuer"?e:r])),i=this.#e.rollouts(n,...l,a,s),c=d=>{let m=Array.from(i[d],Number),p=m.length/s;return Array.
 from({length:p},(h,f)=>Le(m.filter((y,g)=>g%p===f)))};return{pursuer:e,evader:r,capture_rates:Array.from(i.capture_rate),lengths:Array.from(i.length),means:{collisions:c(
 "collisions"),faults:c("faults"),agent_steps:c("agent_steps"),survivors:c("survivors")}}}#A(e,r){let{world:n,seed:s}=this.settings,[o,a]=[this.#f(e,this.archive[e][r]),
-new Int32Array(1)];return Le(lr[e].map((l,i)=>{let c=Ct([s,R.indexOf(e),i,Nl],1),d=e==="pursuer"?[o,l]:[l,o],m=Le(this.#e.rollouts(n,...d,{pursuer:a,evader:a,seed:c},
-Ll).capture_rate);return e==="pursuer"?m:1-m}))}};function ir(t){let e=new Float32Array(t.reduce((n,{length:s})=>n+s,0)),r=0;for(let n of t)e.set(n,r),r+=n.length;
-return e}var Fl=12;function fo(t){let e=new Blob([we("script-engine"),`
+new Int32Array(1)];return Le(lr[e].map((l,i)=>{let c=Ct([s,R.indexOf(e),i,Il],1),d=e==="pursuer"?[o,l]:[l,o],m=Le(this.#e.rollouts(n,...d,{pursuer:a,evader:a,seed:c},
+Nl).capture_rate);return e==="pursuer"?m:1-m}))}};function ir(t){let e=new Float32Array(t.reduce((n,{length:s})=>n+s,0)),r=0;for(let n of t)e.set(n,r),r+=n.length;
+return e}var Ul=12;function fo(t){let e=new Blob([we("script-engine"),`
 `,we(`script-${t}`)],{type:"text/javascript"});return new Worker(URL.createObjectURL(e))}function yo(){let t=d=>postMessage(d),e=Xt(),r=null,n=null,s=0,o=!1,a=new MessageChannel,
-l=()=>{let d=performance.now()+Fl;for(;n&&performance.now()<d;){let{value:m,done:p}=n.next();p?(n=null,t({type:"end",seconds:(performance.now()-s)/1e3})):t(m)}!n||
+l=()=>{let d=performance.now()+Ul;for(;n&&performance.now()<d;){let{value:m,done:p}=n.next();p?(n=null,t({type:"end",seconds:(performance.now()-s)/1e3})):t(m)}!n||
 o||(o=!0,a.port2.postMessage(null))},i=async d=>{if(d.type==="start")r=new rt(await e,d.settings,d.masks),[n,s]=[r.run(),performance.now()],l();else if(d.type===
 "stop")n=null;else if(d.type==="change"){let m=r?.change(d.settings);if(m&&t(m),!r||!m||n)return;n=r.catchUp(),l()}else if(r){let{settings:m,archive:p,rows:h,cells:f,
 counters:y,finished:g}=r;t({type:"saved",race:{settings:m,archive:p,rows:h,cells:f,counters:y,finished:g}})}},c=d=>{Promise.resolve().then(d).catch(m=>{n=null,t(
-{type:"failed",message:String(m)})})};a.port1.onmessage=()=>{o=!1,c(l)},globalThis.onmessage=({data:d})=>c(()=>i(d))}var Ul="http://www.w3.org/2000/svg";function u(t,e={},...r){return go(document.createElement(t),e,r)}function b(t,e={},...r){return go(document.createElementNS(
-Ul,t),e,r)}function go(t,e,r){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?t.addEventListener(n.slice(2),s):t.setAttribute(n,s===!0?"":
-String(s)));return t.append(...r.filter(Dl).map(n=>typeof n=="number"?String(n):n)),t}function Dl(t){return t!=null&&t!==!1}var vo=()=>["file:","http:","https:"].
-includes(location.protocol);function Wl(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function zl(){document.documentElement.
-dataset.theme=Wl()?"light":"dark"}if(typeof document<"u"){let t=document.documentElement.dataset,e=t.theme;addEventListener("beforeprint",()=>{e=t.theme,t.theme=
-"light"}),addEventListener("afterprint",()=>{e?t.theme=e:delete t.theme})}function ur(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"\
-Light or dark",onclick:zl},"◐")}var dr=t=>t!==void 0&&"predict"in t,mr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(dr).map(r=>[r.predict,r]))),bo=()=>JSON.parse(we("data"));var _t=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
+{type:"failed",message:String(m)})})};a.port1.onmessage=()=>{o=!1,c(l)},globalThis.onmessage=({data:d})=>c(()=>i(d))}var Dl="http://www.w3.org/2000/svg";function u(t,e={},...r){return go(document.createElement(t),e,r)}function b(t,e={},...r){return go(document.createElementNS(
+Dl,t),e,r)}function go(t,e,r){for(let[n,s]of Object.entries(e))s==null||s===!1||(typeof s=="function"?t.addEventListener(n.slice(2),s):t.setAttribute(n,s===!0?"":
+String(s)));return t.append(...r.filter(Wl).map(n=>typeof n=="number"?String(n):n)),t}function Wl(t){return t!=null&&t!==!1}var vo=()=>["file:","http:","https:"].
+includes(location.protocol);function zl(){let t=document.documentElement.dataset.theme;return t?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function Bl(){document.documentElement.
+dataset.theme=zl()?"light":"dark"}if(typeof document<"u"){let t=document.documentElement.dataset,e=t.theme;addEventListener("beforeprint",()=>{e=t.theme,t.theme=
+"light"}),addEventListener("afterprint",()=>{e?t.theme=e:delete t.theme})}function bo(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"\
+Light or dark",onclick:Bl},"◐")}var ur=(t,e,...r)=>u("header",{class:"top"},u("div",{},u("h1",{},t),e?u("p",{class:"lead"},e):null),u("div",{class:"tools"},...r,bo()));var dr=t=>t!==void 0&&"predict"in t,mr=({sections:t})=>new Map(t.flatMap(({parts:e})=>e.filter(dr).map(r=>[r.predict,r]))),wo=()=>JSON.parse(we("data"));var _t=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function pr(t){let e=Math.min(1,Math.max(0,t))*(_t.length-1),r=Math.min(_t.length-2,Math.floor(e)),[n,s]=[_t[r],
 _t[r+1]],o=a=>Math.round(n[a]+(e-r)*(s[a]-n[a]));return[o(0),o(1),o(2)]}function hr(t){let[e,r,n]=pr(t).map(s=>((s/255+.055)/1.055)**2.4);return .2126*e+.7152*r+
-.0722*n>.179?"#000":"#fff"}var fr=t=>`rgb(${pr(t).join(" ")})`,wo=()=>`linear-gradient(to right, ${_t.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;var So=t=>t.answer===void 0?Hl():Bl(t,t.answer);function Bl(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
+.0722*n>.179?"#000":"#fff"}var fr=t=>`rgb(${pr(t).join(" ")})`,xo=()=>`linear-gradient(to right, ${_t.map(t=>`rgb(${t.join(" ")})`).join(", ")})`;var Ao=t=>t.answer===void 0?jl():Hl(t,t.answer);function Hl(t,e){let r=u("input",{type:"text",inputmode:"decimal",size:8,"aria-label":"Your answer, a number",autocomplete:"\
 off"});return{input:r,check:()=>{let s=r.value.trim().replace(",","."),o=Number(s);if(s===""||Number.isNaN(o))return"Expected a number, such as 0.5.";let a=l=>Math.
 abs(o-l)<=(t.tolerance??0)+1e-9;return a(e)?null:t.clues?.find(([l])=>a(l))?.[1]??t.otherwise??"Expected another number."},answer:()=>r.value,set:s=>r.value=s}}
-var se=4,Ln=[.5,.8,.2];function Hl(){let t=new Array(se*se).fill(.5),e=(i,c)=>{i.textContent=t[c].toFixed(1),i.ariaLabel=`generation ${Math.floor(c/se)} of the \
+var se=4,Ln=[.5,.8,.2];function jl(){let t=new Array(se*se).fill(.5),e=(i,c)=>{i.textContent=t[c].toFixed(1),i.ariaLabel=`generation ${Math.floor(c/se)} of the \
 pursuers against generation ${c%se} of the evaders: ${i.textContent}`,[i.style.background,i.style.color]=[fr(t[c]),hr(t[c])]},r=t.map((i,c)=>{let d=u("button",{
 type:"button",disabled:c%(se+1)===0,onclick:()=>{t[c]=Ln[(Ln.indexOf(t[c])+1)%Ln.length],e(d,c)}});return e(d,c),d}),n=Array.from({length:se},(i,c)=>c),s=u("div",
 {class:"cells numbers",role:"group","aria-label":"Capture rates: rows are pursuers, columns evaders"},u("span"),u("span",{class:"evader all"},"generation of the\
  evaders"),u("span",{class:"pursuer"},"generation of the pursuers"),...n.map(i=>u("span",{class:"evader"},i)),...n.flatMap(i=>[u("span",{class:"pursuer"},i),...r.
 slice(i*se,(i+1)*se)])),o=i=>n.map(c=>n.reduce((d,m)=>d+t[i(c,m)],0)/se);return{input:s,check:()=>{let i=o((m,p)=>m*se+p),c=o((m,p)=>p*se+m),d=(m,p)=>m.every((h,f)=>!f||
-p*(h-m[f-1])>1e-9);return d(i,1)?d(c,-1)?null:`The means of the columns are ${xo(c)}. They say how often the evaders are captured, and should fall from column t\
-o column.`:`The means of the rows are ${xo(i)}. They are the strengths of the pursuers, and should grow from row to row.`},answer:()=>t.join(" "),set:i=>{i.split(
-" ").forEach((c,d)=>t[d]=Number(c)),r.forEach(e)}}}var xo=t=>t.map(e=>e.toFixed(2)).join(", ");var Pt=t=>t.trim().split(/\n\s*\n/).map(e=>u("p",{},...yr(e))),yr=t=>t.split("**").map((e,r)=>r%2?u("strong",{},e):document.createTextNode(e));function Ao(t,e){
+p*(h-m[f-1])>1e-9);return d(i,1)?d(c,-1)?null:`The means of the columns are ${So(c)}. They say how often the evaders are captured, and should fall from column t\
+o column.`:`The means of the rows are ${So(i)}. They are the strengths of the pursuers, and should grow from row to row.`},answer:()=>t.join(" "),set:i=>{i.split(
+" ").forEach((c,d)=>t[d]=Number(c)),r.forEach(e)}}}var So=t=>t.map(e=>e.toFixed(2)).join(", ");var Pt=t=>t.trim().split(/\n\s*\n/).map(e=>u("p",{},...yr(e))),yr=t=>t.split("**").map((e,r)=>r%2?u("strong",{},e):document.createTextNode(e));function Mo(t,e){
 let{predict:r,options:n}=t,s=u("p",{class:"small muted",role:"status"}),o=u("button",{type:"submit",class:"primary"},"This is my prediction"),a=Object.keys(n).map(
 c=>u("input",{type:"radio",name:`prediction-${r}`,value:c})),l=u("form",{class:"prediction",id:`prediction-${r}`},u("fieldset",{},u("legend",{},u("strong",{},"P\
 redict. "),t.question),...a.map(c=>u("label",{class:"option"},c,u("span",{},n[c.value])))),u("div",{class:"buttons"},o,s)),i=()=>{let c=e.choice(r);if(c!==void 0){
-for(let d of a)[d.checked,d.disabled]=[d.value===c,!0];o.hidden=o.disabled=!0,s.replaceChildren(),l.append(t.later?u("p",{class:"reply"},t.later):jl(t,c,t.again&&
+for(let d of a)[d.checked,d.disabled]=[d.value===c,!0];o.hidden=o.disabled=!0,s.replaceChildren(),l.append(t.later?u("p",{class:"reply"},t.later):Gl(t,c,t.again&&
 e.choice(t.again)))}};return l.addEventListener("submit",c=>{c.preventDefault();let d=a.find(m=>m.checked);d?(e.choose(r,d.value),i()):s.textContent="Choose one\
- first. Any prediction is a good one."}),i(),l}function jl(t,e,r){let{options:n,outcome:s}=t,o=e===s;return u("div",{class:"reply",role:"status","data-right":String(
+ first. Any prediction is a good one."}),i(),l}function Gl(t,e,r){let{options:n,outcome:s}=t,o=e===s;return u("div",{class:"reply",role:"status","data-right":String(
 o)},r&&u("p",{},u("strong",{},"At the beginning you predicted: "),n[r]),u("p",{},u("strong",{},o?"✓ As you predicted: ":"You predicted: "),n[e]),o?null:u("p",
-{},u("strong",{},"The outcome: "),n[s]),...Pt(t.explanation??""),t.note&&u("p",{class:"small muted"},t.note))}function Mo(t,e){let{input:r,check:n,answer:s,set:o}=So(
+{},u("strong",{},"The outcome: "),n[s]),...Pt(t.explanation??""),t.note&&u("p",{class:"small muted"},t.note))}function Eo(t,e){let{input:r,check:n,answer:s,set:o}=Ao(
 t),a=u("p",{class:"reply",role:"status",hidden:!0}),l=d=>{a.hidden=!1,a.dataset.right=String(d===null),a.replaceChildren(u("strong",{},d===null?"✓ Right. ":"✗\
  Not yet. "),d??t.explanation)},i=u("form",{class:"exercise",id:`exercise-${t.exercise}`},u("div",{class:"text"},u("p",{},u("strong",{},"Exercise. "),...yr(t.question))),
-t.matrix&&Gl(t.matrix),u("div",{class:"buttons"},r,u("button",{type:"submit"},"Check")),a);i.addEventListener("submit",d=>{d.preventDefault();let m=n();m===null&&
-e.solve(t.exercise,s()),l(m)});let c=e.solved(t.exercise);return c!==void 0&&(o(c),l(null)),i}function Gl(t){let e=t.map((r,n)=>n);return u("div",{class:"wide-t\
+t.matrix&&Vl(t.matrix),u("div",{class:"buttons"},r,u("button",{type:"submit"},"Check")),a);i.addEventListener("submit",d=>{d.preventDefault();let m=n();m===null&&
+e.solve(t.exercise,s()),l(m)});let c=e.solved(t.exercise);return c!==void 0&&(o(c),l(null)),i}function Vl(t){let e=t.map((r,n)=>n);return u("div",{class:"wide-t\
 able",tabindex:0},u("table",{class:"rates numbers"},u("thead",{},u("tr",{},u("td"),u("th",{scope:"colgroup",colspan:e.length,class:"evader"},"generation of the \
 evaders")),u("tr",{},u("th",{class:"pursuer"},"generation of the pursuers"),...e.map(r=>u("th",{scope:"col"},r)))),u("tbody",{},...t.map((r,n)=>u("tr",{},u("th",
-{scope:"row"},n),...r.map(s=>u("td",{},s.toFixed(1))))))))}var Vl=40;function Nn(t,e){u("a",{href:URL.createObjectURL(new Blob([e],{type:"text/plain"})),download:t}).click()}function Eo({question:t="",points:e=[]},r){let n=u(
+{scope:"row"},n),...r.map(s=>u("td",{},s.toFixed(1))))))))}var ql=40;function Nn(t,e){u("a",{href:URL.createObjectURL(new Blob([e],{type:"text/plain"})),download:t}).click()}function To({question:t="",points:e=[]},r){let n=u(
 "textarea",{id:"exit-answer",rows:8}),s=u("p",{class:"printed"}),o=u("p",{class:"small muted",role:"status"}),a=u("button",{type:"submit",class:"primary"},"I am\
  done"),l=u("form",{class:"exercise"},u("label",{for:"exit-answer"},u("strong",{},"Exit question. "),t),n,s,u("div",{class:"buttons"},a,u("button",{type:"button",
 onclick:()=>Nn("exit_answer.txt",`${t}
@@ -304,95 +304,95 @@ onclick:()=>Nn("exit_answer.txt",`${t}
 ${n.value}
 `)},"Save my answer"),o)),i=()=>{s.textContent=r.exit.exit,r.exit.done&&([n.readOnly,a.hidden]=[!0,!0],l.append(u("div",{class:"reply"},u("p",{},u("strong",{},"\
 A good answer has:")),u("ul",{},...e.map(c=>u("li",{},...yr(c)))))))};return n.value=r.exit.exit,n.addEventListener("input",()=>{r.exit={exit:n.value},s.textContent=
-n.value}),l.addEventListener("submit",c=>{if(c.preventDefault(),n.value.trim().length<Vl){o.textContent="Write two explanations and an experiment first. Then th\
-e page shows what a good answer has.";return}o.textContent="",r.exit={done:!0},i()}),i(),u("div",{class:"widget"},l)}var nt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function To(t,e,r){let[n,s]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(s)?s=0:r||
-(n=0),nt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Ne=(t,e)=>e<t.nPursuers,$=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],ql=(t,e)=>t[0]===e[0]&&
-t[1]===e[1],In=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Fn=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Un=(t,e)=>Fn(t.fault,e),ko=(t,e)=>!Un(
-t,e)&&Fn(t.involved,e,2);function gr(t,e,r){let n=!ql($(t,r),$(e,r)),s=e.involved===void 0||Fn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&s)}function vr(t,e,r){
+n.value}),l.addEventListener("submit",c=>{if(c.preventDefault(),n.value.trim().length<ql){o.textContent="Write two explanations and an experiment first. Then th\
+e page shows what a good answer has.";return}o.textContent="",r.exit={done:!0},i()}),i(),u("div",{class:"widget"},l)}var nt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];function ko(t,e,r){let[n,s]=[e[0]-t[0],e[1]-t[1]];return!r&&Math.abs(n)>Math.abs(s)?s=0:r||
+(n=0),nt.findIndex(([o,a])=>o===Math.sign(n)&&a===Math.sign(s))}var Ne=(t,e)=>e<t.nPursuers,$=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Yl=(t,e)=>t[0]===e[0]&&
+t[1]===e[1],In=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Fn=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Un=(t,e)=>Fn(t.fault,e),Co=(t,e)=>!Un(
+t,e)&&Fn(t.involved,e,2);function gr(t,e,r){let n=!Yl($(t,r),$(e,r)),s=e.involved===void 0||Fn(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&s)}function vr(t,e,r){
 let[n,s]=$(t,r),[o,a]=nt[e.actions?.[r]??0];return[n+o,s+a]}function Lt(t,e,r){return Array.from({length:r.everCaptured.length},(s,o)=>o).filter(s=>r.everCaptured[s]&&
 !e.everCaptured[s]).map(s=>t.nPursuers+s)}var br=t=>t.moments.flatMap((e,r)=>r&&Lt(t,t.moments[r-1],e).length?[r]:[]);function wr(t,e){return Array.from({length:e.
-alive.length},(n,s)=>s).filter(n=>t.alive[n]&&!e.alive[n])}var Co=[-.31,0,.31],Oo=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
--.23,-.23],[.23,-.23]]},{size:.36,at:Co.flatMap(t=>Co.map(e=>[e,t]))}],Yl=.3,Kl=.35,Jl=.55;function Nt(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
-alive[n])continue;let[s,o]=$(e,n),a=s*t.cols+o,l=r.get(a);l?l.push(n):r.set(a,[n])}return r}function Ro(t,e){let r=Array.from(e.alive,(n,s)=>{let[o,a]=$(e,s);return{
-x:a+.5,y:o+.5,size:1,alpha:0}});for(let n of Nt(t,e).values()){let s=Oo[Math.min(n.length,Oo.length)-1];n.forEach((o,a)=>{let[l,i]=s.at[Math.min(a,s.at.length-1)],
-c=r[o];c.x+=l,c.y+=i,c.size=s.size,c.alpha=1})}return r}var $o=t=>t*t*(3-2*t),st=(t,e,r)=>t+(e-t)*r,_o=t=>Math.min(1,Math.max(0,t));function Po(t,e,r,n){let s={
-SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return $o(n);let o=s===r?e:+!Ne(t,e),a=Math.max(1/s,Kl);return $o(_o((n-o/(s-1)*(1-a))/a))}function xr(t,e){
-let r=t.moments.length-1,n=Math.min(Math.floor(e),r),s=t.moments[n],o=Ro(t,s);if(n===r||e===n)return o;let a=t.moments[n+1],l=Ro(t,a);return o.map((i,c)=>{let d=Po(
-t,c,o.length,e-n);return Zl(s,a,c,i,l[c],d)})}function Dn(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
-n)]],l=Po(t,e,o.alive.length,r-s),[[i,c],[d,m]]=[$(o,e),$(a,e)];return[st(c,m,l)+.5,st(i,d,l)+.5]}function Zl(t,e,r,n,s,o){let a=n.alpha>s.alpha,l={x:st(n.x,s.x,
-o),y:st(n.y,s.y,o),size:a?n.size:st(n.size,s.size,o),alpha:a?_o((1-o)/(1-Jl)):st(n.alpha,s.alpha,o)};if(gr(t,e,r)){let[i,c]=$(t,r),[d,m]=vr(t,e,r),p=Yl*Math.sin(
-Math.PI*o);l.x+=(m-c)*p,l.y+=(d-i)*p}return l}var Lo=2*Math.PI;function Ie(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,Lo)}function Sr(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,l])=>[e+a*s,r+l*
-s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,l],i)=>{let[c,d]=o[(i+1)%3];t.arcTo(a,l,c,d,n*.09)}),t.closePath()}function No(t,e,r,n){
-let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Io(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
-2*(s%2?.6:.95),a=Lo*s/16;t.lineTo(e+o*Math.sin(a),r-o*Math.cos(a))}t.closePath()}function Fo(t,e,r,n,s,o){let a=Math.atan2(s-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,s);for(let l of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+l*.6),s-o*Math.sin(a+l*.6))}var Uo=4,Xl=1.6,Ql=.95,ec=5,tc=.16,rc=9,nc=.09,sc=.2,Do=.75,Q=(t,e)=>t.left+e*t.cell,ee=(t,e)=>t.top+e*t.cell;function ot(t,e,r){return Ne(e,r)?t.colors.pursuer:
-t.colors.evader}function Wo({ctx:t,grid:e,colors:r}){let{left:n,top:s,cell:o,rows:a,cols:l}=e,[i,c]=[l*o,a*o];if(t.fillStyle=r.paper,t.fillRect(n,s,i,c),o<ec)return;
-t.fillStyle=r.line;let d=Math.max(1,Math.round(o/60));for(let m=1;m<l;m++)t.fillRect(n+m*o,s,d,c);for(let m=1;m<a;m++)t.fillRect(n,s+m*o,i,d)}function zo({ctx:t,
+alive.length},(n,s)=>s).filter(n=>t.alive[n]&&!e.alive[n])}var Oo=[-.31,0,.31],Ro=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
+-.23,-.23],[.23,-.23]]},{size:.36,at:Oo.flatMap(t=>Oo.map(e=>[e,t]))}],Kl=.3,Jl=.35,Zl=.55;function Nt(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
+alive[n])continue;let[s,o]=$(e,n),a=s*t.cols+o,l=r.get(a);l?l.push(n):r.set(a,[n])}return r}function $o(t,e){let r=Array.from(e.alive,(n,s)=>{let[o,a]=$(e,s);return{
+x:a+.5,y:o+.5,size:1,alpha:0}});for(let n of Nt(t,e).values()){let s=Ro[Math.min(n.length,Ro.length)-1];n.forEach((o,a)=>{let[l,i]=s.at[Math.min(a,s.at.length-1)],
+c=r[o];c.x+=l,c.y+=i,c.size=s.size,c.alpha=1})}return r}var _o=t=>t*t*(3-2*t),st=(t,e,r)=>t+(e-t)*r,Po=t=>Math.min(1,Math.max(0,t));function Lo(t,e,r,n){let s={
+SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(s===1)return _o(n);let o=s===r?e:+!Ne(t,e),a=Math.max(1/s,Jl);return _o(Po((n-o/(s-1)*(1-a))/a))}function xr(t,e){
+let r=t.moments.length-1,n=Math.min(Math.floor(e),r),s=t.moments[n],o=$o(t,s);if(n===r||e===n)return o;let a=t.moments[n+1],l=$o(t,a);return o.map((i,c)=>{let d=Lo(
+t,c,o.length,e-n);return Xl(s,a,c,i,l[c],d)})}function Dn(t,e,r){let n=t.moments.length-1,s=Math.min(Math.floor(r),n),[o,a]=[t.moments[s],t.moments[Math.min(s+1,
+n)]],l=Lo(t,e,o.alive.length,r-s),[[i,c],[d,m]]=[$(o,e),$(a,e)];return[st(c,m,l)+.5,st(i,d,l)+.5]}function Xl(t,e,r,n,s,o){let a=n.alpha>s.alpha,l={x:st(n.x,s.x,
+o),y:st(n.y,s.y,o),size:a?n.size:st(n.size,s.size,o),alpha:a?Po((1-o)/(1-Zl)):st(n.alpha,s.alpha,o)};if(gr(t,e,r)){let[i,c]=$(t,r),[d,m]=vr(t,e,r),p=Kl*Math.sin(
+Math.PI*o);l.x+=(m-c)*p,l.y+=(d-i)*p}return l}var No=2*Math.PI;function Ie(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,No)}function Sr(t,e,r,n){let s=n/2,o=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,l])=>[e+a*s,r+l*
+s]);t.beginPath(),t.moveTo((o[2][0]+o[0][0])/2,(o[2][1]+o[0][1])/2),o.forEach(([a,l],i)=>{let[c,d]=o[(i+1)%3];t.arcTo(a,l,c,d,n*.09)}),t.closePath()}function Io(t,e,r,n){
+let s=n*.32;t.beginPath(),t.moveTo(e-s,r-s),t.lineTo(e+s,r+s),t.moveTo(e+s,r-s),t.lineTo(e-s,r+s)}function Fo(t,e,r,n){t.beginPath();for(let s=0;s<16;s++){let o=n/
+2*(s%2?.6:.95),a=No*s/16;t.lineTo(e+o*Math.sin(a),r-o*Math.cos(a))}t.closePath()}function Uo(t,e,r,n,s,o){let a=Math.atan2(s-r,n-e);t.beginPath(),t.moveTo(e,r),
+t.lineTo(n,s);for(let l of[-1,1])t.moveTo(n,s),t.lineTo(n-o*Math.cos(a+l*.6),s-o*Math.sin(a+l*.6))}var Do=4,Ql=1.6,ec=.95,tc=5,rc=.16,nc=9,sc=.09,oc=.2,Wo=.75,Q=(t,e)=>t.left+e*t.cell,ee=(t,e)=>t.top+e*t.cell;function ot(t,e,r){return Ne(e,r)?t.colors.pursuer:
+t.colors.evader}function zo({ctx:t,grid:e,colors:r}){let{left:n,top:s,cell:o,rows:a,cols:l}=e,[i,c]=[l*o,a*o];if(t.fillStyle=r.paper,t.fillRect(n,s,i,c),o<tc)return;
+t.fillStyle=r.line;let d=Math.max(1,Math.round(o/60));for(let m=1;m<l;m++)t.fillRect(n+m*o,s,d,c);for(let m=1;m<a;m++)t.fillRect(n,s+m*o,i,d)}function Bo({ctx:t,
 grid:e,colors:r},n){let{left:s,top:o,cell:a,rows:l,cols:i}=e;t.fillStyle=r.obstacle;for(let c=0;c<l*i;c++){if(!n.obstacles[c])continue;let[d,m]=[Math.floor(c/i),
-c%i];t.fillRect(s+m*a,o+d*a,a,a)}Bo({ctx:t,grid:e,colors:r})}function Bo({ctx:t,grid:{left:e,top:r,cell:n,rows:s,cols:o},colors:a}){let l=Math.min(5,Math.max(2,
-Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=l,t.strokeRect(e-l/2,r-l/2,o*n+l,s*n+l)}function Ho({ctx:t,grid:e,colors:r},n){let{left:s,top:o,cell:a,rows:l,
+c%i];t.fillRect(s+m*a,o+d*a,a,a)}Ho({ctx:t,grid:e,colors:r})}function Ho({ctx:t,grid:{left:e,top:r,cell:n,rows:s,cols:o},colors:a}){let l=Math.min(5,Math.max(2,
+Math.round(n/18)));t.strokeStyle=a.frame,t.lineWidth=l,t.strokeRect(e-l/2,r-l/2,o*n+l,s*n+l)}function jo({ctx:t,grid:e,colors:r},n){let{left:s,top:o,cell:a,rows:l,
 cols:i}=e,c=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.
 textAlign="center";let d=5*n+a/40;for(let m=0;m<i;m+=c)t.fillText(String(m),s+(m+.5)*a,o-d);t.textAlign="right",t.textBaseline="middle";for(let m=0;m<l;m+=c)t.fillText(
-String(m),s-d,o+(m+.5)*a)}function jo({grid:t},e,r,n){let s=Math.floor(e.fov/2)+.5,[o,a]=[Math.max(0,r-s),Math.min(t.cols,r+s)],[l,i]=[Math.max(0,n-s),Math.min(
-t.rows,n+s)];return[Q(t,o),ee(t,l),(a-o)*t.cell,(i-l)*t.cell]}function Go(t,e,r,n){let{ctx:s,grid:o,colors:a}=t;s.save(),s.beginPath(),s.rect(0,0,s.canvas.width,
-s.canvas.height),s.rect(...jo(t,e,r,n)),s.clip("evenodd"),s.clearRect(0,0,s.canvas.width,s.canvas.height),s.fillStyle=a.line,s.fillRect(o.left,o.top,o.cols*o.cell,
-o.rows*o.cell),s.restore(),Bo(t)}function Vo({ctx:t,grid:e,colors:r},{x:n,y:s,alpha:o},a){let l=Math.max(e.cell,16*a)*1.06,[i,c]=[Q(e,n),ee(e,s)];t.globalAlpha=
+String(m),s-d,o+(m+.5)*a)}function Go({grid:t},e,r,n){let s=Math.floor(e.fov/2)+.5,[o,a]=[Math.max(0,r-s),Math.min(t.cols,r+s)],[l,i]=[Math.max(0,n-s),Math.min(
+t.rows,n+s)];return[Q(t,o),ee(t,l),(a-o)*t.cell,(i-l)*t.cell]}function Vo(t,e,r,n){let{ctx:s,grid:o,colors:a}=t;s.save(),s.beginPath(),s.rect(0,0,s.canvas.width,
+s.canvas.height),s.rect(...Go(t,e,r,n)),s.clip("evenodd"),s.clearRect(0,0,s.canvas.width,s.canvas.height),s.fillStyle=a.line,s.fillRect(o.left,o.top,o.cols*o.cell,
+o.rows*o.cell),s.restore(),Ho(t)}function qo({ctx:t,grid:e,colors:r},{x:n,y:s,alpha:o},a){let l=Math.max(e.cell,16*a)*1.06,[i,c]=[Q(e,n),ee(e,s)];t.globalAlpha=
 Math.max(o,.6),t.beginPath(),t.roundRect(i-l/2,c-l/2,l,l,l*.2),t.strokeStyle=r.focus,t.lineWidth=Math.max(2,2.5*a),t.stroke();let d=Math.max(11*a,Math.min(18*a,
 e.cell*.5));t.font=`700 ${Math.round(d)}px system-ui, sans-serif`,t.textAlign="center",t.textBaseline="middle";let m=c-l/2<d*1.2,p=c+(m?1:-1)*(l/2+d*.7);t.strokeStyle=
-r.paper,t.lineJoin="round",t.lineWidth=d*.35,t.strokeText("You",i,p),t.fillStyle=r.ink,t.fillText("You",i,p),t.globalAlpha=1}function qo(t,e,r,n,s){let{ctx:o,grid:a}=t,
-l=jo(t,e,n,s),i=ot(t,e,r);o.globalAlpha=.11,o.fillStyle=i,o.fillRect(...l),o.globalAlpha=.8,o.strokeStyle=i,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...l),
-o.globalAlpha=1}function Yo(t,e,r,n,s){let{ctx:o,grid:a}=t,l=Math.min(Math.ceil(r),e.moments.length-1),i=e.moments[l];o.lineCap="round",o.lineWidth=Math.min(rc,
-Math.max(1,a.cell*tc));for(let c=Math.max(1,Math.floor(r-n)+1);c<=l;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=
-Do+(sc-Do)*p;for(let h=0;h<m.alive.length;h++){let f=c===l&&r<l;if(!d.alive[h]||!(i.alive[h]||f))continue;let y=(Ne(e,h)?-1:1)*nc,[g,x]=$(d,h),[v,w]=$(m,h);if(g===
+r.paper,t.lineJoin="round",t.lineWidth=d*.35,t.strokeText("You",i,p),t.fillStyle=r.ink,t.fillText("You",i,p),t.globalAlpha=1}function Yo(t,e,r,n,s){let{ctx:o,grid:a}=t,
+l=Go(t,e,n,s),i=ot(t,e,r);o.globalAlpha=.11,o.fillStyle=i,o.fillRect(...l),o.globalAlpha=.8,o.strokeStyle=i,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...l),
+o.globalAlpha=1}function Ko(t,e,r,n,s){let{ctx:o,grid:a}=t,l=Math.min(Math.ceil(r),e.moments.length-1),i=e.moments[l];o.lineCap="round",o.lineWidth=Math.min(nc,
+Math.max(1,a.cell*rc));for(let c=Math.max(1,Math.floor(r-n)+1);c<=l;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=
+Wo+(oc-Wo)*p;for(let h=0;h<m.alive.length;h++){let f=c===l&&r<l;if(!d.alive[h]||!(i.alive[h]||f))continue;let y=(Ne(e,h)?-1:1)*sc,[g,x]=$(d,h),[v,w]=$(m,h);if(g===
 v&&x===w)continue;let S=f?s[h].x:w+.5,A=f?s[h].y:v+.5;o.strokeStyle=ot(t,e,h),o.beginPath(),o.moveTo(Q(a,x+.5+y),ee(a,g+.5+y)),o.lineTo(Q(a,S+y),ee(a,A+y)),o.stroke()}}
-o.globalAlpha=1}function Ko(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-Uo+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
-l=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/Uo,i=Lt(e,o,a);for(let c of wr(o,a))i.includes(c)||ac(t,$(a,c),l);for(let c of i)oc(t,$(a,c),l)}t.ctx.globalAlpha=1}function oc({
-ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Io(t,Q(e,s+.5),ee(e,n+.5),Math.max(8,e.cell*Xl)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
-Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function ac({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,No(t,Q(e,s+.5),ee(e,n+.5),Math.max(7,e.cell*Ql)),
-t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Jo({ctx:t,grid:e,colors:r},n,s){let o=Math.max(1,e.cell*.07);
+o.globalAlpha=1}function Jo(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let s=Math.max(1,n-Do+1);s<=n;s++){let[o,a]=[e.moments[s-1],e.moments[s]],
+l=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/Do,i=Lt(e,o,a);for(let c of wr(o,a))i.includes(c)||ic(t,$(a,c),l);for(let c of i)ac(t,$(a,c),l)}t.ctx.globalAlpha=1}function ac({
+ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Fo(t,Q(e,s+.5),ee(e,n+.5),Math.max(8,e.cell*Ql)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=
+Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function ic({ctx:t,grid:e,colors:r},[n,s],o){t.globalAlpha=o,Io(t,Q(e,s+.5),ee(e,n+.5),Math.max(7,e.cell*ec)),
+t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function Zo({ctx:t,grid:e,colors:r},n,s){let o=Math.max(1,e.cell*.07);
 t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,l]of n){if(a<0||l<0||a>=e.rows||l>=e.cols)
 continue;let i=[Q(e,l)+o,ee(e,a)+o,e.cell-2*o,e.cell-2*o];t.globalAlpha=.2*s,t.fillRect(...i),t.globalAlpha=s,t.strokeRect(...i)}t.setLineDash([]),t.globalAlpha=
-1}function Zo({ctx:t,grid:e,colors:r},n,s,o,a){t.globalAlpha=a,Ie(t,Q(e,n),ee(e,s),Math.max(8,e.cell*o*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
-e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var ic=.8,lc=.92,cc=15,uc=7,Wn=9;function Xo(t,e,r,n,s,o){n.forEach((a,l)=>{a.alpha>0&&dc(t,e,r,l,a,s,o)}),t.ctx.globalAlpha=1;for(let a of Nt(e,r).values())a.length>
-Wn&&mc(t,n[a[Wn-1]],a.length-Wn+1)}function dc(t,e,r,n,s,o,a){let{ctx:l,grid:i,colors:c}=t,d=Ne(e,n),[m,p]=[i.left+s.x*i.cell,i.top+s.y*i.cell],h=Math.max(4,i.cell*
-s.size*(d?lc:ic)),f=ot(t,e,n),y=!d&&!!r.captured[n-e.nPursuers];if(l.globalAlpha=s.alpha,(d?Sr:Ie)(l,m,p,h),h>uc*a&&(l.strokeStyle=c.paper,l.lineWidth=Math.max(
-2,h*.1),l.stroke()),l.fillStyle=y?c.paper:f,l.fill(),y&&(Ie(l,m,p,h*.82),l.strokeStyle=f,l.lineWidth=h*.18,l.stroke()),!o||h<cc*a)return;let g=String(d?n:n-e.nPursuers);
+1}function Xo({ctx:t,grid:e,colors:r},n,s,o,a){t.globalAlpha=a,Ie(t,Q(e,n),ee(e,s),Math.max(8,e.cell*o*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,
+e.cell*.085*Math.sqrt(o)),t.stroke(),t.globalAlpha=1}var lc=.8,cc=.92,uc=15,dc=7,Wn=9;function Qo(t,e,r,n,s,o){n.forEach((a,l)=>{a.alpha>0&&mc(t,e,r,l,a,s,o)}),t.ctx.globalAlpha=1;for(let a of Nt(e,r).values())a.length>
+Wn&&pc(t,n[a[Wn-1]],a.length-Wn+1)}function mc(t,e,r,n,s,o,a){let{ctx:l,grid:i,colors:c}=t,d=Ne(e,n),[m,p]=[i.left+s.x*i.cell,i.top+s.y*i.cell],h=Math.max(4,i.cell*
+s.size*(d?cc:lc)),f=ot(t,e,n),y=!d&&!!r.captured[n-e.nPursuers];if(l.globalAlpha=s.alpha,(d?Sr:Ie)(l,m,p,h),h>dc*a&&(l.strokeStyle=c.paper,l.lineWidth=Math.max(
+2,h*.1),l.stroke()),l.fillStyle=y?c.paper:f,l.fill(),y&&(Ie(l,m,p,h*.82),l.strokeStyle=f,l.lineWidth=h*.18,l.stroke()),!o||h<uc*a)return;let g=String(d?n:n-e.nPursuers);
 l.font=`700 ${Math.round(h*(d?.4:.5)*(g.length>1?.8:1))}px system-ui, sans-serif`,l.textAlign="center",l.textBaseline="middle",l.fillStyle=y?f:c.paper,l.fillText(
-g,m,p+h*(d?.17:.03))}function mc({ctx:t,grid:e,colors:r},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+g,m,p+h*(d?.17:.03))}function pc({ctx:t,grid:e,colors:r},n,s){let[o,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${s}`,o,a),t.fillStyle=r.ink,t.fillText(`+${s}`,
-o,a)}var pc=.46,hc=.86,fc=.66,Qo=.48,yc=.78,gc=.58;function ea(t,e,r,n){let[s,o]=[e.moments[r-1],e.moments[r]];if(!s)return;let{ctx:a,grid:l,colors:i}=t;a.strokeStyle=
-i.collision,a.lineWidth=Math.max(1.5,l.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)gr(s,o,c)&&vc(t,e,$(s,c),vr(s,o,c));a.globalAlpha=
-1}function vc({ctx:t,grid:e},r,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],l=m=>Q(e,n[1]+.5+o*m),i=m=>ee(e,n[0]+.5+a*m),c=In(r,s)?yc:gc;t.setLineDash([e.cell*.09,e.cell*
-.06]),t.beginPath(),t.moveTo(l(Qo),i(Qo)),t.lineTo(l(c),i(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(o,a);t.beginPath(),t.moveTo(l(c)-a*d,i(c)+
-o*d),t.lineTo(l(c)+a*d,i(c)-o*d),t.stroke()}function ta(t,e,r,n,s,o){let a=nt[o];if(!o||!a)return;let{ctx:l,grid:i,colors:c}=t,d=In(e,[n[0]+a[0],n[1]+a[1]])?hc:
-fc,m=pc*s.size,p=[Q(i,s.x+a[1]*m),ee(i,s.y+a[0]*m),Q(i,s.x+a[1]*d),ee(i,s.y+a[0]*d)],h=Math.max(1.5,i.cell*.085);l.lineCap=l.lineJoin="round";for(let[f,y]of[[c.
-paper,h*2.1],[ot(t,e,r),h]])l.strokeStyle=f,l.lineWidth=y,Fo(l,...p,i.cell*.2),l.stroke()}var na={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function sa(t,e,r,n,s){let{ctx:o,grid:a,colors:l}=t,i=Math.min(
-Math.ceil(r),e.moments.length-1),c=e.moments[i],d=r===i,m=xr(e,r),p=d?1:Math.max(0,1-2*(i-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),Wo(t);for(let y of n.
-viewers)m[y]?.alpha&&qo(t,e,y,...Dn(e,y,r));zo(t,e),n.axes&&Ho(t,s),Yo(t,e,r,n.trail,m),Jo(t,c.contested??[],p),Ko(t,e,r),ea(t,e,i,p),m.forEach(({x:y,y:g,size:x},v)=>{
-let w=ko(c,v)?.4:0,S=Un(c,v)?1:w;S&&Zo(t,y,g,x,S*p)});let h=d?c:e.moments[Math.max(0,i-1)];if(Xo(t,e,h,m,n.numbers,s),d&&n.plan)for(let[y,g]of m.entries())g.alpha&&
-ta(t,e,y,$(c,y),g,n.plan[y]??0);n.you!==null&&(n.fog&&Go(t,e,...Dn(e,n.you,r)),Vo(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=l.focus;let f=n.selected===
-null?void 0:m[n.selected];f?.alpha&&ra(t,f.x,f.y,f.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),ra(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
-[]))}function ra({ctx:t,grid:e},r,n,s){let o=s*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),t.stroke()}var oa=(t,e)=>(e+.24)/(t+.24);function aa(t,e,r,n,s,o){let a=r?28*o:0,l=(c,d)=>(c-a)/(d+2*.12),i=Math.max(1,Math.floor(Math.min(l(n,e),l(s,t))));return{rows:t,cols:e,
-cell:i,left:Math.round((n-e*i+a)/2),top:Math.round((s-t*i+a)/2)}}function ia(t,e,r){let n=Math.floor((r-t.top)/t.cell),s=Math.floor((e-t.left)/t.cell);return n>=
-0&&n<t.rows&&s>=0&&s<t.cols?[n,s]:null}var bc={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Ar(t){let e=getComputedStyle(t),r=Object.entries(bc).map(([n,s])=>[n,e.getPropertyValue(
+o,a)}var hc=.46,fc=.86,yc=.66,ea=.48,gc=.78,vc=.58;function ta(t,e,r,n){let[s,o]=[e.moments[r-1],e.moments[r]];if(!s)return;let{ctx:a,grid:l,colors:i}=t;a.strokeStyle=
+i.collision,a.lineWidth=Math.max(1.5,l.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<o.alive.length;c++)gr(s,o,c)&&bc(t,e,$(s,c),vr(s,o,c));a.globalAlpha=
+1}function bc({ctx:t,grid:e},r,n,s){let[o,a]=[s[1]-n[1],s[0]-n[0]],l=m=>Q(e,n[1]+.5+o*m),i=m=>ee(e,n[0]+.5+a*m),c=In(r,s)?gc:vc;t.setLineDash([e.cell*.09,e.cell*
+.06]),t.beginPath(),t.moveTo(l(ea),i(ea)),t.lineTo(l(c),i(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(o,a);t.beginPath(),t.moveTo(l(c)-a*d,i(c)+
+o*d),t.lineTo(l(c)+a*d,i(c)-o*d),t.stroke()}function ra(t,e,r,n,s,o){let a=nt[o];if(!o||!a)return;let{ctx:l,grid:i,colors:c}=t,d=In(e,[n[0]+a[0],n[1]+a[1]])?fc:
+yc,m=hc*s.size,p=[Q(i,s.x+a[1]*m),ee(i,s.y+a[0]*m),Q(i,s.x+a[1]*d),ee(i,s.y+a[0]*d)],h=Math.max(1.5,i.cell*.085);l.lineCap=l.lineJoin="round";for(let[f,y]of[[c.
+paper,h*2.1],[ot(t,e,r),h]])l.strokeStyle=f,l.lineWidth=y,Uo(l,...p,i.cell*.2),l.stroke()}var sa={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null,you:null,fog:!1};function oa(t,e,r,n,s){let{ctx:o,grid:a,colors:l}=t,i=Math.min(
+Math.ceil(r),e.moments.length-1),c=e.moments[i],d=r===i,m=xr(e,r),p=d?1:Math.max(0,1-2*(i-r));o.clearRect(0,0,o.canvas.width,o.canvas.height),zo(t);for(let y of n.
+viewers)m[y]?.alpha&&Yo(t,e,y,...Dn(e,y,r));Bo(t,e),n.axes&&jo(t,s),Ko(t,e,r,n.trail,m),Zo(t,c.contested??[],p),Jo(t,e,r),ta(t,e,i,p),m.forEach(({x:y,y:g,size:x},v)=>{
+let w=Co(c,v)?.4:0,S=Un(c,v)?1:w;S&&Xo(t,y,g,x,S*p)});let h=d?c:e.moments[Math.max(0,i-1)];if(Qo(t,e,h,m,n.numbers,s),d&&n.plan)for(let[y,g]of m.entries())g.alpha&&
+ra(t,e,y,$(c,y),g,n.plan[y]??0);n.you!==null&&(n.fog&&Vo(t,e,...Dn(e,n.you,r)),qo(t,m[n.you],s)),o.lineWidth=Math.max(2,2.5*s),o.strokeStyle=l.focus;let f=n.selected===
+null?void 0:m[n.selected];f?.alpha&&na(t,f.x,f.y,f.size*.96),n.cursor&&(o.setLineDash([a.cell*.12,a.cell*.08]),na(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),o.setLineDash(
+[]))}function na({ctx:t,grid:e},r,n,s){let o=s*e.cell;t.beginPath(),t.roundRect(e.left+r*e.cell-o/2,e.top+n*e.cell-o/2,o,o,o*.1),t.stroke()}var aa=(t,e)=>(e+.24)/(t+.24);function ia(t,e,r,n,s,o){let a=r?28*o:0,l=(c,d)=>(c-a)/(d+2*.12),i=Math.max(1,Math.floor(Math.min(l(n,e),l(s,t))));return{rows:t,cols:e,
+cell:i,left:Math.round((n-e*i+a)/2),top:Math.round((s-t*i+a)/2)}}function la(t,e,r){let n=Math.floor((r-t.top)/t.cell),s=Math.floor((e-t.left)/t.cell);return n>=
+0&&n<t.rows&&s>=0&&s<t.cols?[n,s]:null}var wc={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Ar(t){let e=getComputedStyle(t),r=Object.entries(wc).map(([n,s])=>[n,e.getPropertyValue(
 s).trim()]);return Object.fromEntries(r)}var oe=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Te=class{canvas;#e=null;#t=0;#r;#n={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#s;#l;constructor(e,r={}){
-this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#r={...na,...r},this.#s=new ResizeObserver(()=>this.#a()),this.#s.observe(e),this.#l=new MutationObserver(
+this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#r={...sa,...r},this.#s=new ResizeObserver(()=>this.#a()),this.#s.observe(e),this.#l=new MutationObserver(
 ()=>this.redraw()),this.#l.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw),addEventListener(
 "beforeprint",this.#u)}close(){this.#s.disconnect(),this.#l.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),removeEventListener(
 "beforeprint",this.#u),cancelAnimationFrame(this.#o)}get look(){return this.#r}set look(e){this.#r={...this.#r,...e},this.#d(),this.redraw()}show(e,r){this.#e=e,
 this.#t=Math.min(Math.max(0,r),e.moments.length-1),this.#d(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};#u=()=>this.
 drawNow();drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let e=this.canvas.getContext("2d");if(!e||!this.#e)return;let{rows:r,cols:n}=this.#e,s=devicePixelRatio||
-1;this.#n=aa(r,n,this.#r.axes,this.canvas.width,this.canvas.height,s);let o={ctx:e,grid:this.#n,colors:Ar(this.canvas)};sa(o,this.#e,this.#t,this.#r,s)}cellAt(e,r){
-let n=this.canvas.getBoundingClientRect(),s=this.canvas.width/n.width;return ia(this.#n,(e-n.left)*s,(r-n.top)*s)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)
+1;this.#n=ia(r,n,this.#r.axes,this.canvas.width,this.canvas.height,s);let o={ctx:e,grid:this.#n,colors:Ar(this.canvas)};oa(o,this.#e,this.#t,this.#r,s)}cellAt(e,r){
+let n=this.canvas.getBoundingClientRect(),s=this.canvas.width/n.width;return la(this.#n,(e-n.left)*s,(r-n.top)*s)}agentAt(e,r){let n=this.cellAt(e,r);if(!n||!this.#e)
 return null;let s=this.#e.moments[Math.round(this.#t)],o=Nt(this.#e,s).get(n[0]*this.#e.cols+n[1])??[],a=xr(this.#e,Math.round(this.#t)),l=i=>{let[c,d]=this.pointOf(
 a[i].x,a[i].y);return Math.hypot(c-e,d-r)};return o.length?o.reduce((i,c)=>l(c)<l(i)?c:i):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),s=n.width/
 this.canvas.width,{left:o,top:a,cell:l}=this.#n;return[n.left+(o+e*l)*s,n.top+(a+r*l)*s]}#d(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty(
-"--board-aspect",String(oa(e,r)))}#a(){let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
-r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var It=[.5,1,2,4,8,16,32,64],Mr=0,Er=12,wc=2,ce=class extends EventTarget{#e;#t;#r;#n=0;#o=0;#s=!1;#l=null;#u=0;#d=[];#a=[];glide=.28;constructor(e,r={}){super(),
+"--board-aspect",String(aa(e,r)))}#a(){let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(
+r*e)),this.canvas.height=Math.max(1,Math.round(n*e)),this.drawNow()}};var It=[.5,1,2,4,8,16,32,64],Mr=0,Er=12,xc=2,ce=class extends EventTarget{#e;#t;#r;#n=0;#o=0;#s=!1;#l=null;#u=0;#d=[];#a=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#t=r.speed??4,this.#r=r.still??!1}get step(){return this.#n}get time(){return this.#r?this.#n:this.#o}get arrived(){return this.#o===this.#n}get playing(){
 return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#i("state")}get marks(){return this.#d}set marks(e){this.#d=e,this.#i(
-"state")}get ticks(){return this.#a}set ticks(e){this.#a=e,this.#i("state")}get pace(){return this.#t||Math.max(wc,this.#e/Er)}get speed(){return this.#t}set speed(e){
+"state")}get ticks(){return this.#a}set ticks(e){this.#a=e,this.#i("state")}get pace(){return this.#t||Math.max(xc,this.#e/Er)}get speed(){return this.#t}set speed(e){
 this.#t=e,this.#i("state")}changeSpeed(e){let r=It.findIndex(n=>n>=this.pace);this.speed=It[Math.min(It.length-1,Math.max(0,r+e))]}play(){this.#s||!this.#e||(this.#n===
 this.#e&&this.jump(0),this.#s=!0,this.#i("state"),this.#c())}pause(){this.#s&&(this.#s=!1,this.#i("state"))}toggle(){this.#s?this.pause():this.play()}move(e){this.
 pause();let r=Math.min(this.#e,Math.max(0,this.#n+e));Math.abs(r-this.#o)>1?this.jump(r):this.#m(r),this.#c()}jump(e){this.#o=Math.min(this.#e,Math.max(0,Math.round(
@@ -402,50 +402,50 @@ this.#i("frame"),(this.#s||this.#o!==this.#n)&&(this.#l=requestAnimationFrame(()
 if(this.#n===this.#e)return this.pause();this.#m(this.#n+1)}let n=this.#s?this.pace:1/this.glide,s=this.#n-this.#o,o=Math.min(Math.abs(s),r*n);r-=o/n,this.#o=o===
 Math.abs(s)?this.#n:this.#o+Math.sign(s)*o}this.#s&&this.#o===this.#e&&this.pause()}#i(e){this.dispatchEvent(new Event(e))}};function Tr(t,e){if(e.ctrlKey||e.metaKey||
 e.altKey)return!1;let r=e.shiftKey?10:1,s={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),
-"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return s?.(),s!==void 0}var xc={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
-l10 7-10 7z"};function la(t){return b("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},b("path",{d:xc[t]}))}function Ft(t,e,r,n){return u("button",
-{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},la(t))}function ke(t){let e=Ft("play","Play","Space",()=>t.toggle()),r=Sc(t),
-n=u("div",{class:"captures","aria-hidden":"true",title:"Captures"}),s=u("div",{class:"losses","aria-hidden":"true"}),o=Ac(t),a=u("output",{class:"player-count"}),
+"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return s?.(),s!==void 0}var Sc={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+l10 7-10 7z"};function ca(t){return b("svg",{viewBox:"0 0 24 24","aria-hidden":"true",class:"icon"},b("path",{d:Sc[t]}))}function Ft(t,e,r,n){return u("button",
+{type:"button",class:"player-button","aria-label":e,title:`${e} (${r})`,onclick:n},ca(t))}function ke(t){let e=Ft("play","Play","Space",()=>t.toggle()),r=Ac(t),
+n=u("div",{class:"captures","aria-hidden":"true",title:"Captures"}),s=u("div",{class:"losses","aria-hidden":"true"}),o=Mc(t),a=u("output",{class:"player-count"}),
 l=u("div",{class:"player",role:"group","aria-label":"Player"},Ft("first","First step","Home",()=>t.move(-t.length)),Ft("back","Step back","←",()=>t.move(-1)),
 e,Ft("forward","Step forward","→",()=>t.move(1)),Ft("last","Last step","End",()=>t.move(t.length)),u("div",{class:"scrub"},n,s,r),a,o),i=(m,p={})=>{let h=u("i",
 p);return h.style.left=`${100*m/Math.max(1,t.length)}%`,h},c=()=>{n.replaceChildren(...t.marks.map(m=>i(m))),s.replaceChildren(...t.ticks.map(({step:m,kind:p,size:h,
-text:f})=>{let y=i(m,{class:p,title:`Step ${m}: ${f}`});return y.style.height=`${100*h}%`,y}))},d=()=>{e.replaceChildren(la(t.playing?"pause":"play")),e.ariaLabel=
+text:f})=>{let y=i(m,{class:p,title:`Step ${m}: ${f}`});return y.style.height=`${100*h}%`,y}))},d=()=>{e.replaceChildren(ca(t.playing?"pause":"play")),e.ariaLabel=
 t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length),r.value=String(t.step),r.ariaValueText=`step ${t.step} of ${t.length}`,a.textContent=
 `${t.step} / ${t.length}`,a.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener("step",d),t.addEventListener("s\
 tate",d),t.addEventListener("state",c),l.addEventListener("keydown",m=>{!(m.target instanceof HTMLSelectElement||m.key===" "&&m.target!==r)&&Tr(t,m)&&m.preventDefault()}),
-d(),l}function Sc(t){let e=u("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
-Number(e.value))}),e}function Ac(t){let e=`Steps a second, or the whole in ${Er} s (+ and -)`,r=u("select",{class:"player-speed","aria-label":"Speed",title:e},u(
-"option",{value:Mr},`in ${Er} s`),...It.map(n=>u("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var z=(t,e=2)=>t==null?"-":t.toFixed(e);function ca(t,e,r){return e===null||r===null?z(t):`${z(t)} (${z(e)} to ${z(r)})`}var Fe=t=>t.charAt(0).toUpperCase()+t.slice(1);function Ut(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
-c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let l=Math.ceil(t/a-1e-9),i=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,i-l+1)},(c,d)=>(l+d)*a)}var kr={left:46,right:12,top:10,bottom:42},ua={x:56,y:34};function ue(t,e,r,n){let[s,o]=[kr.left,kr.top],a=Math.max(s+40,t-kr.right),l=Math.max(o+40,e-kr.bottom),
+d(),l}function Ac(t){let e=u("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
+Number(e.value))}),e}function Mc(t){let e=`Steps a second, or the whole in ${Er} s (+ and -)`,r=u("select",{class:"player-speed","aria-label":"Speed",title:e},u(
+"option",{value:Mr},`in ${Er} s`),...It.map(n=>u("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var z=(t,e=2)=>t==null?"-":t.toFixed(e);function ua(t,e,r){return e===null||r===null?z(t):`${z(t)} (${z(e)} to ${z(r)})`}var Fe=t=>t.charAt(0).toUpperCase()+t.slice(1);function Ut(t,e,r,n=!1){let s=(e-t)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),a=[1,2,5,10].map(c=>c*o).find(
+c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let l=Math.ceil(t/a-1e-9),i=Math.floor(e/a+1e-9);return Array.from({length:Math.max(0,i-l+1)},(c,d)=>(l+d)*a)}var kr={left:46,right:12,top:10,bottom:42},da={x:56,y:34};function ue(t,e,r,n){let[s,o]=[kr.left,kr.top],a=Math.max(s+40,t-kr.right),l=Math.max(o+40,e-kr.bottom),
 i=(y,g,x)=>v=>g+(v-y.low)/(y.high-y.low||1)*(x-g),[c,d]=[i(r,s,a),i(n,l,o)],m=b("g"),p=b("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=b("g",
-{class:"axes"});for(let y of Ut(n.low,n.high,(l-o)/ua.y,n.whole))h.append(b("line",{x1:s,x2:a,y1:d(y),y2:d(y),class:"grid"}),b("text",{x:s-8,y:d(y),"text-anchor":"\
-end","dominant-baseline":"middle"},da(y)));for(let y of Ut(r.low,r.high,(a-s)/ua.x,r.whole))h.append(b("text",{x:c(y),y:l+16,"text-anchor":"middle"},da(r.mirrored?
+{class:"axes"});for(let y of Ut(n.low,n.high,(l-o)/da.y,n.whole))h.append(b("line",{x1:s,x2:a,y1:d(y),y2:d(y),class:"grid"}),b("text",{x:s-8,y:d(y),"text-anchor":"\
+end","dominant-baseline":"middle"},ma(y)));for(let y of Ut(r.low,r.high,(a-s)/da.x,r.whole))h.append(b("text",{x:c(y),y:l+16,"text-anchor":"middle"},ma(r.mirrored?
 Math.abs(y):y)));return h.append(b("line",{x1:s,x2:a,y1:l,y2:l,class:"axis"}),b("text",{x:(s+a)/2,y:e-6,"text-anchor":"middle",class:"label"},r.label),b("text",
 {transform:`translate(12 ${(o+l)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),p.append(h,m),{root:p,marks:m,left:s,right:a,top:o,bottom:l,x:c,
-y:d,at:y=>{let g=y-p.getBoundingClientRect().left;return r.low+(g-s)/(a-s)*(r.high-r.low)}}}var da=t=>String(Number(t.toPrecision(6))).replace("-","−");function de(t,e,r,n){
+y:d,at:y=>{let g=y-p.getBoundingClientRect().left;return r.low+(g-s)/(a-s)*(r.high-r.low)}}}var ma=t=>String(Number(t.toPrecision(6))).replace("-","−");function de(t,e,r,n){
 let s="",o="M";r.forEach((a,l)=>{a===null?o="M":(s+=`${o}${t.x(e[l]).toFixed(1)} ${t.y(a).toFixed(1)}`,o="L")}),t.root.insertBefore(b("path",{d:s,class:`line ${n}`}),
-t.marks)}function ma(t,e,r,n=null){let s=t.x(e);t.marks.append(b("line",{x1:s,x2:s,y1:t.top,y2:t.bottom,class:`mark ${r}`})),n!==null&&t.marks.append(b("circle",{cx:s,cy:t.
+t.marks)}function pa(t,e,r,n=null){let s=t.x(e);t.marks.append(b("line",{x1:s,x2:s,y1:t.top,y2:t.bottom,class:`mark ${r}`})),n!==null&&t.marks.append(b("circle",{cx:s,cy:t.
 y(n),r:5,class:`dot ${r}`}))}function at(...t){return u("p",{class:"legend small"},...t.map(([e,r])=>u("span",{class:`key ${r}`},e)))}function me(t,e,r,n){let s=u(
 "div",{class:"chart chooses",role:"img","aria-label":t}),o=null,a=()=>{o?.marks.replaceChildren(),o&&r(o)};s.addEventListener("click",i=>o&&n(o.at(i.clientX),o,
 i));let l=()=>{let{clientWidth:i,clientHeight:c}=s;i<50||c<50||(o=e(i,c),s.replaceChildren(o.root),a())};return new ResizeObserver(l).observe(s),{element:s,update:a,
 redraw:l}}function it(t,e,r){let n=devicePixelRatio||1;for(let[a,l]of Object.entries(r))t.style.setProperty(a,`${l}px`);t.width=Math.round(r.width*n),t.height=Math.round(
-r.height*n);let s=t.getContext("2d"),o=Mc(e);!s||!o||(s.imageSmoothingEnabled=!1,s.drawImage(o,0,0,t.width,t.height))}function Mc(t){let[e,r]=t.shape,n=document.
+r.height*n);let s=t.getContext("2d"),o=Ec(e);!s||!o||(s.imageSmoothingEnabled=!1,s.drawImage(o,0,0,t.width,t.height))}function Ec(t){let[e,r]=t.shape,n=document.
 createElement("canvas");[n.width,n.height]=[r,e];let s=n.getContext("2d");if(!s)return null;let o=s.createImageData(r,e);return t.capture_rate.forEach((a,l)=>a.
 forEach((i,c)=>{let d=4*((e-1-l-t.first[0])*r+c+t.first[1]);o.data.set([...pr(i),255],d)})),s.putImageData(o,0,0),n}function Ce(t,e){let r=u("span",{class:"grad\
-ient"});return r.style.backgroundImage=wo(),u("p",{class:"scale-of-rates small muted"},t,r,e)}function Ue(t,e,r=t.length){let n=u("canvas",{role:"img","aria-label":e}),s=u("div",{class:"cells-of-matrix"},n),o=u("figure",{},u("figcaption",{},e),s,u("p",{class:"\
+ient"});return r.style.backgroundImage=xo(),u("p",{class:"scale-of-rates small muted"},t,r,e)}function Ue(t,e,r=t.length){let n=u("canvas",{role:"img","aria-label":e}),s=u("div",{class:"cells-of-matrix"},n),o=u("figure",{},u("figcaption",{},e),s,u("p",{class:"\
 small muted"},u("span",{class:"pursuer"},"↑ pursuers")," ",u("span",{class:"evader"},"evaders →")));return o.draw=()=>{let a=s.clientWidth;a&&it(n,{shape:[r,
-r],first:[0,0],capture_rate:t},{left:0,top:0,width:a,height:a})},new ResizeObserver(()=>o.draw?.()).observe(s),o}var ha=()=>Ce("0 all escape","1 all caught"),fa=({
-runs:t})=>u("div",{class:"widget"},u("div",{class:"matrices"},...t.map((e,r)=>Ue(e.payoff.capture_rate,`Matrix ${"ABC"[r]}`))),ha()),Cr=31,pa=.016;function ya(){
-let t=r=>Array.from({length:Cr},(n,s)=>Array.from({length:Cr},(o,a)=>.5+r*(s-a))),e=[[pa,"Both get better"],[-pa,"Both get worse"],[0,"Nothing happens"]];return u(
-"div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>Ue(t(r),n))),ha())}function ga(){let t=Array.from({length:Cr},(r,n)=>n),e=me("A capture rate\
+r],first:[0,0],capture_rate:t},{left:0,top:0,width:a,height:a})},new ResizeObserver(()=>o.draw?.()).observe(s),o}var fa=()=>Ce("0 all escape","1 all caught"),ya=({
+runs:t})=>u("div",{class:"widget"},u("div",{class:"matrices"},...t.map((e,r)=>Ue(e.payoff.capture_rate,`Matrix ${"ABC"[r]}`))),fa()),Cr=31,ha=.016;function ga(){
+let t=r=>Array.from({length:Cr},(n,s)=>Array.from({length:Cr},(o,a)=>.5+r*(s-a))),e=[[ha,"Both get better"],[-ha,"Both get worse"],[0,"Nothing happens"]];return u(
+"div",{class:"widget"},u("div",{class:"matrices"},...e.map(([r,n])=>Ue(t(r),n))),fa())}function va(){let t=Array.from({length:Cr},(r,n)=>n),e=me("A capture rate\
  that stays at one half from generation 0 to 30",(r,n)=>{let s=ue(r,n,{low:0,high:Cr-1,label:"generation",whole:!0},{low:0,high:1,label:"capture rate"});return de(
 s,t,t.map(()=>.5),"of-both"),s},()=>{},()=>{});return u("div",{class:"widget"},e.element)}function De(t,e,r,n,s){let o=u("input",{type:"range",min:0,max:e.length-1,step:1,"aria-label":t}),a=u("output",{class:"numbers"}),l=()=>{let i=e[Number(o.value)];
 return a.textContent=o.ariaValueText=n(i),i};return o.value=String(e.indexOf(r)),o.addEventListener("input",()=>s(l())),l(),u("label",{class:"slider"},u("span",
-{},t),o,a)}function va(t,e,r){let n=u("select",{"aria-label":t},...e.map(s=>u("option",{value:s},s)));return n.addEventListener("change",()=>r(n.value)),u("labe\
+{},t),o,a)}function ba(t,e,r){let n=u("select",{"aria-label":t},...e.map(s=>u("option",{value:s},s)));return n.addEventListener("change",()=>r(n.value)),u("labe\
 l",{class:"slider"},u("span",{},t),n)}function Oe(t){let e=t>>>0;return()=>{e=e+1831565813>>>0;let r=Math.imul(e^e>>>15,e|1);return r^=r+Math.imul(r^r>>>7,r|61),((r^r>>>14)>>>0)/2**32}}var Bn=["rock",
-"paper","scissors"],Hn=[[.5,0,1],[1,.5,0],[0,1,.5]],Ec=1e-9,xa=t=>Hn.map(e=>e.reduce((r,n,s)=>r+n*t[s],0));function jn(t,e){let r=t.slice(-e);return Bn.map((n,s)=>r.
-filter(o=>o===s).length/r.length)}var Gn=t=>Math.max(...xa(t));function ba(t,e,r){let n=xa(jn(t,e)),s=n.flatMap((o,a)=>o>Math.max(...n)-Ec?[a]:[]);return s[s.length>
-1?Math.floor(r()*s.length):0]}function Rr(t,e,r){let n={pursuers:[0],evaders:[0]};for(let s=1;s<=t;s++)n.pursuers.push(ba(n.evaders,e,r)),n.evaders.push(ba(n.pursuers,
+"paper","scissors"],Hn=[[.5,0,1],[1,.5,0],[0,1,.5]],Tc=1e-9,Sa=t=>Hn.map(e=>e.reduce((r,n,s)=>r+n*t[s],0));function jn(t,e){let r=t.slice(-e);return Bn.map((n,s)=>r.
+filter(o=>o===s).length/r.length)}var Gn=t=>Math.max(...Sa(t));function wa(t,e,r){let n=Sa(jn(t,e)),s=n.flatMap((o,a)=>o>Math.max(...n)-Tc?[a]:[]);return s[s.length>
+1?Math.floor(r()*s.length):0]}function Rr(t,e,r){let n={pursuers:[0],evaders:[0]};for(let s=1;s<=t;s++)n.pursuers.push(wa(n.evaders,e,r)),n.evaders.push(wa(n.pursuers,
 e,r));return n}var Dt=100,$r={scalar:{dimensions:1,greatest:!0},focusing:{dimensions:10,greatest:!0},intransitive:{dimensions:2,greatest:!1}};function zn(t,e,r){
 let{greatest:n}=$r[t],s=e[0]-r[0];for(let o=1;o<e.length;o++){let a=e[o]-r[o];(n?Math.abs(a)>Math.abs(s):Math.abs(a)<Math.abs(s))&&(s=a)}return(1+Math.sign(s))/
 2}var Vn=(t,e,r)=>e.reduce((n,s)=>n+r.reduce((o,a)=>o+zn(t,s,a),0),0)/(e.length*r.length),ct={population:25,mutation:.005,opponents:15,hall:0},lt=class{game;settings;generation=0;#e;#t;#r=[
@@ -453,67 +453,67 @@ let{greatest:n}=$r[t],s=e[0]-r[0];for(let o=1;o<e.length;o++){let a=e[o]-r[o];(n
 let{dimensions:r}=$r[this.game],n=Dt/r;return this.#t[e].map(s=>Array.from({length:r},(o,a)=>Or(s.subarray(a*n,(a+1)*n))))}objective=e=>Or(this.#t[e].map(Or))/this.
 settings.population;step(){let e=[this.ones(0),this.ones(1)],r=this.#n(e);for(let n of[0,1]){this.#r[n].push(e[n][r[n].indexOf(Math.max(...r[n]))]);let s=this.#s(
 r[n]);this.#t[n]=s.map(o=>this.#o(this.#t[n][o]))}this.generation++}#n(e){let{population:r,opponents:n,hall:s}=this.settings,o=[new Array(r).fill(0),new Array(r).
-fill(0)];for(let a=0;a<n;a++)wa(r,this.#e).forEach((l,i)=>{let c=zn(this.game,e[0][i],e[1][l]);o[0][i]+=+(c===1),o[1][l]+=+(c===0)});for(let a of[0,1]){let l=this.#r[1-
-a];for(let i of wa(l.length,this.#e,s))e[a].forEach((c,d)=>o[a][d]+=+(zn(this.game,c,l[i])===1))}return o}#o(e){let r=e.slice();for(let n=0;n<r.length;n++)this.#e()<
+fill(0)];for(let a=0;a<n;a++)xa(r,this.#e).forEach((l,i)=>{let c=zn(this.game,e[0][i],e[1][l]);o[0][i]+=+(c===1),o[1][l]+=+(c===0)});for(let a of[0,1]){let l=this.#r[1-
+a];for(let i of xa(l.length,this.#e,s))e[a].forEach((c,d)=>o[a][d]+=+(zn(this.game,c,l[i])===1))}return o}#o(e){let r=e.slice();for(let n=0;n<r.length;n++)this.#e()<
 this.settings.mutation&&(r[n]^=1);return r}#s(e){let r=Or(e),n=r?e:e.map(()=>1);return e.map(()=>{let s=this.#e()*(r||e.length),o=n.findIndex(a=>(s-=a)<0);return o<
-0?e.length-1:o})}};function wa(t,e,r=t){let n=Array.from({length:t},(o,a)=>a),s=Math.min(r,t);for(let o=0;o<s;o++){let a=o+Math.floor(e()*(t-o));[n[o],n[a]]=[n[a],
-n[o]]}return n.slice(0,s)}function Or(t){let e=0;for(let r=0;r<t.length;r++)e+=t[r];return e}var qn=1,_r=["pursuers","evaders"],Ma=[[150,42],[266,232],[34,232]],Tc={pursuers:-7,evaders:7},Sa=t=>[0,1].map(e=>t.reduce((r,n,s)=>r+n*Ma[s][e],0)),Aa=(t,e)=>t.
-map((r,n)=>jn(t.slice(0,n+1),e));function Ea({memories:t=[1],memory:e=t[0],generations:r=30}){let n=new ce(r,{speed:r>100?16:2,still:oe()}),s=e,o=Rr(r,s,Oe(qn)),
+0?e.length-1:o})}};function xa(t,e,r=t){let n=Array.from({length:t},(o,a)=>a),s=Math.min(r,t);for(let o=0;o<s;o++){let a=o+Math.floor(e()*(t-o));[n[o],n[a]]=[n[a],
+n[o]]}return n.slice(0,s)}function Or(t){let e=0;for(let r=0;r<t.length;r++)e+=t[r];return e}var qn=1,_r=["pursuers","evaders"],Ea=[[150,42],[266,232],[34,232]],kc={pursuers:-7,evaders:7},Aa=t=>[0,1].map(e=>t.reduce((r,n,s)=>r+n*Ea[s][e],0)),Ma=(t,e)=>t.
+map((r,n)=>jn(t.slice(0,n+1),e));function Ta({memories:t=[1],memory:e=t[0],generations:r=30}){let n=new ce(r,{speed:r>100?16:2,still:oe()}),s=e,o=Rr(r,s,Oe(qn)),
 a={pursuers:[],evaders:[]},l={pursuers:b("polyline",{class:"way of-pursuers"}),evaders:b("polyline",{class:"way of-evaders"})},i={pursuers:b("path",{class:"fill\
 ed-pursuer",d:"M0 -11 11 9H-11z"}),evaders:b("circle",{class:"filled-evader",r:9})},c=b("svg",{viewBox:"0 0 300 270",class:"hands-triangle",role:"img","aria-lab\
-el":"The shares of rock, paper and scissors among the remembered hands of both teams"},b("polygon",{class:"frame",points:Ma.map(g=>g.join()).join(" ")}),b("circ\
+el":"The shares of rock, paper and scissors among the remembered hands of both teams"},b("polygon",{class:"frame",points:Ea.map(g=>g.join()).join(" ")}),b("circ\
 le",{class:"middle",cx:150,cy:168.7,r:4}),b("text",{x:150,y:192,"text-anchor":"middle"},"one third each"),b("text",{class:"label",x:150,y:18,"text-anchor":"midd\
 le"},"rock"),b("text",{class:"label",x:266,y:262,"text-anchor":"middle"},"paper"),b("text",{class:"label",x:34,y:262,"text-anchor":"middle"},"scissors"),..._r.map(
 g=>l[g]),..._r.map(g=>i[g])),d=u("p",{class:"numbers"}),m=me("What the best answer wins against the remembered hands, by generation",(g,x)=>{let v=ue(g,x,{low:0,
 high:r,label:"generation",whole:!0},{low:.4,high:1,label:"best answer wins"});de(v,[0,r],[.5,.5],"half");for(let w of _r)de(v,o[w].map((S,A)=>A),a[w].map(Gn),`o\
-f-${w}`);return v},g=>ma(g,n.step,"of-both"),g=>n.jump(g)),p=()=>{let g=n.step;for(let v of _r){l[v].setAttribute("points",a[v].slice(0,g+1).map(A=>Sa(A).map(k=>k.
-toFixed(1)).join()).join(" "));let[w,S]=Sa(a[v][g]);i[v].setAttribute("transform",`translate(${w+Tc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
+f-${w}`);return v},g=>pa(g,n.step,"of-both"),g=>n.jump(g)),p=()=>{let g=n.step;for(let v of _r){l[v].setAttribute("points",a[v].slice(0,g+1).map(A=>Aa(A).map(k=>k.
+toFixed(1)).join()).join(" "));let[w,S]=Aa(a[v][g]);i[v].setAttribute("transform",`translate(${w+kc[v]} ${S})`)}let x=v=>u("span",{class:v.slice(0,-1)},`${v} sh\
 ow ${Bn[o[v][g]]}`);d.replaceChildren(`Generation ${g}: `,x("pursuers"),", ",x("evaders"),".",...t.length>1?[` The best answer to the remembered hands of the pu\
-rsuers wins ${z(Gn(a.pursuers[g]))}.`]:[]),m.update()},h=()=>{o=Rr(r,s,Oe(qn)),a={pursuers:Aa(o.pursuers,s),evaders:Aa(o.evaders,s)},m.redraw(),p()};n.addEventListener(
+rsuers wins ${z(Gn(a.pursuers[g]))}.`]:[]),m.update()},h=()=>{o=Rr(r,s,Oe(qn)),a={pursuers:Ma(o.pursuers,s),evaders:Ma(o.evaders,s)},m.redraw(),p()};n.addEventListener(
 "step",p),h();let f=t.at(-1),y=De("memory (hands)",t,e,g=>g===f?"all":String(g),g=>{s=g,h()});return u("div",{class:"widget"},t.length>1&&y,u("div",{class:"two"},
-u("div",{},c),t.length>1&&u("div",{},at(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,ke(n))}function Ta({generations:t=30}){
+u("div",{},c),t.length>1&&u("div",{},at(["pursuers' hands","of-pursuers"],["evaders' hands","of-evaders"]),m.element)),d,ke(n))}function ka({generations:t=30}){
 let{pursuers:e,evaders:r}=Rr(t,1,Oe(qn)),n=e.map(o=>r.map(a=>Hn[o][a])),s=n.at(-1);return u("div",{class:"widget"},u("div",{class:"matrices"},Ue(n,`The last pur\
-suers score ${z(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),Ce("0 loses","1 wins"))}var Wt=600,ut=20,Yn=5,zt=10,Kn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Oa={low:0,high:Wt,label:"generation",whole:!0},Ra={low:0,high:Dt,
-label:"ones of side 1"},We=()=>{},kc=()=>new Promise(t=>setTimeout(t));async function Jn(t,e,r){for(e();t.generation<Wt&&r();e()){for(let n=0;n<ut;n++)t.step();
-await kc()}}var Pr=new Map,$a=[];async function Cc(){for(let t of Object.keys(Kn))Pr.set(t,[]);for(let t=0;t<Yn;t++)for(let[e,r]of Object.entries(Kn)){let n={score:[],
-ones:[]};Pr.get(e).push(n);let s=new lt(r,ct,Oe(t));await Jn(s,()=>{n.score.push(Vn(r,s.ones(0),s.ones(1))),n.ones.push(s.objective(0))},()=>!0),$a.forEach(o=>o())}}
-function _a({shows:t="score"}){Pr.size||Cc();let e=t==="score"?{low:0,high:1,label:"score of side 1"}:Ra,r=Object.entries(Kn).map(([n,s])=>{let o=t==="score"?n:
-`${n}: ${s}`,a=me(`${o}: ${e.label} in ${Yn} races`,(l,i)=>{let c=ue(l,i,Oa,e);for(let d of Pr.get(n))de(c,d[t].map((m,p)=>p*ut),d[t],"of-both dense");return c},
-We,We);return $a.push(a.redraw),u("figure",{},u("figcaption",{},o),a.element)});return u("div",{class:"widget"},u("div",{class:"matrices"},...r),u("p",{class:"s\
-mall muted"},`Each line is a race; there are ${Yn} of each game, played now, in this page.`))}var Oc=[5,10,15,25,40,60],Rc=[5e-4,.001,.002,.005,.01,.02,.05],$c=[
-0,1,5,15,30],ka=15,_c=Array.from({length:20},(t,e)=>e);function Pa({hall:t=!1}){let[e,r,n]=["scalar",0,{...ct,hall:t?ka:0}],s=0,o=v=>{n={...n,...v}},a=[[],[]],l=[
+suers score ${z(s.reduce((o,a)=>o+a,0)/s.length)} against all evaders.`)),Ce("0 loses","1 wins"))}var Wt=600,ut=20,Yn=5,zt=10,Kn={"Game A":"intransitive","Game B":"scalar","Game C":"focusing"},Ra={low:0,high:Wt,label:"generation",whole:!0},$a={low:0,high:Dt,
+label:"ones of side 1"},We=()=>{},Cc=()=>new Promise(t=>setTimeout(t));async function Jn(t,e,r){for(e();t.generation<Wt&&r();e()){for(let n=0;n<ut;n++)t.step();
+await Cc()}}var Pr=new Map,_a=[];async function Oc(){for(let t of Object.keys(Kn))Pr.set(t,[]);for(let t=0;t<Yn;t++)for(let[e,r]of Object.entries(Kn)){let n={score:[],
+ones:[]};Pr.get(e).push(n);let s=new lt(r,ct,Oe(t));await Jn(s,()=>{n.score.push(Vn(r,s.ones(0),s.ones(1))),n.ones.push(s.objective(0))},()=>!0),_a.forEach(o=>o())}}
+function Pa({shows:t="score"}){Pr.size||Oc();let e=t==="score"?{low:0,high:1,label:"score of side 1"}:$a,r=Object.entries(Kn).map(([n,s])=>{let o=t==="score"?n:
+`${n}: ${s}`,a=me(`${o}: ${e.label} in ${Yn} races`,(l,i)=>{let c=ue(l,i,Ra,e);for(let d of Pr.get(n))de(c,d[t].map((m,p)=>p*ut),d[t],"of-both dense");return c},
+We,We);return _a.push(a.redraw),u("figure",{},u("figcaption",{},o),a.element)});return u("div",{class:"widget"},u("div",{class:"matrices"},...r),u("p",{class:"s\
+mall muted"},`Each line is a race; there are ${Yn} of each game, played now, in this page.`))}var Rc=[5,10,15,25,40,60],$c=[5e-4,.001,.002,.005,.01,.02,.05],_c=[
+0,1,5,15,30],Ca=15,Pc=Array.from({length:20},(t,e)=>e);function La({hall:t=!1}){let[e,r,n]=["scalar",0,{...ct,hall:t?Ca:0}],s=0,o=v=>{n={...n,...v}},a=[[],[]],l=[
 Ue(a[0],"Score of side 1",Wt/ut+1),Ue(a[1],"Score of side 2",Wt/ut+1)];l.forEach(v=>v.querySelector("p").replaceChildren(`↑ generation, → opponent (${ut} a \
-cell)`));let i=[[],[]],c=me("Ones of both sides by generation",(v,w)=>{let S=ue(v,w,Oa,{...Ra,label:"ones"});return i.forEach((A,k)=>de(S,A.map((C,E)=>E*ut),A,k?
+cell)`));let i=[[],[]],c=me("Ones of both sides by generation",(v,w)=>{let S=ue(v,w,Ra,{...$a,label:"ones"});return i.forEach((A,k)=>de(S,A.map((C,E)=>E*ut),A,k?
 "of-evaders":"of-pursuers")),S},We,We),d=u("p",{class:"numbers",role:"status"}),m=v=>{d.textContent=v},p=async()=>{let v=++s;for(let A of[...a,...i])A.length=0;
 let w=[[],[]],S=new lt(e,n,Oe(r));await Jn(S,()=>{for(let A of[0,1])w[A].push(S.ones(A)),i[A].push(S.objective(A));for(let A of[0,1])a[A].push(w[1-A].map(k=>Vn(
-S.game,w[A].at(-1),k)));l.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${Ca(S.game)} game, seed ${r}: after ${Wt} generations side 1 has ${i[0].at(-1).
-toFixed(0)} ones, side 2 ${i[1].at(-1).toFixed(0)}.`)},h=[],f=me("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>Pc(h,v,w),We,
+S.game,w[A].at(-1),k)));l.forEach(A=>A.draw?.()),c.redraw()},()=>s===v),s===v&&m(`${Oa(S.game)} game, seed ${r}: after ${Wt} generations side 1 has ${i[0].at(-1).
+toFixed(0)} ones, side 2 ${i[1].at(-1).toFixed(0)}.`)},h=[],f=me("Ones of side 1 at the end of ten races, a row for each choice of settings",(v,w)=>Lc(h,v,w),We,
 We);f.element.classList.add("dots");let y=async v=>{let w=++s,S=[],{population:A,mutation:k}=v,C=`${e}${A===ct.population?"":`, ${A} players`}${k===ct.mutation?
 "":`, mutation ${k}`}, hall ${v.hall}`;h=[...h.filter(E=>E.ends.length===zt&&E.text!==C).slice(1-Zn),{text:C,ends:S}];for(let E=0;E<zt&&s===w;E++){let M=new lt(
-e,v,Oe(E));await Jn(M,We,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${Ca(C)}: side 1 ends with ${La(S)} ones in the mean of ${zt} races.`)},g=(v,w,S="")=>u(
-"button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},va("game",Object.keys($r),v=>e=v),De("population",Oc,n.population,String,v=>o(
-{population:v})),De("mutation",Rc,n.mutation,String,v=>o({mutation:v})),...t?[De("hall of fame",$c,ka,String,v=>o({hall:v}))]:[De("seed",_c,0,String,v=>r=v)]);return t?
+e,v,Oe(E));await Jn(M,We,()=>s===w),s===w&&S.push(M.objective(0)),f.redraw()}s===w&&m(`${Oa(C)}: side 1 ends with ${Na(S)} ones in the mean of ${zt} races.`)},g=(v,w,S="")=>u(
+"button",{type:"button",class:S,onclick:()=>{v()}},w),x=u("div",{class:"sliders"},ba("game",Object.keys($r),v=>e=v),De("population",Rc,n.population,String,v=>o(
+{population:v})),De("mutation",$c,n.mutation,String,v=>o({mutation:v})),...t?[De("hall of fame",_c,Ca,String,v=>o({hall:v}))]:[De("seed",Pc,0,String,v=>r=v)]);return t?
 (y(ct).then(()=>s===1?y(n):void 0),u("div",{class:"widget"},x,u("div",{class:"buttons"},g(()=>y(n),"Play ten races","primary")),d,f.element)):u("div",{class:"wi\
 dget"},x,u("div",{class:"buttons"},g(p,"Play a race","primary"),g(async()=>{s++},"Stop")),u("div",{class:"matrices"},...l,u("figure",{},u("figcaption",{},"The t\
-ruth: ones"),at(["side 1","of-pursuers"],["side 2","of-evaders"]),c.element)),Ce("0 loses","1 wins"),d)}var Zn=6,La=t=>(t.reduce((e,r)=>e+r,0)/t.length).toFixed(
-1),Ca=t=>t.charAt(0).toUpperCase()+t.slice(1);function Pc(t,e,r){let n=ue(e,r,{low:0,high:Dt,label:"ones of side 1 at the end",whole:!0},{low:0,high:Zn,label:""});
+ruth: ones"),at(["side 1","of-pursuers"],["side 2","of-evaders"]),c.element)),Ce("0 loses","1 wins"),d)}var Zn=6,Na=t=>(t.reduce((e,r)=>e+r,0)/t.length).toFixed(
+1),Oa=t=>t.charAt(0).toUpperCase()+t.slice(1);function Lc(t,e,r){let n=ue(e,r,{low:0,high:Dt,label:"ones of side 1 at the end",whole:!0},{low:0,high:Zn,label:""});
 return n.root.querySelectorAll(".axes .grid, .axes [text-anchor=end]").forEach(s=>s.remove()),t.forEach(({text:s,ends:o},a)=>{let l=n.y(Zn-a-.7);n.marks.before(
-b("text",{class:"label",x:n.left,y:l-12},`${s}: ${o.length<zt?`${o.length} of ${zt} races`:`mean ${La(o)}`}`)),o.forEach(i=>n.marks.before(b("circle",{class:"do\
-t of-both",cx:n.x(i),cy:l,r:5})))}),n}var Lc=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Lr(){let t=[["pursu\
-er",b("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",b("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",b("polygon",{points:Lc,class:"\
+b("text",{class:"label",x:n.left,y:l-12},`${s}: ${o.length<zt?`${o.length} of ${zt} races`:`mean ${Na(o)}`}`)),o.forEach(i=>n.marks.before(b("circle",{class:"do\
+t of-both",cx:n.x(i),cy:l,r:5})))}),n}var Nc=Array.from({length:16},(t,e)=>{let[r,n]=[e%2?6.5:11,Math.PI*e/8];return`${12+r*Math.sin(n)} ${12-r*Math.cos(n)}`}).join(" ");function Lr(){let t=[["pursu\
+er",b("path",{d:"M12 3 22 20H2z",class:"filled-pursuer"})],["evader",b("circle",{cx:12,cy:12,r:9,class:"filled-evader"})],["capture",b("polygon",{points:Nc,class:"\
 filled-capture"})],["captured evader",b("circle",{cx:12,cy:12,r:7.5,class:"ring-evader"})],["conflict",b("rect",{x:3,y:3,width:18,height:18,class:"dashed-confli\
 ct"})]];return u("ul",{class:"shapes small","aria-label":"Shapes on the board"},...t.map(([e,r])=>u("li",{},b("svg",{viewBox:"0 0 24 24","aria-hidden":"true"},r),
 e)))}function Xn(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:t.rules.interaction,obstacles:e,moments:r}}function Qn(t,e){return{
 positions:t.read("last_positions"),alive:t.read("alive"),captured:t.read("captured"),everCaptured:t.read("ever_captured"),actions:e,involved:t.read("involved"),
-fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Nr(t){let e=Array.from({length:t.length+1},(r,n)=>Nc(t,n));return Xn(t.config,t.map,e)}function Nc(t,e){
+fault:t.read("fault"),contested:t.conflicts().map(r=>r.cell)}}function Nr(t){let e=Array.from({length:t.length+1},(r,n)=>Ic(t,n));return Xn(t.config,t.map,e)}function Ic(t,e){
 let r=t.n_agents,n=t.config.n_evaders,s=(a,l,i)=>a.subarray(l*i,(l+1)*i),o={positions:s(t.last_positions,e,2*r),alive:s(t.alive,e,r),captured:s(t.captured,e,n),
 everCaptured:s(t.ever_captured,e,n)};return e===0?o:{...o,actions:s(t.actions,e-1,r),involved:s(t.involved,e-1,3*r),fault:s(t.fault,e-1,3*r),get contested(){return t.
-conflicts(e).map(a=>a.cell)}}}var Ic=8,Fc=700,Na=1400,ze=class{element;player=new ce(0,{speed:Ic,still:oe()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
+conflicts(e).map(a=>a.cell)}}}var Fc=8,Uc=700,Ia=1400,ze=class{element;player=new ce(0,{speed:Fc,still:oe()});title=u("figcaption");generation=0;#e=u("canvas");#t;#r=u("p",{class:"small mute\
 d numbers"});#n=u("p",{class:"small",role:"status"});#o;#s=null;#l=0;#u=0;#d=!oe();constructor(e){this.#o=e,this.#t=new Te(this.#e,{numbers:!1}),this.element=u(
 "figure",{class:"chase"},this.title,this.#e,this.#r,this.#n),this.player.addEventListener("frame",()=>this.#c()),this.player.addEventListener("step",()=>this.#p()),
 this.player.addEventListener("state",()=>{this.#d&&!this.player.playing&&this.player.length&&this.player.step===this.player.length&&this.#a()})}set label(e){this.#e.
 ariaLabel=e}get runs(){return this.#d}set runs(e){this.#d=e,clearTimeout(this.#u),e?this.player.play():this.player.pause()}renew(e=!1){e||!this.#s||performance.
-now()-this.#l>Na?this.#m():this.#a(Na)}#a(e=Fc){clearTimeout(this.#u),this.#u=setTimeout(()=>this.#m(),e)}#m(){clearTimeout(this.#u);let e=this.#o();e&&(this.#s=
+now()-this.#l>Ia?this.#m():this.#a(Ia)}#a(e=Uc){clearTimeout(this.#u),this.#u=setTimeout(()=>this.#m(),e)}#m(){clearTimeout(this.#u);let e=this.#o();e&&(this.#s=
 Nr(e),this.#l=performance.now(),this.player.jump(0),this.player.length=e.length,this.player.marks=br(this.#s),this.#p(),this.#d&&this.player.play())}#c(){this.#s&&
 this.#t.show(this.#s,this.player.time)}#p(){let e=this.#s?.moments[this.player.step]?.everCaptured;e&&(this.#r.textContent=`generation ${this.generation} · ${Array.
 from(e).filter(Boolean).length} of ${e.length} caught · step ${this.player.step}`)}drawWalls(e){let r=!1,n=!0,s=[0,0],o=([i,c])=>!!this.#s?.obstacles[i*this.#s.
@@ -522,27 +522,27 @@ i=>{let c=r&&this.#t.cellAt(i.clientX,i.clientY);c&&(this.#e.setPointerCapture(i
 l(i)),this.#e.addEventListener("keydown",i=>{let c={ArrowUp:[-1,0],ArrowDown:[1,0],ArrowLeft:[0,-1],ArrowRight:[0,1]}[i.key];if(!r||!this.#s||!(c||i.key===" "))
 return;i.preventDefault();let d=(h,f)=>Math.min(f-1,Math.max(0,h)),{rows:m,cols:p}=this.#s;c?s=[d(s[0]+c[0],m),d(s[1]+c[1],p)]:a(s,!o(s)),this.#t.look={cursor:s}}),
 {active:i=>{r=i,this.#e.classList.toggle("drawn-on",i),this.#e.tabIndex=i?0:-1,this.#e.setAttribute("role",i?"application":"img"),this.#t.look={cursor:null}}}}show(e){
-this.#s&&(this.#s={...this.#s,obstacles:e},this.#c())}};var Ia={"specialist-specialist":"Specialists: both teams meet only the newest opponent","generalist-specialist":"Pursuers meet all earlier evaders, evaders only\
+this.#s&&(this.#s={...this.#s,obstacles:e},this.#c())}};var Fa={"specialist-specialist":"Specialists: both teams meet only the newest opponent","generalist-specialist":"Pursuers meet all earlier evaders, evaders only\
  the newest pursuers","generalist-generalist":"Generalists: both teams meet all earlier opponents","hall-of-fame":"Halls of fame: both teams learn at once, and \
 meet earlier champions"};function Bt({schedule:t}){if(t.kind==="hall-of-fame")return t.kind;let e={latest:"specialist","round-robin":"generalist",uniform:"unifo\
-rm"};return`${e[t.pursuers_meet.rule]}-${e[t.evaders_meet.rule]}`}var Ir=t=>Ia[Bt(t)]??Bt(t);function Fa(t){let e=Object.values(t.races.es).find(r=>Bt(r)==="generalist-generalist");return{schedule:Bt(e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,
-...Uc(t,!1)}}var Ua=(t,e)=>e?t.small:Object.values(t.races.es)[0].world;function Uc(t,e){let{n_pursuers:r,n_evaders:n,fov:s,max_steps:o}=Ua(t,e);return{small:e,
-pursuers:r,evaders:n,view:s,steps:o,walls:[]}}function Da(t,e,r=e.schedule){let n=t.races[e.learner][r],s=Ua(t,e.small),{rows:o,cols:a}=s,l=new Set(e.walls),i=Array.
+rm"};return`${e[t.pursuers_meet.rule]}-${e[t.evaders_meet.rule]}`}var Ir=t=>Fa[Bt(t)]??Bt(t);function Ua(t){let e=Object.values(t.races.es).find(r=>Bt(r)==="generalist-generalist");return{schedule:Bt(e),beside:null,learner:"es",seed:e.seed,way:!1,population:0,
+...Dc(t,!1)}}var Da=(t,e)=>e?t.small:Object.values(t.races.es)[0].world;function Dc(t,e){let{n_pursuers:r,n_evaders:n,fov:s,max_steps:o}=Da(t,e);return{small:e,
+pursuers:r,evaders:n,view:s,steps:o,walls:[]}}function Wa(t,e,r=e.schedule){let n=t.races[e.learner][r],s=Da(t,e.small),{rows:o,cols:a}=s,l=new Set(e.walls),i=Array.
 from({length:o},(d,m)=>Array.from({length:a},(p,h)=>l.has(m*a+h)?"#":".").join("")),c={...s,n_pursuers:e.pursuers,n_evaders:e.evaders,fov:e.view,max_steps:e.steps,
 obstacles:l.size?i:s.obstacles};return{...n,world:c,train_steps:e.steps,seed:e.seed,policy:{...n.policy,mask:e.way?"right-of-way":"none"},learner:{...n.learner,
-population:e.population||n.learner.population}}}var Dc=40,Fr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
+population:e.population||n.learner.population}}}var Wc=40,Fr=class{element;#e;#t=u("div",{class:"episodes",role:"group","aria-label":"Episodes of this cell"});#r=u("p",{class:"check small numbers","aria-live":"\
 polite"});constructor(e){this.#e=e,this.element=u("div",{class:"strip-of-episodes"},this.#t,this.#r)}show(e,r){let{pursuer:n,evader:s,episode:o,seed:a,map:l}=this.#e.
-selected,i=Qe(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Dc).map((h,f)=>this.#n(h,f)));let c=a===null&&l===null?i?.rates[o]:void 0,d=r.statistics.
+selected,i=Qe(e,n,s);this.#t.replaceChildren(...(i?.rates??[]).slice(0,Wc).map((h,f)=>this.#n(h,f)));let c=a===null&&l===null?i?.rates[o]:void 0,d=r.statistics.
 capture_rate,m=c!==void 0&&Math.abs(d-c)<1e-6&&r.length===i?.lengths[o],p=i?"Not an episode of the evaluation":"The evaluation played no episodes of this pair.";
 this.#r.dataset.equal=String(m),this.#r.textContent=m?"As in the evaluation":c===void 0?p:`Episode ${o+1} differs from the evaluation.`,this.#r.title=`Played he\
 re: capture rate ${z(d,3)} in ${r.length} steps.${i?` The cell says ${z(i.rate,3)}.`:""}`}#n(e,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.
 height=`${Math.round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${z(e)}`,"aria-label":`Episode ${r+1}, capture rate\
  ${z(e)}`,"aria-pressed":String(r===n.episode&&n.seed===null&&n.map===null),onclick:()=>this.#e.select({episode:r,seed:null,map:null})},s,u("span",{class:"count"},
-r+1))}};var Wa=0,za=1,Wc=2,zc=176;function Ha(t,e,r,n){let s=devicePixelRatio||1,o=Ar(t);t.width=t.height=zc*s;let a=t.getContext("2d");if(!a)return;let{fov:l}=e,i=t.width/
-l;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<l*l;d++){let[m,p]=[(d%l+.5)*i,(Math.floor(d/l)+.5)*i],h=y=>!!r[y*l*l+d];h(Wc)&&(a.fillStyle=
-o.obstacle,a.fillRect(m-i/2,p-i/2,i,i));let f=h(Wa)&&h(za)?i*.18:0;h(Wa)&&Ba(a,Ie,m+f,p+f,i*.74,o.evader),h(za)&&Ba(a,Sr,m-f,p-f,i*.86,o.pursuer)}a.strokeStyle=
-n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(l/2)*i;a.strokeRect(c,c,i,i)}function Ba(t,e,r,n,s,o){e(t,r,n,s),t.fillStyle=o,t.fill()}var ja="What it remembers: a number for each unit, from -1 to 1",Ur=class{element;#e;#t=u("canvas",{class:"seen",role:"img"});#r=u("h3");#n=u("p",{class:"small \
-muted"});#o=u("div",{class:"answers"});#s=u("div",{title:ja});#l=null;#u=null;#d=null;#a=null;#m=null;#c=null;#p=0;constructor(e){this.#e=e,this.element=u("div",
+r+1))}};var za=0,Ba=1,zc=2,Bc=176;function ja(t,e,r,n){let s=devicePixelRatio||1,o=Ar(t);t.width=t.height=Bc*s;let a=t.getContext("2d");if(!a)return;let{fov:l}=e,i=t.width/
+l;a.fillStyle=o.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<l*l;d++){let[m,p]=[(d%l+.5)*i,(Math.floor(d/l)+.5)*i],h=y=>!!r[y*l*l+d];h(zc)&&(a.fillStyle=
+o.obstacle,a.fillRect(m-i/2,p-i/2,i,i));let f=h(za)&&h(Ba)?i*.18:0;h(za)&&Ha(a,Ie,m+f,p+f,i*.74,o.evader),h(Ba)&&Ha(a,Sr,m-f,p-f,i*.86,o.pursuer)}a.strokeStyle=
+n<e.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(l/2)*i;a.strokeRect(c,c,i,i)}function Ha(t,e,r,n,s,o){e(t,r,n,s),t.fillStyle=o,t.fill()}var Ga="What it remembers: a number for each unit, from -1 to 1",Ur=class{element;#e;#t=u("canvas",{class:"seen",role:"img"});#r=u("h3");#n=u("p",{class:"small \
+muted"});#o=u("div",{class:"answers"});#s=u("div",{title:Ga});#l=null;#u=null;#d=null;#a=null;#m=null;#c=null;#p=0;constructor(e){this.#e=e,this.element=u("div",
 {class:"inspector","data-open":"false"},u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its network answers."),u("div",{class:"\
 inspected"},this.#t,u("div",{class:"answer"},this.#r,this.#n,this.#s),this.#o))}get agent(){return this.#c}show(e,r,n,s){this.#l?.free(),this.#l=e.world(n.config),
 this.#d!==r&&(this.#u=null,this.#c!==null&&this.choose(null)),[this.#d,this.#a,this.#m]=[r,n,s]}set solution(e){this.#u=e,this.at(this.#p)}choose(e){this.#c=e,this.
@@ -550,64 +550,64 @@ element.dataset.open=String(e!==null),this.#e(e),this.at(this.#p)}next(e){let r=
 (n+e+r.n_agents)%r.n_agents,r.alive[this.#p*r.n_agents+n])return this.choose(n)}at(e){this.#p=e;let[r,n,s,o,a]=[this.#a,this.#l,this.#d,this.#m,this.#c];if(!r||
 !n||!s||!o||a===null)return;let l=a<r.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(),this.#r.replaceChildren(u("span",{class:l},G(a,r.config.n_pursuers)));
 let i={pursuers:Z(s,"pursuer",o.pursuer),evaders:Z(s,"evader",o.evader)};r.seek(n,e,i);let c=r.actions.subarray(e*r.n_agents,(e+1)*r.n_agents);for(;c.length&&!n.
-over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(c);let d=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);Ha(this.#t,r.config,d?n.view(a):null,a),this.#t.ariaLabel=
+over&&(a<n.actors[0]||a>=n.actors[1]);)n.playTurn(c);let d=!!(r.alive[e*r.n_agents+a]&&n.read("alive")[a]);ja(this.#t,r.config,d?n.view(a):null,a),this.#t.ariaLabel=
 `Field of view of ${G(a,r.config.n_pursuers)}: evaders, pursuers and obstacles around it`;let m=c[a]??null;if(!d)return this.#h([],"It is gone.");let p=i[`${l}s`],
-h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),jc(h.memory));
+h=typeof p=="string"?null:n.answer(p,a),f=h?.probabilities??null;h?.memory.length&&this.#s.replaceChildren(u("p",{class:"small muted"},"It remembers:"),Gc(h.memory));
 let y=this.#u?.game(n)??null,g=typeof p=="string"?`The script "${p}" plays for it${m===null?"":`; it goes ${le[m]}`}.`:p.sampled?"Its action is drawn from these\
  probabilities.":"It takes the most probable action.",x=[["network",f],["perfect",y?.marginal(a)??null]],v=w=>u("p",{class:"small muted"},w);this.#h([...y?[v(`V\
-alue ${y.value.toFixed(2)} under perfect play.`)]:[],...Bc(x,m)],m===null?"The episode is over.":g)}#h(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
-function Bc(t,e){let r=t.filter(([,o])=>o);if(!r.length)return[];let n=u("div",{class:"action muted"},u("span"),...r.map(([o])=>u("span",{class:"head"},o))),s=Array.
-from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},le[a]),...r.flatMap(([,l])=>Hc(l[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
-s}function Hc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function jc(t){
-let e=Array.from(t,r=>{let n=u("span",{title:r.toFixed(2)});return n.style.transform=`scaleY(${r})`,n});return u("div",{class:"units",role:"img","aria-label":ja},
-...e)}function Dr(t,e,{pursuer:r,evader:n,episode:s,seed:o,map:a}){let l=e.seeds[r][n];return t.match(rr(e,a),Z(e,"pursuer",r),Z(e,"evader",n),BigInt(o??l),s)}function Ga(t){let e=JSON.stringify(t,(r,n)=>r==="genome"?Array.from(n):n);return u("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
-outerHTML}var Va="champion",qa=0,es=64,ts=100;var Gc=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function Ya(t,e){return Object.keys(e).find(r=>Gc(e[r],t))??null}var Ht="_",Vc="n",ih=2n**64n-1n;var rs={fov:11,maxSteps:500,rewards:"paper"},qc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
-"next"];function Za(t,e){let r=l=>l.map(i=>Kc(i,e)).join(""),n=l=>`${Math.floor(l/t.cols)}.${l%t.cols}`,s=Yc(t.rewards,e),o=[t.seed,t.episode,t.steps].join("."),a={rules:Ja(
-t.rules,e),others:t.others?Ja(t.others,e):"",rewards:s===rs.rewards?"":s,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===rs.fov?"":String(t.fov),
-limit:t.maxSteps===rs.maxSteps?"":String(t.maxSteps),seed:o==="0.0.0"?"":o,ended:t.ended?"1":"",walls:t.walls.map(n).join(Ht),pursuers:t.pursuers.map(Ka).join(Ht),
-evaders:t.evaders.map(Ka).join(Ht),played:t.played.map(r).join(Ht),next:t.next.every(l=>l===qa)?"":r(t.next)};return qc.filter(l=>a[l]).map(l=>`${l}=${a[l]}`).join(
-"&")}function Ka({cell:t,gone:e,captured:r,everCaptured:n}){let s=r?"c":n?"e":"";return`${t[0]}.${t[1]}${s}${e?"x":""}`}function Ja(t,e){let r=e.fields.map(({name:n})=>String(
-t[n]).toLowerCase());return Ya(t,e.variants)??r.join(".")}function Yc(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(s=>JSON.stringify(e.rewards[s])===
-r)??Object.values(t).map(s=>String(s)).join(Ht)}function Kc(t,e){if(typeof t=="number")return String(t);if(t===Va)return Vc;let r=e.scripts.findIndex(({name:n})=>n===
-t);return String.fromCharCode(97+r)}var Jc="/* the engine */";function Xa(t,e){return u("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
-nd actions under any rules",onclick:()=>Zc(t(),e)},"What if?")}function Zc(t,e){let r=t!==null&&t.match.n_agents<=ts&&Math.max(t.match.config.rows,t.match.config.
-cols)<=es,n=r?Za(Xc(t.match,t.step),e):"",s=new TextDecoder().decode(En("playground")).replace(Jc,()=>we("script-engine")).replace("</noscript>",o=>r?o+Ga(t.champions):
-o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}function Xc(t,e){let{config:r,n_agents:n}=t,s=Math.max(0,e-1),o=l=>{let i=s*n+l,
+alue ${y.value.toFixed(2)} under perfect play.`)]:[],...Hc(x,m)],m===null?"The episode is over.":g)}#h(e,r){this.#o.replaceChildren(...e),this.#n.textContent=r}};
+function Hc(t,e){let r=t.filter(([,o])=>o);if(!r.length)return[];let n=u("div",{class:"action muted"},u("span"),...r.map(([o])=>u("span",{class:"head"},o))),s=Array.
+from(r[0][1],(o,a)=>u("div",{class:a===e?"action taken":"action"},u("span",{},le[a]),...r.flatMap(([,l])=>jc(l[a]))));return r.length>1||r[0][0]!==t[0][0]?[n,...s]:
+s}function jc(t){let e=u("span",{class:"filled"});return e.style.width=`${100*t}%`,[u("span",{class:"track"},e),u("span",{class:"numbers"},t.toFixed(2))]}function Gc(t){
+let e=Array.from(t,r=>{let n=u("span",{title:r.toFixed(2)});return n.style.transform=`scaleY(${r})`,n});return u("div",{class:"units",role:"img","aria-label":Ga},
+...e)}function Dr(t,e,{pursuer:r,evader:n,episode:s,seed:o,map:a}){let l=e.seeds[r][n];return t.match(rr(e,a),Z(e,"pursuer",r),Z(e,"evader",n),BigInt(o??l),s)}function Va(t){let e=JSON.stringify(t,(r,n)=>r==="genome"?Array.from(n):n);return u("script",{type:"application/json",id:"champions"},e.replaceAll("<","\\u003c")).
+outerHTML}var qa="champion",Ya=0,es=64,ts=100;var Vc=(t,e)=>Object.keys(t).every(r=>t[r]===e[r]);function Ka(t,e){return Object.keys(e).find(r=>Vc(e[r],t))??null}var Ht="_",qc="n",dh=2n**64n-1n;var rs={fov:11,maxSteps:500,rewards:"paper"},Yc=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
+"next"];function Xa(t,e){let r=l=>l.map(i=>Jc(i,e)).join(""),n=l=>`${Math.floor(l/t.cols)}.${l%t.cols}`,s=Kc(t.rewards,e),o=[t.seed,t.episode,t.steps].join("."),a={rules:Za(
+t.rules,e),others:t.others?Za(t.others,e):"",rewards:s===rs.rewards?"":s,size:`${t.rows}x${t.cols}`,diagonal:t.diagonal?"1":"",fov:t.fov===rs.fov?"":String(t.fov),
+limit:t.maxSteps===rs.maxSteps?"":String(t.maxSteps),seed:o==="0.0.0"?"":o,ended:t.ended?"1":"",walls:t.walls.map(n).join(Ht),pursuers:t.pursuers.map(Ja).join(Ht),
+evaders:t.evaders.map(Ja).join(Ht),played:t.played.map(r).join(Ht),next:t.next.every(l=>l===Ya)?"":r(t.next)};return Yc.filter(l=>a[l]).map(l=>`${l}=${a[l]}`).join(
+"&")}function Ja({cell:t,gone:e,captured:r,everCaptured:n}){let s=r?"c":n?"e":"";return`${t[0]}.${t[1]}${s}${e?"x":""}`}function Za(t,e){let r=e.fields.map(({name:n})=>String(
+t[n]).toLowerCase());return Ka(t,e.variants)??r.join(".")}function Kc(t,e){let r=JSON.stringify(t);return Object.keys(e.rewards).find(s=>JSON.stringify(e.rewards[s])===
+r)??Object.values(t).map(s=>String(s)).join(Ht)}function Jc(t,e){if(typeof t=="number")return String(t);if(t===qa)return qc;let r=e.scripts.findIndex(({name:n})=>n===
+t);return String.fromCharCode(97+r)}var Zc="/* the engine */";function Qa(t,e){return u("button",{type:"button",class:"to-playground",title:"Open this step in the playground (G): the same agents a\
+nd actions under any rules",onclick:()=>Xc(t(),e)},"What if?")}function Xc(t,e){let r=t!==null&&t.match.n_agents<=ts&&Math.max(t.match.config.rows,t.match.config.
+cols)<=es,n=r?Xa(Qc(t.match,t.step),e):"",s=new TextDecoder().decode(En("playground")).replace(Zc,()=>we("script-engine")).replace("</noscript>",o=>r?o+Va(t.champions):
+o);window.open(`${URL.createObjectURL(new Blob([s],{type:"text/html"}))}#${n}`)}function Qc(t,e){let{config:r,n_agents:n}=t,s=Math.max(0,e-1),o=l=>{let i=s*n+l,
 c=s*r.n_evaders+l-r.n_pursuers,d=m=>l>=r.n_pursuers&&!!m[c];return{cell:[t.last_positions[2*i],t.last_positions[2*i+1]],gone:!t.alive[i],captured:d(t.captured),
 everCaptured:d(t.ever_captured)}},a=Array.from({length:n},(l,i)=>o(i));return{rules:r.rules,others:null,rewards:r.rewards,rows:r.rows,cols:r.cols,diagonal:r.diagonal,
 fov:r.fov,maxSteps:r.max_steps,seed:t.seed,episode:BigInt(t.episode),steps:s,ended:s===t.length,walls:Array.from(t.map.keys()).filter(l=>t.map[l]),pursuers:a.slice(
-0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var ns=.005,ei=.05,Qc=["pursuer","evader"],eu=4,dt=new Map;function mt(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=dt.get(n)??(Ze(e)?Promise.
-resolve(null):tu(t,e,r));return dt.delete(n),dt.set(n,s),dt.size>eu&&dt.delete([...dt.keys()][0]),s}var ti=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
-Qa=()=>new Promise(t=>setTimeout(t));async function tu(t,e,r){await Qa();let n=t.solution(e,r);for(;n.goBack();)await Qa();return n}function Wr(t,e,r){let{payoff:n}=t;
-return r.flatMap((s,o)=>{let a=[0,0];for(let i=e.n_turns;i>0&&!e.over;i--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let l=n==="capture-rate"?ns:ei;
-return Qc.map((i,c)=>({step:o+1,team:i,lost:a[c],payoff:n})).filter(i=>i.lost>=l)})}var zr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
-({lost:r})=>r)),text:jt(e)})),ri=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,jt=t=>`The ${t.team}s los\
-e ${ri(t)} against a perfect opponent`;function ni(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${ri(e)} \
-against a perfect opponent.`}function si({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[s,o]=[1-r,Math.min(t.max_steps-
-n,un)];return s>o-ei?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function oi(t,e){return(t.marginal(e)??[]).map((n,s)=>({share:n,action:s})).filter(
-({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?le[s]:`${le[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:ru(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>G(d,t.config.n_pursuers),a=Lt(e,n,s),l=t.conflicts(
+0,r.n_pursuers),evaders:a.slice(r.n_pursuers),played:[],next:Array.from(t.actions.subarray(s*n,(s+1)*n))}}var ns=.005,ti=.05,eu=["pursuer","evader"],tu=4,dt=new Map;function mt(t,e,r="capture-rate"){let n=JSON.stringify([{...e,rewards:null},r]),s=dt.get(n)??(Ze(e)?Promise.
+resolve(null):ru(t,e,r));return dt.delete(n),dt.set(n,s),dt.size>tu&&dt.delete([...dt.keys()][0]),s}var ri=({n_evaders:t})=>t===1?"capture-time":"capture-rate",
+ei=()=>new Promise(t=>setTimeout(t));async function ru(t,e,r){await ei();let n=t.solution(e,r);for(;n.goBack();)await ei();return n}function Wr(t,e,r){let{payoff:n}=t;
+return r.flatMap((s,o)=>{let a=[0,0];for(let i=e.n_turns;i>0&&!e.over;i--)t.game(e)?.lost(s).forEach((c,d)=>a[d]+=c),e.playTurn(s);let l=n==="capture-rate"?ns:ti;
+return eu.map((i,c)=>({step:o+1,team:i,lost:a[c],payoff:n})).filter(i=>i.lost>=l)})}var zr=t=>t.map(e=>({step:e.step,kind:e.team,size:e.lost/Math.max(1,...t.map(
+({lost:r})=>r)),text:jt(e)})),ni=({lost:t,payoff:e})=>e==="capture-rate"?`${t.toFixed(2)} of the capture rate`:`${t.toFixed(1)} steps`,jt=t=>`The ${t.team}s los\
+e ${ni(t)} against a perfect opponent`;function si(t){let e=t.reduce((r,n)=>n.lost>r.lost?n:r);return`Your team's worst moves, in step ${e.step}, lost ${ni(e)} \
+against a perfect opponent.`}function oi({config:t,payoff:e},{value:r},n){if(e==="capture-rate")return`value ${r.toFixed(2)}`;let[s,o]=[1-r,Math.min(t.max_steps-
+n,un)];return s>o-ti?`free for ${o} steps`:`captured after ${s.toFixed(1)} steps`}function ai(t,e){return(t.marginal(e)??[]).map((n,s)=>({share:n,action:s})).filter(
+({share:n})=>n>=ns).sort((n,s)=>s.share-n.share).map(({share:n,action:s})=>n>1-ns?le[s]:`${le[s]} ${n.toFixed(2)}`).join(", ")}function Br(t,e,r){if(r===0)return[{kind:"start",text:nu(t),agents:[]}];let[n,s]=[e.moments[r-1],e.moments[r]],o=d=>G(d,t.config.n_pursuers),a=Lt(e,n,s),l=t.conflicts(
 r),i=new Set(l.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${o(d)} is captured`,agents:[d]}));for(let d of wr(n,s))!a.includes(d)&&!i.has(d)&&c.push(
 {kind:"end",text:`${o(d)} disappears`,agents:[d]});return c.push(...l.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===t.length&&c.unshift({kind:"\
-end",text:nu(t),agents:[]}),c}function ru({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function nu(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var su=60,pt=class{element;player=new ce(0,{speed:Mr,still:oe()});inspector;match=null;recording=null;actions;#e;#t;#r;#n;#o=u("h2",{class:"match-title"});#s=u(
+end",text:su(t),agents:[]}),c}function nu({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function su(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}var ou=60,pt=class{element;player=new ce(0,{speed:Mr,still:oe()});inspector;match=null;recording=null;actions;#e;#t;#r;#n;#o=u("h2",{class:"match-title"});#s=u(
 "p",{class:"tally numbers"});#l=u("ol",{class:"words",tabindex:0,"aria-live":"off","aria-label":"What happened in this step"});#u=u("p",{class:"problem",role:"a\
 lert"});#d=null;#a=null;#m=0;#c=!1;#p=0;#h=[];constructor(e,r,n){[this.#t,this.#r]=[e,r];let s=u("canvas",{"aria-label":"The match"});this.#e=new Te(s,{numbers:!1}),
 this.#n=new Fr(r),this.inspector=new Ur(o=>this.#S(o)),s.addEventListener("click",o=>this.inspector.choose(this.#e.agentAt(o.clientX,o.clientY))),this.actions=u(
 "div",{class:"beside"},u("button",{type:"button",class:"to-play",title:"Move the chosen agent, or an evader, yourself from this step on (T)",onclick:()=>this.element.
-dispatchEvent(new Event("takeover"))},"Take over"),n&&Xa(()=>this.shown,n)),this.element=u("section",{class:"card match-card","aria-label":"Match",id:"match"},u(
+dispatchEvent(new Event("takeover"))},"Take over"),n&&Qa(()=>this.shown,n)),this.element=u("section",{class:"card match-card","aria-label":"Match",id:"match"},u(
 "div",{class:"match"},u("header",{class:"match-head"},this.#o,this.#s),this.#u,u("div",{class:"stage"},s),u("div",{class:"aside"},this.#l,Lr(),this.actions,this.
 inspector.element),ke(this.player),this.#n.element)),this.player.addEventListener("frame",()=>this.recording&&this.#e.show(this.recording,this.player.time)),this.
 player.addEventListener("step",()=>this.#g()),r.on("match",()=>this.#y()),r.on("rest",()=>this.player.pause()),this.#w(),this.#x(0,0)}get#i(){return this.#t[this.#r.
 selected.run]}reveal(){this.#e.canvas.scrollIntoView({block:"nearest"})}get shown(){return this.match&&this.#a&&{match:this.match,step:this.player.step,champions:this.#a}}start(e){
 this.#d=e,this.#f()}playSoon(){this.#c=!0,this.#m||this.#b()}goTo(e){this.#p=e,!this.#m&&this.match&&this.#f()}#b(){!this.#c||!this.match||(this.#c=!1,this.player.
-jump(0),oe()||this.player.play())}#y(){this.#w(),clearTimeout(this.#m),this.#m=setTimeout(()=>this.#f(),su)}#f(){clearTimeout(this.#m),this.#m=0,this.player.pause(),
+jump(0),oe()||this.player.play())}#y(){this.#w(),clearTimeout(this.#m),this.#m=setTimeout(()=>this.#f(),ou)}#f(){clearTimeout(this.#m),this.#m=0,this.player.pause(),
 this.#w();let{selected:e}=this.#r,r=Xe.map(o=>nr(this.#i,o,e[o])).find(Boolean)??"";if(this.#u.textContent=r,r||!this.#d)return;this.match=Dr(this.#d,this.#i,e);
 let[n,s]=this.names(e);this.#a={pursuer:{name:n,policy:Z(this.#i,"pursuer",e.pursuer)},evader:{name:s,policy:Z(this.#i,"evader",e.evader)}},this.recording=Nr(this.
 match),this.#n.show(this.#i,this.match),this.inspector.show(this.#d,this.#i,this.match,e),this.player.length=this.match.length,this.player.marks=br(this.recording),
 this.#h=this.player.ticks=[],this.player.jump(this.#p),this.#p=0,this.#g(),this.#v(this.#d,this.match),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader}\
  ${e.episode} ${e.seed??""}`,this.element.dataset.map=String(e.map??""),this.#b()}async#v(e,r){let n=await mt(e,r.config);if(this.match!==r||!n)return;let s=e.world(
-r.config);r.seek(s,0),this.#h=Wr(n,s,ou(r)),s.free(),this.player.ticks=zr(this.#h),this.inspector.solution=n,this.#g()}names({run:e,pursuer:r,evader:n}){let{teams:s}=this.#t[e];
+r.config);r.seek(s,0),this.#h=Wr(n,s,au(r)),s.free(),this.player.ticks=zr(this.#h),this.inspector.solution=n,this.#g()}names({run:e,pursuer:r,evader:n}){let{teams:s}=this.#t[e];
 return[s.pursuer.script??ne("pursuer",r),s.evader.script??ne("evader",n)]}#w(){let{episode:e,seed:r,map:n}=this.#r.selected,{payoff:s,maps:o}=this.#i,[a,l]=this.
 names(this.#r.selected),i=r===null?e<s.episodes?`episode ${e+1} of ${s.episodes}`:`episode ${e+1}, not part of the cell`:`seed ${r}`,c=o&&n!==null?`, on map ${n%
 o.count+1} of generation ${Math.floor(n/o.count)}`:"";this.#o.replaceChildren(u("span",{class:"pursuer"},Fe(a))," against ",u("span",{class:"evader"},l),u("span",
@@ -615,31 +615,31 @@ o.count+1} of generation ${Math.floor(n/o.count)}`:"";this.#o.replaceChildren(u(
 filter(Boolean).length,r),this.#l.replaceChildren(...this.#h.filter(s=>s.step===r).map(s=>u("li",{class:`loss-${s.team}`},jt(s))),...Br(e,this.recording,r).map(
 s=>u("li",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),this.#A()}#x(e,r){this.#s.replaceChildren(u("strong",{},e),` of ${this.#i.
 world.n_evaders} captured`,u("span",{class:"muted"},` · step ${r}`))}#S(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#A()}#A(){let e=this.inspector.
-agent;for(let r of this.#l.children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},ou=({actions:t,length:e,
-n_agents:r})=>Array.from({length:e},(n,s)=>t.subarray(s*r,(s+1)*r));var au={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},iu=5;function ii(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
-t.addEventListener("keydown",s=>{let o=au[s.key];if(!o)return;let[a,l]=n==="pursuer"?o:[o[1],o[0]],[i,c]=r(),d=s.shiftKey?iu:1,{pursuer:m,evader:p}=e.selected;e.
-select({pursuer:ai(m+d*a,i),evader:ai(p+d*l,c)}),s.preventDefault(),s.stopPropagation()})}var ai=(t,e)=>Math.min(e-1,Math.max(0,t));var lu=24,Hr=7,ci=t=>t<lu&&matchMedia("(pointer: coarse)").matches;function ui(t,e,r,n){let[s,o]=t.payoff.shape,[a,l]=[li(e,s),li(r,o)],[i,c]=[Math.min(Hr,s),Math.
-min(Hr,o)],d=[];for(let f=a+i-1;f>=a;f--){d.push(u("span",{class:"pursuer"},f));for(let y=l;y<l+c;y++)d.push(cu(t,f,y,n))}let m=Array.from({length:c},(f,y)=>u("\
+agent;for(let r of this.#l.children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}},au=({actions:t,length:e,
+n_agents:r})=>Array.from({length:e},(n,s)=>t.subarray(s*r,(s+1)*r));var iu={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]},lu=5;function li(t,e,r,n="pursuer"){t.tabIndex=0,t.setAttribute("role","application"),
+t.addEventListener("keydown",s=>{let o=iu[s.key];if(!o)return;let[a,l]=n==="pursuer"?o:[o[1],o[0]],[i,c]=r(),d=s.shiftKey?lu:1,{pursuer:m,evader:p}=e.selected;e.
+select({pursuer:ii(m+d*a,i),evader:ii(p+d*l,c)}),s.preventDefault(),s.stopPropagation()})}var ii=(t,e)=>Math.min(e-1,Math.max(0,t));var cu=24,Hr=7,ui=t=>t<cu&&matchMedia("(pointer: coarse)").matches;function di(t,e,r,n){let[s,o]=t.payoff.shape,[a,l]=[ci(e,s),ci(r,o)],[i,c]=[Math.min(Hr,s),Math.
+min(Hr,o)],d=[];for(let f=a+i-1;f>=a;f--){d.push(u("span",{class:"pursuer"},f));for(let y=l;y<l+c;y++)d.push(uu(t,f,y,n))}let m=Array.from({length:c},(f,y)=>u("\
 span",{class:"evader"},l+y)),p=u("button",{type:"button","aria-label":"Close: all cells",onclick:()=>n(null)},"✕"),h=u("div",{class:"loupe numbers",role:"grou\
 p","aria-label":"Cells around the tap"},...d,p,...m);return h.style.gridTemplateColumns=`2.4rem repeat(${c}, minmax(0, 1fr))`,h.addEventListener("click",f=>f.stopPropagation()),
-h}function cu(t,e,r,n){let s=Qe(t,e,r)?.rate,o=u("button",{type:"button","aria-label":`${z(s)}: ${ne("pursuer",e)} against ${ne("evader",r)}`,onclick:()=>n({pursuer:e,
-evader:r})},z(s));return s!==void 0&&([o.style.backgroundColor,o.style.color]=[fr(s),hr(s)]),o}var li=(t,e)=>Math.max(0,Math.min(e-Hr,t-Math.floor(Hr/2)));var te={left:52,bottom:46,top:76,right:84},pe=10,uu=160,Gt=te.right-pe-14,Be=te.top-pe-14,ht=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
+h}function uu(t,e,r,n){let s=Qe(t,e,r)?.rate,o=u("button",{type:"button","aria-label":`${z(s)}: ${ne("pursuer",e)} against ${ne("evader",r)}`,onclick:()=>n({pursuer:e,
+evader:r})},z(s));return s!==void 0&&([o.style.backgroundColor,o.style.color]=[fr(s),hr(s)]),o}var ci=(t,e)=>Math.max(0,Math.min(e-Hr,t-Math.floor(Hr/2)));var te={left:52,bottom:46,top:76,right:84},pe=10,du=160,Gt=te.right-pe-14,Be=te.top-pe-14,ht=class{element;#e;#t;#r=u("canvas",{"aria-hidden":"true"});#n=b("svg",
 {"aria-hidden":"true"});#o=b("g");#s;#l=u("h2");#u=u("strong",{class:"rate numbers"});#d=u("span",{class:"small muted"});#a=u("p",{class:"of-both-teams small mu\
 ted numbers"});#m=null;constructor(e,r){[this.#t,this.#e]=[e,r],this.#s=u("div",{class:"matrix",id:"matrix","aria-label":"Payoff matrix. Arrow keys choose a mat\
 ch, Enter plays it."},this.#r,this.#n);let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#l,this.#a),u("div",{class:"of-cell"},this.#u,this.#d));
 this.element=u("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#s,Ce("0 all escape","1 all caught")),this.#y(),new ResizeObserver(()=>this.#p()).
 observe(this.#s),this.#s.addEventListener("pointermove",s=>this.#w(s)),this.#s.addEventListener("pointerleave",()=>r.point({})),this.#s.addEventListener("click",
-s=>this.#g(s)),this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),ii(this.#s,
+s=>this.#g(s)),this.#s.addEventListener("mousedown",s=>{s.preventDefault(),document.activeElement instanceof HTMLElement&&document.activeElement.blur()}),li(this.#s,
 r,()=>this.#c.payoff.shape),this.#s.addEventListener("keydown",s=>{s.key==="Enter"&&this.#S()}),r.on("run",()=>this.#p()),r.on("match",()=>this.#b()),r.on("hove\
 r",()=>this.#b())}get#c(){return this.#t[this.#e.selected.run]}#p(){let[e,r]=this.#c.payoff.shape,{clientWidth:n,clientHeight:s}=this.#s;if(n<50)return;let a=Math.
-max(uu,Math.min(n-te.left-te.right,s-te.top-te.bottom))/Math.max(e,r),l=Math.max(te.left,(n-r*a-te.right+te.left)/2),i=te.top+Math.max(0,(s-te.top-te.bottom-e*a)/
+max(du,Math.min(n-te.left-te.right,s-te.top-te.bottom))/Math.max(e,r),l=Math.max(te.left,(n-r*a-te.right+te.left)/2),i=te.top+Math.max(0,(s-te.top-te.bottom-e*a)/
 2),c={width:n,height:s,left:l,top:i,cell:a,rows:e,columns:r};this.#m=c,it(this.#r,this.#c.payoff,{left:l,top:i,width:r*a,height:e*a});for(let[d,m,p]of[["left",l,
 n],["top",i,s],["width",r*a,n],["height",e*a,s]])this.#r.style.setProperty(d,`${100*m/p}%`);this.#s.style.setProperty("--shape",`${n} / ${s}`),this.#n.setAttribute(
-"viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(du(c),...mu(c),...this.#i(c),this.#o),this.#b()}#h(e){let r=this.#c.findings?.generalization;if(!r)return[];let{
-selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[l,i]=di(e,r.pursuers.mean[o]??0,o),[c,d]=mi(e,r.evaders.mean[a]??0,a);return[b("cir\
+"viewBox",`0 0 ${n} ${s}`),this.#n.replaceChildren(mu(c),...pu(c),...this.#i(c),this.#o),this.#b()}#h(e){let r=this.#c.findings?.generalization;if(!r)return[];let{
+selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,s.evader??n.evader],[l,i]=mi(e,r.pursuers.mean[o]??0,o),[c,d]=pi(e,r.evaders.mean[a]??0,a);return[b("cir\
 cle",{class:"dot of-pursuers",cx:l,cy:i,r:5}),b("circle",{class:"dot of-evaders",cx:c,cy:d,r:5})]}#i(e){let r=this.#c.findings?.generalization;if(!r)return[];let{
 left:n,top:s,cell:o,rows:a,columns:l}=e,[i,c]=[n+l*o+pe,s-pe],d={class:"side"};return[b("rect",{...d,x:i,y:s,width:Gt,height:a*o}),b("rect",{...d,x:n,y:c-Be,width:l*
-o,height:Be}),...pi(r.pursuers,(m,p)=>di(e,m,p),"of-pursuers"),...pi(r.evaders,(m,p)=>mi(e,m,p),"of-evaders"),b("text",{class:"tick",x:i,y:s+a*o+16,"text-anchor":"\
+o,height:Be}),...hi(r.pursuers,(m,p)=>mi(e,m,p),"of-pursuers"),...hi(r.evaders,(m,p)=>pi(e,m,p),"of-evaders"),b("text",{class:"tick",x:i,y:s+a*o+16,"text-anchor":"\
 start"},"0"),b("text",{class:"tick",x:i+Gt,y:s+a*o+16,"text-anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:c-4,"text-anchor":"end"},"0"),b("text",{class:"ti\
 ck",x:n-6,y:c-Be+8,"text-anchor":"end"},"1"),b("text",{class:"label of-pursuers",x:i+Gt,y:s+a*o+34,"text-anchor":"end"},"captures"),b("text",{class:"label of-ev\
 aders",x:n+l*o+pe,y:c-Be+10,"text-anchor":"start"},"escapes")]}#b(){let e=this.#m;if(!e)return;let{selected:r,hover:n}=this.#e,{left:s,top:o,cell:a,rows:l,columns:i}=e,
@@ -649,23 +649,23 @@ p(n.evader,"strip hover")),d.push(...this.#h(e));let h={x:s+r.evader*a,y:c(r.pur
 chosen",...h})),this.#o.replaceChildren(...d),this.#y()}#y(){let{selected:e,hover:r}=this.#e,n=r.pursuer??e.pursuer,s=r.evader??e.evader,o=Qe(this.#c,n,s);this.#l.
 replaceChildren(u("span",{class:"pursuer"},Fe(ne("pursuer",n)))," against ",u("span",{class:"evader"},ne("evader",s))),this.#u.textContent=o?z(o.rate,3):"-",this.#d.
 textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"no episodes were played",this.#a.textContent=this.#f(n,s)}#f(e,r){let n=this.#c.findings?.generalization;
-if(!n)return"";let s=(o,a)=>ca(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#v(e){
+if(!n)return"";let s=(o,a)=>ua(o.mean[a]??null,o.low?.[a]??null,o.high?.[a]??null);return`Against all: captures ${s(n.pursuers,e)}, escapes ${s(n.evaders,r)}`}#v(e){
 let r=this.#m;if(!r)return null;let n=this.#s.getBoundingClientRect(),s=Math.floor((e.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((e.clientY-n.top-r.top)/
 r.cell),[a,l]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||l?{g:a?o:-1,h:l?s:-1,inside:a&&l}:null}#w(e){let r=this.#v(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,
-evader:r.h<0?null:r.h}:{})}#g(e){let r=this.#v(e);if(r){if(r.inside&&ci(this.#m.cell))return this.#x(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?
-{}:{evader:r.h}}),r.inside&&this.#S()}}#x(e,r){let n=ui(this.#c,e,r,s=>{n.remove(),s&&(this.#e.select(s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(
-new CustomEvent("play",{bubbles:!0}))}};function du({left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"axes"}),a=e+n*r,l=i=>Ut(0,i-1,Math.min(i,i*r/44),
+evader:r.h<0?null:r.h}:{})}#g(e){let r=this.#v(e);if(r){if(r.inside&&ui(this.#m.cell))return this.#x(r.g,r.h);this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?
+{}:{evader:r.h}}),r.inside&&this.#S()}}#x(e,r){let n=di(this.#c,e,r,s=>{n.remove(),s&&(this.#e.select(s),this.#S())});this.#s.append(n)}#S(){this.#s.dispatchEvent(
+new CustomEvent("play",{bubbles:!0}))}};function mu({left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"axes"}),a=e+n*r,l=i=>Ut(0,i-1,Math.min(i,i*r/44),
 !0);for(let i of l(s))o.append(b("text",{class:"tick",x:t+(i+.5)*r,y:a+16,"text-anchor":"middle"},i));for(let i of l(n))o.append(b("text",{class:"tick",x:t-7,y:a-
 (i+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},i));return o.append(b("text",{class:"label of-evaders",x:t+s*r/2,y:a+36,"text-anchor":"middle"},"evad\
-er generation"),b("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function mu({
+er generation"),b("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),o}function pu({
 left:t,top:e,cell:r,rows:n,columns:s}){let o=b("g",{class:"diagonal"}),a=Math.min(n,s);if(a<3)return[];let l=e+n*r;for(let d of["H","V"]){let m=`M${t} ${l}`;for(let p=1;p<=
 a;p++){let[h,f]=[`H${t+p*r}`,`V${l-p*r}`];m+=d==="H"?h+f:f+h}o.append(b("path",{d:m,class:"under"}),b("path",{d:m}))}let[i,c]=[t+a/2*r-.7*r-4,l-a/2*r-.7*r-4];return[
-o,b("text",{class:"on-cells",transform:`translate(${i} ${c}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var di=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[
-t+s*r+pe+o*Gt,e+(n-a-.5)*r],mi=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-pe-n*Be];function pi(t,e,r){let n=o=>o.map((a,l)=>e(a??0,l).map(i=>i.toFixed(1)).join(
+o,b("text",{class:"on-cells",transform:`translate(${i} ${c}) rotate(-45)`,"text-anchor":"middle"},"same generation")]}var mi=({left:t,top:e,cell:r,rows:n,columns:s},o,a)=>[
+t+s*r+pe+o*Gt,e+(n-a-.5)*r],pi=({left:t,top:e,cell:r},n,s)=>[t+(s+.5)*r,e-pe-n*Be];function hi(t,e,r){let n=o=>o.map((a,l)=>e(a??0,l).map(i=>i.toFixed(1)).join(
 " ")),s=[];return t.low&&t.high&&s.push(b("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),s.push(b("path",{class:`line ${r}`,
-d:`M${n(t.mean).join("L")}`})),s}var hi={pursuer:null,evader:null},ft=class extends EventTarget{#e;#t=hi;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#t}select(e){
+d:`M${n(t.mean).join("L")}`})),s}var fi={pursuer:null,evader:null},ft=class extends EventTarget{#e;#t=fi;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#t}select(e){
 let r=this.#e,n=["run","pursuer","evader"].some(o=>o in e&&e[o]!==r[o]),s=e.run!==void 0&&e.run!==r.run;this.#e={...r,...n?{episode:0,seed:null}:{},...s?{map:null}:
-{},...e},this.#e.run!==r.run&&this.dispatchEvent(new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let r={...hi,...e};r.pursuer===this.#t.pursuer&&
+{},...e},this.#e.run!==r.run&&this.dispatchEvent(new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let r={...fi,...e};r.pursuer===this.#t.pursuer&&
 r.evader===this.#t.evader||(this.#t=r,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var jr=class{config;start;recording;actions=[];#e;#t;#r=[[]];constructor(e,r,n){[this.config,this.start]=[r,n],this.#e=e.world(r),this.#e.reset(n),this.#t=[Qn(this.#e)],
 this.recording=Xn(r,this.#e.map(),this.#t)}get length(){return this.actions.length}get over(){return this.#e.over}get statistics(){return{capture_rate:this.#e.read(
 "capture_rate")[0]}}conflicts(e){return this.#r[e]}game(e){return e.game(this.#e)}play(e){this.#e.step(e),this.#n(e)}step(e,r,n){let[s,o]=[this.#e,this.config.n_pursuers],
@@ -673,40 +673,40 @@ a=new Uint8Array(s.n_agents);for(let l=s.n_turns;l>0&&!s.over;--l){let[i,c]=s.ac
 [Math.max(i,o),c],a)),typeof n=="number"?a[r]=n:i<=r&&r<c&&(a=s.decide(n,[r,r+1],a)),s.playTurn(a)}this.#n(a)}#n(e){this.actions.push(e),this.#t.push(Qn(this.#e,
 e)),this.#r.push(this.#e.conflicts())}};var he=(t,e)=>Xe[+(e>=t.n_pursuers)];function ss(t,e){let r=new jr(t,e.config,{seed:e.seed,episode:e.episode});for(let n of e.moves)r.over||r.step(e.policies,e.
 seat,n);return r}function yt(t,e){let{moments:r,nPursuers:n}=t.recording,s=r.findIndex(({alive:a,captured:l})=>!a[e]||!!l[e-n]),o=s<0?t.length:s;return{lasted:o,
-out:s>=0,captured:Array.from(r[o].everCaptured).filter(Boolean).length}}var Gr=(t,e)=>t.over||yt(t,e).out;function fi(t,e,r){let n=ss(t,{...e,moves:e.moves.slice(
-0,e.from)});for(;!Gr(n,e.seat);)n.step(e.policies,e.seat,r);return yt(n,e.seat)}function yi(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(r=>t[r])}
-function gi(t,{seat:e,from:r,moves:n}){let s={...t,seat:e,...r?{from:r}:{},moves:n.join("")};return`${location.href.split("#")[0]}#${Object.entries(s).map(([o,a])=>`${o}\
-=${a}`).join("&")}`}function vi(t,e){let[r,n,s]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
+out:s>=0,captured:Array.from(r[o].everCaptured).filter(Boolean).length}}var Gr=(t,e)=>t.over||yt(t,e).out;function yi(t,e,r){let n=ss(t,{...e,moves:e.moves.slice(
+0,e.from)});for(;!Gr(n,e.seat);)n.step(e.policies,e.seat,r);return yt(n,e.seat)}function gi(t){let e=t.length-1;return[...new Set([0,Math.round(e/3),e])].map(r=>t[r])}
+function vi(t,{seat:e,from:r,moves:n}){let s={...t,seat:e,...r?{from:r}:{},moves:n.join("")};return`${location.href.split("#")[0]}#${Object.entries(s).map(([o,a])=>`${o}\
+=${a}`).join("&")}`}function bi(t,e){let[r,n,s]=[t.get("seat")??"",t.get("from")??"0",t.get("moves")??""];return/^\d{1,6}$/.test(r)&&Number(r)<e.n_pursuers+e.n_evaders&&
 (e.diagonal?/^[0-8]+$/:/^[0-4]+$/).test(s)&&s.length<=e.max_steps&&/^\d{1,6}$/.test(n)&&Number(n)<=s.length?{seat:Number(r),from:Number(n),moves:[...s].map(Number)}:
-null}function os(t,e,r,n,s,o){e.play({title:r,played:n,ending:(a,l)=>[pu(t,a,l,yi(s))],again:()=>os(t,e,r,{...n,moves:n.moves.slice(0,n.from)},s,o),link:a=>o&&gi(o,a)})}
-function pu(t,e,r,n){let s=he(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
+null}function os(t,e,r,n,s,o){e.play({title:r,played:n,ending:(a,l)=>[hu(t,a,l,gi(s))],again:()=>os(t,e,r,{...n,moves:n.moves.slice(0,n.from)},s,o),link:a=>o&&vi(o,a)})}
+function hu(t,e,r,n){let s=he(r.config,r.seat)==="evader",o=s?r.config.max_steps:r.config.n_evaders,a=u("table",{class:"numbers"},u("caption",{},s?"Steps in you\
 r seat: same start, same others":"Captures of your team: same start, same others")),l=c=>{let[d,m]=[u("span",{class:s?"bar evader":"bar pursuer"}),u("td",{},"…")];
 return a.append(u("tr",{},u("th",{scope:"row"},c),u("td",{class:"track","aria-hidden":"true"},d),m)),({lasted:p,captured:h})=>{d.style.width=`${100*(s?p:h)/o}%`,
-m.textContent=String(s?p:h)}};l("You")(yt(e,r.seat));for(let{name:c,policy:d}of n){let m=l(c);setTimeout(()=>m(fi(t,r,d())))}let i=r.from?`You took over at step\
- ${r.from}. `:"";return u("div",{},a,u("p",{class:"small muted"},`${i}One match: luck has its part in it.`))}var bi=["·","↑","→","↓","←","↗","↘","↙","↖"];var hu={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},as=[8,1,5,4,0,2,7,3,6],fu=[7,8,9,4,5,6,1,2,3],yu=24,gu=Math.tan(
-Math.PI/8);function xi(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=fu.findIndex(s=>t.code===`Numpad${s}`),n=as[r]??hu[t.key.length===1?t.key.toLowerCase():
-t.key];return n!==void 0&&n>4&&!e?void 0:n}function Si(t){let e=as.map(r=>u("button",{type:"button","aria-label":le[r],onclick:()=>t(r)},bi[r]));return{element:u(
-"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,s)=>n.classList.toggle("absent",as[s]>4&&!r))}}function wi(t,e,r){let n=gu*
-Math.max(Math.abs(t),Math.abs(e)),s=o=>Math.abs(o)<n?0:o;return To([0,0],r?[s(t),s(e)]:[t,e],r)}function Ai(t,e,r){let n=null,{canvas:s}=t;s.addEventListener("p\
+m.textContent=String(s?p:h)}};l("You")(yt(e,r.seat));for(let{name:c,policy:d}of n){let m=l(c);setTimeout(()=>m(yi(t,r,d())))}let i=r.from?`You took over at step\
+ ${r.from}. `:"";return u("div",{},a,u("p",{class:"small muted"},`${i}One match: luck has its part in it.`))}var wi=["·","↑","→","↓","←","↗","↘","↙","↖"];var fu={" ":0,ArrowUp:1,w:1,ArrowRight:2,d:2,ArrowDown:3,s:3,ArrowLeft:4,a:4,e:5,c:6,y:7,z:7,q:8},as=[8,1,5,4,0,2,7,3,6],yu=[7,8,9,4,5,6,1,2,3],gu=24,vu=Math.tan(
+Math.PI/8);function Si(t,e){if(t.ctrlKey||t.metaKey||t.altKey)return;let r=yu.findIndex(s=>t.code===`Numpad${s}`),n=as[r]??fu[t.key.length===1?t.key.toLowerCase():
+t.key];return n!==void 0&&n>4&&!e?void 0:n}function Ai(t){let e=as.map(r=>u("button",{type:"button","aria-label":le[r],onclick:()=>t(r)},wi[r]));return{element:u(
+"div",{class:"play-pad",role:"group","aria-label":"Your move"},...e),show:r=>e.forEach((n,s)=>n.classList.toggle("absent",as[s]>4&&!r))}}function xi(t,e,r){let n=vu*
+Math.max(Math.abs(t),Math.abs(e)),s=o=>Math.abs(o)<n?0:o;return ko([0,0],r?[s(t),s(e)]:[t,e],r)}function Mi(t,e,r){let n=null,{canvas:s}=t;s.addEventListener("p\
 ointerdown",({button:o,clientX:a,clientY:l})=>{n=o===0?[a,l]:null}),s.addEventListener("pointercancel",()=>{n=null}),s.addEventListener("pointerup",({clientX:o,
-clientY:a})=>{let[l,i]=[n,e()];if(n=null,!l||!i)return;let[c,d]=[o-l[0],a-l[1]],m=t.cellAt(o,a);Math.hypot(c,d)>=yu?r(wi(d,c,i.diagonal)):m&&r(wi(m[0]-i.cell[0],
-m[1]-i.cell[1],i.diagonal))})}function Mi(t,e){let r=n=>{let s=e[n]-t[n],o=nt.findIndex(a=>a[n]===Math.sign(s)&&a[1-n]===0);return s?`${Math.abs(s)} ${le[o]}`:""};
-return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var ki="NUMPY\0",Ei=ki.length+2,Ti=64;function Ci(t){return Qs(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,vu(r)])))}function vu({dtype:t,shape:e,
+clientY:a})=>{let[l,i]=[n,e()];if(n=null,!l||!i)return;let[c,d]=[o-l[0],a-l[1]],m=t.cellAt(o,a);Math.hypot(c,d)>=gu?r(xi(d,c,i.diagonal)):m&&r(xi(m[0]-i.cell[0],
+m[1]-i.cell[1],i.diagonal))})}function Ei(t,e){let r=n=>{let s=e[n]-t[n],o=nt.findIndex(a=>a[n]===Math.sign(s)&&a[1-n]===0);return s?`${Math.abs(s)} ${le[o]}`:""};
+return[r(0),r(1)].filter(Boolean).join(", ")||"on your cell"}var Ci="NUMPY\0",Ti=Ci.length+2,ki=64;function Oi(t){return Qs(Object.fromEntries(Object.entries(t).map(([e,r])=>[`${e}.npy`,bu(r)])))}function bu({dtype:t,shape:e,
 data:r}){let n=typeof r=="string"?Array.from(r,d=>d.codePointAt(0)):null,s=e.map(d=>`${d}, `).join(""),o=`{'descr': '${n?`<U${n.length}`:t}', 'fortran_order': F\
-alse, 'shape': (${s}), }`,a=Math.ceil((Ei+o.length+1)/Ti)*Ti-Ei,l=ki+String.fromCharCode(a&255,a>>8)+o.padEnd(a-1)+`
-`,i=n?Int32Array.from(n):r,c=new Uint8Array(l.length+i.byteLength);return c.set(Qt(l,!0)),c.set(new Uint8Array(i.buffer,i.byteOffset,i.byteLength),l.length),c}var bu="matrixworld episode 3";function Oi(t,e,r){let{config:n,actions:s,length:o,recording:a}=e,[l,i]=[n.n_pursuers+n.n_evaders,n.n_evaders],c={positions:["<i4",
+alse, 'shape': (${s}), }`,a=Math.ceil((Ti+o.length+1)/ki)*ki-Ti,l=Ci+String.fromCharCode(a&255,a>>8)+o.padEnd(a-1)+`
+`,i=n?Int32Array.from(n):r,c=new Uint8Array(l.length+i.byteLength);return c.set(Qt(l,!0)),c.set(new Uint8Array(i.buffer,i.byteOffset,i.byteLength),l.length),c}var wu="matrixworld episode 3";function Ri(t,e,r){let{config:n,actions:s,length:o,recording:a}=e,[l,i]=[n.n_pursuers+n.n_evaders,n.n_evaders],c={positions:["<i4",
 l,2],last_positions:["<i4",l,2],alive:["|b1",l],captured:["|b1",i],ever_captured:["|b1",i]},d={rewards:["<f4",l],involved:["|b1",l,3],fault:["|b1",l,3]},m={},p=w=>{
 for(let S of Object.keys(w))(m[S]??=[]).push(Array.from(h.read(S),Number))},h=t.world(n);h.reset(e.start);let f=[];p(c);for(let w of s)h.step(w),p({...c,...d}),
 f.push(...h.conflictTable());h.free();let y={"<i4":Int32Array,"<f4":Float32Array,"|b1":Uint8Array},g={};for(let[w,[S,...A]]of Object.entries({...c,...d})){let k=o+
 +(w in c);g[w]={dtype:S,shape:[k,...A],data:y[S].from((m[w]??[]).flat())}}let x=w=>({dtype:"<i8",shape:[],data:Int32Array.of(w,0)}),v=w=>({dtype:"<U",shape:[],data:w});
-return Ci({format:v(bu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...g,actions:{dtype:"|i1",shape:[o,l],data:Int8Array.from(s.flatMap(w=>[
+return Oi({format:v(wu),n_pursuers:x(n.n_pursuers),config:v(JSON.stringify(n)),seat:x(r),...g,actions:{dtype:"|i1",shape:[o,l],data:Int8Array.from(s.flatMap(w=>[
 ...w]))},map:{dtype:"|b1",shape:[n.rows,n.cols],data:Uint8Array.from(a.obstacles,Number)},conflict_table:{dtype:"<i4",shape:[f.length/11,11],data:Int32Array.from(
-f)}})}var wu=[0,1,2,4,8],Vr=class{element;player=new ce(0,{speed:4,still:oe()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
-class:"play-told",role:"status"});#s=Si(e=>this.act(e));#l=u("select",{},...wu.map(e=>u("option",{value:e},e?`${e} / s`:"step by step")));#u=u("input",{type:"ch\
+f)}})}var xu=[0,1,2,4,8],Vr=class{element;player=new ce(0,{speed:4,still:oe()});#e;#t;#r=u("canvas",{tabindex:0,"aria-describedby":"play-keys"});#n=u("h2");#o=u("p",{
+class:"play-told",role:"status"});#s=Ai(e=>this.act(e));#l=u("select",{},...xu.map(e=>u("option",{value:e},e?`${e} / s`:"step by step")));#u=u("input",{type:"ch\
 eckbox"});#d=u("input",{type:"checkbox"});#a=u("label",{class:"play-choice"},this.#d,"Best move");#m=u("p",{class:"small muted play-keys",id:"play-keys"});#c=u(
 "section",{class:"play-ending",tabindex:-1,"aria-labelledby":"play-headline"});#p=ke(this.player);#h=null;#i=null;#b=[];#y=null;#f=null;#v=[];#w=0;#g=0;constructor(e){
 this.#e=e,this.#t=new Te(this.#r,{numbers:!1}),this.#r.setAttribute("role","application"),this.#l.addEventListener("change",()=>this.#M()),this.#u.addEventListener(
-"change",()=>this.#S()),this.#d.addEventListener("change",()=>this.#R()),Ai(this.#t,()=>{let r=this.#y!==null&&this.#i&&$(this.#i.recording.moments.at(-1),this.#y);
+"change",()=>this.#S()),this.#d.addEventListener("change",()=>this.#R()),Mi(this.#t,()=>{let r=this.#y!==null&&this.#i&&$(this.#i.recording.moments.at(-1),this.#y);
 return r?{cell:r,diagonal:this.#i.config.diagonal}:null},r=>this.act(r)),this.player.addEventListener("frame",()=>this.#i&&this.#t.show(this.#i.recording,this.player.
 time)),this.player.addEventListener("step",()=>this.#R()),this.element=u("div",{class:"play"},u("header",{class:"play-head"},this.#n,this.#o),u("div",{class:"pl\
 ay-stage"},this.#r),u("div",{class:"play-side"},this.#c,this.#s.element,u("label",{class:"play-choice",title:"Steps a second"},"Pace ",this.#l),u("label",{class:"\
@@ -716,39 +716,39 @@ this.element.dataset.state="playing",this.#r.focus({preventScroll:!0}),Gr(this.#
 this.#M(),this.player.pause(),this.#h=null}act(e){let[r,n]=[this.#h,this.#i];if(!r||!n||this.element.dataset.state!=="playing")return;this.#w=e;let s=Number(this.#l.
 value);this.#g||(this.#E(),s&&this.element.dataset.state==="playing"&&(this.#g=setInterval(()=>this.#E(),1e3/s)))}key(e){let{target:r,key:n}=e;if(r instanceof HTMLSelectElement||
 r instanceof HTMLInputElement&&(r.type==="text"||n===" ")||r instanceof HTMLButtonElement&&(n===" "||n==="Enter")||!this.#i)return!1;if(this.element.dataset.state!==
-"playing")return Tr(this.player,e);let o=xi(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#x(e,r,n){this.#M(),this.player.pause(),[this.#i,
+"playing")return Tr(this.player,e);let o=Si(e,this.#i.config.diagonal);return o!==void 0&&this.act(o),o!==void 0}#x(e,r,n){this.#M(),this.player.pause(),[this.#i,
 this.#y]=[e,r],this.#n.textContent=n,this.#r.ariaLabel=`Board, ${e.config.rows} by ${e.config.cols} cells`,this.#s.show(e.config.diagonal),this.#m.replaceChildren(
 u("span",{class:"at-length"},`W A S D or the arrow keys move, Space stays${e.config.diagonal?"; Q E Z C and the numeric keypad move diagonally":""}. `),"On the \
 board: swipe, or tap where to go."),this.#A(e),this.#c.replaceChildren(),this.player.length=e.length,this.player.jump(e.length),this.#R()}#S(){this.#t.look={you:this.#y,
 fog:this.#u.checked,viewers:this.#y===null?[]:[this.#y],plan:this.#C()}}#A(e){this.#f=null,this.#v=this.player.ticks=[],this.#a.hidden=this.#d.disabled=!!Ze(e.config),
-mt(this.#e,e.config,ti(e.config)).then(r=>{this.#i===e&&(this.#f=r,this.#T(),this.#R())})}#T(){let[e,r]=[this.#i,this.#f];if(!r||this.element.dataset.state==="p\
+mt(this.#e,e.config,ri(e.config)).then(r=>{this.#i===e&&(this.#f=r,this.#T(),this.#R())})}#T(){let[e,r]=[this.#i,this.#f];if(!r||this.element.dataset.state==="p\
 laying")return;let n=this.#e.world(e.config);n.reset(e.start),this.#v=Wr(r,n,e.actions),n.free(),this.player.ticks=zr(this.#v)}get#k(){return this.#d.checked&&this.#h&&
 this.element.dataset.state==="playing"&&this.#f&&this.#i.game(this.#f)||null}#C(){let[e,r]=[this.#y,this.#y!==null&&this.#k?.marginal(this.#y)];return e!==null&&
 r?Object.assign(Array(e).fill(0),{[e]:r.indexOf(Math.max(...r))}):null}#M(){clearInterval(this.#g),this.#g=0,this.#o.ariaLive=Number(this.#l.value)?"off":"polit\
 e"}#E(){let[{policies:e,seat:r},n]=[this.#h.played,this.#i];n.step(e,r,this.#w),this.#b.push(this.#w),this.player.length=n.length,this.player.glide=Math.min(.22,
 .9/(Number(this.#l.value)||4)),this.player.move(n.length-this.player.step),Gr(n,r)&&this.#O()}#O(){this.#M();let[e,r,n]=[this.#h,this.#i,this.played],s=vo()?e.link(
-n):null;this.#c.replaceChildren(u("h3",{id:"play-headline"},Au(r,n.seat)),...e.ending(r,n),u("div",{class:"play-buttons"},u("button",{type:"button",class:"prima\
+n):null;this.#c.replaceChildren(u("h3",{id:"play-headline"},Mu(r,n.seat)),...e.ending(r,n),u("div",{class:"play-buttons"},u("button",{type:"button",class:"prima\
 ry",onclick:()=>e.again()},"Again"),u("button",{type:"button",onclick:()=>this.#$()},"Watch it"),u("button",{type:"button",onclick:()=>this.#_(r,n.seat)},"Save"),
-s&&u("button",{type:"button",onclick:({currentTarget:a})=>Eu(a,s)},"Link"))),this.element.dataset.state="ended",this.#T();let o=this.#v.filter(({team:a})=>a===he(
-r.config,n.seat));o.length&&this.#c.children[0].after(u("p",{class:"small muted"},ni(o))),this.#c.focus({preventScroll:!0}),this.#c.scrollIntoView({block:"neare\
-st"})}#$(){this.element.dataset.state="watched",this.player.length=this.#i.length,this.player.jump(0),oe()||this.player.play()}#_(e,r){let n=new Blob([Oi(this.#e,
+s&&u("button",{type:"button",onclick:({currentTarget:a})=>Tu(a,s)},"Link"))),this.element.dataset.state="ended",this.#T();let o=this.#v.filter(({team:a})=>a===he(
+r.config,n.seat));o.length&&this.#c.children[0].after(u("p",{class:"small muted"},si(o))),this.#c.focus({preventScroll:!0}),this.#c.scrollIntoView({block:"neare\
+st"})}#$(){this.element.dataset.state="watched",this.player.length=this.#i.length,this.player.jump(0),oe()||this.player.play()}#_(e,r){let n=new Blob([Ri(this.#e,
 e,r)],{type:"application/octet-stream"});u("a",{href:URL.createObjectURL(n),download:`${G(r,e.config.n_pursuers)}-${e.length}-steps.npz`}).click()}#R(){let[e,r,
-{step:n}]=[this.#i,this.#y,this.player];if(!e||n>e.length)return;let s=Br(e,e.recording,n).filter(({agents:i})=>r===null||i.includes(r)),o=this.#h&&n===0,a=o?[xu(
-e.config,r),this.#h.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:i})=>i)];!o&&r!==null&&a.push(Su(e,n,r)),a.push(...this.#v.filter(i=>i.step===
-n).map(jt));let l=n===e.length&&r!==null?this.#k:null;l&&a.push(`Perfect play: ${oi(l,r)||"decided in its turn"}; ${si(this.#f,l,n)}`),this.#S(),this.#o.textContent=
-a.filter(Boolean).map(i=>`${i}.`).join(" ")}};function xu(t,e){let r=t.rules.capture==="SURROUND";return he(t,e)==="evader"?`Run away: you win if ${r?"the pursu\
+{step:n}]=[this.#i,this.#y,this.player];if(!e||n>e.length)return;let s=Br(e,e.recording,n).filter(({agents:i})=>r===null||i.includes(r)),o=this.#h&&n===0,a=o?[Su(
+e.config,r),this.#h.about??""]:[`Step ${n} of ${e.config.max_steps}`,...s.map(({text:i})=>i)];!o&&r!==null&&a.push(Au(e,n,r)),a.push(...this.#v.filter(i=>i.step===
+n).map(jt));let l=n===e.length&&r!==null?this.#k:null;l&&a.push(`Perfect play: ${ai(l,r)||"decided in its turn"}; ${oi(this.#f,l,n)}`),this.#S(),this.#o.textContent=
+a.filter(Boolean).map(i=>`${i}.`).join(" ")}};function Su(t,e){let r=t.rules.capture==="SURROUND";return he(t,e)==="evader"?`Run away: you win if ${r?"the pursu\
 ers do not surround you":"no pursuer reaches your cell"} in ${t.max_steps} steps`:`Capture evaders: ${r?"surround them with your team":"move onto their cells"}`}
-function Su({config:t,recording:e},r,n){let s=e.moments[r],a=he(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let l=$(s,n),i=m=>{let[p,h]=$(s,m);return Math.
+function Au({config:t,recording:e},r,n){let s=e.moments[r],a=he(t,n)==="pursuer"?"evader":"pursuer";if(!s.alive[n])return"";let l=$(s,n),i=m=>{let[p,h]=$(s,m);return Math.
 max(Math.abs(p-l[0]),Math.abs(h-l[1]))},c=Array.from({length:s.alive.length},(m,p)=>p).filter(m=>he(t,m)===a&&s.alive[m]&&!s.captured[m-t.n_pursuers]&&2*i(m)<t.
-fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>i(p)<i(m)?p:m);return`Nearest ${a}: ${Mi(l,$(s,d))}`}function Au(t,e){let[{lasted:r,out:n,captured:s},
-{config:o}]=[yt(t,e),t];return he(o,e)==="pursuer"?`Your team captured ${s} of ${Mu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.max_steps} steps.`:`You escape\
-d: ${r} steps.`}var Mu=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Eu(t,e){let r=u("input",{type:"text",readonly:!0,value:e,"aria-label":"Link to thi\
-s match"});t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var Tu=2n**64n-1n;function Ri(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
+fov);if(!c.length)return`No ${a} in view`;let d=c.reduce((m,p)=>i(p)<i(m)?p:m);return`Nearest ${a}: ${Ei(l,$(s,d))}`}function Mu(t,e){let[{lasted:r,out:n,captured:s},
+{config:o}]=[yt(t,e),t];return he(o,e)==="pursuer"?`Your team captured ${s} of ${Eu(o)} in ${r} steps.`:n?`You lasted ${r} of ${o.max_steps} steps.`:`You escape\
+d: ${r} steps.`}var Eu=({n_evaders:t})=>`${t} evader${t===1?"":"s"}`;function Tu(t,e){let r=u("input",{type:"text",readonly:!0,value:e,"aria-label":"Link to thi\
+s match"});t.replaceWith(r),r.select(),navigator.clipboard?.writeText(e).catch(()=>{})}var ku=2n**64n-1n;function $i(t,e,r){let n=new URLSearchParams(t.replace(/^#/,"")),s=(c,d,m)=>{let p=n.get(c)??"";return/^\d{1,9}$/.test(p)&&Number(p)<d?Number(
 p):m},o=s("run",e.length,r.run),[a,l]=e[o].payoff.shape,i=n.get("seed")??"";return{run:o,pursuer:s("pursuers",a,Math.min(r.pursuer,a-1)),evader:s("evaders",l,Math.
-min(r.evader,l-1)),episode:s("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(i)&&BigInt(i)<=Tu?i:null,map:ku(s("map",e[o].maps?.walls.length??0,-1)),step:s("ste\
-p",1/0,0)}}var ku=t=>t<0?null:t;var qr=class{dialog=u("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#t;#r;#n;#o=null;constructor(e,r,n,s=!0){[this.#e,this.#t,this.#r,
+min(r.evader,l-1)),episode:s("episode",1/0,r.episode),seed:/^\d{1,20}$/.test(i)&&BigInt(i)<=ku?i:null,map:Cu(s("map",e[o].maps?.walls.length??0,-1)),step:s("ste\
+p",1/0,0)}}var Cu=t=>t<0?null:t;var qr=class{dialog=u("dialog",{class:"take-over","aria-label":"Play an agent"});view=null;#e;#t;#r;#n;#o=null;constructor(e,r,n,s=!0){[this.#e,this.#t,this.#r,
 this.#n]=[e,r,n,s],n.element.addEventListener("takeover",()=>this.open()),this.dialog.addEventListener("keydown",o=>this.view?.key(o)&&o.preventDefault()),this.
-dialog.addEventListener("close",()=>this.view?.stop())}start(e,r=""){this.#o=e;let n=Ri(r,this.#e,this.#t.selected),s=vi(new URLSearchParams(r.replace(/^#/,"")),
+dialog.addEventListener("close",()=>this.view?.stop())}start(e,r=""){this.#o=e;let n=$i(r,this.#e,this.#t.selected),s=bi(new URLSearchParams(r.replace(/^#/,"")),
 this.#e[n.run].world);s&&this.play(n,s)}open(){let e=this.#r.shown;if(!e)return;let{match:r,step:n}=e;this.#r.player.pause();let s=this.#r.inspector.agent,o=n<r.
 length?n:0,a=(m,p)=>!!r.alive[p*r.n_agents+m],l=Array.from({length:r.n_agents},(m,p)=>(p+r.config.n_pursuers)%r.n_agents),i=s??l.find(m=>a(m,o)),c=a(i,o)?o:0,d=Array.
 from({length:c},(m,p)=>r.actions[p*r.n_agents+i]);this.play(this.#t.selected,{seat:i,from:c,moves:d})}play(e,r){let[n,s]=[this.#o,this.#e[e.run]];if(!n||Xe.some(
@@ -767,8 +767,8 @@ cr(this.#r,this.#e,e),this.genomes[e][r])}add(e){for(let r of R)this.genomes[r].
 this.genomes[n]=[...r[n]];[this.payoff,this.teams,this.findings]=[this.#n(),this.#o(),null]}addCell({pursuer:e,evader:r,capture_rates:n,lengths:s}){this.payoff.
 capture_rate[e][r]=ls(n),this.payoff.capture_rates[e][r]=[...n],this.payoff.lengths[e][r]=[...s],this.findings={generalization:this.#s()}}#s(){let e=this.payoff.
 capture_rate,r=o=>({mean:o,low:null,high:null}),n=o=>o.filter(a=>a!==void 0),s=[...this.genomes.pursuer.keys()];return{pursuers:r(s.map(o=>ls(n(e[o])))),evaders:r(
-s.map(o=>ls(n(e.map(a=>a[o])).map(a=>1-a))))}}};var cs=t=>t.reduce((e,r)=>e+r,0)/t.length,$i=(t,e)=>e==="pursuer"?t:t[0].map((r,n)=>t.map(s=>1-s[n])),_i=(t,e)=>cs($i(t,e).at(-1));function Pi(t,e){let r=[],n=$i(
-t,e).map(s=>cs(s.map((o,a)=>(r[a]=Math.max(r[a]??0,o),r[a]-o))));return cs(n.slice(Math.floor(n.length/2)))}var Re=t=>`${Math.round(100*t)} %`,Cu=100,Ou=0,Kr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
+s.map(o=>ls(n(e.map(a=>a[o])).map(a=>1-a))))}}};var cs=t=>t.reduce((e,r)=>e+r,0)/t.length,_i=(t,e)=>e==="pursuer"?t:t[0].map((r,n)=>t.map(s=>1-s[n])),Pi=(t,e)=>cs(_i(t,e).at(-1));function Li(t,e){let r=[],n=_i(
+t,e).map(s=>cs(s.map((o,a)=>(r[a]=Math.max(r[a]??0,o),r[a]-o))));return cs(n.slice(Math.floor(n.length/2)))}var Re=t=>`${Math.round(100*t)} %`,Ou=100,Ru=0,Kr=class extends EventTarget{element;newest;beginning;settings;state="waiting";done=0;seconds=0;#e;#t;#r;#n=u("h2",
 {class:"lane-title"});#o=u("p",{class:"facts numbers"});#s=u("p",{class:"regret small numbers",title:"Regret: what perfect play would bring, and the team does n\
 ot get against an opponent that knows it"});#l=u("div",{class:"lane-room",hidden:!0});#u=u("section",{class:"card measures",hidden:!0});#d=u("div");#a;#m={pursuer:[],
 evader:[]};#c=new Map;#p;#h;#i=[];#b=()=>{};#y=0;#f=!0;#v=0;#w=null;constructor(e,r,n,s){super(),[this.#e,this.#t,this.#r,this.settings]=[e,r,n,s],this.newest=new ze(
@@ -784,10 +784,10 @@ postMessage(e)}#x(e){if(e.type==="generation"){if(this.state!=="evolving")return
 evader:n}=e.cell;this.#a.addCell(e.cell),this.#f&&r===n&&r===this.#a.newest&&this.#p.select({pursuer:r,evader:n}),this.#c.set(`${r} ${n}`,e.cell)}else if(e.type===
 "scores")for(let r of R)this.#m[r][e.number]=e.scores[r];else e.type==="anew"?(this.#a.change(e.settings,e.genomes),this.#T(),this.#M(!0)):e.type==="epoch"?this.
 done=e.done/e.of:e.type==="end"?(this.state==="evolving"&&([this.state,this.seconds,this.done]=["ended",e.seconds,1]),this.#O()):e.type==="saved"?this.#w?.(e.race):
-(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#v||(this.#v=setTimeout(()=>requestAnimationFrame(()=>this.#S()),Cu))}#S(){this.#v=
+(this.#o.textContent=`The race failed: ${e.message}`,this.state="stopped");this.#v||(this.#v=setTimeout(()=>requestAnimationFrame(()=>this.#S()),Ou))}#S(){this.#v=
 0,this.#p.dispatchEvent(new Event("run")),this.#b(),this.#E(),this.#A()}async#A(){let e=this.#a,{world:r,newest:n}=e;if(n<0||this.#i[0]===r&&this.#i[1]===n)return;
-let s=this.#i=[r,n],o=Ru(r),a=o?null:await mt(this.#t,r);this.#i!==s||this.#a!==e||e.world!==r||this.#s.replaceChildren(...a?$u(a.value,R.map(l=>a.guaranteed(l,
-e.policy(l,n)))):[o])}#T(){this.#c=new Map,this.#m={pursuer:[],evader:[]},this.#u.hidden=!0}#k(){let e=`race ${Ou++}`,r=Ir(this.settings);this.#a=new Yr(this.settings,
+let s=this.#i=[r,n],o=$u(r),a=o?null:await mt(this.#t,r);this.#i!==s||this.#a!==e||e.world!==r||this.#s.replaceChildren(...a?_u(a.value,R.map(l=>a.guaranteed(l,
+e.policy(l,n)))):[o])}#T(){this.#c=new Map,this.#m={pursuer:[],evader:[]},this.#u.hidden=!0}#k(){let e=`race ${Ru++}`,r=Ir(this.settings);this.#a=new Yr(this.settings,
 this.#e.masks,r,e),this.#T(),this.#f=!0,this.#p=new ft({run:0,pursuer:0,evader:0,episode:0,seed:null,map:null});let[n,s]=[new ht([this.#a],this.#p),new pt([this.#a],
 this.#p,null)];n.element.ariaLabel=`Payoff matrix. ${r}`,this.#h=new qr([this.#a],this.#p,s,!1),this.#h.start(this.#t);let o=u("dialog",{class:"of-cell-match","\
 aria-label":"Match"},u("button",{type:"button",class:"leave",onclick:()=>o.close()},"Close"),s.element);o.addEventListener("close",()=>s.player.pause());let a=!1;
@@ -803,44 +803,44 @@ for(let c of[this.newest,this.beginning])c.generation=r;for(let c of[this.newest
 "pursuer",e),this.#a.policy("evader",r)];return this.#t.match(n,l,i,BigInt(o[e][r]),a)}#M(e){this.newest.renew(e),(this.#a.newest>0||this.state!=="waiting")&&this.
 beginning.renew(e)}#E(){this.element.dataset.state=this.state,this.#n.textContent=Ir(this.settings);let e=this.#c.get(`${this.#a.newest} ${this.#a.newest}`)??this.#c.
 get(`${this.#a.newest-1} ${this.#a.newest-1}`),r=e?[`Generation ${this.#a.newest} of ${this.settings.schedule.generations}`,`the newest pursuers catch ${Re(e.capture_rates.
-reduce((n,s)=>n+s,0)/e.capture_rates.length)} of the newest evaders`,`${_u(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...r.map(n=>u("s\
+reduce((n,s)=>n+s,0)/e.capture_rates.length)} of the newest evaders`,`${Pu(e).toFixed(0)} collisions in 1000 moves`]:[];this.#o.replaceChildren(...r.map(n=>u("s\
 pan",{},n))),this.dispatchEvent(new Event("state"))}#O(){this.#u.ariaLabel=`What came out. ${Ir(this.settings)}`;let e=this.#a.payoff.capture_rate.slice(0,this.#a.
 newest+1).map(n=>n.slice(0,this.#a.newest+1));if(e.length<2||e.some(n=>Array.from(n).includes(void 0)))return;let r=[["Score against scripts: generation 0",n=>Re(
 this.#m[n][0]??0)],["Score against scripts: newest generation",n=>Re(this.#m[n].at(-1)??0)],["Newest generation against all generations of the other team",n=>Re(
-_i(e,n))],["Below its own best so far, in the later half (forgetting)",n=>Re(Pi(e,n))]];this.#u.replaceChildren(u("h3",{},"What came out"),u("table",{class:"num\
+Pi(e,n))],["Below its own best so far, in the later half (forgetting)",n=>Re(Li(e,n))]];this.#u.replaceChildren(u("h3",{},"What came out"),u("table",{class:"num\
 bers"},u("thead",{},u("tr",{},u("td"),...R.map(n=>u("th",{scope:"col",class:n},`${n}s`)))),u("tbody",{},...r.map(([n,s])=>u("tr",{},u("th",{scope:"row"},n),...R.
 map(o=>u("td",{},s(o))))))),u("p",{class:"small muted"},"These are measures without a verdict: one race proves little. Save it, and ",u("code",{},"matrixworld j\
-udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function Ru(t){return!Ze(t)||typeof t.obstacles=="number"?"":"Exact regret of a map is known\
- where the world can be solved: choose 6 x 6 cells below, with few agents."}function $u(t,[e,r]){let n=(s,o,a)=>u("span",{},o,u("strong",{class:s},`regret ${Math.
+udge")," weighs luck and says what happened.")),this.#u.hidden=!1}};function $u(t){return!Ze(t)||typeof t.obstacles=="number"?"":"Exact regret of a map is known\
+ where the world can be solved: choose 6 x 6 cells below, with few agents."}function _u(t,[e,r]){let n=(s,o,a)=>u("span",{},o,u("strong",{class:s},`regret ${Math.
 max(0,a).toFixed(2)}`));return[u("span",{},`Perfect play captures ${Re(t)} on this map.`),n("pursuer",`The newest pursuers are sure of ${Re(e)}: `,t-e),n("evade\
-r",`The newest evaders cannot prevent ${Re(r)}: `,r-t)]}function _u({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,
-r(e))}function Li(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Pu={present:"●",absent:"○","cannot tell":"?"};function Ni(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,l,i],c)=>{
-let d=Lu(e.reasons[c]??"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Pu[a]??""),u("div",{},u("p",{},u("\
-strong",{},o),` ${a}`,u("span",{class:"muted"},` · ${i}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},l)))}),s=Li("What happened",
+r",`The newest evaders cannot prevent ${Re(r)}: `,r-t)]}function Pu({means:{faults:t,agent_steps:e}}){let r=n=>n.reduce((s,o)=>s+o,0);return 1e3*r(t)/Math.max(1,
+r(e))}function Ni(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}var Lu={present:"●",absent:"○","cannot tell":"?"};function Ii(t){let{findings:e}=t;if(!e?.table.length)return null;let[,...r]=e.table,n=r.map(([o,a,l,i],c)=>{
+let d=Nu(e.reasons[c]??"");return u("li",{class:`finding ${a.replace(" ","-")}`},u("span",{class:"sign","aria-hidden":"true"},Lu[a]??""),u("div",{},u("p",{},u("\
+strong",{},o),` ${a}`,u("span",{class:"muted"},` · ${i}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"small muted numbers"},l)))}),s=Ni("What happened",
 "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",{class:"headline"},e.sentence),u("p",{},e.headline),
 ...e.numbers.map(o=>u("p",{class:"numbers"},`${Fe(o)}.`)),u("ul",{class:"findings"},...n),t.limits?u("p",{class:"small"},t.limits):null);return s.classList.add(
-"diagnosis"),{element:s}}function Lu(t){let[,e=""]=t.split(/, because (.*)/s);return Fe(e.replace(/\.$/,""))}var Nu=84;function Ii(t,e){let r=t.map((o,a)=>Iu(o,a,e)),n=u("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
-e.selected.run));return e.on("match",s),e.on("hover",s),s(),n.hidden=t.length<2,n}function Iu(t,e,r){let[n,s]=t.payoff.shape,o=!t.name.startsWith(t.schedule),a=Nu/
+"diagnosis"),{element:s}}function Nu(t){let[,e=""]=t.split(/, because (.*)/s);return Fe(e.replace(/\.$/,""))}var Iu=84;function Fi(t,e){let r=t.map((o,a)=>Fu(o,a,e)),n=u("nav",{class:"races","aria-label":"Runs"},...r.map(o=>o.button)),s=()=>r.forEach((o,a)=>o.update(a===
+e.selected.run));return e.on("match",s),e.on("hover",s),s(),n.hidden=t.length<2,n}function Fu(t,e,r){let[n,s]=t.payoff.shape,o=!t.name.startsWith(t.schedule),a=Iu/
 Math.max(n,s),l=u("canvas",{"aria-hidden":"true"});it(l,t.payoff,{left:0,top:0,width:s*a,height:n*a});let i=u("span",{class:"place"}),c=u("button",{type:"button",
-class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Uu(t,e,r)},u("span",{class:"small-matrix"},l,i),u("span",{class:"race-text"},u("strong",{},o?t.name:t.schedule),
-u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Fu(t)}`),u("span",{class:"small muted"},`${o?`${t.schedule}, `:""}\
+class:"race",title:`${t.name} (key ${e+1})`,onclick:()=>Du(t,e,r)},u("span",{class:"small-matrix"},l,i),u("span",{class:"race-text"},u("strong",{},o?t.name:t.schedule),
+u("span",{class:"small"},t.findings?t.findings.headline:`${t.learning.join(" and ")}s against ${Uu(t)}`),u("span",{class:"small muted"},`${o?`${t.schedule}, `:""}\
 seed ${t.seed}`)));return{button:c,update:m=>{c.setAttribute("aria-current",String(m));let p=r.hover.pursuer??r.selected.pursuer,h=r.hover.evader??r.selected.evader;
-i.hidden=p>=n||h>=s,i.style.left=`${(h+.5)*a}px`,i.style.top=`${(n-p-.5)*a}px`}}}var Fu=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Uu(t,e,r){
-let[n,s]=t.payoff.shape,{pursuer:o,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(o,n-1),evader:Math.min(a,s-1)})}var Fi=1;function Ui({runs:t},e){let r=t[Fi],{shape:[n,s],episodes:o}=r.payoff,a=null,l=0,i=()=>a&&Dr(a,r,{run:Fi,pursuer:n-1,evader:s-1,episode:l++%o,seed:null,
+i.hidden=p>=n||h>=s,i.style.left=`${(h+.5)*a}px`,i.style.top=`${(n-p-.5)*a}px`}}}var Uu=t=>t.teams.pursuer.script??t.teams.evader.script??"another run";function Du(t,e,r){
+let[n,s]=t.payoff.shape,{pursuer:o,evader:a}=r.selected;r.select({run:e,pursuer:Math.min(o,n-1),evader:Math.min(a,s-1)})}var Ui=1;function Di({runs:t},e){let r=t[Ui],{shape:[n,s],episodes:o}=r.payoff,a=null,l=0,i=()=>a&&Dr(a,r,{run:Ui,pursuer:n-1,evader:s-1,episode:l++%o,seed:null,
 map:null}),c=new ze(i);return c.title.textContent=`Generation ${n-1} of both teams`,c.label=`A match. ${c.title.textContent}`,c.generation=n-1,e.then(d=>{a=d,c.
-renew(),Wi(c)}),u("div",{class:"widget"},c.element,ke(c.player),Lr())}function Di({evolve:t},e,{grows:r=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},
-"Evolve"),s=u("progress",{max:1,value:0,"aria-label":"Progress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let l=-1,i=()=>Da(t,{...Fa(
+renew(),zi(c)}),u("div",{class:"widget"},c.element,ke(c.player),Lr())}function Wi({evolve:t},e,{grows:r=!1}){let n=u("button",{type:"button",class:"evolve",disabled:!0},
+"Evolve"),s=u("progress",{max:1,value:0,"aria-label":"Progress of the race"}),o=u("div",{class:"lanes","data-count":1});return e.then(a=>{let l=-1,i=()=>Wa(t,{...Ua(
 t),seed:Math.max(0,l)}),c=new Kr(t,a,fo("lesson"),i()),d=()=>{n.textContent=c.state==="waiting"?"Evolve":c.state==="evolving"?"Stop":"Again, with other luck",s.
 value=c.done};n.addEventListener("click",()=>{if(c.state==="evolving")return c.stop();l++,c.settings=i(),c.start()}),c.addEventListener("state",d),o.append(c.element),
-[c.newest,c.beginning].forEach(Wi),n.disabled=!1}),u("div",{class:`widget evolving ${r?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function Wi(t){let e=t.
+[c.newest,c.beginning].forEach(zi),n.disabled=!1}),u("div",{class:`widget evolving ${r?"grows":"boards"}`},u("div",{class:"buttons"},n,s),o)}function zi(t){let e=t.
 runs;new IntersectionObserver(([r])=>{r.isIntersecting?e&&(t.runs=!0):(e=t.runs&&(t.player.playing||t.player.step===t.player.length),t.runs=!1)}).observe(t.element)}
-function zi({runs:t,playground:e},r){let n=t[0].payoff.shape.map(c=>c-1),s=new ft({run:0,pursuer:n[0],evader:n[1],episode:0,seed:null,map:null}),[o,a]=[new pt(t,
+function Bi({runs:t,playground:e},r){let n=t[0].payoff.shape.map(c=>c-1),s=new ft({run:0,pursuer:n[0],evader:n[1],episode:0,seed:null,map:null}),[o,a]=[new pt(t,
 s,e),new ht(t,s)];o.actions.remove(),a.element.addEventListener("play",()=>{o.playSoon(),o.reveal()}),r.then(c=>o.start(c));let{seed:l,world:i}=t[0];return u("d\
-iv",{class:"widget wide"},Ii(t,s),u("div",{class:"stages"},a.element,o.element),u("p",{class:"small muted"},"Three races of ",u("code",{},`matrixworld evolve --\
-seed ${l}`),`: ${i.n_pursuers} pursuers and ${i.n_evaders} evaders on ${i.rows} x ${i.cols} cells.`))}function Bi({runs:t}){let[e,r]=[t[0],t[0].findings],[n,...s]=r.
+iv",{class:"widget wide"},Fi(t,s),u("div",{class:"stages"},a.element,o.element),u("p",{class:"small muted"},"Three races of ",u("code",{},`matrixworld evolve --\
+seed ${l}`),`: ${i.n_pursuers} pursuers and ${i.n_evaders} evaders on ${i.rows} x ${i.cols} cells.`))}function Hi({runs:t}){let[e,r]=[t[0],t[0].findings],[n,...s]=r.
 table,o=s.findIndex(([l,,,i])=>l==="arms race"&&i==="last half"),a={headline:e.name,numbers:[],table:[n,s[o]],reasons:[r.reasons[o]]};return u("div",{class:"wid\
-get text"},Ni({...e,findings:{...r,...a}}).element)}var fe=32,Hi=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.map(e=>u("figure",{},u("figcaption",{},e.title),Du(e),u("p",{class:"small muted"},e.text))));
-function Du({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*fe} 0V${3*fe}M0 ${s*fe}H${3*fe}`).join("");return b("svg",{viewBox:`-1 -1 ${3*fe+2} ${3*fe+2}`,
+get text"},Ii({...e,findings:{...r,...a}}).element)}var fe=32,ji=({crossings:t=[]})=>u("div",{class:"widget crossings"},...t.map(e=>u("figure",{},u("figcaption",{},e.title),Wu(e),u("p",{class:"small muted"},e.text))));
+function Wu({title:t,text:e,ways:r}){let n=[0,1,2,3].map(s=>`M${s*fe} 0V${3*fe}M0 ${s*fe}H${3*fe}`).join("");return b("svg",{viewBox:`-1 -1 ${3*fe+2} ${3*fe+2}`,
 role:"img","aria-label":`${t}: ${e}`},b("path",{class:"grid",d:n}),...r.map(([s,o,a],l)=>b("g",{transform:`translate(${1.5*fe} ${1.5*fe})`},b("g",{transform:`tr\
 anslate(${-fe*o} ${-fe*s})`},b("path",{class:"filled-pursuer",d:"M0 -12 12 9H-12z"}),b("text",{y:6.5,"text-anchor":"middle"},`P${l}`)),b("path",{class:a?"goes":
 "waits",d:a?"M-18 0H-5M-9 -4 -4 0 -9 4":"M-16 -13V13",transform:`rotate(${Math.atan2(s,o)*180/Math.PI})`}))))}var us=()=>{let[t]=crypto.getRandomValues(new Uint32Array(1));return{pupil:t.toString(16).padStart(8,"0"),choices:[],solved:{},exit:"",done:!1}},Jr=class extends EventTarget{#e;#t;keeps=!0;constructor(e){
@@ -849,51 +849,49 @@ super(),this.#t=e,this.#e=this.#n(),this.#o({})}choice=e=>this.#e.choices.find((
 solved[e];solve=(e,r)=>this.#o({solved:{...this.#e.solved,[e]:r}});get exit(){return this.#e}set exit(e){this.#o(e)}get count(){return this.#e.choices.length}get file(){
 let{choices:e,pupil:r}=this.#e;return e.map(n=>`${JSON.stringify({...n,edition:this.#t,pupil:r})}
 `).join("")}forget(){this.#o(us())}get#r(){return`matrixworld lesson ${this.#t}`}#n(){try{return{...us(),...JSON.parse(localStorage.getItem(this.#r)??"{}")}}catch{
-return us()}}#o(e){this.#e={...this.#e,...e};try{localStorage.setItem(this.#r,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function ji(t,e){let r=[],n=[];for(let l of t)try{n.push({...l,...Wu(l.text,e)})}catch(i){r.push({file:l.name,reason:i.message})}let s=new Map([...e.predictions].
+return us()}}#o(e){this.#e={...this.#e,...e};try{localStorage.setItem(this.#r,JSON.stringify(this.#e))}catch{this.keeps=!1}}};function Gi(t,e){let r=[],n=[];for(let l of t)try{n.push({...l,...zu(l.text,e)})}catch(i){r.push({file:l.name,reason:i.message})}let s=new Map([...e.predictions].
 map(([l,{options:i}])=>[l,new Map(Object.keys(i).map(c=>[c,0]))])),o=new Map,a=new Map;for(let{name:l,text:i,pupil:c,choices:d}of n.sort((m,p)=>p.choices.size-m.
 choices.size)){let m=[...d].filter(([h])=>!o.has(`${c} ${h}`)),p=a.get(i)??(m.length?void 0:o.get(`${c} ${[...d.keys()][0]}`));if(p!==void 0){r.push({file:l,reason:a.
 has(i)?`double: the same content as ${p}`:`double: the pupil of ${p}`});continue}a.set(i,l);for(let[h,f]of m)o.set(`${c} ${h}`,l),s.get(h).set(f,s.get(h).get(f)+
-1)}return{counts:s,pupils:new Set([...o.keys()].map(l=>l.split(" ")[0])).size,left:r}}function Wu(t,{edition:e,predictions:r}){if(t===null)throw new Error("expe\
+1)}return{counts:s,pupils:new Set([...o.keys()].map(l=>l.split(" ")[0])).size,left:r}}function zu(t,{edition:e,predictions:r}){if(t===null)throw new Error("expe\
 cted at most 65536 bytes");let n=new Map,s="",o=t.split(/\r?\n/).filter(a=>a.trim());if(!o.length)throw new Error("expected predictions that the lesson has save\
-d, got an empty file");return o.forEach((a,l)=>{let i=zu(a),{prediction:c,choice:d}=i;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${l+1}: ex\
+d, got an empty file");return o.forEach((a,l)=>{let i=Bu(a),{prediction:c,choice:d}=i;if(typeof c!="string"||typeof d!="string")throw new Error(`line ${l+1}: ex\
 pected a prediction and its choice`);if(i.edition!==e)throw new Error(`line ${l+1}: expected edition ${e} of the course, got ${ds(i.edition)}`);let m=r.get(c)?.
 options;if(!m)throw new Error(`line ${l+1}: expected a prediction of the lesson, got ${ds(c)}`);if(!Object.hasOwn(m,d))throw new Error(`line ${l+1}: expected on\
 e of ${Object.keys(m).join(", ")} for ${c}, got ${ds(d)}`);if(s||=String(i.pupil??""),!/^[0-9a-f]{8}$/.test(s)||i.pupil!==s)throw new Error(`line ${l+1}: expect\
-ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function zu(t){try{let e=JSON.parse(t);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
-var ds=t=>t===void 0?"none":JSON.stringify(t).slice(0,40);function Gi(t){let e={edition:t.edition,predictions:mr(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],l=()=>{
-let p=ji(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
+ed lines of one pupil`);n.has(c)||n.set(c,d)}),{pupil:s,choices:n}}function Bu(t){try{let e=JSON.parse(t);return typeof e=="object"&&e!==null?e:{}}catch{return{}}}
+var ds=t=>t===void 0?"none":JSON.stringify(t).slice(0,40);function Vi(t){let e={edition:t.edition,predictions:mr(t)},r=u("p",{role:"status"}),n=u("ul",{class:"left"}),s=u("div",{class:"questions"}),o=new Set,a=[],l=()=>{
+let p=Gi(a,e);r.textContent=a.length?`${a.length} ${a.length===1?"file":"files"}, ${p.pupils} ${p.pupils===1?"pupil":"pupils"}.${p.left.length?" Not counted:":""}`:
 "No files yet.",n.replaceChildren(...p.left.map(({file:h,reason:f})=>u("li",{},u("strong",{},h),` ${f}`))),s.replaceChildren(...[...e.predictions.values()].map(
-h=>Hu(h,p,o,l)))},i=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],l()},c=u("input",
+h=>ju(h,p,o,l)))},i=async p=>{let h=[...p].map(async f=>({name:f.name,text:f.size>65536?null:await f.text()}));a=[...a,...await Promise.all(h)],l()},c=u("input",
 {type:"file",multiple:!0,accept:".jsonl",id:"vote-files"});c.addEventListener("change",()=>{i(c.files).then(()=>c.value="")});let d=u("button",{type:"button",onclick:()=>{
 a=[],o.clear(),l()}},"Remove all files"),m=u("section",{class:"card drop","aria-label":"Files"},u("p",{},u("label",{for:"vote-files"},"Drop the files that your \
 pupils have saved anywhere on this page, or choose them: ")),c,u("div",{class:"buttons"},r,d),n,u("p",{class:"small muted"},"A pupil saves predictions.jsonl at \
 the end of the lesson. Names of files do not matter. Each pupil counts once: a second file of a pupil is named as double. Nothing leaves this computer."));document.
 addEventListener("dragover",p=>p.preventDefault()),document.addEventListener("drop",p=>{p.preventDefault(),i(p.dataTransfer?.files??[])}),document.getElementById(
-"page").replaceWith(u("header",{class:"top"},u("div",{},u("h1",{},"How the class voted"),u("p",{class:"lead"},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),
-u("div",{class:"tools"},ur())),u("main",{},m,s),u("footer",{class:"small muted"},`matrixworld ${t.version}, edition ${t.edition} of the course`)),l()}function Hu(t,e,r,n){
-let{predict:s,options:o,outcome:a}=t,l=e.counts.get(s),i=[...l.values()].reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(
-o).map(([h,f])=>{let y=u("span",{class:"filled"});y.style.width=`${100*l.get(h)/Math.max(1,i)}%`;let g=c&&h===a;return u("li",{class:g?"vote right":"vote"},u("s\
-pan",{},`${h}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"bar","aria-hidden":"true"},y),u("span",{class:"numbers"},`${l.get(h)} of ${i}`,d&&u(
-"span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"button",id:`outcome-${s}`,onclick:()=>{r.add(s),n()}},"Show the outcome");return u("sec\
-tion",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"rep\
-ly"},...Pt(t.explanation??"")):u("div",{},p))}var Vi="#votes",ju=["explorer"],Gu=t=>"needs"in t?t.needs:void 0,Zr=t=>"widget"in t;function Vu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Zr(r)&&
-n.some(Zr)?e.push([r]):n.push(r)}return e}function qu(t){let e=t.find(Zr);return e&&t.length>1&&!ju.includes(e.widget)&&!e.grows?"block beside":"block"}var ms=class{#e;#t;#r=()=>{};#n=new Promise(
-e=>this.#r=e);#o={chase:()=>Ui(this.#e,this.#n),evolving:e=>Di(this.#e,this.#n,e),"right-of-way":Hi,flat:ga,hands:Ea,"hands-matrix":Ta,games:_a,numbers:Pa,matrices:()=>fa(
-this.#e),explorer:()=>zi(this.#e,this.#n),judgement:()=>Bi(this.#e),"same-diagonal":ya,exit:e=>Eo(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Jr(e.edition)];
+"page").replaceWith(ur("How the class voted",u("span",{},`${t.title} `,u("a",{href:"#"},"Back to the lesson"))),u("main",{},m,s),u("footer",{class:"small muted"},
+`matrixworld ${t.version}, edition ${t.edition} of the course`)),l()}function ju(t,e,r,n){let{predict:s,options:o,outcome:a}=t,l=e.counts.get(s),i=[...l.values()].
+reduce((h,f)=>h+f,0),c=r.has(s),d=t.again?e.counts.get(t.again):void 0,m=Object.entries(o).map(([h,f])=>{let y=u("span",{class:"filled"});y.style.width=`${100*l.
+get(h)/Math.max(1,i)}%`;let g=c&&h===a;return u("li",{class:g?"vote right":"vote"},u("span",{},`${h}. ${f}`,g&&u("strong",{}," ✓ the outcome")),u("span",{class:"\
+bar","aria-hidden":"true"},y),u("span",{class:"numbers"},`${l.get(h)} of ${i}`,d&&u("span",{class:"muted"},`, at first ${d.get(h)}`)))}),p=u("button",{type:"but\
+ton",id:`outcome-${s}`,onclick:()=>{r.add(s),n()}},"Show the outcome");return u("section",{class:"card question",id:`votes-${s}`},u("h2",{},t.question),u("ul",{
+class:"of-votes"},...m),t.later?u("p",{class:"muted"},t.later):c?u("div",{class:"reply"},...Pt(t.explanation??"")):u("div",{},p))}var qi="#votes",Gu=["explorer"],Vu=t=>"needs"in t?t.needs:void 0,Zr=t=>"widget"in t;function qu(t){let e=[];for(let r of t){let n=e.at(-1);!n||"text"in r||Zr(r)&&
+n.some(Zr)?e.push([r]):n.push(r)}return e}function Yu(t){let e=t.find(Zr);return e&&t.length>1&&!Gu.includes(e.widget)&&!e.grows?"block beside":"block"}var ms=class{#e;#t;#r=()=>{};#n=new Promise(
+e=>this.#r=e);#o={chase:()=>Di(this.#e,this.#n),evolving:e=>Wi(this.#e,this.#n,e),"right-of-way":ji,flat:va,hands:Ta,"hands-matrix":ka,games:Pa,numbers:La,matrices:()=>ya(
+this.#e),explorer:()=>Bi(this.#e,this.#n),judgement:()=>Hi(this.#e),"same-diagonal":ga,exit:e=>To(e,this.#t)};constructor(e){[this.#e,this.#t]=[e,new Jr(e.edition)];
 let r=this.#t,n=mr(e).size,s=u("span",{class:"small muted",role:"status"}),o=()=>{s.textContent=`${r.count} of ${n} predictions made. `+(r.keeps?"They stay in t\
 his browser.":"This browser keeps nothing: save before you close the page.")};r.addEventListener("choice",o);let a=()=>{confirm("Delete all predictions and answ\
-ers in this browser, for another student? Save them first.")&&(r.forget(),location.reload())};document.getElementById("page").replaceWith(u("header",{class:"top"},
-u("div",{},u("h1",{},e.title),u("p",{class:"lead"},e.lead)),u("div",{class:"tools"},ur())),u("nav",{class:"sections","aria-label":"Sections"},...e.sections.map(
-(l,i)=>u("a",{href:`#${l.id}`},`${i+1}. ${l.title}`))),u("main",{},...e.sections.map((l,i)=>this.#l(l,i))),u("footer",{class:"card"},u("div",{class:"buttons"},u(
-"button",{type:"button",class:"primary save",onclick:()=>Nn("predictions.jsonl",r.file)},"Save my predictions"),u("button",{type:"button",onclick:()=>print()},"\
-Print"),u("button",{type:"button",onclick:a},"Start anew"),s),u("p",{class:"small muted"},`The page sends nothing anywhere. matrixworld ${e.version}, edition ${e.
-edition} of the course. Teachers: `,u("a",{href:Vi},"count the votes of a class"),"."))),o()}async load(){this.#r(await Xt())}#s(e){return"text"in e?u("div",{class:"\
-text"},...Pt(e.text)):Zr(e)?this.#o[e.widget](e):"exercise"in e?Mo(e,this.#t):Ao(e,this.#t)}#l(e,r){let{sections:n}=this.#e,s=u("p",{class:"waiting muted",role:"\
-status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},
-`${e.minutes} minutes`)),s),a=Vu(e.parts),l=a.map(m=>u("div",{class:qu(m)})),i=a.flatMap((m,p)=>m.map(()=>l[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){
-let[m,p]=[e.parts[c-1],e.parts[c]],h=[dr(m)?m.predict:void 0,Gu(p)].find(f=>f&&this.#t.choice(f)===void 0);if(h){let f=n.findIndex(({parts:y})=>y.some(g=>dr(g)&&
-g.predict===h));s.textContent=`This section goes on with your prediction${f===r?"":` in section ${f+1}`}.`;return}s.before(i[c]),i[c].append(this.#s(p))}s.remove()};
-return this.#t.addEventListener("choice",d),d(),o}};function Yu(){let t=bo(),e=()=>location.hash===Vi,r=e();window.addEventListener("hashchange",()=>e()!==r&&location.
-reload());let n=()=>{document.body.dataset.ready="true"};if(r){Gi(t),n();return}let s=new ms(t);requestAnimationFrame(()=>setTimeout(()=>{s.load().catch(o=>{document.
-querySelector("main").prepend(u("p",{class:"card problem",role:"alert"},`The engine does not start here: ${String(o)}`))}).finally(n)}))}typeof document>"u"?yo():
-Yu();})();
+ers in this browser, for another student? Save them first.")&&(r.forget(),location.reload())};document.getElementById("page").replaceWith(ur(e.title,e.lead),u("\
+nav",{class:"sections","aria-label":"Sections"},...e.sections.map((l,i)=>u("a",{href:`#${l.id}`},`${i+1}. ${l.title}`))),u("main",{},...e.sections.map((l,i)=>this.#l(
+l,i))),u("footer",{class:"card"},u("div",{class:"buttons"},u("button",{type:"button",class:"primary save",onclick:()=>Nn("predictions.jsonl",r.file)},"Save my p\
+redictions"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",{type:"button",onclick:a},"Start anew"),s),u("p",{class:"small muted"},`The page\
+ sends nothing anywhere. matrixworld ${e.version}, edition ${e.edition} of the course. Teachers: `,u("a",{href:qi},"count the votes of a class"),"."))),o()}async load(){
+this.#r(await Xt())}#s(e){return"text"in e?u("div",{class:"text"},...Pt(e.text)):Zr(e)?this.#o[e.widget](e):"exercise"in e?Eo(e,this.#t):Mo(e,this.#t)}#l(e,r){let{
+sections:n}=this.#e,s=u("p",{class:"waiting muted",role:"status"}),o=u("section",{class:"card",id:e.id,"aria-labelledby":`title-${e.id}`},u("h2",{id:`title-${e.
+id}`},`${r+1}. ${e.title}`,u("span",{class:"muted small"},`${e.minutes} minutes`)),s),a=qu(e.parts),l=a.map(m=>u("div",{class:Yu(m)})),i=a.flatMap((m,p)=>m.map(
+()=>l[p])),c=0,d=()=>{for(s.textContent="";c<e.parts.length;c++){let[m,p]=[e.parts[c-1],e.parts[c]],h=[dr(m)?m.predict:void 0,Vu(p)].find(f=>f&&this.#t.choice(f)===
+void 0);if(h){let f=n.findIndex(({parts:y})=>y.some(g=>dr(g)&&g.predict===h));s.textContent=`This section goes on with your prediction${f===r?"":` in section ${f+
+1}`}.`;return}s.before(i[c]),i[c].append(this.#s(p))}s.remove()};return this.#t.addEventListener("choice",d),d(),o}};function Ku(){let t=wo(),e=()=>location.hash===
+qi,r=e();window.addEventListener("hashchange",()=>e()!==r&&location.reload());let n=()=>{document.body.dataset.ready="true"};if(r){Vi(t),n();return}let s=new ms(
+t);requestAnimationFrame(()=>setTimeout(()=>{s.load().catch(o=>{document.querySelector("main").prepend(u("p",{class:"card problem",role:"alert"},`The engine doe\
+s not start here: ${String(o)}`))}).finally(n)}))}typeof document>"u"?yo():Ku();})();
