@@ -177,7 +177,8 @@ PAIRINGS = {
 }
 
 
-def _on_races(numbers: Numbers) -> list[Claim]:
+def on_races(numbers: Numbers) -> list[Claim]:
+    """Return the claims on races, in the parts of `PARTS`."""
     races = {race: captured_by(numbers, race) for race in RACES}
 
     def of(race: str, name: str) -> np.ndarray:
@@ -259,7 +260,8 @@ def swing_between(phases: np.ndarray, first: int, last: int) -> np.ndarray:
     return np.abs(part[..., 0] - part[..., 1]).mean(axis=1)
 
 
-def _on_swings(numbers: Numbers) -> list[Claim]:
+def on_swings(numbers: Numbers) -> list[Claim]:
+    """Return the claim on how far the capture rate goes up and down, single numbers."""
     matrices = [captured_by(numbers, race).mean(axis=3) for race in RACES]
     rates = [
         np.array([analysis.team_phase_rates(each) for each in of_kind]) for of_kind in matrices
@@ -421,7 +423,8 @@ COMPARED: tuple[tuple[str, Team, str, str, str, float, str], ...] = (
 the second one lies if the statement is true; what was published."""
 
 
-def _on_generalization(numbers: Numbers) -> list[Claim]:
+def on_generalization(numbers: Numbers) -> list[Claim]:
+    """Return the claims on candidates against each of `OPPONENTS`."""
     scores = {team: standings(numbers, team) for team in CANDIDATES}
     payoff = {"pursuer": "capture", "evader": "escape"}
 
@@ -451,10 +454,10 @@ def _on_generalization(numbers: Numbers) -> list[Claim]:
 CROSS_PLAY, CAPTURED = "cross-play of evaders", f"captured {SPECIALISTS}"
 SURROUNDED = SURROUNDING["rewards"]
 CLAIMS: Mapping[tuple[str, ...], Mapping[Callable[[Numbers], list[Claim]], tuple[str, ...]]] = {
-    PARTS: {_on_races: (CAPTURED,), _on_few_epochs: (f"captured {FEW_EPOCHS}",)},
-    OPPONENTS: {_on_generalization: (CROSS_PLAY,)},
+    PARTS: {on_races: (CAPTURED,), _on_few_epochs: (f"captured {FEW_EPOCHS}",)},
+    OPPONENTS: {on_generalization: (CROSS_PLAY,)},
     ("found",): {
-        _on_swings: (CAPTURED,),
+        on_swings: (CAPTURED,),
         _on_long_races: (CAPTURED, f"phases {SPECIALISTS}"),
         _on_plateau: ("plateau: random",),
         _on_surrounding: (f"{SURROUNDED}: captured",),

@@ -100,8 +100,9 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
 def alone(race: RaceSettings, team: Team) -> RaceSettings:
     """Return the settings of a baseline, with the matches and all settings of the race."""
     epochs = race.schedule.total_epochs(team)
-    # The penalty is one of evaders; pursuers take no such setting.
-    penalty = race.overlap_penalty if team == "evader" else None
+    # The penalty is one of evaders that evolve; others take no such setting.
+    penalised = team == "evader" and not race.learner.by_gradients
+    penalty = race.overlap_penalty if penalised else None
     return replace(
         race,
         schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2),
@@ -149,7 +150,7 @@ def cross_play(team: Team, runs: Runs, quick: bool) -> np.ndarray:
 # What is measured of the runs, in the dtypes in which it is written:
 
 
-def _captured(runs: Runs, quick: bool) -> Numbers:
+def captured(runs: Runs, quick: bool) -> Numbers:
     """Return ``captured NAME``, uint8 (seeds, n, n, episodes), of all races but the long ones.
 
     These are the evaders captured in each episode of the payoff matrix.
@@ -173,7 +174,7 @@ def _phases(runs: Runs, quick: bool) -> Numbers:
     }
 
 
-def _generalization(runs: Runs, quick: bool) -> Numbers:
+def generalization(runs: Runs, quick: bool) -> Numbers:
     """Return ``cross-play of TEAM``, and ``held-out of TEAM`` (kinds, seeds), its mean payoff."""
     runs, numbers = {**runs, EVADERS_TAUGHT: teach(runs)}, {}
     for team, kinds in CANDIDATES.items():
@@ -253,8 +254,8 @@ def _safety(runs: Runs, quick: bool) -> Numbers:
 
 
 MEASURED: tuple[tuple[tuple[str, ...], Callable[[Runs, bool], Numbers]], ...] = (
-    ((), _captured),
-    ((*RACES, PURSUERS_ALONE, EVADERS_ALONE), _generalization),
+    ((), captured),
+    ((*RACES, PURSUERS_ALONE, EVADERS_ALONE), generalization),
     (tuple(SURROUNDING.values()), _surrounding),
     (tuple(LONG.values()), _phases),
     ((IN_TENTHS,), _tenths),

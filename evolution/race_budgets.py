@@ -1,22 +1,25 @@
-"""Do races need twice the matches of the default ones? Longer ones, with other steps.
+"""What do default races lose? Half of the matches, and steps that spread, each by itself.
 
-    python evolution/race_budgets.py           ten seeds of three schedules, 20 minutes on two cores
+    python evolution/race_budgets.py           ten seeds of each race, an hour on two cores
     python evolution/race_budgets.py --quick   a small world and two seeds, some seconds
 
-The samples of default races spread with the genome (`relative_sigma`). The *long* races play twice
-as many matches with the same standard deviation throughout (`common.long_race`). Races of the same
+Default races differ in two things from the *long* ones (`common.long_race`). They play half of the
+matches, and their samples spread with the genome (`relative_sigma`), where those of the long ones
+have the same standard deviation throughout. So there are four kinds of race. Those of the same
 schedule and seed are compared by the scores of both last generations against held-out opponents,
-and all seeds together by what the judgement finds in the last half of the race.
+and by the share of checkerboards in the last half. The judgement of the last half says what is
+found in all seeds together, and in how many single races.
 
-The long races have been played for other tables, and are read from results/; of the hall of fame
-their scores are kept, not their payoffs. Only ``--quick`` plays them.
+Long races with the same steps have been played for other tables, and are read from results/; of the
+hall of fame their scores are kept, not their payoffs. Only ``--quick`` plays them.
 
-Look at the differences, default minus long. An interval that lies below 0 says that half of the
-matches cost something; one around 0 says how much they may cost.
+Look at the differences, each kind minus long: an interval that lies on one side of 0 says what the
+change costs or brings.
 """
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +27,7 @@ import numpy as np
 
 import hall_of_fame
 from common import (
+    SAME_STEPS,
     SMALL_RACE,
     Numbers,
     Runs,
@@ -36,12 +40,14 @@ from common import (
 )
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
+from matrixworld.coevolution.types import FloatArray
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
 HALL = "hall-of-fame"
 SCHEDULES = (SPECIALISTS, GENERALISTS, HALL)
 KEPT = Path(__file__).parent / "results"
 LONG, DEFAULT = "long", "default"
+LONG_SPREADING, DEFAULT_SAME = "long, spreading steps", "default, same steps"
 SEEDS, LONG_MATCHES = 10, 268_810
 QUICK_EPOCHS = {
     LONG: {"pursuer_epochs": 4, "evader_epochs": 8, "joint_epochs": 6},
@@ -51,15 +57,21 @@ QUICK_EPOCHS = {
 
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
-    """Return the settings of default races, and of long ones with ``--quick``."""
+    """Return the settings of all kinds of races; of long ones with the same steps if `quick`."""
     found = {}
-    for kind in (LONG, DEFAULT) if quick else (DEFAULT,):
-        for schedule in SCHEDULES:
-            chosen = long_race(schedule) if kind == LONG else {"schedule": schedule}
-            settings = RaceSettings.of(chosen)
+    for schedule in SCHEDULES:
+        default = RaceSettings.of({"schedule": schedule})
+        of_schedule = {DEFAULT: default}
+        if quick:
+            of_schedule[LONG] = RaceSettings.of(long_race(schedule))
+        if schedule != HALL:
+            of_schedule[DEFAULT_SAME] = default.changed(SAME_STEPS)
+            long = {n: v for n, v in long_race(schedule).items() if n not in SAME_STEPS}
+            of_schedule[LONG_SPREADING] = RaceSettings.of(long)
+        for kind, settings in of_schedule.items():
             if quick:
-                known = vars(settings.schedule)
-                few = {f"schedule.{n}": k for n, k in QUICK_EPOCHS[kind].items() if n in known}
+                known, epochs = vars(settings.schedule), QUICK_EPOCHS[kind.split(",")[0]]
+                few = {f"schedule.{n}": k for n, k in epochs.items() if n in known}
                 settings = settings.changed({**SMALL_RACE, "schedule.generations": 8, **few})
             found[f"{kind}; {schedule}"] = settings
     return found
@@ -71,9 +83,25 @@ def scores_of(run: SavedRun) -> dict[str, float]:
     return {team: float(scores[team].means[-1]) for team in TEAMS}
 
 
-def found_in(payoffs: Any) -> list[str]:
-    """Return what the judgement finds in races together: payoffs (seeds, G, H, episodes)."""
-    return [*analysis.judge(payoffs, per_episode=True).present()]
+SHOWN = ("arms race", "intransitivity", "cycling", "forgetting")
+"""Conditions that are counted in single races."""
+
+
+def found_in(payoffs: FloatArray) -> dict[str, Any]:
+    """Return what is found in the last half of races (seeds, G, H, episodes).
+
+    In all together; in how many single ones; and the share of checkerboards in each.
+    """
+    together = analysis.judge(payoffs, per_episode=True)
+    single = [each.present() for each in map(partial(analysis.judge, per_episode=True), payoffs)]
+    measure = analysis.MEASURES["checkerboards"]
+    return {
+        "found": np.array(together.present(), str),
+        "single": np.array([sum(name in each for each in single) for name in SHOWN]),
+        "checkerboards": np.array(
+            [measure.of(each.mean(axis=-1), "last half").value for each in payoffs]
+        ),
+    }
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
@@ -82,7 +110,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
     for kind, each in runs.items():
         every = np.stack([run.payoff().capture_rates for run in each])
         numbers[f"matches of {kind}"] = each[0].log()["matches"][-1] + every[0].size
-        numbers[f"found in {kind}"] = np.array(found_in(every), str)
+        numbers |= {f"{name} in {kind}": found for name, found in found_in(every).items()}
     return numbers
 
 
@@ -96,34 +124,42 @@ def kept() -> dict[str, Any]:
         numbers[f"{LONG}; {HALL} / {team}"] = scores[:SEEDS]
     for row, schedule in ((0, SPECIALISTS), (2, GENERALISTS)):
         rates = claims[f"captured {schedule}"][:SEEDS] / float(claims["evaders"])
-        numbers[f"found in {LONG}; {schedule}"] = np.array(found_in(rates), str)
+        kind = f"{LONG}; {schedule}"
+        numbers |= {f"{name} in {kind}": found for name, found in found_in(rates).items()}
         for team in TEAMS:
-            numbers[f"{LONG}; {schedule} / {team}"] = claims[f"held-out of {team}s"][row, :SEEDS]
+            numbers[f"{kind} / {team}"] = claims[f"held-out of {team}s"][row, :SEEDS]
     return numbers
+
+
+def order_of(kind: str) -> tuple[int, int]:
+    """Return the place of a kind: schedule by schedule, long races first."""
+    budget, schedule = kind.split("; ")
+    return SCHEDULES.index(schedule), (LONG, LONG_SPREADING, DEFAULT_SAME, DEFAULT).index(budget)
 
 
 def table(numbers: Numbers) -> str:
     """Return the comparison of both kinds of races as a table in Markdown."""
     rows = []
-    # Long races first.
-    for kind in sorted(kinds_in(numbers), key=lambda kind: not kind.startswith(LONG)):
+    for kind in sorted(kinds_in(numbers), key=order_of):
         long = f"{LONG}; {kind.split('; ')[1]}"
-        scores = [numbers[f"{kind} / {team}"] for team in TEAMS]
-        differences = ["", ""]
-        if kind != long:
-            before = [numbers[f"{long} / {team}"] for team in TEAMS]
+        compared = [f"{{}} / {team}" for team in TEAMS]
+        if f"checkerboards in {long}" in numbers:
+            compared.append("checkerboards in {}")
+        cells = []
+        for name in compared:
+            each, other = numbers[name.format(kind)], numbers[name.format(long)]
             # Of the same seeds.
-            differences = [
-                mean(each - other[: len(each)], 2, "+")
-                for each, other in zip(scores, before, strict=True)
-            ]
-        found = numbers.get(f"found in {kind}")
+            cells.append(mean(each, 3) if kind == long else mean(each - other[: len(each)], 3, "+"))
+        cells += ["not kept"] * (3 - len(cells))
+        found, single = (numbers.get(f"{name} in {kind}") for name in ("found", "single"))
         told = "not kept" if found is None else ", ".join(found) or "cannot tell"
-        counts = [str(len(scores[0])), f"{numbers[f'matches of {kind}']:,}"]
-        rows.append([kind, *counts, *(mean(each, 2) for each in scores), *differences, told])
-    heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS)]
-    heads += [f"difference, {team}s" for team in TEAMS]
-    return markdown([*heads, "found in the last half"], rows)
+        counts = "not kept" if single is None else " / ".join(map(str, single))
+        seeds = len(numbers[f"{kind} / pursuer"])
+        rows.append([kind, str(seeds), f"{numbers[f'matches of {kind}']:,}", *cells, told, counts])
+    heads = ["races", "seeds", "matches", *(f"{team}s" for team in TEAMS), "checkerboards"]
+    heads += ["found in the last half", f"in single races: {' / '.join(SHOWN)}"]
+    told = "Scores and checkerboards: of long races the mean, of others the difference from them."
+    return f"{told}\n\n{markdown(heads, rows)}"
 
 
 if __name__ == "__main__":

@@ -31,6 +31,7 @@ import yoked_races
 from evolution_scripts import DOCS, RESULTS, read, run_quickly
 from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
 from matrixworld.analysis.judge import RULES
+from matrixworld.coevolution.schedules import HIDES_CYCLING
 
 # What is published follows from the numbers beside it
 
@@ -119,6 +120,21 @@ def test_the_page_on_safe_learning_shows_the_published_numbers() -> None:
     assert [row[0] for row in in_s] == [row[0] for row in in_sb]
     assert rows(page) == expected
     assert table[table.index("| difference of") :] in page
+
+
+def test_what_short_races_are_said_to_hide_follows_from_published_numbers() -> None:
+    numbers = np.load(RESULTS / "race_budgets/numbers.npz")
+    place = race_budgets.SHOWN.index("cycling")
+
+    def cycling(*budgets: str) -> str:
+        kinds = [f"{budget}; {race_budgets.SPECIALISTS}" for budget in budgets]
+        found = sum(int(numbers[f"single in {kind}"][place]) for kind in kinds)
+        return f"in {found} of {sum(len(numbers[f'{kind} / pursuer']) for kind in kinds)}"
+
+    told = HIDES_CYCLING.split("generation")[1]
+    short = cycling(race_budgets.DEFAULT, race_budgets.DEFAULT_SAME)
+    assert short in told
+    assert cycling(race_budgets.LONG, race_budgets.LONG_SPREADING) in told.split(short)[1]
 
 
 # Verdicts and numbers by hand
@@ -227,7 +243,7 @@ def test_who_learns_passively_is_a_difference_of_differences() -> None:
         - each["held-out opponents"][f"{team}s against random"]
         for team, each in scores.items()
     }
-    thesis = paper_claims._on_generalization(numbers)
+    thesis = paper_claims.on_generalization(numbers)
     values = next(each.values for each in thesis if each.says.startswith("Who learns passively"))
     place = paper_claims.OPPONENTS.index("held-out opponents")
     np.testing.assert_allclose(values[place], gains["evader"] - gains["pursuer"])

@@ -141,12 +141,15 @@ def _print(
         print_wrapped(STRIP_LEGEND)
     if judgement.runs == 1:
         print_wrapped(SINGLE_RUN)
+    settings = None if group is None else group.runs[0].settings
+    if settings is not None:
+        print_wrapped(settings.schedule.limits)
     if explained:
         say()
         print_wrapped(explain(judgement))
     if everything:
         say(f"\n{measure_table(payoffs)}")
-    lines = advice(judgement, None if group is None else group.runs[0].settings)
+    lines = advice(judgement, settings)
     if lines:
         say("\nWhat to try:")
         for line in lines:

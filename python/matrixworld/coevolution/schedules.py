@@ -175,6 +175,11 @@ class Schedule(Section):
         return 1
 
     @property
+    def limits(self) -> str:
+        """What races with so few epochs may hide, in a sentence; empty if nothing is known."""
+        return ""
+
+    @property
     @abstractmethod
     def entries(self) -> int:
         """Genomes in the archive of a learning team at the end of a run."""
@@ -248,6 +253,12 @@ PAPER: dict[str, dict[str, str]] = {
 }
 PSRO = "psro"
 """Name of a schedule in which both teams meet meta-strategies."""
+ENOUGH_EPOCHS = 60
+HIDES_CYCLING = (
+    "Short races of specialists may hide cycling: with 28 and 58 epochs in a generation it was "
+    f"found in 5 of 20 races, with {ENOUGH_EPOCHS} and 120 in 12 of 20."
+)
+"""By ``evolution/race_budgets.py``; epochs of pursuers and of evaders."""
 
 
 @documented
@@ -277,6 +288,12 @@ class Alternating(RaceSchedule):
         rules = tuple(getattr(self.opponents_of(team), "rule", None) for team in TEAMS)
         names = [name for name, each in PAPER.items() if rules == tuple(each.values())]
         return names[0] if names and self.opponents == 1 else self.kind
+
+    @property
+    def limits(self) -> str:
+        """What races with so few epochs may hide, in a sentence; empty if nothing is known."""
+        specialists = self.name == "specialist-specialist"
+        return HIDES_CYCLING if specialists and self.pursuer_epochs < ENOUGH_EPOCHS else ""
 
     @property
     def opponents_met(self) -> int:

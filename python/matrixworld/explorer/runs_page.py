@@ -226,7 +226,9 @@ def run_data(
         ],
         "findings": found,
         "maps": plain_maps(run),
-        "limits": too_few_episodes(payoff) if settings.is_race else "",
+        "limits": f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
+        if settings.is_race
+        else "",
     }
 
 
