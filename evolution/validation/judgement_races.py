@@ -13,25 +13,46 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
+from scipy.special import expit, logit
 
 from course.synthetic_races import (
     SYNTHETIC,
     Draws,
     SyntheticRace,
     additive,
-    by_chance,
     constant,
     cycle,
-    logit,
-    of_one_team,
     race,
     rotation,
-    sigma,
     stagnation,
     time,
 )
+from matrixworld.coevolution.types import FloatArray
 
 # ---- Races ---------------------------------------------------------------------------------------
+
+
+def moment(draws: Draws, low: float, high: float) -> float:
+    """Return a time: uniform in the group + N(0, .01) of the run."""
+    return float(draws.shared.uniform(low, high) + draws.own.normal(0.0, 0.01))
+
+
+def coin(draws: Draws) -> bool:
+    """Return True or False, the same for the group."""
+    return bool(draws.shared.random() < 0.5)
+
+
+def by_chance(walks: FloatArray, level: float) -> SyntheticRace:
+    """Return ``M = sigma(level + p_g - e_h)``, where p and e (2, n) come from chance."""
+    flat = np.zeros(walks.shape[1])
+    return SyntheticRace(additive(walks[0], walks[1], level).rates, flat, flat)
+
+
+def of_one_team(
+    course: FloatArray, other: FloatArray, level: float, *, pursuers: bool
+) -> SyntheticRace:
+    """Return a race in which the named team has the strength `course`, the other one `other`."""
+    return additive(course, other, level) if pursuers else additive(other, course, level)
 
 
 def uneven_pace(n: int, effect: float, draws: Draws) -> SyntheticRace:
@@ -39,7 +60,7 @@ def uneven_pace(n: int, effect: float, draws: Draws) -> SyntheticRace:
     steps = draws.own.exponential(size=(2, n)) * (draws.own.random((2, n)) < 0.4)
     fast, slow = 5.0 * effect * np.cumsum(steps, axis=1) / (0.4 * n)
     slow = slow / draws.size(2.0, 3.0)
-    return of_one_team(fast, slow, draws.level(), pursuers=draws.coin())
+    return of_one_team(fast, slow, draws.level(), pursuers=coin(draws))
 
 
 def saturating(n: int, effect: float, draws: Draws) -> SyntheticRace:
@@ -58,13 +79,13 @@ def two_skills(n: int, effect: float, draws: Draws) -> SyntheticRace:
     t = time(n)
     a, d = (size * t**2 for size in draws.sizes(4.0 * effect))
     b, c = (size * np.sqrt(t) for size in draws.sizes(4.0 * effect))
-    rates = sigma(1.0 + a[:, None] - b) * sigma(1.0 + c[:, None] - d)
+    rates = expit(1.0 + a[:, None] - b) * expit(1.0 + c[:, None] - d)
     return SyntheticRace(rates, a + c, b + d)
 
 
 def sigmoid(n: int, effect: float, draws: Draws) -> SyntheticRace:
     """Both teams rise by about 2 logits, most of it between t = .35 and .65."""
-    course = sigma((time(n) - draws.moment(0.4, 0.6)) / 0.08)
+    course = expit((time(n) - moment(draws, 0.4, 0.6)) / 0.08)
     a, b = draws.sizes(2.0 * effect)
     return additive(a * course, b * course, draws.level())
 
@@ -162,7 +183,7 @@ def fluctuation(n: int, effect: float, draws: Draws) -> SyntheticRace:
 def jump(n: int, effect: float, draws: Draws) -> SyntheticRace:
     """Each team jumps by about 2 logits, once, at its own moment between t = .2 and .8."""
     a, b = draws.sizes(2.0 * effect)
-    p, e = (np.where(time(n) > draws.moment(0.2, 0.8), size, 0.0) for size in (a, b))
+    p, e = (np.where(time(n) > moment(draws, 0.2, 0.8), size, 0.0) for size in (a, b))
     return additive(p, e, draws.level())
 
 
@@ -202,25 +223,25 @@ def forgetting(n: int, effect: float, draws: Draws) -> SyntheticRace:
 
     ``M = sigma(a t_g - b t_h - c [t_g - t_h > lag])`` if the pursuers forget, lag .12 to .3.
     """
-    t, lag = time(n), draws.moment(0.12, 0.3)
+    t, lag = time(n), moment(draws, 0.12, 0.3)
     a, b = draws.sizes(3.0)
     lost = np.where(t[:, None] - t > lag, effect * draws.size(2.0, 4.0), 0.0)
-    return additive(a * t, b * t, draws.level(), -lost if draws.coin() else lost.T)
+    return additive(a * t, b * t, draws.level(), -lost if coin(draws) else lost.T)
 
 
 def decline(n: int, effect: float, draws: Draws) -> SyntheticRace:
     """One team rises by 2 logits up to t = .5, then falls by 3; the other rises by 1."""
     t = time(n)
     course = 4.0 * np.minimum(t, 0.5) - 6.0 * effect * np.maximum(t - 0.5, 0.0)
-    return of_one_team(draws.size(0.8, 1.2) * course, t, draws.level(), pursuers=draws.coin())
+    return of_one_team(draws.size(0.8, 1.2) * course, t, draws.level(), pursuers=coin(draws))
 
 
 def collapse(n: int, effect: float, draws: Draws) -> SyntheticRace:
     """Both teams rise by 3 logits; from t = .7 to .85 one loses 3 to 5."""
-    t, start = time(n), draws.moment(0.68, 0.75)
+    t, start = time(n), moment(draws, 0.68, 0.75)
     a, b = draws.sizes(3.0)
     lost = effect * draws.size(3.0, 5.0) * np.clip((t - start) / 0.12, 0.0, 1.0)
-    pursuers = draws.coin()
+    pursuers = coin(draws)
     return additive(
         a * t - lost * pursuers, b * t - lost * (not pursuers), draws.level() * (1 - effect / 4)
     )
@@ -236,10 +257,10 @@ def disengagement(n: int, effect: float, draws: Draws, *, rate: float) -> Synthe
     size has no effect.
     """
     del effect
-    t, onset = time(n), draws.moment(0.0, 0.4)
+    t, onset = time(n), moment(draws, 0.0, 0.4)
     engaged = draws.size(1.5, 2.5) * np.minimum(t, onset)
     ahead = logit(rate) * np.clip((t - onset) / 0.05, 0.0, 1.0)
-    return of_one_team(engaged + ahead, engaged, 0.0, pursuers=draws.coin())
+    return of_one_team(engaged + ahead, engaged, 0.0, pursuers=coin(draws))
 
 
 class Kind(NamedTuple):

@@ -54,15 +54,15 @@ TABLE = """
 8  | schools | pursuers, random: last stage minus first | -
 8  | schools | evaders, scripts: co-evolution minus easy to hard | -
 8  | schools | evaders, evolved strangers: co-evolution minus easy to hard | -
-8  | schools | evaders, co-evolved: co-evolution minus easy to hard | +
+8  | schools | evaders, co-evolved rivals: co-evolution minus easy to hard | +
 8  | schools | evaders, scripts: easy to hard minus random only | +
 8  | schools | evaders, evolved strangers: easy to hard minus random only | +
 8  | schools | pursuers, scripts: co-evolution minus easy to hard | +
 8  | schools | pursuers, evolved strangers: co-evolution minus easy to hard | +
-8  | schools | pursuers, co-evolved: co-evolution minus easy to hard | +
+8  | schools | pursuers, co-evolved rivals: co-evolution minus easy to hard | +
 8  | schools | pursuers, scripts: easy to hard minus random only | -
 8  | schools | pursuers, evolved strangers: easy to hard minus random only | -
-8  | schools | pursuers, co-evolved: easy to hard minus random only | -
+8  | schools | pursuers, co-evolved rivals: easy to hard minus random only | -
 8  | schools | pursuers, evolved strangers: co-evolution minus random only | +
 9  | polite | steps, polite minus greedy | -
 9  | penalty | captures nothing | +

@@ -18,11 +18,11 @@ from course.chapter_9 import (
     Mask,
     pack,
     play_masked,
-    right_of_way,
 )
 from matrixworld import analysis
 from matrixworld.coevolution import finish
 from matrixworld.world.arrays import MOVES
+from matrixworld.world.masks import action_masks, forbidding_cells
 from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 from student_functions import STEPS, left_waits
 from student_functions import right_of_way as as_on_a_road
@@ -173,7 +173,8 @@ def mask_of(goes_first: Callable[[int, int], bool]) -> Mask:
 
 def test_the_mask_of_the_package_is_that_of_right_before_left() -> None:
     views = (np.random.default_rng(0).random((2000, 3, 11, 11)) < 0.1).astype(np.uint8)
-    np.testing.assert_array_equal(right_of_way(views), mask_of(as_on_a_road)(views))
+    allowed = action_masks(views, forbidding_cells(WORLD, "right-of-way", "pursuer"))
+    np.testing.assert_array_equal(allowed.astype(bool), mask_of(as_on_a_road)(views))
 
 
 def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
@@ -183,10 +184,10 @@ def test_nobody_is_at_fault_where_one_of_two_goes_first() -> None:
         lambda own, other: own < other,
         lambda own, other: own > other,
     ):
-        masked = play_masked(greedy, mask_of(convention), episodes=100, seed=92)
-        assert not masked.safety.summary().fault_rate[0].any()
-    both_go = play_masked(greedy, mask_of(left_waits), episodes=100, seed=92)
-    assert both_go.safety.summary().fault_rate[0, 1] > 0
+        safety, _ = play_masked(greedy, mask_of(convention), episodes=100, seed=92)
+        assert not safety.summary().fault_rate[0].any()
+    both_go, _ = play_masked(greedy, mask_of(left_waits), episodes=100, seed=92)
+    assert both_go.summary().fault_rate[0, 1] > 0
 
 
 def test_what_the_kept_packs_show() -> None:
@@ -288,7 +289,7 @@ def test_a_forbidden_action_is_never_chosen() -> None:
         return np.zeros((len(views), 5), bool)
 
     for mask in (no_moves, nothing):  # where nothing is allowed, pursuers stay
-        stayed = play_masked([6, 0, 0, 0, 0, 0], mask, episodes=20)
-        assert not stayed.captured.any()
-        assert (stayed.steps == WORLD.max_steps).all()
-        assert stayed.safety.summary().fault_rate[0].sum() == 0
+        safety, steps = play_masked([6, 0, 0, 0, 0, 0], mask, episodes=20)
+        assert safety.summary().capture_rate == 0
+        assert (steps == WORLD.max_steps).all()
+        assert safety.summary().fault_rate[0].sum() == 0

@@ -34,6 +34,7 @@ ONE_TEAM = np.array(  # only the pursuers become stronger
     [[0.5, 0.1, 0.1, 0.1], [0.2, 0.5, 0.2, 0.2], [0.3, 0.3, 0.5, 0.3], [0.4, 0.6, 0.6, 0.5]]
 )
 BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
+WORDS = {case: word for case, (word, _) in CASES.items()}
 GAINS = student.interval_of_gains("generalist_generalist")
 
 WRONG: dict[str, dict[str, Any]] = {
@@ -192,8 +193,8 @@ WRONG: dict[str, dict[str, Any]] = {
         "swapped": lambda one, other: verdict_on(other, one),
     },
     "8.4": {
-        "one wrong": {**CASES, "D": "autocurriculum"},
-        "another one": {**CASES, "A": "co-evolution"},
+        "one wrong": {**WORDS, "D": "autocurriculum"},
+        "another one": {**WORDS, "A": "co-evolution"},
     },
     "9.1": {
         "greedy": [6, 20, 0, 0, 0, 0],

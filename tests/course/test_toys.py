@@ -8,7 +8,6 @@ from course.synthetic_races import play_episodes
 from course.toys import PAPER, ROCK, SCISSORS
 from matrices import ROCK_PAPER_SCISSORS
 from matrixworld import analysis
-from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized
 from matrixworld.coevolution.types import TEAMS
 
 
@@ -63,44 +62,14 @@ def test_numbers_game(name, flips, expected, tolerance):
     assert np.mean(finals) == pytest.approx(expected, abs=tolerance)
 
 
-def test_champions_are_played_besides_the_living():
-    # A side with 15 living opponents and up to 3 champions can win at most 18 matches.
-    samplers = HallOfFame(newest=1, sampled=2), HallOfFame(newest=1, sampled=0)
-    wins = toys.numbers_game("scalar", 0, generations=60, samplers=samplers).wins
-    assert wins[:, 0].max() == 18  # so it meets all of them, and no more
-    assert wins[:, 1].max() == 16
-
-
-def all_zeros_or_ones(samplers):
-    """Five generations in which children of side 0 are all zeros, and those of side 1 all ones."""
-
-    def zeros(bits, wins, rng):
-        return np.zeros_like(bits)
-
-    def ones(bits, wins, rng):
-        return np.ones_like(bits)
-
-    game = toys.GAMES["scalar"]
-    return toys.evolve(game, (zeros, ones), 0, generations=5, opponents=2, samplers=samplers)
-
-
-def test_champions_are_those_of_the_other_side():
-    # From the second generation on, all of side 1 and its champions are ones, those of side 0
-    # zeros: side 1 beats its two living opponents and one champion of side 0.
-    wins = all_zeros_or_ones((Latest(), Latest())).wins
-    assert (wins[1:, 1] == 3).all()
-    assert (wins[:, 0] == 0).all()
-    assert (wins[0] == 0).all()
-
-
-def test_samplers_get_the_scores_against_champions():
-    # There is no champion in the first generation, when all are zeros. Later side 1 beats every
-    # champion; side 0 draws with the first champion of side 1 and loses to the others. The fifth
-    # champions have played no match.
-    samplers = Prioritized(count=9, decay=1.0), Prioritized(count=9, decay=1.0)
-    all_zeros_or_ones(samplers)
-    assert samplers[1].win_rates(5).tolist() == [1, 1, 1, 1, 0.5]
-    assert samplers[0].win_rates(5).tolist() == [0.5, 0, 0, 0, 0.5]
+def test_each_individual_meets_as_many_opponents_and_wins_breed():
+    """Children of side 0 are all zeros, and those of side 1 all ones, in five generations."""
+    breeds = (lambda bits, *_: np.zeros_like(bits)), (lambda bits, *_: np.ones_like(bits))
+    found = toys.evolve(toys.GAMES["scalar"], breeds, 0, generations=5, opponents=2)
+    assert (found.wins[:, 0] == 0).all()
+    assert (found.wins[0] == 0).all()  # all begin with zeros
+    assert (found.wins[1:, 1] == 2).all()
+    assert found.final_objective.tolist() == [0, 100]
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,24 +19,6 @@ Situation = tuple[list[Cell], list[Cell]]
 """Cells of pursuers on a square, all different, and those they mean to enter."""
 CELL = 40
 """Pixels of a cell in pictures."""
-
-
-def pack(cells: Sequence[Cell], side: int, rules: Rules | str = "SB") -> World:
-    """Return a world of pursuers on a square of cells, at the begin of an episode.
-
-    A world has agents of both teams, so one evader waits behind a wall on the right of the square.
-    """
-    walls = np.zeros((side, side + 2), np.bool_)
-    walls[:, side] = True
-    world = World(rules, n_pursuers=len(cells), n_evaders=1, obstacles=walls)
-    world.reset(0, pursuers=cells, evaders=[(0, side + 1)])
-    return world
-
-
-def target(cell: Cell, action: Action | int) -> Cell:
-    """Return the cell that an agent means to enter."""
-    (row, col), (down, right) = cell, MOVES[Action(action)].tolist()
-    return row + down, col + right
 
 
 @dataclass(frozen=True, repr=False)
@@ -65,10 +47,10 @@ def plan(world: World, actions: ArrayLike, title: str = "planned moves") -> Pict
         raise ValueError(f"actions: expected {count} from 0 to 4, got {chosen.tolist()}")
     canvas = Image.fromarray(render.rgb(world.scene(title), cell=CELL, numbers=True))
     layout = Layout.of(world.map.shape, CELL, least=CELL)
-    moves = zip(world.positions.tolist(), chosen.tolist(), strict=True)
-    for agent, ((row, col), action) in enumerate(moves):
+    for agent, action in enumerate(chosen):
         if world.alive[agent] and action:
-            _draw_arrow(ImageDraw.Draw(canvas), layout.centre(row, col), MOVES[action].tolist())
+            centre = layout.centre(*world.positions[agent].tolist())
+            _draw_arrow(ImageDraw.Draw(canvas), centre, MOVES[action].tolist())
     return Picture(np.asarray(canvas))
 
 
@@ -94,39 +76,55 @@ def before_and_after(world: World, actions: ArrayLike) -> Picture:
     return Picture(np.concatenate(pixels, axis=1))
 
 
+# ---- Pursuers alone ------------------------------------------------------------------------------
+
+
+def pack(cells: Sequence[Cell], side: int, rules: Rules | str = "SB") -> World:
+    """Return a world of pursuers on a square of cells, at the begin of an episode.
+
+    A world has agents of both teams, so one evader waits behind a wall on the right of the square.
+    """
+    walls = np.zeros((side, side + 2), np.bool_)
+    walls[:, side] = True
+    world = World(rules, n_pursuers=len(cells), n_evaders=1, obstacles=walls)
+    world.reset(0, pursuers=cells, evaders=[(0, side + 1)])
+    return world
+
+
+def after_step(situation: Situation, side: int, rules: Rules | str = "SB") -> World:
+    """Return a world after the step of a pack on a square; no target is outside."""
+    cells, targets = situation
+    world = pack(cells, side, rules)
+    moves = np.subtract(targets, cells).tolist()
+    world.step([*map(MOVES.tolist().index, moves), Action.STAY], explain=True)
+    return world
+
+
 def random_pack(rng: np.random.Generator, side: int, count: int) -> Situation:
     """Return a situation of pursuers that stay or enter a cell beside them.
 
     A pursuer that would leave the square stays.
     """
-    places = rng.permutation(side * side)[:count]
-    cells = [divmod(int(place), side) for place in places]
-    wanted = [
-        target(cell, action)
-        for cell, action in zip(cells, rng.integers(5, size=count), strict=True)
+    cells = np.stack(np.divmod(rng.permutation(side * side)[:count], side), axis=1)
+    wanted = cells + MOVES[rng.integers(5, size=count)]
+    inside = ((wanted >= 0) & (wanted < side)).all(axis=1, keepdims=True)
+    there = np.where(inside, wanted, cells)
+    return [*map(tuple, cells.tolist())], [*map(tuple, there.tolist())]
+
+
+def _situations() -> list[Situation]:
+    row, rng = [(0, 0), (0, 1), (0, 2)], np.random.default_rng(2)
+    return [
+        ([(0, 0), (0, 2)], [(0, 1), (0, 1)]),
+        ([(0, 0), (0, 1)], [(0, 1), (0, 1)]),
+        ([(0, 0), (0, 1)], [(0, 1), (0, 0)]),
+        ([(0, 0), (0, 1)], [(0, 1), (0, 2)]),
+        (row, [(0, 1), (0, 2), (0, 3)]),
+        (row, [(0, 1), (0, 2), (0, 2)]),
+        ([*row, (1, 3)], [(0, 1), (0, 2), (0, 3), (0, 3)]),
+        *(random_pack(rng, 4, count) for count in range(2, 15) for _ in range(8)),
     ]
-    targets = [
-        there if all(0 <= part < side for part in there) else here
-        for here, there in zip(cells, wanted, strict=True)
-    ]
-    return cells, targets
 
 
-def situations(drawn: Iterable[Situation], *, seed: int, most: int) -> list[Situation]:
-    """Return drawn situations, and random ones of 2 to `most` pursuers on 4 x 4 cells."""
-    rng = np.random.default_rng(seed)
-    counts = [count for count in range(2, most + 1) for _ in range(8)]
-    return [*drawn, *(random_pack(rng, 4, count) for count in counts)]
-
-
-def after_step(situation: Situation, side: int, rules: Rules | str = "SB") -> World:
-    """Return a world after the step of a pack on a square; no target is outside."""
-    world = pack(situation[0], side, rules)
-    world.step([*actions_to(*situation), Action.STAY], explain=True)
-    return world
-
-
-def actions_to(cells: Iterable[Cell], targets: Iterable[Cell]) -> list[Action]:
-    """Return the actions that lead from cells to targets on them or beside them."""
-    moves = np.subtract([*targets], [*cells]).tolist()
-    return [Action(MOVES.tolist().index(move)) for move in moves]
+SITUATIONS = _situations()
+"""Of 2 to 14 pursuers on 4 x 4 cells: those at first that are easy to tell, then random ones."""

@@ -6,8 +6,8 @@ from dataclasses import fields
 from operator import index
 from typing import Any
 
-from course.boards import Cell, Situation, after_step, pack, situations
-from course.checks import Mistake, actions, compare
+from course.boards import SITUATIONS, Cell, after_step, pack
+from course.checks import Mistake, actions, comparison
 from matrixworld import Action, Capture, Interaction, Outcome, Rules
 from matrixworld.explorer.playground import drawn_world
 
@@ -67,26 +67,6 @@ def exercise_3(answer: Any) -> None:
         raise Mistake(f"Not as described: {', '.join(wrong)}.")
 
 
-DRAWN: list[Situation] = [
-    ([(0, 0), (0, 2)], [(0, 1), (0, 1)]),
-    ([(0, 0), (0, 1)], [(0, 1), (0, 1)]),
-    ([(0, 0), (0, 1)], [(0, 1), (0, 0)]),
-    ([(0, 0), (0, 1)], [(0, 1), (0, 2)]),
-    ([(0, 0), (0, 2), (1, 1), (3, 3)], [(0, 1), (0, 1), (0, 1), (3, 2)]),
-]
-
-
-def exercise_4(answer: Any) -> None:
-    """Find conflicts with a function of one's own."""
-    compare(
-        answer,
-        _conflicts,
-        situations(DRAWN, seed=20, most=10),
-        _agents,
-        otherwise=_difference,
-    )
-
-
 def _conflicts(cells: list[Cell], targets: list[Cell]) -> set[int]:
     """Return the pursuers in a vertex or an edge conflict, as the engine finds them."""
     # Teammates that share cells hold each other nowhere, so there are no chains.
@@ -102,10 +82,12 @@ def _agents(value: Any) -> set[int]:
 
 
 def _difference(found: set[int], expected: set[int], cells: list[Cell], targets: list[Cell]) -> str:
-    missed, wrong = sorted(expected - found), sorted(found - expected)
-    told = (
-        f"agent {missed[0]} is in a conflict, and your function does not find it"
-        if missed
-        else f"agent {wrong[0]} is in no conflict, and your function returns it"
-    )
-    return f"For cells {cells} and targets {targets}, {told}."
+    agent = min(expected - found or found - expected)
+    told = "a conflict, and your function does not find it"
+    if agent in found:
+        told = "no conflict, and your function returns it"
+    return f"For cells {cells} and targets {targets}, agent {agent} is in {told}."
+
+
+exercise_4 = comparison(_conflicts, SITUATIONS, _agents, otherwise=_difference)
+"""Find conflicts."""

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import spearmanr
 
-from course.checks import Mistake, compare, described, function, near, number, numbers
+from course.checks import Mistake, array, comparison, described, function, near, number
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.maps import playable
 from matrixworld.coevolution.types import BoolArray, FloatArray
@@ -36,39 +36,34 @@ def agreement(stored: Mapping[str, FloatArray], team: str, measure: str) -> list
     ]
 
 
-def exercise_1(answer: Any) -> None:
-    """Compute what a mixture guarantees."""
-    compare(
-        answer,
-        lambda payoff, mixture: float((mixture @ payoff).min()),
-        _games(),
-        clues={
-            "That is the score against the opponent that the mixture likes best.": (
-                lambda payoff, mixture: float((mixture @ payoff).max())
-            ),
-            "That is the mean over all opponents. Who knows your mixture does not draw by lot.": (
-                lambda payoff, mixture: float((mixture @ payoff).mean())
-            ),
-            "That is the worst single entry: you looked at one row at a time, not at the "
-            "mixture.": lambda payoff, mixture: float(payoff.min()),
-        },
-        otherwise="Weight the rows by the mixture: that gives one score against each opponent.",
-    )
+_rng = np.random.default_rng(101)
+SHAPES = ((3, 3), (2, 5), (6, 4))
+DRAWN = [(_rng.random(shape), _rng.dirichlet(np.ones(shape[0]))) for shape in SHAPES]
 
-
-def _games() -> list[tuple[FloatArray, FloatArray]]:
-    rng = np.random.default_rng(101)
-    shapes = ((3, 3), (2, 5), (6, 4))
-    drawn = [(rng.random(shape), rng.dirichlet(np.ones(shape[0]))) for shape in shapes]
-    return [(STAKES, np.full(3, 1 / 3)), *drawn]
+exercise_1 = comparison(
+    lambda payoff, mixture: float((mixture @ payoff).min()),
+    [(STAKES, np.full(3, 1 / 3)), *DRAWN],
+    clues={
+        "That is the score against the opponent that the mixture likes best.": (
+            lambda payoff, mixture: float((mixture @ payoff).max())
+        ),
+        "That is the mean over all opponents. Who knows your mixture does not draw by lot.": (
+            lambda payoff, mixture: float((mixture @ payoff).mean())
+        ),
+        "That is the worst single entry: you looked at one row at a time, not at the "
+        "mixture.": lambda payoff, mixture: float(payoff.min()),
+    },
+    otherwise="Weight the rows by the mixture: that gives one score against each opponent.",
+)
+"""Compute what a mixture guarantees."""
 
 
 def exercise_2(answer: Any) -> None:
     """Find a safe mixture of rock, paper and scissors with stakes."""
-    shares = numbers(answer, "the shares of rock, paper and scissors", 3)
+    shares = array(answer, "the shares of rock, paper and scissors", 3)
     if min(shares) < 0.0 or abs(sum(shares) - 1.0) > 1e-6:
         raise Mistake("Three shares are not negative, and their sum is 1.")
-    scores = np.array(shares) @ STAKES
+    scores = shares @ STAKES
     if scores.min() < 0.5 - NEAR:
         worst = ("rock", "paper", "scissors")[int(scores.argmin())]
         raise Mistake(
@@ -150,16 +145,12 @@ def exercise_5(answer: Any) -> None:
     """Draw a map on which chasers are far from perfect."""
     try:
         walls = read_map(answer)
+        if walls.shape != (BOARD.rows, BOARD.cols):
+            raise ValueError
     except (OSError, TypeError, ValueError):
         raise Mistake(
             f"Expected six texts of six characters, . or #, got {described(answer)}."
         ) from None
-    if walls.shape != (BOARD.rows, BOARD.cols):
-        raise Mistake(
-            "The map has to have {} rows of {} cells, and has {} of {}.".format(
-                BOARD.rows, BOARD.cols, *walls.shape
-            )
-        )
     if not playable(walls, BOARD.n_agents):
         raise Mistake(
             "All free cells have to be connected by steps to the four sides, and three agents "

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from deap import base
 
-from course.checks import Mistake, about, array, compare, described, function, whole
+from course.checks import Mistake, about, array, comparison, function, whole
 from matrixworld import EpisodeStatistics, Matches, Network, Population, WorldConfig, rollout
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes
 
@@ -25,12 +25,10 @@ Archives = Sequence[Sequence[Genome]]
 
 
 def captured(pursuers: Genomes, evaders: Genomes, matches: Matches) -> EpisodeStatistics:
-    """Play matches of genomes."""
     return rollout(WORLD, Population(pursuers, NETWORK), Population(evaders, NETWORK), matches)
 
 
 def first_genome(seed: int, side: int) -> Genome:
-    """Return the genome of generation 0."""
     return NETWORK.initial(np.random.default_rng([seed, 0, side]), weight=0.2, head=0.5)
 
 
@@ -46,7 +44,6 @@ def scores(side: int, candidates: Genomes, opponent: Genome, seeds: Any) -> Floa
 
 
 def mean_of_best(candidates: Genomes, found: FloatArray) -> Genome:
-    """Return the next parent."""
     return candidates[np.argsort(found)[-BEST:]].mean(axis=0)
 
 
@@ -66,24 +63,26 @@ def learn(
     return parent
 
 
-def turn(archives: Archives, seed: int, generation: int, side: int, **other: Any) -> Genome:
+def turn(
+    archives: Archives, seed: int, generation: int, side: int, learn: Callable[..., Genome] = learn
+) -> Genome:
     """Return what a side should have learned in a turn, from what is archived before it."""
     opponent = archives[1 - side][generation - 1 + side]  # pursuers learn first
-    parent = archives[side][generation - 1]
-    return learn(side, parent, opponent, np.random.default_rng([seed, generation, side]), **other)
+    rng = np.random.default_rng([seed, generation, side])
+    return learn(side, archives[side][generation - 1], opponent, rng)
 
 
-def race(seed: int, generations: int) -> tuple[list[Genome], list[Genome]]:
-    """Return the archives of both teams."""
+def race(
+    seed: int, generations: int, learn: Callable[..., Genome] = learn
+) -> tuple[list[Genome], list[Genome]]:
     archives = [first_genome(seed, 0)], [first_genome(seed, 1)]
     for generation in range(1, generations + 1):
         for side in (0, 1):
-            archives[side].append(turn(archives, seed, generation, side))
+            archives[side].append(turn(archives, seed, generation, side, learn))
     return archives
 
 
 def all_against_all(archives: Archives, episodes: int = 10) -> FloatArray:
-    """Return the capture rates of all generations against all."""
     shape = (*map(len, archives), episodes)
     matches = Matches.of(*(each.ravel() for each in np.indices(shape)))
     rates = captured(np.stack(archives[0]), np.stack(archives[1]), matches).capture_rate
@@ -107,7 +106,6 @@ class Player:
 
 
 def mutate(player: Player, rng: np.random.Generator) -> tuple[Player]:
-    """Return a child."""
     noise = rng.standard_normal(len(player.genome), dtype=np.float32)
     return (Player(player.genome + SIGMA * noise),)
 
@@ -123,34 +121,21 @@ def evaluate(
 # ---- Exercises -----------------------------------------------------------------------------------
 
 
-def exercise_1(answer: Any) -> None:
-    """Count the numbers of a genome."""
-    compare(
-        answer,
-        lambda side, hidden, moves: Network((hidden,), fov=side, n_actions=moves).genome_size,
-        [(5, 8, 5), (11, 32, 5), (3, 4, 9)],
-        case="For a view of {side} x {side}, {hidden} hidden units and {moves} moves",
-        clues={
-            "It counts the weights. What else does each unit have?": (
-                lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves
-            ),
-            "How many layers does a view have?": (
-                lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves
-            ),
-        },
-        otherwise="Expected another number.",
-    )
-
-
-def exercise_2(answer: Any) -> None:
-    """Say how many matches a standard error takes."""
-    compare(
-        answer,
-        lambda spread, error: math.ceil(round((spread / error) ** 2, 6)),
-        [(0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)],
-        case="For a spread of {spread} and an error of {error}",
-        otherwise=_why_matches,
-    )
+exercise_1 = comparison(
+    lambda side, hidden, moves: Network((hidden,), fov=side, n_actions=moves).genome_size,
+    [(5, 8, 5), (11, 32, 5), (3, 4, 9)],
+    case="For a view of {side} x {side}, {hidden} hidden units and {moves} moves",
+    clues={
+        "It counts the weights. What else does each unit have?": (
+            lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves
+        ),
+        "How many layers does a view have?": (
+            lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves
+        ),
+    },
+    otherwise="Expected another number.",
+)
+"""Count the numbers of a genome."""
 
 
 def _why_matches(found: float, right: int, spread: float, error: float) -> str:
@@ -162,6 +147,15 @@ def _why_matches(found: float, right: int, spread: float, error: float) -> str:
         return "One match more is needed." if found < right else "One match less is enough."
     error_then = f"{spread / math.sqrt(found):.3g}" if found > 0 else "not defined"
     return f"With so many matches the standard error is {error_then}, and {error:g} is asked for."
+
+
+exercise_2 = comparison(
+    lambda spread, error: math.ceil(round((spread / error) ** 2, 6)),
+    [(0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)],
+    case="For a spread of {spread} and an error of {error}",
+    otherwise=_why_matches,
+)
+"""Say how many matches a standard error takes."""
 
 
 FEWEST_GENERATIONS = 3
@@ -187,23 +181,26 @@ def exercise_3(answer: Any) -> None:
                 told = _why_other(archives, seed, generation, side)
                 raise Mistake(f"Generation {generation} of the {SIDES[side]}: {told}")
     with about("payoff"):
-        _judge_payoff(array(answer[3], "all against all", *counts), all_against_all(archives))
+        found, right = array(answer[3], "all against all", *counts), all_against_all(archives)
+        typical = {
+            "Rows and columns are exchanged: a row is a generation of pursuers.": right.T,
+            "These are the shares that escaped.": 1 - right,
+        }
+        if not _equal(found, right):
+            other = "The archives are right, and capture rates with the seeds 0 to 9 were expected."
+            raise Mistake(next((t for t, wrong in typical.items() if _equal(found, wrong)), other))
 
 
 def _archive(value: Any, side: int, seed: int) -> list[Genome]:
     """Return an archive of a student as float32."""
     genes = NETWORK.genome_size
     with about(SIDES[side]):
-        if not isinstance(value, Iterable):
-            raise Mistake(f"Expected a list of genomes, got {described(value)}.")
-        found = [array(each, f"genomes of {genes} numbers", genes) for each in value]
-        if not np.isfinite(found).all():
-            raise Mistake("Expected numbers, got NaN or infinity among them.")
-        if not found or not _equal(found[0], first_genome(seed, side)):
+        found = array(value, f"a list of genomes of {genes} numbers", ..., genes)
+        if not len(found) or not _equal(found[0], first_genome(seed, side)):
             raise Mistake(
                 f"Generation 0 is first_genome(seed, {side}), before anybody has learned."
             )
-    return [each.astype(np.float32) for each in found]
+    return [*found.astype(np.float32)]
 
 
 def _equal(one: Any, other: Any) -> bool:
@@ -212,48 +209,41 @@ def _equal(one: Any, other: Any) -> bool:
 
 def _why_other(archives: Archives, seed: int, generation: int, side: int) -> str:
     """Say what a turn did that gave another genome."""
-    found, (own, opponents) = archives[side][generation], (archives[side], archives[1 - side])
-    parent, opponent = own[generation - 1], opponents[generation - 1 + side]
-
-    def learned(opponent: Genome, drawn: int = side, **other: Any) -> Genome:
-        rng = np.random.default_rng([seed, generation, drawn])
-        return learn(side, parent, opponent, rng, **other)
-
-    typical: dict[str, Callable[[], Genome]] = {
-        "it is the generation before, and has learned nothing.": lambda: parent,
+    parent, found = archives[side][generation - 1 : generation + 1]
+    opponents = archives[1 - side]
+    opponent = opponents[generation - 1 + side]
+    typical = {
         "these are the candidates with the lowest scores. What does this team want?": (
-            lambda: learned(opponent, select=lambda c, s: c[np.argsort(1 - s)[-BEST:]].mean(axis=0))
+            opponent,
+            side,
+            lambda candidates, found: mean_of_best(candidates, 1 - found),
         ),
         "it is the best candidate alone; the next parent is the mean of several.": (
-            lambda: learned(opponent, select=lambda c, s: c[np.argmax(s)])
+            opponent,
+            side,
+            lambda candidates, found: candidates[np.argmax(found)],
         ),
         "it learned against the wrong generation. Which opponents are the newest in this turn?": (
-            lambda: learned(opponents[generation - side])
+            opponents[generation - side],
+            side,
+            mean_of_best,
         ),
         "the opponents were those of generation 0. The newest ones stand at the end.": (
-            lambda: learned(opponents[0])
+            opponents[0],
+            side,
+            mean_of_best,
         ),
-        "the generator is that of the other team's turn.": lambda: learned(opponent, 1 - side),
+        "the generator is that of the other team's turn.": (opponent, 1 - side, mean_of_best),
     }
-    for told, make in typical.items():
-        if _equal(found, make()):
+    if _equal(found, parent):
+        return "it is the generation before, and has learned nothing."
+    for told, (met, drawn, select) in typical.items():
+        rng = np.random.default_rng([seed, generation, drawn])
+        if _equal(found, learn(side, parent, met, rng, select)):
             return told
     return (
         "another genome was expected from what you archived before it. Compare the turn with the "
         "docstrings, line by line: first the noise, then the seeds, in each epoch."
-    )
-
-
-def _judge_payoff(found: FloatArray, right: FloatArray) -> None:
-    if _equal(found, right):
-        return
-    if _equal(found, right.T):
-        raise Mistake("Rows and columns are exchanged: a row is a generation of pursuers.")
-    if _equal(found, 1 - right):
-        raise Mistake("These are the shares that escaped.")
-    raise Mistake(
-        "The archives are right, and other capture rates were expected. Is it the capture rate at "
-        "the end, the second value of `captured`? Are the seeds 0 to 9?"
     )
 
 
@@ -295,20 +285,14 @@ def _gain(make: Any, seed: int) -> float:
         function(learner.tell)(-distances + NOISE * rng.standard_normal(len(candidates)))
     with about("genome"):
         genome = array(learner.genome, f"{GENES} numbers", GENES)
-        if not np.isfinite(genome).all():
-            raise Mistake(f"Expected {GENES} numbers, got NaN or infinity among them.")
     return 1.0 - float(np.linalg.norm(np.float32(genome) - target)) / begin
 
 
 def _candidates(given: Any) -> np.ndarray:
-    if not isinstance(given, np.ndarray):
-        raise Mistake(f"ask: expected an array, got {described(given)}.")
-    if given.ndim != 2 or given.shape[1] != GENES or not len(given):
-        raise Mistake(f"ask: expected the shape (n, {GENES}), got {given.shape}.")
-    if given.dtype != np.float32:
-        raise Mistake(f"ask: expected the dtype float32, got {given.dtype}.")
-    if not np.isfinite(given).all():
-        raise Mistake("ask: expected numbers, got NaN or infinity among them.")
-    if len(given) > MOST_CANDIDATES:
-        raise Mistake(f"ask: expected at most {MOST_CANDIDATES} candidates here, got {len(given)}.")
+    with about("ask"):
+        array(given, f"numbers of shape (n, {GENES})", ..., GENES)
+        if not isinstance(given, np.ndarray) or given.dtype != np.float32:
+            raise Mistake("Expected an array of the dtype float32; `.astype(np.float32)` makes it.")
+        if not 1 <= len(given) <= MOST_CANDIDATES:
+            raise Mistake(f"Expected 1 to {MOST_CANDIDATES} candidates here, got {len(given)}.")
     return given

@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from functools import partial
-from typing import Any, TypeVar
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from course.checks import Mistake, about, array, compare, numbers
+from course.checks import Mistake, about, array, comparison
 from course.shown import film
 from course.toys import GAMES
 from matrixworld import colors, replay
 
 UNNAMED = {"game A": "intransitive", "game B": "scalar", "game C": "focusing"}
 """How prediction 4.b names the games."""
-T = TypeVar("T")
-
-
-def unnamed(of_games: Mapping[str, T]) -> dict[str, T]:
-    """Return what belongs to each numbers game by a name that does not tell which game it is."""
-    return {shown: of_games[name] for shown, name in UNNAMED.items()}
 
 
 def film_of_hands(hands: Mapping[str, NDArray[np.int_]]) -> replay.Animation:
@@ -44,71 +37,50 @@ def exercise_1(answer: Any) -> None:
     """Draw two races with equal diagonals: both teams get better, or both get worse."""
     if not isinstance(answer, tuple | list) or len(answer) != 2:
         raise Mistake("Expected two matrices: `answer = better, worse`.")
-    for name, matrix, sign in zip(("better", "worse"), answer, (1.0, -1.0), strict=True):
+    for name, matrix, sign in zip(("better", "worse"), answer, (1, -1), strict=True):
         with about(name):
             _judge_race(array(matrix, "4 x 4 numbers", 4, 4), sign)
 
 
-def _judge_race(rates: NDArray[np.float64], sign: float) -> None:
+def _judge_race(rates: NDArray[np.float64], sign: int) -> None:
     """Judge a race in which both teams get better (1) or worse (-1)."""
     if not ((rates >= 0) & (rates <= 1)).all():
         raise Mistake("Expected capture rates between 0 and 1.")
     if not np.allclose(np.diag(rates), 0.5):
         raise Mistake(f"Expected 0.5 everywhere on the diagonal, got {np.diag(rates).tolist()}.")
-    rows, columns = rates.mean(axis=1), rates.mean(axis=0)
-    grow, fall = ("grow", "fall") if sign > 0 else ("fall", "grow")
-    if not (sign * np.diff(rows) > 1e-9).all():
-        raise Mistake(
-            f"The means of the rows are {rows.round(3).tolist()}. They are the strengths of the "
-            f"pursuers, and should {grow} from row to row."
-        )
-    if not (sign * np.diff(columns) < -1e-9).all():
-        raise Mistake(
-            f"The means of the columns are {columns.round(3).tolist()}. They say how often the "
-            f"evaders are captured, and should {fall} from column to column."
-        )
+    for line, axis, growth, why in (
+        ("row", 1, sign, "They are the strengths of the pursuers"),
+        ("column", 0, -sign, "They say how often the evaders are captured"),
+    ):
+        means = rates.mean(axis=axis)
+        if not (growth * np.diff(means) > 1e-9).all():
+            raise Mistake(
+                f"The means of the {line}s are {means.round(3).tolist()}. {why}, and should "
+                f"{'grow' if growth > 0 else 'fall'} from {line} to {line}."
+            )
 
 
-def _matrices() -> list[NDArray[np.float64]]:
-    """Return payoff matrices whose best generations, rows and columns all differ."""
-    rng = np.random.default_rng(4)
-    return [rng.random((n, m)).round(3) for n, m in ((6, 6), (5, 8), (9, 4))]
+_rng = np.random.default_rng(4)
+MATRICES = [_rng.random(shape).round(3) for shape in ((6, 6), (5, 8), (9, 4))]
+"""Payoff matrices whose best generations, rows and columns all differ."""
 
 
-def exercise_2(answer: Any) -> None:
-    """Score a generation against its opponents' ancestors."""
-    compare(
-        answer,
-        lambda payoff, g: payoff[g, :g].mean(),
-        [(matrix, g) for matrix in _matrices()[:2] for g in range(1, len(matrix))],
-        case="For generation {g}",
-        clues={
-            "It contains the current evaders; only earlier ones were asked for.": (
-                lambda payoff, g: payoff[g, : g + 1].mean()
-            ),
-            "These are earlier pursuers against evaders of this generation: a column.": (
-                lambda payoff, g: payoff[:g, g].mean()
-            ),
-            "It contains later evaders, too.": lambda payoff, g: payoff[g].mean(),
-        },
-        otherwise="Expected another number: the pursuers of this generation are one row.",
-    )
-
-
-def exercise_3(answer: Any) -> None:
-    """Find the best generation of each team."""
-    compare(
-        answer,
-        _best_generations,
-        [(matrix,) for matrix in _matrices()],
-        partial(numbers, name="two generations", count=2),
-        case="For a matrix of {payoff.shape[0]} x {payoff.shape[1]}",
-        otherwise=_why_not_best,
-    )
-
-
-def _best_generations(payoff: NDArray[np.float64]) -> list[int]:
-    return [int(payoff.mean(axis=1).argmax()), int(payoff.mean(axis=0).argmin())]
+exercise_2 = comparison(
+    lambda payoff, g: payoff[g, :g].mean(),
+    [(matrix, g) for matrix in MATRICES[:2] for g in range(1, len(matrix))],
+    case="For generation {g}",
+    clues={
+        "It contains the current evaders; only earlier ones were asked for.": (
+            lambda payoff, g: payoff[g, : g + 1].mean()
+        ),
+        "These are earlier pursuers against evaders of this generation: a column.": (
+            lambda payoff, g: payoff[:g, g].mean()
+        ),
+        "It contains later evaders, too.": lambda payoff, g: payoff[g].mean(),
+    },
+    otherwise="Expected another number: the pursuers of this generation are one row.",
+)
+"""Score a generation against its opponents' ancestors."""
 
 
 def _why_not_best(found: list[float], right: list[int], payoff: NDArray[np.float64]) -> str:
@@ -122,36 +94,44 @@ def _why_not_best(found: list[float], right: list[int], payoff: NDArray[np.float
     return "Expected other generations."
 
 
-def exercise_4(answer: Any) -> None:
-    """Score individuals against held-out opponents."""
-    compare(
-        answer,
-        _share_of_wins,
-        _games(),
-        case="For 7 individuals and 5 opponents",
-        clues={
-            "That is the share of pairs that the opponents win.": (
-                lambda beats, one, many: _share_of_wins(beats, many, one)
-            ),
-            "That is one opponent for each individual; expected every individual against all.": (
-                lambda beats, one, many: beats(one[: len(many)], many).mean()
-            ),
-        },
-        otherwise=lambda found, *_: (
-            "Expected a share, between 0 and 1."
-            if found > 1
-            else "Expected another number: there are 35 pairs."
-        ),
-    )
+exercise_3 = comparison(
+    lambda payoff: [payoff.mean(axis=1).argmax(), payoff.mean(axis=0).argmin()],
+    [(matrix,) for matrix in MATRICES],
+    lambda value: array(value, "two generations", 2).tolist(),
+    case="For a matrix of {payoff.shape[0]} x {payoff.shape[1]}",
+    otherwise=_why_not_best,
+)
+"""Find the best generation of each team."""
 
 
 def _share_of_wins(beats: Any, individuals: NDArray[Any], opponents: NDArray[Any]) -> float:
     return float(np.mean([beats(a[None], b[None])[0] for a in individuals for b in opponents]))
 
 
-def _games() -> Iterable[tuple[Any, ...]]:
+def _games() -> list[tuple[Any, ...]]:
     rng = np.random.default_rng(44)
-    for game in GAMES.values():
-        dimensions, bits = game.shape
-        one = rng.integers(0, bits // 2 + 1, size=(7, dimensions))
-        yield game.beats, one, rng.integers(0, bits + 1, size=(5, dimensions))
+    return [
+        (
+            game.beats,
+            rng.integers(0, game.shape[1] // 2 + 1, size=(7, game.shape[0])),
+            rng.integers(0, game.shape[1] + 1, size=(5, game.shape[0])),
+        )
+        for game in GAMES.values()
+    ]
+
+
+exercise_4 = comparison(
+    _share_of_wins,
+    _games(),
+    case="For 7 individuals and 5 opponents",
+    clues={
+        "That is the share of pairs that the opponents win.": (
+            lambda beats, one, many: _share_of_wins(beats, many, one)
+        ),
+        "That is one opponent for each individual; expected every individual against all.": (
+            lambda beats, one, many: beats(one[: len(many)], many).mean()
+        ),
+    },
+    otherwise="Expected another number: a share, from 0 to 1, of 35 pairs.",
+)
+"""Score individuals against held-out opponents."""

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course.checks import Mistake, choices, compare, function, numbers, whole
+from course.checks import Mistake, array, choices, comparison, function, whole
 from course.questions import kept
 from course.synthetic_races import play_episodes, synthetic_race
 from matrixworld import analysis
@@ -42,23 +42,21 @@ def exercise_1(answer: Any) -> None:
         )
 
 
-def exercise_2(answer: Any) -> None:
-    """Say whom the evaders of generation k meet in epoch i of a race of generalists."""
-    compare(
-        answer,
-        lambda k, i: i % (k + 1),
-        [(k, i) for k in (3, 1, 2, 7, 30) for i in range(2 * k + 3)],
-        whole,
-        case="For k = {k} and i = {i}",
-        clues={
-            "This is the rule of the pursuers. When the evaders of generation k begin to learn, "
-            "the pursuers of generation k are ready. How many generations of pursuers are there?": (
-                lambda k, i: i % k
-            ),
-            "These evaders meet the newest pursuers only: they are specialists.": lambda k, i: k,
-        },
-        otherwise="This is not the opponent.",
-    )
+exercise_2 = comparison(
+    lambda k, i: i % (k + 1),
+    [(k, i) for k in (3, 1, 2, 7, 30) for i in range(2 * k + 3)],
+    whole,
+    case="For k = {k} and i = {i}",
+    clues={
+        "This is the rule of the pursuers. When the evaders of generation k begin to learn, "
+        "the pursuers of generation k are ready. How many generations of pursuers are there?": (
+            lambda k, i: i % k
+        ),
+        "These evaders meet the newest pursuers only: they are specialists.": lambda k, i: k,
+    },
+    otherwise="This is not the opponent.",
+)
+"""Say whom the evaders of generation k meet in epoch i of a race of generalists."""
 
 
 CLOSE = 2e-3
@@ -68,18 +66,19 @@ def exercise_3(answer: Any) -> None:
     """Compute the interval of what generalists gain in four generations."""
     if isinstance(answer, analysis.Estimate):
         answer = (answer.low, answer.high)
-    ends = np.array(numbers(answer, "the two ends of the interval, (low, high)", 2))
+    ends = array(answer, "the two ends of the interval, (low, high)", 2)
     right = _ends("generalist_generalist")
     if np.allclose(ends, right, atol=CLOSE):
         return
-    if np.allclose(ends, -right[::-1], atol=CLOSE):
-        raise Mistake("The sign is turned round: take lag +5 minus lag +1.")
-    if np.allclose(ends[::-1], right, atol=CLOSE):
-        raise Mistake("The two ends are exchanged: the lower one comes first.")
-    if np.allclose(ends, right.round(2)):
-        raise Mistake("Right, but rounded too much: give at least three digits after the point.")
-    if np.allclose(ends, _ends("specialist_specialist"), atol=CLOSE):
-        raise Mistake("This is the interval of the specialists.")
+    typical = {
+        "The sign is turned round: take lag +5 minus lag +1.": -right[::-1],
+        "The two ends are exchanged: the lower one comes first.": right[::-1],
+        "Right, but rounded too much: give at least three digits after the point.": right.round(2),
+        "This is the interval of the specialists.": _ends("specialist_specialist"),
+    }
+    for told, wrong in typical.items():
+        if np.allclose(ends, wrong, atol=CLOSE):
+            raise Mistake(told)
     if abs(ends.mean() - right.mean()) < CLOSE:
         raise Mistake(
             "The middle is right, the width is not. The ten seeds are the sample, one number each, "
@@ -114,27 +113,24 @@ def exercise_4(answer: Any) -> None:
     """Write a rule that finds arms races, and few others."""
     alarms = _alarms(answer, WITHOUT, OF_EACH_WITHOUT)
     hits = _alarms(answer, WITH, OF_EACH_WITH)
-    if alarms <= MOST_FALSE_ALARMS and hits >= FEWEST_HITS:
-        return
-    counted = (
-        f"On races that you have not seen, your rule raised {alarms} false alarms in "
-        f"{OF_EACH_WITHOUT * len(WITHOUT)} and found {hits} of {OF_EACH_WITH * len(WITH)} arms "
-        "races."
-    )
-    if hits < FEWEST_HITS:
-        raise Mistake(f"{counted} It misses too many: which real rise is too small for it?")
-    raise Mistake(
-        f"{counted} It is fooled too often: in some of these races only one team rises, in others "
-        "both go up and down."
-    )
+    if alarms > MOST_FALSE_ALARMS or hits < FEWEST_HITS:
+        why = (
+            "It misses too many: which real rise is too small for it?"
+            if hits < FEWEST_HITS
+            else "It is fooled too often: in some of these races only one team rises, in others "
+            "both go up and down."
+        )
+        raise Mistake(
+            f"On races that you have not seen, your rule raised {alarms} false alarms in "
+            f"{OF_EACH_WITHOUT * len(WITHOUT)} and found {hits} of {OF_EACH_WITH * len(WITH)} arms "
+            f"races. {why}"
+        )
 
 
-def _alarms(rule: Any, kinds: tuple[str, ...], count: int) -> int:
-    alarms = 0
-    for kind in kinds:
-        for seed in range(UNSEEN, UNSEEN + count):
-            found = function(rule)(noisy_race(kind, seed))
-            if not isinstance(found, bool | np.bool_):
-                raise Mistake(f"Your function returned {found!r}; expected True or False.")
-            alarms += bool(found)
-    return alarms
+def _alarms(answer: Any, kinds: tuple[str, ...], count: int) -> int:
+    rule, seeds = function(answer), range(UNSEEN, UNSEEN + count)
+    found = [rule(noisy_race(kind, seed)) for kind in kinds for seed in seeds]
+    for each in found:
+        if not isinstance(each, bool | np.bool_):
+            raise Mistake(f"Your function returned {each!r}; expected True or False.")
+    return int(sum(found))

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from numbers import Integral
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from course.checks import Mistake, compare, function
+from course.checks import Mistake, array, comparison, described, function
+from course.toys import PAYOFF
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-
-ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 
 # ---- Cures, in a toy -----------------------------------------------------------------------------
 
@@ -24,8 +23,7 @@ Source = Callable[[Played, int, np.random.Generator], tuple[FloatArray, float]]
 """Takes hands and a team; returns a mixture of opponents, and the matches that it costs."""
 
 
-def _mixture(hands: Sequence[int], weights: FloatArray | None = None) -> FloatArray:
-    return np.bincount(hands, weights, minlength=3)
+_mixture = partial(np.bincount, minlength=3)
 
 
 def latest(played: Played, team: int, rng: np.random.Generator) -> tuple[FloatArray, float]:
@@ -67,33 +65,12 @@ def race(source: Source, budget: int, seed: int) -> FloatArray:
 # ---- Exercises -----------------------------------------------------------------------------------
 
 OF_A_MATRIX = "For a matrix of {matrix.shape[0]} x {matrix.shape[1]}"
-
-
-def _unseen_matrices() -> list[tuple[FloatArray]]:
-    """Return small matrices of capture rates, square and not square."""
-    rng = np.random.default_rng(6)
-    pennies = np.array([[0.9, 0.1], [0.2, 0.8]])
-    equal = np.array([[0.5, 0.1], [0.2, 0.8]])
-    shapes = ((2, 3), (4, 4), (6, 5), (9, 9))
-    drawn = [rng.random(shape) for shape in shapes]
-    return [(matrix,) for matrix in (ROCK_PAPER_SCISSORS, pennies, pennies[::-1], equal, *drawn)]
-
-
-def exercise_1(answer: Any) -> None:
-    """Count checkerboards."""
-    compare(
-        answer,
-        lambda matrix: analysis.checkerboards(matrix).count,
-        _unseen_matrices(),
-        case=OF_A_MATRIX,
-        clues={
-            "A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses,
-            "A rate of exactly 0.5 is a loss: pursuers win above 0.5 only.": (
-                lambda matrix: analysis.checkerboards(matrix + 1e-9).count
-            ),
-        },
-        otherwise=_why_count,
-    )
+PENNIES = np.array([[0.9, 0.1], [0.2, 0.8]])
+DRAW = np.array([[0.5, 0.1], [0.2, 0.8]])
+_rng = np.random.default_rng(6)
+DRAWN = [_rng.random(shape) for shape in ((2, 3), (4, 4), (6, 5), (9, 9))]
+MATRICES = [(matrix,) for matrix in (PAYOFF, PENNIES, PENNIES[::-1], DRAW, *DRAWN)]
+"""Small matrices of capture rates, square and not square."""
 
 
 def _count_of_strict_losses(matrix: FloatArray) -> int:
@@ -114,23 +91,19 @@ def _why_count(found: float, right: int, matrix: FloatArray) -> str:
     return "That is too many. In a checkerboard two cells are wins and two are not."
 
 
-def exercise_2(answer: Any) -> None:
-    """Compute the transitive share."""
-    compare(
-        answer,
-        lambda matrix: analysis.transitive_share(matrix),
-        _unseen_matrices(),
-        case=OF_A_MATRIX,
-        clues={
-            "This is the share of the rest. What is one minus it?": (
-                lambda matrix: 1.0 - analysis.transitive_share(matrix)
-            ),
-            "Row means and column means both contain the mean of the matrix, so you subtract it "
-            "twice. All rows and columns of the rest must have the sum 0.": _mean_subtracted_twice,
-        },
-        otherwise="Check first that all rows and columns of your rest have the sum 0.",
-        within=1e-6,
-    )
+exercise_1 = comparison(
+    lambda matrix: analysis.checkerboards(matrix).count,
+    MATRICES,
+    case=OF_A_MATRIX,
+    clues={
+        "A rate of exactly 0.5 is no win, so it counts as a loss.": _count_of_strict_losses,
+        "A rate of exactly 0.5 is a loss: pursuers win above 0.5 only.": (
+            lambda matrix: analysis.checkerboards(matrix + 1e-9).count
+        ),
+    },
+    otherwise=_why_count,
+)
+"""Count checkerboards."""
 
 
 def _mean_subtracted_twice(matrix: FloatArray) -> float:
@@ -138,7 +111,25 @@ def _mean_subtracted_twice(matrix: FloatArray) -> float:
     return float(1.0 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
 
 
-NEWEST, OLDER = 1, 4
+exercise_2 = comparison(
+    lambda matrix: analysis.transitive_share(matrix),
+    MATRICES,
+    case=OF_A_MATRIX,
+    clues={
+        "This is the share of the rest. What is one minus it?": (
+            lambda matrix: 1.0 - analysis.transitive_share(matrix)
+        ),
+        "Row means and column means both contain the mean of the matrix, so you subtract it "
+        "twice. All rows and columns of the rest must have the sum 0.": _mean_subtracted_twice,
+    },
+    otherwise="Check first that all rows and columns of your rest have the sum 0.",
+    within=1e-6,
+)
+"""Compute the transitive share."""
+
+
+MOST_MET = 5
+"""Opponents in an epoch: the newest and four older ones."""
 DRAWS = 300
 
 
@@ -148,30 +139,21 @@ def exercise_3(answer: Any) -> None:
     for available in (1, 2, 4, 5, 12):
         seen: set[int] = set()
         for _ in range(DRAWS):
-            found = function(answer)(available, rng)
-            if not isinstance(found, list | tuple | np.ndarray) or not all(
-                isinstance(each, Integral) and not isinstance(each, bool) for each in found
-            ):
-                raise Mistake(f"Expected several whole numbers, got {found!r}.")
-            chosen = [int(each) for each in found]
-            problem = _bad_opponents(chosen, available)
-            if problem:
-                raise Mistake(f"With available = {available} it returned {chosen}: {problem}.")
+            found = array(function(answer)(available, rng), "several whole numbers", ...)
+            if (found % 1).any():
+                raise Mistake(f"Expected several whole numbers, got {described(found)}.")
+            chosen = found.astype(int).tolist()
+            problems = {
+                f"the numbers go from 0 to {available - 1}": not {*chosen} <= {*range(available)},
+                "somebody is there twice": len({*chosen}) < len(chosen),
+                "the newest one is missing": available - 1 not in chosen,
+                f"these are {len(chosen)} opponents": len(chosen) != min(MOST_MET, available),
+            }
+            for problem, occurs in problems.items():
+                if occurs:
+                    raise Mistake(f"With available = {available} it returned {chosen}: {problem}.")
             seen.update(chosen)
         if len(seen) < available:
             raise Mistake(
                 f"With {available} opponents some of them were never met in {DRAWS} epochs."
             )
-
-
-def _bad_opponents(chosen: list[int], available: int) -> str | None:
-    """Return what is wrong with one choice of opponents."""
-    if not all(0 <= each < available for each in chosen):
-        return f"the numbers go from 0 to {available - 1}"
-    if len(set(chosen)) < len(chosen):
-        return "somebody is there twice"
-    if available - 1 not in chosen:
-        return "the newest one is missing"
-    if len(chosen) != min(NEWEST + OLDER, available):
-        return f"these are {len(chosen)} opponents"
-    return None

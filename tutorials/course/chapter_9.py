@@ -10,32 +10,21 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import combinations, permutations
-from typing import Any, NamedTuple
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from course.checks import Mistake, function, near, number, numbers, whole
-from matrixworld import (
-    EpisodeStatistics,
-    Matches,
-    Network,
-    Population,
-    Rewards,
-    SafetyMonitor,
-    VectorEnv,
-    WorldConfig,
-    analysis,
-    rollout,
-)
+import matrixworld as mw
+from course.checks import Mistake, array, function, near, number, whole
+from matrixworld import analysis
 from matrixworld.world.arrays import MOVES
-from matrixworld.world.masks import action_masks, forbidding_cells
 
 # ---- Packs ---------------------------------------------------------------------------------------
 
-WORLD = WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
+WORLD = mw.WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
 """Six pursuers have to surround one evader. In S pursuers may share a cell; it is a collision."""
 
 WEIGHTS = ("approach", "hold", "wall", "teammate", "crowd", "stay")
@@ -56,7 +45,7 @@ Mask = Callable[[NDArray[np.uint8]], ArrayLike]
 """Takes views, (n, 3, fov, fov), and returns which actions are allowed, (n, n_actions)."""
 
 
-def pack(weights: ArrayLike) -> Population:
+def pack(weights: ArrayLike) -> mw.Population:
     """Return packs as a population of networks; weights are (6,) or (n, 6), as in `WEIGHTS`.
 
     Genomes are linear in the weights. Actions are drawn with the softmax of the wishes.
@@ -64,11 +53,11 @@ def pack(weights: ArrayLike) -> Population:
     given = np.atleast_2d(np.asarray(weights, np.float64))
     if given.ndim != 2 or given.shape[1] != len(WEIGHTS):
         raise ValueError(f"weights: expected shape (6,) or (n, 6), got {np.shape(weights)}")
-    network = Network.for_config(WORLD, hidden=())
-    return Population((given @ _genomes(network)).astype(np.float32), network)
+    network = mw.Network.for_config(WORLD, hidden=())
+    return mw.Population((given @ _genomes(network)).astype(np.float32), network)
 
 
-def _genomes(network: Network) -> NDArray[np.float32]:
+def _genomes(network: mw.Network) -> NDArray[np.float32]:
     """Return the genome of each weight alone, (6, genome_size)."""
     half = network.fov // 2
     cells = np.indices((network.fov, network.fov)) - half
@@ -89,52 +78,42 @@ def _genomes(network: Network) -> NDArray[np.float32]:
     return genomes
 
 
-def steps_of(lengths: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Return the mean number of steps of episodes, and both ends of its 95% interval."""
-    mean = analysis.mean_over_episodes(lengths / WORLD.max_steps)
-    return WORLD.max_steps * np.array([mean.value, mean.low, mean.high], np.float64)
-
-
-def draw_front(crowds: Sequence[int], played: EpisodeStatistics) -> Figure:
+def draw_front(crowds: Sequence[int], played: mw.EpisodeStatistics) -> Figure:
     """Draw how fast and how safe packs are that differ in the weight `crowd`."""
     figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
-    for crowd, length, faults in zip(crowds, played.length, played.faults, strict=True):
-        steps, least, most = steps_of(length)
-        share = analysis.mean_over_episodes(faults[:, 0].sum(axis=1) > 0)
-        across = [[share.value - share.low], [share.high - share.value]]
-        axes.errorbar(share.value, steps, [[steps - least], [most - steps]], across, "o")
-        axes.annotate(f" {crowd}", (share.value, steps), va="bottom")
+    unsafe = (played.faults[:, :, 0].sum(axis=2) > 0).astype(float)
+    for crowd, *measured in zip(crowds, unsafe, played.length, strict=True):
+        x, y = (analysis.interval_over_runs(each) for each in measured)
+        across, up = ([[each.value - each.low], [each.high - each.value]] for each in (x, y))
+        axes.errorbar(x.value, y.value, up, across, "o")
+        axes.annotate(f" {crowd}", (x.value, y.value), va="bottom")
     axes.set(xlabel="share of episodes with a collision at fault", ylabel="steps until capture")
     axes.set(title="a mark for each `crowd`; lines: 95% intervals over episodes", xlim=(0, 1))
     plt.close(figure)  # the cell shows it once
     return figure
 
 
-class MaskedEpisodes(NamedTuple):
-    """Episodes of a pack under a mask."""
-
-    safety: SafetyMonitor
-    steps: NDArray[np.int64]
-    captured: NDArray[np.bool_]  # whether the evader was surrounded
-
-
-def play_masked(weights: ArrayLike, mask: Mask, *, episodes: int, seed: int = 0) -> MaskedEpisodes:
+def play_masked(
+    weights: ArrayLike, mask: Mask, *, episodes: int, seed: int = 0
+) -> tuple[mw.SafetyMonitor, NDArray[np.int64]]:
     """Play a pack in `WORLD` that never chooses an action that a mask forbids.
 
     The mask takes the views of n pursuers, (n, 3, fov, fov), and returns for each action whether it
-    is allowed, (n, 5). A pursuer that is allowed nothing stays.
+    is allowed, (n, 5). A pursuer that is allowed nothing stays. Returns what happened and the steps
+    of each episode.
     """
     population = pack(weights)
-    envs = VectorEnv(WORLD, n_worlds=episodes, evaders="random", autoreset_mode="Disabled")
+    envs = mw.VectorEnv(WORLD, n_worlds=episodes, evaders="random", autoreset_mode="Disabled")
     views, _ = envs.reset(seed=seed)
-    rng, safety = np.random.default_rng(seed), SafetyMonitor()
-    steps, captured = np.zeros(episodes, np.int64), np.zeros(episodes, bool)
-    running = np.ones(episodes, bool)
+    rng, safety = np.random.default_rng(seed), mw.SafetyMonitor()
+    steps, running = np.zeros(episodes, np.int64), np.ones(episodes, bool)
     while running.any():
         actions = np.zeros((episodes, WORLD.n_pursuers), np.int64)
         seen = views[running].reshape(-1, *views.shape[2:])
+        allowed = np.array(mask(seen), bool)
+        allowed[~allowed.any(axis=1), 0] = True
         wishes = population.network.logits(population.genomes[0], seen)
-        wishes[~_allowed(mask, seen)] = -np.inf
+        wishes[~allowed] = -np.inf
         # The largest of wishes with Gumbel noise is a draw with their softmax.
         chosen = (wishes + rng.gumbel(size=wishes.shape)).argmax(axis=1)
         actions[running] = chosen.reshape(-1, WORLD.n_pursuers)
@@ -142,23 +121,8 @@ def play_masked(weights: ArrayLike, mask: Mask, *, episodes: int, seed: int = 0)
         safety.add_infos(infos)
         ended = running & infos["_episode"]
         steps[ended] = infos["episode"]["length"][ended]
-        captured[ended] = infos["episode"]["capture_rate"][ended] == 1
         running &= ~ended
-    return MaskedEpisodes(safety, steps, captured)
-
-
-def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    allowed = np.array(mask(views), bool)
-    expected = len(views), WORLD.n_actions
-    if allowed.shape != expected:
-        raise ValueError(f"mask: expected shape {expected}, got {allowed.shape}")
-    allowed[~allowed.any(axis=1), 0] = True
-    return allowed
-
-
-def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Allow the moves that the mask right-of-way of the package allows."""
-    return action_masks(views, forbidding_cells(WORLD, "right-of-way", "pursuer")).astype(bool)
+    return safety, steps
 
 
 # ---- Exercises -----------------------------------------------------------------------------------
@@ -171,21 +135,21 @@ TRIALS = 4000
 def exercise_1(answer: Any) -> None:
     """Find weights of a pack that is fast and careful."""
     kind = f"six numbers, one for each of {', '.join(WEIGHTS)}"
-    weights = numbers(answer, kind, len(WEIGHTS))
-    played = rollout(WORLD, pack(weights), "random", Matches.of(0, 0, 91), episodes=TRIALS)
+    weights = array(answer, kind, len(WEIGHTS))
+    played = mw.rollout(WORLD, pack(weights), "random", mw.Matches.of(0, 0, 91), episodes=TRIALS)
     faults = 1000 * played.faults[:, :, 0].sum() / played.agent_steps[:, :, 0].sum()
     steps = played.length.mean()
-    if faults < MOST_FAULTS and steps <= MOST_STEPS:
-        return
-    found = (
-        f"In {TRIALS} new episodes it is at fault in {faults:.1f} of 1000 agent-steps and needs "
-        f"{steps:.1f} steps."
-    )
-    if faults >= MOST_FAULTS and steps > MOST_STEPS:
-        raise Mistake(f"{found} Both numbers are too large: it gets in its own way.")
-    if faults >= MOST_FAULTS:
-        raise Mistake(f"{found} It is fast enough. Now make it more careful.")
-    raise Mistake(f"{found} It is careful enough. Now make it more determined.")
+    too_many, too_slow = bool(faults >= MOST_FAULTS), bool(steps > MOST_STEPS)
+    if too_many or too_slow:
+        told = {
+            (True, True): "Both numbers are too large: it gets in its own way.",
+            (True, False): "It is fast enough. Now make it more careful.",
+            (False, True): "It is careful enough. Now make it more determined.",
+        }
+        raise Mistake(
+            f"In {TRIALS} new episodes it is at fault in {faults:.1f} of 1000 agent-steps and "
+            f"needs {steps:.1f} steps. {told[too_many, too_slow]}"
+        )
 
 
 BRISK, IDLE = (4, 10, -10, -8, -2, 0), (0, 0, 0, 0, 0, 20)
@@ -195,24 +159,27 @@ LARGER = (
 )
 
 
+@cache
+def brisk_and_idle() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return rewards without penalties, and collisions at fault, of both packs in an episode."""
+    free = replace(WORLD, rewards=mw.Rewards(pursuer_collide=0))
+    matches = mw.Matches.of([0, 1], 0, 2)
+    played = mw.rollout(free, pack([BRISK, IDLE]), "random", matches, episodes=400)
+    return played.pursuer_return.mean(axis=1), played.faults[:, :, 0].sum(axis=2).mean(axis=1)
+
+
+def break_even() -> float:
+    """Return the penalty at which the returns of the brisk and of the idle pack are equal."""
+    gain, collisions = brisk_and_idle()
+    return float((gain[0] - gain[1]) / (collisions[0] - collisions[1]))
+
+
 def exercise_2(answer: Any) -> None:
     """Find the penalty at which the brisk and the idle pack are equally good."""
-    if isinstance(answer, np.ndarray) and answer.ndim == 0:
-        answer = answer.item()
     penalty = number(answer, "one number: the penalty at which both returns are equal")
     right = break_even()
     # Rewards are negative where penalties are positive: both signs are understood.
     near(abs(penalty), right, 0.02 * right, low=LARGER.format("brisk"), high=LARGER.format("idle"))
-
-
-@cache
-def break_even() -> float:
-    """Return the penalty at which the returns of the brisk and of the idle pack are equal."""
-    free = replace(WORLD, rewards=Rewards(pursuer_collide=0))
-    played = rollout(free, pack([BRISK, IDLE]), "random", Matches.of([0, 1], 0, 2), episodes=400)
-    gain = played.pursuer_return.mean(axis=1)
-    collisions = played.faults[:, :, 0].sum(axis=2).mean(axis=1)
-    return float((gain[0] - gain[1]) / (collisions[0] - collisions[1]))
 
 
 FEWEST_EPISODES = 299  # 0.99^299 = 0.0495, and 0.99^298 = 0.05004

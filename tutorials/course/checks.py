@@ -10,12 +10,11 @@ from __future__ import annotations
 
 import linecache
 import traceback
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from copy import copy
+from copy import deepcopy
 from inspect import getargvalues, signature
 from numbers import Real
-from operator import index
 from pathlib import Path
 from sysconfig import get_path
 from types import FrameType
@@ -66,49 +65,36 @@ def one_of(value: Any, words: Sequence[str]) -> str:
     return value
 
 
-def numbers(value: Any, name: str, count: int) -> list[float]:
-    """Return an answer of so many finite numbers."""
-    given = _listed(value, name, count)
+def choices(answer: Any, right: Mapping[str, str], words: Sequence[str]) -> list[str]:
+    """Return the keys for which a dict has the wrong one of some words."""
+    if not isinstance(answer, Mapping) or set(answer) != set(right):
+        raise Mistake(f"Expected a dict with the keys {', '.join(map(repr, right))}.")
+    return [key for key, word in right.items() if one_of(answer[key], words) != word]
+
+
+def array(value: Any, name: str, *shape: Any, finite: bool = True) -> NDArray[np.float64]:
+    """Return an answer that is an array of numbers; ``...`` in a shape stands for any length."""
     try:
-        found = [float(each) for each in given]
+        found = np.asarray(value, np.float64)
     except (TypeError, ValueError):
-        found = [np.nan]
-    if not np.isfinite(found).all():
-        raise Mistake(f"Expected {name}, got an entry that is no number.")
+        found = None
+    if found is None or not (
+        len(found.shape) == len(shape)
+        and all(each in (..., length) for each, length in zip(shape, found.shape, strict=True))
+    ):
+        raise Mistake(f"Expected {name}, got {described(value)}.")
+    if finite and not np.isfinite(found).all():
+        raise Mistake(f"Expected {name}, got NaN or infinity among them.")
     return found
 
 
 def actions(value: Any, count: int) -> list[Action]:
     """Return an answer of so many actions without diagonal ones."""
     name = f"a list of {count} actions such as Action.EAST"
-    given = _listed(value, name, count)
-    try:
-        found = [index(each) for each in given]
-    except TypeError:
-        raise Mistake(f"Expected {name}, got an entry that is no action.") from None
-    if not all(Action.STAY <= each <= Action.WEST for each in found):
+    found = array(value, name, count)
+    if not np.isin(found, range(Action.WEST + 1)).all():
         raise Mistake(f"Expected {name}, got one that is not 0 (stay) to 4 (west).")
-    return [Action(each) for each in found]
-
-
-def _listed(value: Any, name: str, count: int) -> list[Any]:
-    if isinstance(value, str) or not isinstance(value, Iterable):
-        raise Mistake(f"Expected {name}, got {type(value).__name__}.")
-    given = list(value)
-    if len(given) != count:
-        raise Mistake(f"Expected {name}, got {len(given)} of them.")
-    return given
-
-
-def array(value: Any, name: str, *shape: int) -> NDArray[np.float64]:
-    """Return an answer that is an array of numbers of this shape."""
-    try:
-        found = np.asarray(value, np.float64)
-    except (TypeError, ValueError):
-        raise Mistake(f"Expected {name}, got {described(value)}.") from None
-    if found.shape != shape:
-        raise Mistake(f"Expected {name}, got the shape {found.shape}.")
-    return found
+    return [Action(int(each)) for each in found]
 
 
 def function(value: Any) -> Callable[..., Any]:
@@ -145,6 +131,7 @@ def described(value: Any) -> str:
 
 # ---- Comparisons ---------------------------------------------------------------------------------
 
+Check = Callable[[Any], None]
 Words = str | Callable[..., str]
 """A reply, or a function that returns it."""
 
@@ -155,66 +142,63 @@ def near(
     within: float,
     *,
     low: Words,
-    high: Words,
+    high: Words = "",
     clues: Mapping[float, str] | None = None,
 ) -> None:
     """Compare a number with the right one.
 
-    `clues` has what to say to other numbers, `low` and `high` to all below and above the right one.
+    `clues` has what to say to other numbers, `low` and `high` to all below and above the right one;
+    without `high`, `low` is for all.
     """
     if abs(found - right) <= within:
         return
     for wrong, text in (clues or {}).items():
         if abs(found - wrong) <= within:
             raise Mistake(text)
-    raise Mistake(_said(low if found < right else high, found))
+    raise Mistake(_said(low if found < right or not high else high, found))
 
 
-def choices(answer: Any, right: Mapping[str, str], words: Sequence[str]) -> list[str]:
-    """Return the keys for which a dict has the wrong one of some words."""
-    if not isinstance(answer, Mapping) or set(answer) != set(right):
-        raise Mistake(f"Expected a dict with the keys {', '.join(map(repr, right))}.")
-    return [key for key, word in right.items() if one_of(answer[key], words) != word]
-
-
-def compare(
-    answer: Any,
+def comparison(
     reference: Callable[..., Any],
-    cases: Iterable[tuple[Any, ...]],
+    cases: Collection[tuple[Any, ...]],
     read: Callable[[Any], Any] = number,
     *,
     otherwise: Words,
     case: str = "",
     clues: Mapping[str, Callable[..., Any]] | None = None,
     within: float = 1e-9,
-) -> None:
-    """Compare a student's function with `reference` in all cases, which are tuples of arguments.
+) -> Check:
+    """Return the check of a function: its results on `cases` are those of a reference.
 
-    `read` takes the result, and refuses what is not of the expected kind. `case` begins the reply,
-    and ``{name}`` in it stands for an argument of `reference`. `clues` has what to say where the
-    result is that of a typical wrong function; `otherwise` is for all other results, and may be a
-    function of the result, the right one, and the arguments.
+    A result is read by `read` first. `case` names a case with the parameters of the reference as
+    fields, such as ``"For generation {g}"``. `clues` has what to say if the result is that of a
+    typical wrong function; `otherwise` is for all other results, and may be a function of the
+    result, the right one, and the arguments.
     """
     names = list(signature(reference).parameters)
-    for given in cases:
-        result = function(answer)(*(copy(each) for each in given))  # it may change its arguments
-        try:
-            found = read(result)
-        except Mistake as mistake:
-            more = " Does your function end with `return`?" if result is None else ""
-            raise Mistake(f"{mistake}{more}") from None
-        expected = reference(*given)
-        if _same(found, expected, within):
-            continue
-        typical = (
-            text for text, wrong in (clues or {}).items() if _same(found, wrong(*given), within)
-        )
-        told = next(typical, "") or _said(otherwise, found, expected, *given)
-        if not case:
-            raise Mistake(told)
-        where = case.format(**dict(zip(names, given, strict=True)))
-        short = f"{found:g}" if isinstance(found, float | np.floating) else described(found)
-        raise Mistake(f"{where} your function returns {short}. {told}")
+
+    def check(answer: Any) -> None:
+        for given in cases:
+            result = function(answer)(*deepcopy(given))  # it may change its arguments
+            try:
+                found = read(result)
+            except Mistake as mistake:
+                more = " Does your function end with `return`?" if result is None else ""
+                raise Mistake(f"{mistake}{more}") from None
+            expected = reference(*given)
+            if _same(found, expected, within):
+                continue
+            typical = (
+                text for text, wrong in (clues or {}).items() if _same(found, wrong(*given), within)
+            )
+            told = next(typical, "") or _said(otherwise, found, expected, *given)
+            if not case:
+                raise Mistake(told)
+            where = case.format(**dict(zip(names, given, strict=True)))
+            short = f"{found:g}" if isinstance(found, float | np.floating) else described(found)
+            raise Mistake(f"{where} your function returns {short}. {told}")
+
+    return check
 
 
 def _said(words: Words, *about: Any) -> str:
@@ -237,7 +221,7 @@ LIBRARIES = (
 """Where code lies that no student wrote."""
 
 
-def mistake_in(answer: Any, check: Callable[[Any], None]) -> str | None:
+def mistake_in(answer: Any, check: Check) -> str | None:
     """Return what a check says of an answer, or what the student's own function raised."""
     try:
         check(answer)

@@ -103,10 +103,9 @@ def check(name: str, answer: object) -> Feedback:
         raise ValueError(f"name: {name!r} is a prediction; predict({name!r}, ...) takes it")
     if answer is ...:
         return Feedback(None, NO_ANSWER)
-    chapter, _, number = name.partition(".")
+    chapter, number = name.split(".")
     module = import_module(f"course.chapter_{chapter}")
-    mistake = mistake_in(answer, getattr(module, f"exercise_{number}"))
-    if mistake is not None:
+    if mistake := mistake_in(answer, getattr(module, f"exercise_{number}")):
         return Feedback(False, f"✗ Not yet. {mistake}  (hint({name!r}) gives a hint.)")
     return Feedback(True, f"✓ Right. {exercise.explanation}")
 
@@ -120,9 +119,8 @@ def hint(name: str) -> Feedback:
     exercise = _find(name)
     if isinstance(exercise, Prediction):
         return Feedback(None, "There is no hint: any prediction is a good one.")
-    number = min(_given.get(name, 0), len(exercise.hints) - 1)
-    _given[name] = number + 1
-    return Feedback(None, f"Hint {number + 1} of {len(exercise.hints)}: {exercise.hints[number]}")
+    _given[name] = number = min(_given.get(name, 0) + 1, len(exercise.hints))
+    return Feedback(None, f"Hint {number} of {len(exercise.hints)}: {exercise.hints[number - 1]}")
 
 
 # ---- Predictions ---------------------------------------------------------------------------------
@@ -153,12 +151,10 @@ def outcome(name: str) -> Feedback:
     prediction, choice = _prediction(name), _predicted(name)
     if choice is None:
         raise UnansweredError(NO_PREDICTION)
-    if choice == prediction.outcome:
-        return Feedback(True, f"✓ As you predicted: {choice}. {prediction.explanation}")
-    return Feedback(
-        False,
-        f"You predicted: {choice}. The outcome: {prediction.outcome}. {prediction.explanation}",
-    )
+    right = choice == prediction.outcome
+    told = f"You predicted: {choice}. The outcome: {prediction.outcome}."
+    told = f"✓ As you predicted: {choice}." if right else told
+    return Feedback(right, f"{told} {prediction.explanation}")
 
 
 def _prediction(name: str) -> Prediction:
@@ -200,21 +196,14 @@ def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
 
 def _joined(text: str | list[str]) -> Any:
     """Return a text, or several, in one line each; those of the file are of any length."""
-    if isinstance(text, list):
-        return tuple(" ".join(each.split()) for each in text)
-    return " ".join(text.split())
+    return " ".join(text.split()) if isinstance(text, str) else tuple(map(_joined, text))
 
 
 def _find(name: str) -> Exercise | Prediction:
-    if not isinstance(name, str):
-        raise TypeError(f'name: expected text in quotes such as "3.2", got {described(name)}')
-    chapter = name.partition(".")[0]
-    if chapter not in map(str, CHAPTERS):
-        raise ValueError(f"name: expected a name such as '3.2', got {name!r}")
-    table = exercises(int(chapter))
-    if name not in table:
-        raise ValueError(f"name: expected one of {', '.join(table)}, got {name!r}")
-    return table[name]
+    for table in map(exercises, CHAPTERS):
+        if name in table:
+            return table[name]
+    raise ValueError(f"name: expected text such as '3.2', got {described(name)}")
 
 
 def kept(name: str) -> dict[str, NDArray[Any]]:

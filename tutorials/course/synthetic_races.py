@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+from scipy.special import expit, logit
 
 from matrixworld.coevolution.types import FloatArray
 
@@ -47,10 +48,6 @@ class Draws:
         """Return a size: uniform in the group, times exp(N(0, .15)) of the run."""
         return float(self.shared.uniform(low, high) * np.exp(self.own.normal(0.0, 0.15)))
 
-    def moment(self, low: float, high: float) -> float:
-        """Return a time: uniform in the group + N(0, .01) of the run."""
-        return float(self.shared.uniform(low, high) + self.own.normal(0.0, 0.01))
-
     def lag(self) -> float:
         """Return the angle between the teams in a cycle: 45 to 135 degrees either way."""
         return float(self.own.choice((-1.0, 1.0)) * np.pi * self.own.uniform(0.25, 0.75))
@@ -59,20 +56,6 @@ class Draws:
         """Return the sizes of pursuers and evaders: one up to 1.3 times the size, one down."""
         ratio = np.exp(self.shared.uniform(-1.0, 1.0) * np.log(1.3))
         return size * ratio * self.size(1.0, 1.0), size / ratio * self.size(1.0, 1.0)
-
-    def coin(self) -> bool:
-        """Return True or False, the same for the group."""
-        return bool(self.shared.random() < 0.5)
-
-
-def sigma(x: FloatArray) -> FloatArray:
-    """Return ``1 / (1 + exp(-x))``."""
-    return np.asarray(1.0 / (1.0 + np.exp(-x)))
-
-
-def logit(rate: float) -> float:
-    """Return the inverse of `sigma`."""
-    return float(np.log(rate / (1.0 - rate)))
 
 
 def time(n: int) -> FloatArray:
@@ -84,20 +67,7 @@ def additive(
     p: FloatArray, e: FloatArray, level: float, cycle: FloatArray | float = 0.0
 ) -> SyntheticRace:
     """Return ``M = sigma(level + p_g - e_h + cycle_gh)``; p and e are by design."""
-    return SyntheticRace(sigma(level + p[:, None] - e + cycle), p, e)
-
-
-def by_chance(walks: FloatArray, level: float) -> SyntheticRace:
-    """Return ``M = sigma(level + p_g - e_h)``, where p and e (2, n) come from chance."""
-    flat = np.zeros(walks.shape[1])
-    return SyntheticRace(additive(walks[0], walks[1], level).rates, flat, flat)
-
-
-def of_one_team(
-    course: FloatArray, other: FloatArray, level: float, *, pursuers: bool
-) -> SyntheticRace:
-    """Return a race in which the named team has the strength `course`, the other one `other`."""
-    return additive(course, other, level) if pursuers else additive(other, course, level)
+    return SyntheticRace(expit(level + p[:, None] - e + cycle), p, e)
 
 
 def race(n: int, effect: float, draws: Draws, *, total: float) -> SyntheticRace:
@@ -116,7 +86,8 @@ def one_sided(n: int, effect: float, draws: Draws, *, pursuers: bool) -> Synthet
     rising = effect * draws.size(2.0, 4.0) * time(n)
     # The level moves to the middle, so that captures are neither rare nor certain.
     middle = draws.level() - (1 if pursuers else -1) * rising[-1] / 2.0
-    return of_one_team(rising, np.zeros(n), middle, pursuers=pursuers)
+    still = np.zeros(n)
+    return additive(rising, still, middle) if pursuers else additive(still, rising, middle)
 
 
 def rotation(n: int, periods: float, draws: Draws, radius: FloatArray | float = 1.0) -> FloatArray:
@@ -147,7 +118,8 @@ def constant(n: int, effect: float, draws: Draws, *, rate: float) -> SyntheticRa
 def drift(n: int, effect: float, draws: Draws) -> SyntheticRace:
     """``p`` and ``e`` are independent random walks that end at N(0, 1) logits, without a trend."""
     walks = effect * np.cumsum(draws.own.normal(size=(2, n)), axis=1) / np.sqrt(n)
-    return by_chance(walks, draws.level())
+    flat = np.zeros(n)
+    return SyntheticRace(additive(*walks, draws.level()).rates, flat, flat)
 
 
 def stagnation(n: int, effect: float, draws: Draws, *, until: float) -> SyntheticRace:

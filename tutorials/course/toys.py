@@ -1,7 +1,7 @@
 """Toys with known answers: co-evolution in plain NumPy that takes seconds.
 
-They use the schedules, opponent samplers and fitness sharing of the real races. What these do here
-they do there, too.
+They use the schedules, pairings and selection of the real races: what these do here they do there,
+too.
 
 >>> from course import toys
 >>> toys.numbers_game("scalar", seed=0).final_objective.round()
@@ -9,28 +9,18 @@ array([99., 99.])
 
 *Rock-paper-scissors* between two teams with a perfect learner: it plays a best response, so only
 the schedule matters. Specialists cycle with period three. A team that answers all past hands of the
-other plays fictitious play (Brown 1951), whose average approaches the equilibrium (Robinson 1951).
+other plays fictitious play (Brown 1951), whose average approaches the equilibrium.
 
 *Numbers games* (Watson & Pollack 2001, "Coevolutionary dynamics in a minimal substrate", GECCO):
 two populations of bit strings, where more ones win, in one dimension or another. Selection uses
-wins alone; the number of ones, the objective, is only observed.
-
-- scalar: more ones win. Both populations climb.
-- focusing: the dimension with the greatest difference decides. Other dimensions drift away.
-- intransitive: the dimension with the least difference decides. a beats b, b beats c, c beats a:
-  a population can win and lose ones.
-
-A mutation rate of 0.005 a bit can be read in two ways: flip the bit, or redraw it (0 or 1 with
-equal chance). A redrawn bit changes in half of the cases, so redrawing at 0.005 is flipping at
-0.0025. This toy flips, so that the rate is the probability of a change; ``flips=0.0025`` is the
-other reading, and ``docs/coevolution.md`` has the results of both.
+wins alone; the number of ones, the objective, is only observed. A mutation rate of 0.005 a bit can
+be read in two ways: here it flips the bit. To redraw the bit at this rate changes half as many, as
+``flips=0.0025``; ``docs/coevolution.md`` has the results of both.
 
 *Hosts and parasites* (Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing
 parasite virulence", Evolutionary Computation 12(2)): the scalar game, but a bit that mutates
-becomes a one with the probability of its side's *bias*. Parasites, with the higher bias, outrun the
-hosts: then all hosts lose all matches, selection among them stops, and they drift back. Parasites
-of reduced virulence are rewarded for winning less than the most; they keep the hosts in the race
-and climb with them.
+becomes a one with the probability of its side's *bias*, which is higher for parasites. Those of
+reduced virulence are rewarded for winning less than the most.
 """
 
 from __future__ import annotations
@@ -45,8 +35,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.opponents import OpponentSampler
-from matrixworld.coevolution.runs.race import Pairings, pairings
+from matrixworld.coevolution.runs.race import pairings
 from matrixworld.coevolution.schedules import SCHEDULES, available
 from matrixworld.coevolution.types import (
     TEAMS,
@@ -78,8 +67,6 @@ def capture_probabilities(
     Strategies (n, 3) and (m, 3) are probabilities of the hands; ``np.eye(3)[hands]`` are pure ones.
     `luck`, in [0, 1/2], is the probability that the worse hand wins.
     """
-    if not 0.0 <= luck <= 0.5:
-        raise ValueError(f"luck: expected a number in [0, 0.5], got {luck}")
     return np.asarray(luck + (1.0 - 2.0 * luck) * (pursuers @ PAYOFF @ evaders.T))
 
 
@@ -122,8 +109,6 @@ REDRAWN = 0.03
 HOST_BIAS, PARASITE_BIAS = 0.5, 0.75
 """Probability that a redrawn bit is a one."""
 
-Samplers = tuple[OpponentSampler, OpponentSampler]
-
 
 @dataclass(frozen=True)
 class Game:
@@ -150,31 +135,14 @@ GAMES = {
     "focusing": Game((10, BITS // 10), np.argmax),
     "intransitive": Game((2, BITS // 2), np.argmin),
 }
-"""Numbers games by name."""
+"""Numbers games: more ones win, in the dimension in which individuals differ most, or least.
+
+In the focusing game other dimensions drift away. In the intransitive one a beats b, b beats c, and
+c beats a: a population can win and lose ones."""
 
 
 Breed = Callable[[BoolArray, FloatArray, np.random.Generator], BoolArray]
 """Takes the bits (n, ...) of a population, its wins (n,) and a generator; returns the children."""
-
-
-def select_proportionate(fitness: FloatArray, k: int, rng: np.random.Generator) -> Indices:
-    """Return `k` indices drawn in proportion to fitness; evenly if all fitness is 0."""
-    total = fitness.sum()
-    return rng.choice(len(fitness), size=k, p=fitness / total if total > 0.0 else None)
-
-
-def flip(bits: BoolArray, rng: np.random.Generator, *, probability: float) -> BoolArray:
-    """Return the bits, each flipped with `probability`."""
-    return np.asarray(bits ^ (rng.random(bits.shape) < probability))
-
-
-def mutate_biased(
-    bits: BoolArray, rng: np.random.Generator, *, probability: float, bias: float
-) -> BoolArray:
-    """Return the bits, each redrawn with `probability`: then a one with probability `bias`."""
-    # Redrawn, not flipped: without selection a bit ends at its bias whatever it was before.
-    drawn = rng.random(bits.shape) < bias
-    return np.asarray(np.where(rng.random(bits.shape) < probability, drawn, bits))
 
 
 @dataclass(frozen=True)
@@ -215,44 +183,25 @@ class History:
 
 
 def evolve(
-    game: Game,
-    breeds: tuple[Breed, Breed],
-    seed: int,
-    *,
-    generations: int,
-    opponents: int,
-    samplers: Samplers | None = None,
+    game: Game, breeds: tuple[Breed, Breed], seed: int, *, generations: int, opponents: int
 ) -> History:
     """Evolve two populations against each other, from all zeros.
 
-    ::
-
-        in each generation:
-            each individual plays some living opponents, paired by random permutations, and those
-            of the other side's past champions that its sampler chooses
-            both sides breed by their wins; the individual with the most wins is the new champion
+    In each generation each individual plays some opponents, paired by random permutations, and both
+    sides breed by their wins.
     """
     rng = np.random.default_rng(seed)
     bits = [np.zeros((POPULATION, *game.shape), dtype=np.bool_) for _ in breeds]
-    champions: tuple[list[BoolArray], list[BoolArray]] = ([], [])
     ones, wins = [_ones(bits)], []
-    for generation in range(generations):
-        chosen = [np.zeros(0, dtype=np.intp)] * 2
-        if samplers is not None and generation:
-            # There is a champion of each earlier generation.
-            chosen = [sampler.sample(generation, generation, rng) for sampler in samplers]
-        halls = [[champions[s][i] for i in chosen[1 - s]] for s in (0, 1)]
-        one_group = np.zeros(POPULATION, dtype=np.intp)
-        pairs = pairings(one_group, opponents, (len(halls[0]), len(halls[1])), rng)
-        players = [np.array([*bits[s], *halls[s]]).sum(axis=2) for s in (0, 1)]
-        scores = game.scores(players[0][pairs.pursuer], players[1][pairs.evader])
-        won = [_wins(pairs.pursuer, scores), _wins(pairs.evader, 1.0 - scores)]
-        for s, breed in enumerate(breeds):
-            if samplers is not None and len(chosen[s]):
-                samplers[s].tell(chosen[s], _scores_on_champions(pairs, scores, s))
-            # After the matches, so that the champions of a generation are past ones in the next.
-            champions[s].append(bits[s][np.argmax(won[s])])
-            bits[s] = breed(bits[s], won[s], rng)
+    one_group = np.zeros(POPULATION, dtype=np.intp)
+    for _ in range(generations):
+        pairs = pairings(one_group, opponents, (0, 0), rng)
+        scores = game.scores(ones[-1][0, pairs.pursuer], ones[-1][1, pairs.evader])
+        won = [
+            np.bincount(players, weights=each == 1.0, minlength=POPULATION)
+            for players, each in ((pairs.pursuer, scores), (pairs.evader, 1.0 - scores))
+        ]
+        bits = [breed(*each, rng) for breed, *each in zip(breeds, bits, won, strict=True)]
         ones.append(_ones(bits))
         wins.append(won)
     return History(game, np.array(ones), np.array(wins))
@@ -262,52 +211,23 @@ def _ones(bits: list[BoolArray]) -> IntArray:
     return np.array([team.sum(axis=2) for team in bits])
 
 
-def _wins(players: Indices, scores: FloatArray) -> FloatArray:
-    """Return the wins (n,) of a population; those of champions do not count."""
-    totals = np.bincount(players, weights=scores == 1.0, minlength=POPULATION)
-    return np.asarray(totals[:POPULATION], dtype=np.float64)
+def numbers_game(name: str, seed: int, *, generations: int = 600, flips: float = 0.005) -> History:
+    """Play one of `GAMES` with fitness-proportionate selection; individuals meet 15 opponents each.
 
-
-def _scores_on_champions(pairs: Pairings, scores: FloatArray, side: int) -> FloatArray:
-    """Return the scores (n, c) of a population against c champions."""
-    opponents = pairs.evader if side == 0 else pairs.pursuer
-    own = scores if side == 0 else 1.0 - scores
-    # `pairings` lists each champion's matches in the order of the population.
-    return own[opponents >= POPULATION].reshape(-1, POPULATION).T
-
-
-def numbers_game(
-    name: str,
-    seed: int,
-    *,
-    generations: int = 600,
-    opponents: int = 15,
-    flips: float = 0.005,
-    samplers: Samplers | None = None,
-) -> History:
-    """Play one of `GAMES` with fitness-proportionate selection.
-
-    Individuals meet so many living `opponents`; `samplers` choose for each side among the other
-    side's past champions, too. A bit is flipped with the probability `flips`.
+    A bit is flipped with the probability `flips`.
     """
 
     def breed(bits: BoolArray, wins: FloatArray, rng: np.random.Generator) -> BoolArray:
         # Wins are the fitness: the objective must not leak into selection.
-        parents = select_proportionate(wins, POPULATION, rng)
-        return flip(bits[parents], rng, probability=flips)
+        chances = wins / wins.sum() if wins.any() else None
+        parents = rng.choice(POPULATION, size=POPULATION, p=chances)
+        return np.asarray(bits[parents] ^ (rng.random(bits.shape) < flips))
 
-    return evolve(
-        GAMES[name],
-        (breed, breed),
-        seed,
-        generations=generations,
-        opponents=opponents,
-        samplers=samplers,
-    )
+    return evolve(GAMES[name], (breed, breed), seed, generations=generations, opponents=15)
 
 
 def hosts_and_parasites(
-    virulence: float | Callable[[FloatArray], FloatArray],
+    virulence: float | Callable[[FloatArray], ArrayLike],
     seed: int,
     *,
     generations: int = 600,
@@ -324,9 +244,11 @@ def hosts_and_parasites(
     def breed(
         bits: BoolArray, wins: FloatArray, rng: np.random.Generator, own: Any, bias: float
     ) -> BoolArray:
-        fitness = own(wins) if callable(own) else reduced_virulence(wins, own)
-        parents = select_tournament(fitness, POPULATION, rng, size=tournament)
-        return mutate_biased(bits[parents], rng, probability=REDRAWN, bias=bias)
+        fitness = own(wins.copy()) if callable(own) else reduced_virulence(wins, own)
+        parents = select_tournament(np.asarray(fitness), POPULATION, rng, size=tournament)
+        # Redrawn, not flipped: without selection a bit ends at its bias whatever it was before.
+        drawn = rng.random(bits.shape) < bias
+        return np.where(rng.random(bits.shape) < REDRAWN, drawn, bits[parents])
 
     breeds = (
         partial(breed, own=1.0, bias=biases[0]),

@@ -10,6 +10,7 @@ played again.
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -115,7 +116,7 @@ def main(runs: Path) -> None:
         }
         last = {name: genomes[:, -1] for name, genomes in learned.items()}
         last["co-evolution"] = np.stack([race.teams[team].genomes[-1] for race in races])
-        arrays |= examined(team, last, races)
+        arrays |= examined(team, last, races, ~np.eye(len(SEEDS), dtype=bool))
         if team == "evader":  # the films
             arrays["evaders: genomes"] = np.stack([each[0] for each in last.values()]).astype("f2")
         else:  # what is forgotten on the way
@@ -131,23 +132,28 @@ def climbed(genomes: np.ndarray) -> np.ndarray:
 
 
 def examined(
-    team: Team, last: dict[str, np.ndarray], races: list[SavedRun]
+    team: Team, last: dict[str, np.ndarray], races: list[SavedRun], strangers: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return the scores of all kinds of teams against scripts and genomes, and against races."""
+    """Return the mean scores (schools, seeds) of all teams with each sort of examiners.
+
+    `strangers` (seeds, races) says which races a team has not met: the others are left out.
+    """
     genomes = np.concatenate(list(last.values()))
     fixed = held_out(other(team), "O")
+    evolved = [policy for name, policy in fixed.items() if name.startswith("evolved")]
     rivals = [race.teams[other(team)] for race in races]
     teams = [mw.Population(each.genomes[-1:], each.network) for each in rivals]
-    shape = len(last), len(genomes) // len(last), -1
+
+    def rates(opponents: Sequence[TeamPolicy], episodes: int) -> np.ndarray:
+        scores = [tested(team, genomes, each, episodes) / 1000 for each in opponents]
+        return np.stack(scores, axis=-1).reshape(len(last), -1, len(opponents))
+
     return {
         f"{team}s: kinds": np.array([*last]),
-        f"{team}s: opponents": np.array([*fixed]),
-        f"{team}s: scores": np.stack(
-            [tested(team, genomes, each, EPISODES) for each in fixed.values()], axis=-1
-        ).reshape(shape),
-        f"{team}s: against races": np.stack(
-            [tested(team, genomes, each, EPISODES_OF_RACES) for each in teams], axis=-1
-        ).reshape(shape),
+        f"{team}s: scripts": rates(LADDERS[team], EPISODES).mean(axis=2),
+        f"{team}s: evolved strangers": rates(evolved, EPISODES).mean(axis=2),
+        f"{team}s: co-evolved rivals": (rates(teams, EPISODES_OF_RACES) * strangers).sum(axis=2)
+        / strangers.sum(axis=1),
     }
 
 

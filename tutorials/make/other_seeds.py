@@ -13,14 +13,12 @@ rest.
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import combinations
 from pathlib import Path
-from typing import Any
 
 import chapter_4
 import chapter_6
@@ -40,7 +38,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lie
 from course import chapter_3, toys
 from course import chapter_6 as toy_of_6
 from course.chapter_5 import noisy_race
-from course.chapter_8 import table_of
+from course.chapter_8 import examined
 from course.chapter_9 import WORLD, pack, play_masked
 from course.questions import DATA
 from course.synthetic_races import play_episodes
@@ -187,16 +185,6 @@ def toy_cures(seed: int) -> Effects:
     }
 
 
-def defined(notebook: str, starts: tuple[str, ...], names: dict[str, Any]) -> dict[str, Any]:
-    """Return names and what cells of a notebook define: those that begin with `starts`."""
-    [path] = NOTEBOOKS.glob(f"{notebook}_*.ipynb")
-    for cell in json.loads(path.read_text("utf-8"))["cells"]:
-        text = "".join(cell["source"])
-        if text.startswith(starts):
-            exec(text, names)
-    return names
-
-
 @cache
 def cure(name: str, seed: int) -> SavedRun:
     place = RUNS / "chapter_6" / name / str(seed)
@@ -304,19 +292,13 @@ def schools(seed: int) -> Effects:
         }
         last = {name: genomes[-1:] for name, genomes in learned.items()}
         last["co-evolution"] = own.teams[team].genomes[-1:]
-        stored = chapter_8.examined(team, last, [*races.values()])
-        by_script = {
-            script: {school: float(score[0]) for school, score in scores.items()}
-            for script, scores in table_of(stored, f"{team}s").items()
-        }
-        rivals = stored[f"{team}s: against races"].mean(axis=(1, 2)) / 1000
-        sorts = {
-            "scripts": _mean([by_script[script] for script in ladder]),
-            "evolved strangers": _mean([by_script["evolved-1"], by_script["evolved-2"]]),
-            "co-evolved": dict(zip(last, rivals, strict=True)),
-        }
-        pairs = list(combinations(("co-evolution", "easy to hard", "random only"), 2))
-        effects |= _differences(f"{team}s", sorts, pairs)
+        strangers = np.ones((1, len(races)), bool)
+        stored = chapter_8.examined(team, last, [*races.values()], strangers)
+        for examiner, scores in examined(stored, f"{team}s").items():
+            effects |= {
+                f"{team}s, {examiner}: {one} minus {other}": float(scores[one] - scores[other])
+                for one, other in combinations(("co-evolution", "easy to hard", "random only"), 2)
+            }
         climbed = chapter_8.tested(team, learned["easy to hard"], ladder[0], chapter_8.EPISODES)
         effects[f"{team}s, random: last stage minus first"] = (
             float(climbed[-1]) - climbed[1]
@@ -324,21 +306,9 @@ def schools(seed: int) -> Effects:
     return effects
 
 
-def _mean(scores: list[dict[str, float]]) -> dict[str, float]:
-    return {school: float(np.mean([each[school] for each in scores])) for school in scores[0]}
-
-
-def _differences(
-    team: str, scores: dict[str, dict[str, float]], pairs: list[tuple[str, str]]
-) -> Effects:
-    return {
-        f"{team}, {examiner}: {one} minus {other}": each[one] - each[other]
-        for examiner, each in scores.items()
-        for one, other in pairs
-    }
-
-
 # ---- Notebook 9 ----------------------------------------------------------------------------------
+
+GREEDY = [6, 20, 0, 0, 0, 0]
 
 
 def penalty(seed: int) -> Effects:
@@ -364,18 +334,21 @@ def masks(seed: int) -> Effects:
 
 
 def masked(seed: int) -> Effects:
-    """The greedy pack under a mask: agent-steps at fault with teammates, of 1000."""
-    greedy = [6, 20, 0, 0, 0, 0]
-    mask = defined("09", ("STEPS = ",), {"np": np})["free_cells"]
+    """The greedy pack under the first mask: agent-steps at fault with teammates, of 1000."""
+
+    def free_cells(views: np.ndarray) -> np.ndarray:
+        free = ~views[:, :, [4, 5, 6, 5], [5, 6, 5, 4]].any(axis=1)  # north, east, south, west
+        return np.insert(free, 0, True, axis=1)
+
     free, under = (
-        play_masked(greedy, each, episodes=40, seed=seed).safety.summary().fault_rate[0, 1]
-        for each in (lambda views: np.ones((len(views), 5), bool), mask)
+        play_masked(GREEDY, mask, episodes=40, seed=seed)[0].summary().fault_rate[0, 1]
+        for mask in (lambda views: np.ones((len(views), 5), bool), free_cells)
     )
     return {"left": under, "left, minus without a mask": under - free}
 
 
 def polite(seed: int) -> Effects:
-    packs = pack([[6, 20, 0, 0, 0, 0], [6, 20, -10, -10, -2, 0]])
+    packs = pack([GREEDY, [6, 20, -10, -10, -2, 0]])
     matches = mw.Matches.of(range(2), 0, seed)
     lengths = mw.rollout(WORLD, packs, "random", matches, episodes=40).length
     return {"steps, polite minus greedy": float(np.subtract(*lengths.mean(axis=1)[::-1]))}

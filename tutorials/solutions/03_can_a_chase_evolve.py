@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 import matrixworld as mw
+from course.chapter_3 import all_against_all
 
 # 3.1  How many numbers has the genome of a network with one hidden layer?
 #
@@ -42,8 +43,7 @@ network = mw.Network.for_config(world, hidden=(8,))
 
 def captured(pursuers, evaders, pursuer, evader, seed):
     teams = mw.Population(pursuers, network), mw.Population(evaders, network)
-    played = mw.rollout(world, *teams, mw.Matches.of(pursuer, evader, seed))
-    return played.captured_fraction[:, 0], played.capture_rate[:, 0]
+    return mw.rollout(world, *teams, mw.Matches.of(pursuer, evader, seed)).captured_fraction[:, 0]
 
 
 def first_genome(seed, side):
@@ -58,9 +58,9 @@ def candidates(parent, rng):
 def scores(side, genomes, opponent, seeds):
     who, luck = np.repeat(range(40), 4), np.tile(seeds, 40)
     if side == 0:
-        shares = captured(genomes, opponent[None], who, 0, luck)[0]
+        shares = captured(genomes, opponent[None], who, 0, luck)
     else:
-        shares = 1 - captured(opponent[None], genomes, 0, who, luck)[0]
+        shares = 1 - captured(opponent[None], genomes, 0, who, luck)
     return shares.reshape(40, 4).mean(axis=1)
 
 
@@ -82,16 +82,9 @@ def race(seed, generations):
     return archives
 
 
-def all_against_all(pursuers, evaders):
-    n, m = len(pursuers), len(evaders)
-    who, whom, seed = (each.ravel() for each in np.indices((n, m, 10)))
-    rates = captured(np.stack(pursuers), np.stack(evaders), who, whom, seed)[1]
-    return rates.reshape(n, m, 10).mean(axis=2)
-
-
 SEED = 7
 pursuers, evaders = race(SEED, 3)  # the notebook asks for 12
-exercise_3 = SEED, pursuers, evaders, all_against_all(pursuers, evaders)
+exercise_3 = SEED, pursuers, evaders, all_against_all((pursuers, evaders))
 
 
 # 3.4  A learner: ask and tell.

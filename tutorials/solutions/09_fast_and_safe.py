@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
-import matrixworld as mw
-from course.chapter_9 import WORLD, pack
+from course.chapter_9 import brisk_and_idle
 
 # 9.1  Six weights: fewer than 10 of 1000 agent-steps at fault, at most 15 steps.
 #
@@ -22,12 +19,7 @@ exercise_1 = [5, 10, -10, -10, -5, 0]
 # The returns are equal where
 #     gain[0] - penalty * collisions[0] = gain[1] - penalty * collisions[1].
 
-free = replace(WORLD, rewards=mw.Rewards(pursuer_collide=0))
-brisk, idle = [4, 10, -10, -8, -2, 0], [0, 0, 0, 0, 0, 20]
-played = mw.rollout(free, pack([brisk, idle]), "random", mw.Matches.of([0, 1], 0, 2), episodes=400)
-gain = played.pursuer_return.mean(axis=1)
-collisions = played.faults[:, :, 0].sum(axis=2).mean(axis=1)
-
+gain, collisions = brisk_and_idle()
 exercise_2 = (gain[0] - gain[1]) / (collisions[0] - collisions[1])
 
 # 9.3  Episodes without a collision that show a share below 1 in 100 with 95% confidence.
