@@ -112,19 +112,15 @@ def random_pack(rng: np.random.Generator, side: int, count: int) -> Situation:
     return [*map(tuple, cells.tolist())], [*map(tuple, there.tolist())]
 
 
-def _situations() -> list[Situation]:
-    row, rng = [(0, 0), (0, 1), (0, 2)], np.random.default_rng(2)
-    return [
-        ([(0, 0), (0, 2)], [(0, 1), (0, 1)]),
-        ([(0, 0), (0, 1)], [(0, 1), (0, 1)]),
-        ([(0, 0), (0, 1)], [(0, 1), (0, 0)]),
-        ([(0, 0), (0, 1)], [(0, 1), (0, 2)]),
-        (row, [(0, 1), (0, 2), (0, 3)]),
-        (row, [(0, 1), (0, 2), (0, 2)]),
-        ([*row, (1, 3)], [(0, 1), (0, 2), (0, 3), (0, 3)]),
-        *(random_pack(rng, 4, count) for count in range(2, 15) for _ in range(8)),
-    ]
-
-
-SITUATIONS = _situations()
+_row, _rng = [(0, 0), (0, 1), (0, 2)], np.random.default_rng(2)
+SITUATIONS: list[Situation] = [
+    ([(0, 0), (0, 2)], [(0, 1), (0, 1)]),
+    ([(0, 0), (0, 1)], [(0, 1), (0, 1)]),
+    ([(0, 0), (0, 1)], [(0, 1), (0, 0)]),
+    ([(0, 0), (0, 1)], [(0, 1), (0, 2)]),
+    (_row, [(0, 1), (0, 2), (0, 3)]),
+    (_row, [(0, 1), (0, 2), (0, 2)]),
+    ([*_row, (1, 3)], [(0, 1), (0, 2), (0, 3), (0, 3)]),
+    *(random_pack(_rng, 4, count) for count in range(2, 15) for _ in range(8)),
+]
 """Of 2 to 14 pursuers on 4 x 4 cells: those at first that are easy to tell, then random ones."""

@@ -20,8 +20,8 @@ from matrixworld.world.maps import read_map
 
 STAKES = np.array([[0.5, 0.25, 1.0], [0.75, 0.5, 0.25], [0.0, 0.75, 0.5]])
 """Rock, paper, scissors: rock always beats scissors, and the other winners win 3 of 4 matches."""
-NEAR = 0.005
-"""Exploitability of a mixture that counts as safe."""
+SAFE = 0.495
+"""What a mixture has to score against each hand."""
 HALLS, GENERALISTS = 0.8305, 0.8431
 """NashConv of the last generations of the kept races, means over seeds; a test computes them."""
 
@@ -64,10 +64,10 @@ def exercise_2(answer: Any) -> None:
     if min(shares) < 0.0 or abs(sum(shares) - 1.0) > 1e-6:
         raise Mistake("Three shares are not negative, and their sum is 1.")
     scores = shares @ STAKES
-    if scores.min() < 0.5 - NEAR:
+    if scores.min() < SAFE:
         worst = ("rock", "paper", "scissors")[int(scores.argmin())]
         raise Mistake(
-            f"Against {worst} this mixture scores {scores.min():.3f}; it has to reach 0.495."
+            f"Against {worst} this mixture scores {scores.min():.3f}; it has to reach {SAFE}."
         )
 
 

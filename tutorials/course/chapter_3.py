@@ -211,35 +211,28 @@ def _why_other(archives: Archives, seed: int, generation: int, side: int) -> str
     """Say what a turn did that gave another genome."""
     parent, found = archives[side][generation - 1 : generation + 1]
     opponents = archives[1 - side]
-    opponent = opponents[generation - 1 + side]
-    typical = {
-        "these are the candidates with the lowest scores. What does this team want?": (
-            opponent,
-            side,
-            lambda candidates, found: mean_of_best(candidates, 1 - found),
-        ),
-        "it is the best candidate alone; the next parent is the mean of several.": (
-            opponent,
-            side,
-            lambda candidates, found: candidates[np.argmax(found)],
-        ),
-        "it learned against the wrong generation. Which opponents are the newest in this turn?": (
-            opponents[generation - side],
-            side,
-            mean_of_best,
-        ),
-        "the opponents were those of generation 0. The newest ones stand at the end.": (
-            opponents[0],
-            side,
-            mean_of_best,
-        ),
-        "the generator is that of the other team's turn.": (opponent, 1 - side, mean_of_best),
+    usual = {"opponent": opponents[generation - 1 + side], "drawn": side}
+    typical: dict[str, dict[str, Any]] = {
+        "these are the candidates with the lowest scores. What does this team want?": {
+            "select": lambda candidates, found: mean_of_best(candidates, 1 - found)
+        },
+        "it is the best candidate alone; the next parent is the mean of several.": {
+            "select": lambda candidates, found: candidates[np.argmax(found)]
+        },
+        "it learned against the wrong generation. Which opponents are the newest in this turn?": {
+            "opponent": opponents[generation - side]
+        },
+        "the opponents were those of generation 0. The newest ones stand at the end.": {
+            "opponent": opponents[0]
+        },
+        "the generator is that of the other team's turn.": {"drawn": 1 - side},
     }
     if _equal(found, parent):
         return "it is the generation before, and has learned nothing."
-    for told, (met, drawn, select) in typical.items():
-        rng = np.random.default_rng([seed, generation, drawn])
-        if _equal(found, learn(side, parent, met, rng, select)):
+    for told, change in typical.items():
+        how = usual | change
+        rng = np.random.default_rng([seed, generation, how.pop("drawn")])
+        if _equal(found, learn(side, parent, rng=rng, **how)):
             return told
     return (
         "another genome was expected from what you archived before it. Compare the turn with the "

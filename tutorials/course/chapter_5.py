@@ -19,10 +19,7 @@ SHOWN = {"A": "only evaders rise", "B": "cycle", "C": "pure race", "D": "early s
 
 
 def noisy_race(kind: str, seed: int, *, generations: int = 20) -> FloatArray:
-    """Return the episodes of a race whose truth is known, (generations, generations, 10).
-
-    Each is the captured fraction of 30 evaders.
-    """
+    """Return the captured shares of 30 evaders in a race whose truth is known, (n, n, 10)."""
     rates = synthetic_race(kind, generations, seed).rates
     return play_episodes(rates, 10, np.random.default_rng([5, seed]), evaders=30)
 
@@ -34,8 +31,7 @@ def four_races() -> dict[str, FloatArray]:
 
 def exercise_1(answer: Any) -> None:
     """Say what happens in four races."""
-    wrong = choices(answer, ENDINGS, sorted(ENDINGS.values()))
-    if wrong:
+    if wrong := choices(answer, ENDINGS, sorted(ENDINGS.values())):
         raise Mistake(
             f"{len(ENDINGS) - len(wrong)} of 4 are right. Ask of each race: which of the two "
             "curves of generalization rises, and until when?"
@@ -65,7 +61,7 @@ CLOSE = 2e-3
 def exercise_3(answer: Any) -> None:
     """Compute the interval of what generalists gain in four generations."""
     if isinstance(answer, analysis.Estimate):
-        answer = (answer.low, answer.high)
+        answer = answer.low, answer.high
     ends = array(answer, "the two ends of the interval, (low, high)", 2)
     right = _ends("generalist_generalist")
     if np.allclose(ends, right, atol=CLOSE):

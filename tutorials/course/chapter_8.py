@@ -76,10 +76,7 @@ BETTER, WORSE, OPEN = "better", "worse", "cannot tell"
 
 
 def verdict_on(one: Any, other: Any) -> str:
-    """Return whether the first kind of training is better, by the paired interval over seeds.
-
-    Entry i of both lists of scores has the same seed.
-    """
+    """Return whether the first kind of training is better; entry i of both has the same seed."""
     return (OPEN, BETTER, WORSE)[analysis.difference_of_runs(one, other, paired=True).sign]
 
 

@@ -1,8 +1,4 @@
-"""Exercises of notebook 9, "Fast and safe?", and its packs of pursuers with six weights.
-
-A pack is a network without a hidden layer, so the engine plays it as fast as any other policy. Its
-genome follows from six numbers, see `WEIGHTS`.
-"""
+"""Exercises of notebook 9, "Fast and safe?", and its packs of pursuers with six weights."""
 
 from __future__ import annotations
 
@@ -48,7 +44,7 @@ Mask = Callable[[NDArray[np.uint8]], ArrayLike]
 def pack(weights: ArrayLike) -> mw.Population:
     """Return packs as a population of networks; weights are (6,) or (n, 6), as in `WEIGHTS`.
 
-    Genomes are linear in the weights. Actions are drawn with the softmax of the wishes.
+    A network without a hidden layer: its genome is linear in the weights.
     """
     given = np.atleast_2d(np.asarray(weights, np.float64))
     if given.ndim != 2 or given.shape[1] != len(WEIGHTS):
@@ -98,9 +94,7 @@ def play_masked(
 ) -> tuple[mw.SafetyMonitor, NDArray[np.int64]]:
     """Play a pack in `WORLD` that never chooses an action that a mask forbids.
 
-    The mask takes the views of n pursuers, (n, 3, fov, fov), and returns for each action whether it
-    is allowed, (n, 5). A pursuer that is allowed nothing stays. Returns what happened and the steps
-    of each episode.
+    A pursuer that is allowed nothing stays. Returns what happened, and the steps of each episode.
     """
     population = pack(weights)
     envs = mw.VectorEnv(WORLD, n_worlds=episodes, evaders="random", autoreset_mode="Disabled")

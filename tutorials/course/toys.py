@@ -250,8 +250,6 @@ def hosts_and_parasites(
         drawn = rng.random(bits.shape) < bias
         return np.where(rng.random(bits.shape) < REDRAWN, drawn, bits[parents])
 
-    breeds = (
-        partial(breed, own=1.0, bias=biases[0]),
-        partial(breed, own=virulence, bias=biases[1]),
-    )
-    return evolve(GAMES["scalar"], breeds, seed, generations=generations, opponents=5)
+    hosts = partial(breed, own=1.0, bias=biases[0])
+    parasites = partial(breed, own=virulence, bias=biases[1])
+    return evolve(GAMES["scalar"], (hosts, parasites), seed, generations=generations, opponents=5)
