@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from course.checks import Mistake, array, comparison, described, function
+from course.checks import Mistake, array, comparison, function
 from course.toys import PAYOFF
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
@@ -141,7 +141,7 @@ def exercise_3(answer: Any) -> None:
         for _ in range(DRAWS):
             found = array(function(answer)(available, rng), "several whole numbers", ...)
             if (found % 1).any():
-                raise Mistake(f"Expected several whole numbers, got {described(found)}.")
+                raise Mistake(f"Expected several whole numbers, got {found.tolist()}.")
             chosen = found.astype(int).tolist()
             problems = {
                 f"the numbers go from 0 to {available - 1}": not {*chosen} <= {*range(available)},

@@ -75,7 +75,7 @@ def choices(answer: Any, right: Mapping[str, str], words: Sequence[str]) -> list
 def array(value: Any, name: str, *shape: Any, finite: bool = True) -> NDArray[np.float64]:
     """Return an answer that is an array of numbers; ``...`` in a shape stands for any length."""
     try:
-        found = np.asarray(value, np.float64)
+        found = np.asarray([*value], np.float64)
     except (TypeError, ValueError):
         found = None
     if found is None or not (
