@@ -21,7 +21,13 @@ from tiny_race import tiny_race
 
 LIBRARIES = {"common", "paper_runs", "safe_runs"}
 NAMES = sorted({path.stem for path in SCRIPTS.glob("*.py")} - LIBRARIES)
-WITH_TORCH = {"actor_critic_baselines", "actor_critic_races", "paper_surrounding", "safe_learning"}
+WITH_TORCH = {
+    "actor_critic_baselines",
+    "actor_critic_claims",
+    "actor_critic_races",
+    "paper_surrounding",
+    "safe_learning",
+}
 ONCE = {"arms_race", "evolve_held_out", "safe_coevolution", "scripted_pursuit"}
 """Scripts that tell the time that they took, or keep no runs."""
 

@@ -412,7 +412,9 @@ class Whole:
     ) -> None:
         races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
-        self._score = sum(SCORED * each.world.max_steps / each.train_steps for each in races)
+        self._score = sum(
+            each.counted(0, SCORED) * each.world.max_steps / each.train_steps for each in races
+        )
         groups = {settings.method for settings in job.values()}
         self._seconds = SECONDS_TO_DRAW * (len(groups) + min(len(job), MOST_RUNS))
         self._bar, self._page, self._began = bar, page, time.monotonic()

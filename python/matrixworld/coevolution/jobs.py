@@ -459,7 +459,8 @@ class _Play:
     def _end(self, name: str) -> dict[str, Any]:
         """Count the matches of a finished run; return its summary."""
         numbers = SavedRun(self._root / name).summary()
-        self._done[name] = int(numbers["training_matches"]) + int(numbers["evaluation_matches"])
+        played = (int(numbers[f"{each}_matches"]) for each in ("training", "evaluation"))
+        self._done[name] = self._job[name].counted(*played)
         return numbers
 
     def _tell_epochs(self, name: str) -> None:

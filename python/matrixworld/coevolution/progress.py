@@ -35,10 +35,10 @@ class Progress:
     what : str
         What the run is doing; of a job, how many runs have ended.
     done, total : int
-        Episodes played, and all of them. As long as runs of a job have not begun, its `total` is an
-        estimate from the others.
+        Training matches played, and all of them. A match of the evaluation counts as the training
+        matches that take as long. Until all runs of a job have begun, its `total` is an estimate.
     before : int, optional
-        Episodes of `done` that were played before this start: they do not count for the rate.
+        Matches of `done` that were played before this start: they do not count for the rate.
     runs : mapping of str to Progress, optional
         The runs of a job that are in work, by name.
     """

@@ -359,6 +359,11 @@ class RaceSettings(Section):
         learner: BuiltInLearner | OwnLearnerSettings = getattr(self, self.learner_path(team))
         return learner
 
+    def counted(self, trained: int, evaluated: int) -> int:
+        """Return how many training matches take about as long as matches of both kinds."""
+        learning = max(self.learner_of(team).learning_time for team in self.learning_teams)
+        return trained + round(evaluated / learning)
+
     @property
     def training_world(self) -> WorldConfig:
         """The world, with episodes of `train_steps`."""

@@ -213,6 +213,7 @@ class ActorCriticSettings(LearnerSettings):
     kind: ClassVar[str] = "actor-critic"
     by_gradients: ClassVar[bool] = True
     keeps_fixed_genes: ClassVar[bool] = True
+    learning_time: ClassVar[float] = 40.0
     steps: ClassVar[tuple[str, ...]] = ("actor_rate", "critic_rate")
 
     population: int = setting(1, "matches per epoch", least=1)

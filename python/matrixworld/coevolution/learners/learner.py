@@ -119,6 +119,8 @@ class LearnerSettings(Section):
     """Whether the learner leaves genes as they are, such as those of a mask."""
     keeps_population: ClassVar[bool] = False
     """Whether candidates are individuals of a population, instead of samples around one genome."""
+    learning_time: ClassVar[float] = 1.0
+    """About how long a training match takes with what is learned from it, in times of another."""
     steps: ClassVar[tuple[str, ...]] = ()
     """Settings that say how far the learner goes at a time: too far, if it diverges."""
 

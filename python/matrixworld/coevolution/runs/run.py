@@ -127,7 +127,7 @@ class Run(ABC):
         self.archive: dict[Team, list[Genome]] = self.first_archive()
         self._report: Report = silent
         self._before: int = 0
-        self._total_matches: int = 0
+        self._total: int = 0
         if self.files.exists:
             check_same(self.files, settings)
             with self.files.lock():
@@ -185,9 +185,9 @@ class Run(ABC):
     # The following methods are the same for all kinds:
 
     def total_matches(self) -> int:
-        """Return the episodes of training and evaluation; with archives, an upper bound."""
-        training = training_matches(self.settings, self.samplers)
-        return training + self.evaluated_pairs() * self.settings.evaluation_episodes
+        """Return the matches of the run as progress counts them; with archives, an upper bound."""
+        evaluated = self.evaluated_pairs() * self.settings.evaluation_episodes
+        return self.settings.counted(training_matches(self.settings, self.samplers), evaluated)
 
     def archive_genome(self, team: Team) -> None:
         """Add the genome of a team's learner to its archive; DivergedError if it is not finite."""
@@ -219,7 +219,7 @@ class Run(ABC):
             # another process may have continued the run.
             self._restore()
             LOG.info("%s: goes on from stage %d of %d", self.files.path, self.stage, self.n_stages)
-            self._before, self._total_matches = self.training.matches, self.total_matches()
+            self._before, self._total = self.training.matches, self.total_matches()
             while self.stage < self.n_stages:
                 try:
                     self.learn(self.stage)
@@ -262,8 +262,8 @@ class Run(ABC):
 
     def report(self, activity: str, evaluated: int = 0) -> None:
         """Report the progress: the current activity, and evaluation episodes played so far."""
-        done = self.training.matches + evaluated
-        self._report(Progress(activity, done, self._total_matches, self._before))
+        done = self.settings.counted(self.training.matches, evaluated)
+        self._report(Progress(activity, done, self._total, self._before))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
