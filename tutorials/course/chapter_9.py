@@ -104,7 +104,9 @@ def play_masked(
     while running.any():
         actions = np.zeros((episodes, WORLD.n_pursuers), np.int64)
         seen = views[running].reshape(-1, *views.shape[2:])
-        allowed = np.array(mask(seen), bool)
+        allowed, expected = np.array(mask(seen), bool), (len(seen), WORLD.n_actions)
+        if allowed.shape != expected:
+            raise ValueError(f"mask: expected shape {expected}, got {allowed.shape}")
         allowed[~allowed.any(axis=1), 0] = True
         wishes = population.network.logits(population.genomes[0], seen)
         wishes[~allowed] = -np.inf
