@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import actor_critic_baselines as baselines
+import actor_critic_claims
 import actor_critic_races
 import common
 import convergence
@@ -45,6 +46,7 @@ def of(table: Callable[[common.Numbers], str]) -> Callable[[Path], str]:
 
 TABLES: dict[str, Callable[[Path], str]] = {
     "actor_critic_baselines/table.md": of(baselines.table),
+    "actor_critic_claims/table.md": of(actor_critic_claims.tables),
     "actor_critic_races/table.md": of(actor_critic_races.table),
     "convergence/table.md": of(convergence.table),
     "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
@@ -68,9 +70,14 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "yoked_races/table.md": of(yoked_races.table),
 }
 """Published tables, and how they are made from the other files of their directory."""
-ROUNDED = {"ground_truth/table.md", "paper_claims/table.md"}
+ROUNDED = {
+    "actor_critic_claims/table.md",
+    "ground_truth/table.md",
+    "paper_claims/table.md",
+}
 """Tables with numbers that another processor or SciPy may round otherwise."""
 LONG = {
+    "actor_critic_claims/table.md",
     "actor_critic_races/table.md",
     "coverage/coverage.md",
     "ground_truth/table.md",
