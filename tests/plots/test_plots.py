@@ -94,7 +94,8 @@ def test_generalization_curves_show_intervals_over_episodes_or_seeds() -> None:
     level = analysis.interval_over_runs(scores, bounds=(0, 1))
     assert four.lines[2].get_ydata()[0] == pytest.approx(level.value)
     (span,) = four.patches
-    ends = span.get_y(), span.get_y() + span.get_height()
+    # Before Matplotlib 3.9 it is a polygon.
+    ends = span.get_patch_transform().transform_path(span.get_path()).get_extents().intervaly
     assert ends == pytest.approx(level.ends)
 
 

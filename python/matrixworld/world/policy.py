@@ -175,8 +175,7 @@ class Network:
         if self.n_actions not in (5, 9):
             raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
         check_bool("sampled", self.sampled)
-        if self.activation not in ("relu", "tanh"):
-            raise ValueError(f"activation: expected 'relu' or 'tanh', got {self.activation!r}")
+        check_choice("activation", self.activation, ("relu", "tanh"))
         check_choice("memory", self.memory, GATES)
         if self.memory != "none" and not self.hidden:
             raise ValueError(f"memory: expected none without hidden layers, got {self.memory!r}")

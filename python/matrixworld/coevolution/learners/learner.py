@@ -287,7 +287,7 @@ class Adam(Saved):
         # Both averages start at zero; the divisions correct their bias in the first steps.
         mean = self.mean / (1 - beta1**self.updates)
         square = self.square / (1 - beta2**self.updates)
-        change: Genome = rate * mean / (np.sqrt(square) + epsilon)
+        change: Genome = np.float32(rate) * mean / (np.sqrt(square) + epsilon)
         return change
 
 
