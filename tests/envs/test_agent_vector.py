@@ -5,10 +5,10 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.vector import AutoresetMode
 from gymnasium.wrappers import vector as wrappers
 
 import matrixworld as mw
+from matrixworld.envs.vector import AutoresetMode
 from rows import config_of, random_actions
 
 GYMNASIUM = tuple(map(int, gymnasium.__version__.split(".")[:2]))

@@ -9,10 +9,10 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.error import ClosedEnvironmentError
-from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 
 import matrixworld as mw
+from matrixworld.envs.vector import AutoresetMode
 from rows import config_of, random_actions
 
 MODES = list(AutoresetMode)

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gymnasium.vector import AutoresetMode
 
 import matrixworld as mw
 from matrixworld.coevolution import TEAMS
+from matrixworld.envs.vector import AutoresetMode
 from rows import by_name, config_of, random_actions, random_team
 
 MODES = list(AutoresetMode)

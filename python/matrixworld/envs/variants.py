@@ -15,7 +15,6 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import gymnasium
-from pettingzoo.env_registry.registration import register
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
@@ -25,6 +24,11 @@ from matrixworld.envs.single import EnvSettings, Info, MatrixWorldAEC, MatrixWor
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.world.config import WorldConfig, with_limit
 from matrixworld.world.rules import INTERACTION_TEXTS, OUTCOME_TEXTS, Capture, Rules
+
+try:
+    from pettingzoo.env_registry.registration import register
+except ImportError:  # before PettingZoo 1.27
+    register = None
 
 if TYPE_CHECKING:  # PettingZoo has no types
 
@@ -131,7 +135,8 @@ def _vector_env(
 def add_module(variant: str, package: str) -> None:
     """Make the module of a variant importable from `package`, and register its environments.
 
-    ``pettingzoo.make``, ``gymnasium.make`` and ``gymnasium.make_vec`` know them by the same id.
+    ``gymnasium.make``, ``gymnasium.make_vec`` and, from PettingZoo 1.27 on, ``pettingzoo.make``
+    know them by the same id.
     """
     name = f"pursuit_evasion_{variant.lower()}_v0"
     module = VariantModule(f"{package}.{name}", docstring(variant, name))
@@ -150,8 +155,9 @@ def add_module(variant: str, package: str) -> None:
         setattr(module, each, _of_variant(make, variant, module.__name__, each))
     sys.modules[module.__name__] = module
     setattr(sys.modules[package], name, module)
-    register("aec", f"matrixworld/{name}", module.env)
-    register("parallel", f"matrixworld/{name}", module.parallel_env)
+    if register is not None:
+        register("aec", f"matrixworld/{name}", module.env)
+        register("parallel", f"matrixworld/{name}", module.parallel_env)
     # Texts, not the functions: Gymnasium writes its specifications as JSON. The name with hyphens
     # is that of the variant in all other calls.
     for each in (name, f"pursuit-evasion-{variant.lower()}"):

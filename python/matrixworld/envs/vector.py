@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from enum import Enum
 from typing import Any, TypeVar, cast
 
 import numpy as np
 from gymnasium import spaces
 from gymnasium.error import ClosedEnvironmentError
-from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 from typing_extensions import Unpack
@@ -45,6 +45,16 @@ from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
+
+try:
+    from gymnasium.vector import AutoresetMode
+except ImportError:  # Gymnasium 1.0
+
+    class AutoresetMode(Enum):  # type: ignore[no-redef]
+        """When worlds whose episode has ended begin the next one."""
+
+        NEXT_STEP, SAME_STEP, DISABLED = "NextStep", "SameStep", "Disabled"
+
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
 """Keys that ``options`` of a reset may have; ``opponents``, too, with a built-in team."""
