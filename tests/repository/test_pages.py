@@ -2,6 +2,7 @@
 
 import ast
 import json
+import os
 import re
 import runpy
 import subprocess
@@ -14,6 +15,7 @@ from typing import NamedTuple
 
 import click
 import numpy as np
+import pettingzoo
 import pytest
 
 import matrixworld as mw
@@ -97,6 +99,8 @@ def missing_modules(code: str) -> list[str]:
     # Its functions have the names of the libraries that they need.
     ours = [each for each in parts if each.module == "matrixworld.integrations.metrics"]
     names += [a.name.removesuffix("_writer") for each in ours for a in each.names]
+    if "pettingzoo.make(" in code and not hasattr(pettingzoo, "make"):
+        return ["PettingZoo 1.27"]
     return [name for name in names if find_spec(name.partition(".")[0]) is None]
 
 
@@ -106,7 +110,10 @@ def run_python(parts: Sequence[str], directory: Path, *options: str) -> list[str
     # With `-c` worker processes do not run the program themselves.
     program = f"\nprint({mark!r})\n".join(parts)
     command = [sys.executable, *options, "-c", program]
-    done = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
+    own = {**os.environ, "MINARI_DATASETS_PATH": str(directory)}
+    done = subprocess.run(
+        command, cwd=directory, env=own, capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout.split(f"{mark}\n")
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -12,7 +13,14 @@ from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
 from matrixworld._util.files import read_content
 from matrixworld.classroom.submissions import read_genome
 from matrixworld.cli.console import say
-from matrixworld.cli.options import check_exists, check_outputs, given_options, option_name, options
+from matrixworld.cli.options import (
+    check_exists,
+    check_outputs,
+    given_options,
+    integer,
+    option_name,
+    options,
+)
 from matrixworld.cli.runs import run_in, unpacked
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import TEAMS, SavedRun, Team, open_run
@@ -22,6 +30,7 @@ from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
+from matrixworld.integrations.minari import to_minari
 from matrixworld.solve import solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
@@ -33,8 +42,8 @@ SUFFIXES = (".gif", ".mp4", ".png", ".npz")
 SHOWN_SECONDS = 10
 """About how long a GIF or film takes for which nothing else is asked."""
 CHASER, FLEER = "chaser", "fleer"
-MATCH = {"pursuer", "evader", "episode"}
-"""Options that choose an episode of a run; the other ones describe a new game."""
+MATCH = {"pursuer", "evader"}
+"""Options that choose a match of a run; the other ones describe a new game."""
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
 Examples:
@@ -42,6 +51,7 @@ Examples:
   matrixworld replay my-race --out match.gif
   matrixworld replay SB --pursuer surrounder --obstacles 0.1
   matrixworld replay my-race --step 17 --explain
+  matrixworld replay SB --minari pursuit/sb/chaser-v0
 """
 
 
@@ -125,7 +135,6 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
 )
 @click.option(
     "--explain",
-    "explained",
     is_flag=True,
     help="print why agents bounced or disappeared: in all steps instead of the animation, or in "
     "--step",
@@ -137,6 +146,12 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
+@click.option(
+    "--minari",
+    metavar="NAME",
+    help="write episodes of the pursuers, with costs, as a new data set of Minari instead",
+)
+@integer("--episodes", "how many the data set has, from --episode on", default=100)
 @options("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
@@ -145,9 +160,11 @@ def replay_command(
     fps: float,
     every: int | None,
     step: int | None,
-    explained: bool,
+    explain: bool,
     numbers: bool,
     view: tuple[str, ...],
+    minari: str | None,
+    episodes: int,
     **game: Any,
 ) -> None:
     """Watch an episode in the terminal, or write it to files.
@@ -157,17 +174,28 @@ def replay_command(
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
     """
-    _check_pictures(out, step=step, numbers=numbers, view=view)
+    _check_output(given_options(click.get_current_context().params).keys(), out, minari)
     check_outputs(*out, force=force)
     with usage_errors():
-        played = _episode(source, given_options(game))
+        play = _match(source, given_options(game | {"minari": minari}))
+        first = game["episode"]
+        if minari is not None:
+            default = {"pursuer": CHASER, "evader": FLEER} | play.keywords
+            place = f"{source}: " if isinstance(source, Path) else ""
+            pursuers, evaders = (f"{place}{game[team] or default[team]}" for team in TEAMS)
+            told = {"algorithm_name": pursuers, "evaders": evaders, "seed": default["seed"]}
+            matches = (play(episode=first + number) for number in range(episodes))
+            data = to_minari(matches, minari, **told)
+            say(f"{len(data)} episodes, {data.total_steps:,} steps  {data.storage.data_path}")
+            return
+        played = play(episode=first)
         step = None if step is None else step_number(step, played.length)
-        lines = _explanation(played, step) if explained else []
+        lines = _explanation(played, step) if explain else []
     look = {"fps": fps, "step": -1 if step is None else step, "numbers": numbers, "viewers": view}
     _write(played, out, every, look)
     if not out and step is not None:
         replay.print_moment(played, step=step)
-    elif not (out or explained):
+    elif not (out or explain):
         replay.animate_terminal(played, fps=fps, every=every or 1)
     for line in lines:
         say(line)
@@ -176,17 +204,17 @@ def replay_command(
     say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
 
 
-def _check_pictures(
-    out: tuple[Path, ...], *, step: int | None, numbers: bool, view: tuple[str, ...]
-) -> None:
+def _check_output(given: Set[str], out: tuple[Path, ...], minari: str | None) -> None:
     """Refuse options that no output of this command would follow."""
     suffixes = {path.suffix.lower() for path in out}
-    # The terminal shows neither fields of view nor numbers.
-    for option, given in (("--view", view), ("--numbers", numbers)):
-        if given and not suffixes - {".npz"}:
-            raise click.UsageError(f"{option}: expected a picture to --out together with it")
-    if step is not None and out and ".png" not in suffixes:
-        raise click.UsageError("--step: expected a .png to --out together with it, or no --out")
+    for reason, holds, names in (
+        ("one episode is shown", minari is None, {"episodes"}),
+        ("--minari shows nothing", minari is not None, {"out", "force", "fps", "every", "explain"}),
+        # The terminal shows neither fields of view nor numbers.
+        ("no picture is written", not suffixes - {".npz"}, {"view", "numbers"}),
+        ("no .png is written", (out or minari) and ".png" not in suffixes, {"step"}),
+    ):
+        _refuse(given & names if holds else (), reason)
 
 
 def _explanation(played: Episode, step: int | None) -> list[str]:
@@ -210,14 +238,15 @@ def _write(played: Episode, out: tuple[Path, ...], every: int | None, look: dict
             raise click.ClickException(str(error)) from error
 
 
-# The episode of a source:
+# The match of a source:
 
 
-def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
-    """Return the episode of a source; refuse options that say nothing about it."""
+def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
+    """Return `record` for the episodes of a source; refuse options that say nothing about it."""
     if isinstance(source, Path) and source.is_file():
         _refuse(given, f"{source} is a single episode")
-        return Episode.load(source)
+        return lambda episode: Episode.load(source)
+    given = {name: value for name, value in given.items() if name not in ("episode", "minari")}
     race = given.pop("race", None)
     if isinstance(source, Rules):
         return _scripted(source, **given)
@@ -225,15 +254,9 @@ def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
     _refuse(given.keys() - MATCH, f"{run.path} is a run")
     pursuers, g = _player(run, "pursuer", given.get("pursuer", "-1"))
     evaders, h = _player(run, "evader", given.get("evader", "-1"))
-    return record(
-        run.settings.world,
-        pursuers,
-        evaders,
-        seed=evaluation_seed(run.settings.seed, g, h),
-        pursuer=g,
-        evader=h,
-        episode=given.get("episode", 0),
-    )
+    seed = evaluation_seed(run.settings.seed, g, h)
+    world = run.settings.world
+    return partial(record, world, pursuers, evaders, seed=seed, pursuer=g, evader=h)
 
 
 def _refuse(names: Iterable[str], reason: str) -> None:
@@ -273,11 +296,10 @@ def _scripted(
     rules: Rules,
     pursuer: str = CHASER,
     evader: str = FLEER,
-    episode: int = 0,
     seed: int = 0,
     steps: int | None = None,
     **world: Any,
-) -> Episode:
+) -> partial[Episode]:
     # None is no number of steps: WorldConfig has its own default.
     limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
     config = WorldConfig(rules, **limit, **world)
@@ -287,4 +309,4 @@ def _scripted(
         if named is None:
             check_choice(team, who, (*SCRIPTS, SOLVED))
         teams.append(cast(Script, who) if named is None else named)
-    return record(config, *teams, seed=seed, episode=episode)
+    return partial(record, config, *teams, seed=seed)

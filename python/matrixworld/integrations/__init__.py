@@ -4,6 +4,7 @@
 `stable_baselines3`       `vec_env`, `policy`
 `tianshou`                `vector_env`
 `openspiel`               `world_game`, `matrix_game`
+`minari`                  `to_minari`
 `torchrl`                 `env`, and `benchmarl_task` for BenchMARL
 `metrics`                 `tensorboard_writer` and `wandb_writer`, which give a callback for
                           `matrixworld.coevolution.finish`
