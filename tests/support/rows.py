@@ -63,9 +63,8 @@ def random_actions(seed: int, n_actions: int, *shape: int) -> np.ndarray:
 def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndarray:
     """Return uniform numbers in [-scale, scale), the same with every version of NumPy."""
     # 24 bits: all that a float32 holds exactly.
-    units = (raw_numbers(seed, network.genome_size) >> np.uint64(40)).astype(
-        np.float32
-    ) / np.float32(2**24)
+    bits = raw_numbers(seed, network.genome_size) >> np.uint64(40)
+    units = bits.astype(np.float32) / np.float32(2**24)
     return (scale * (2 * units - 1)).astype(np.float32)
 
 
