@@ -33,8 +33,7 @@ def to_minari(
     environment, as in ``parallel_env(config, evaders="fleer")``. Rewards are sums over the team.
     Observations, actions and infos are by agent: ``reward``, ``alive``, and as in infos of the
     environment ``cost``, ``cost_obstacle``, ``cost_teammate`` and ``cost_adversary``. Agents that
-    are gone observe zeros and stay. As always in Minari, infos begin with the reset: their entry
-    t + 1 belongs to action t.
+    are gone observe zeros and stay. Infos begin with the reset: entry t + 1 belongs to action t.
 
     Parameters
     ----------
@@ -50,8 +49,8 @@ def to_minari(
     Returns
     -------
     minari.MinariDataset
-        Its metadata have the settings as ``world``, for `WorldConfig.from_json`. With the options
-        of an episode, `reset` starts it again.
+        With the settings as ``world`` in its metadata, for `WorldConfig.from_json`. The options of
+        an episode are those with which `reset` starts it again.
 
     Raises
     ------
@@ -80,27 +79,18 @@ def to_minari(
     config = world.config
     agents = {config.agent_name(agent): agent for agent in own_and_other(team, config)[0]}
     view = spaces.Box(0, 1, (3, config.fov, config.fov), np.uint8)
+    single = view, spaces.Discrete(config.n_actions)
+    own = {"dataset_id": dataset_id, "minari_version": library.__version__}
+    own |= {"requirements": [f"{DISTRIBUTION}=={__version__}"], "world": config.to_json()}
     authors = {key: {text} for key, text in metadata.items() if key in ("author", "author_email")}
     root = library.storage.get_dataset_path().resolve()
     # A data set has its name when it is complete; Minari lists no hidden directories.
     with TemporaryDirectory(prefix=".", dir=root) as directory:
         written = Path(directory, path.name)
         written.mkdir()
-        storage = library.dataset.minari_storage.MinariStorage.new(
-            written / "data",
-            spaces.Dict(dict.fromkeys(agents, view)),
-            spaces.Dict(dict.fromkeys(agents, spaces.Discrete(config.n_actions))),
-        )
-        storage.update_metadata(
-            {
-                "dataset_id": dataset_id,
-                "minari_version": library.__version__,
-                "requirements": [f"{DISTRIBUTION}=={__version__}"],
-                "world": config.to_json(),
-                **metadata,
-                **authors,
-            }
-        )
+        joint = (spaces.Dict(dict.fromkeys(agents, space)) for space in single)
+        storage = library.dataset.minari_storage.MinariStorage.new(written / "data", *joint)
+        storage.update_metadata(own | metadata | authors)
         new = library.data_collector.EpisodeBuffer
         storage.update_episodes(new(**_data(each, world, agents)) for each in recorded)
         if namespace not in (None, *library.namespace.list_local_namespaces()):
@@ -116,7 +106,7 @@ def _data(episode: Episode, world: World, agents: dict[str, int]) -> dict[str, A
     if world.config.map is None and episode.map.any():
         start["obstacles"] = episode.map
     world.reset(0, **start)
-    recorder, views = Recorder(world), [world.views() for _ in range(episode.length + 1)]
+    recorder, views = Recorder(world), np.stack([world.views()] * (episode.length + 1))
     for seen, actions in zip(views, episode.actions, strict=False):
         for _ in range(world.n_turns):  # where agents take turns, they see what others did before
             acting = world.actors
@@ -134,16 +124,13 @@ def _data(episode: Episode, world: World, agents: dict[str, int]) -> dict[str, A
     infos["reward"] = np.pad(episode.rewards, ((1, 0), (0, 0)))
     actions = np.where(episode.alive[:-1], episode.actions, 0).astype(np.int64)
     last = np.arange(episode.length) == episode.length - 1
-
-    def by_agent(values: NDArray[Any]) -> dict[str, NDArray[Any]]:
-        return {name: values[:, agent] for name, agent in agents.items()}
-
+    of = agents.items()
     return {
         "options": start,
-        "observations": by_agent(np.array(views)),
-        "actions": by_agent(actions),
+        "observations": {name: views[:, agent] for name, agent in of},
+        "actions": {name: actions[:, agent] for name, agent in of},
         "rewards": episode.rewards[:, [*agents.values()]].sum(axis=1),
         "terminations": last & world.terminated,
         "truncations": last & (not world.terminated),
-        "infos": {key: by_agent(values) for key, values in infos.items()},
+        "infos": {key: {name: each[:, agent] for name, agent in of} for key, each in infos.items()},
     }
