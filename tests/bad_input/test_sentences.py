@@ -44,7 +44,7 @@ VALUES = [
     value(lambda: mw.Rewards(evader_step=float("nan")), "a finite number | got nan"),
     value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
     value(lambda: mw.Network((0,)), "1 to 1048576 | got 0"),
-    value(lambda: mw.Network(activation="gelu"), "'relu' or 'tanh' | got 'gelu'"),
+    value(lambda: mw.Network(activation="gelu"), "one of relu, tanh | got 'gelu'"),
     value(lambda: mw.Network(memory="lstm"), "one of none, elman, gru | got 'lstm'"),
     value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
     kind(lambda: mw.Population(GENOME.astype(int), NETWORK), "dtype float32 | got int64"),
