@@ -46,6 +46,7 @@ from course.synthetic_races import play_episodes
 KEPT = DATA / "other_seeds.npz"
 NOTEBOOKS = Path(__file__).parents[1]
 PAPER = NOTEBOOKS.parent / "evolution" / "results" / "paper_claims" / "numbers.npz"
+PAPER_SCHEDULES = ("specialist-specialist", "generalist-specialist", "generalist-generalist")
 RUNS = Path("runs/other_seeds")
 Effects = dict[str, float]
 
@@ -120,11 +121,7 @@ def red_queen(seed: int) -> Effects:
 def paper_races() -> dict[str, np.ndarray]:
     """Return the captured fractions (20 seeds, n, n, episodes) of each schedule."""
     with np.load(PAPER) as file:
-        return {
-            name.removeprefix("captured "): file[name] / int(file["evaders"])
-            for name in file.files
-            if name.startswith("captured") and len(file[name]) == 20
-        }
+        return {name: file[f"captured {name}"] / int(file["evaders"]) for name in PAPER_SCHEDULES}
 
 
 def paper_race(seed: int) -> Effects:
