@@ -540,5 +540,5 @@ def scores(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    seeds = {kind: 5 if kind in LONG.values() else 20 for kind in kinds(False)}
+    seeds = {kind: 7 if kind in LONG.values() else 20 for kind in kinds(False)}
     experiment(__doc__, kinds=kinds, measure=measured, table=tables, seeds=seeds)
