@@ -38,11 +38,6 @@ QUICK = {
     "schedule.evader_epochs": 2, "evaluation_episodes": 4,
 }  # fmt: skip
 
-HEAD = """# Claims of the paper, by policy gradients
-
-A cell holds the verdict, the mean over the seeds with its 95 % interval, and the p-value, adjusted
-for all tests of the same table. The last table holds the scores of all candidates."""
-
 
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of the races, and of the baselines that build on nothing."""
@@ -63,7 +58,8 @@ def measured(runs: Runs, quick: bool) -> Numbers:
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
     return "\n\n".join([
-        HEAD,
+        "# Claims of the paper, by policy gradients",
+        paper_claims.CELLS,
         paper_claims.table(PARTS, paper_claims.on_races(numbers)),
         paper_claims.table(OPPONENTS, paper_claims.on_generalization(numbers)),
         paper_claims.table(("found",), paper_claims.on_swings(numbers)),

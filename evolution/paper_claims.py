@@ -467,15 +467,14 @@ CLAIMS: Mapping[tuple[str, ...], Mapping[Callable[[Numbers], list[Claim]], tuple
 """Columns of each table, its claims, and some of the numbers that they take."""
 
 
-HEAD = """# Claims of the paper
-
+CELLS = """\
 A cell holds the verdict, the mean over the seeds with its 95 % interval, and the p-value, adjusted
 for all tests of the same table. The last table holds the scores of all candidates."""
 
 
 def tables(numbers: Numbers) -> str:
     """Return the claims, and the scores of all candidates, as tables in Markdown."""
-    parts, missing = [HEAD], []
+    parts, missing = ["# Claims of the paper", CELLS], []
     for columns, found in CLAIMS.items():
         claims: list[Claim] = []
         for claims_on, names in found.items():

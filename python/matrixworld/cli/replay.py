@@ -211,8 +211,8 @@ def _check_output(given: Set[str], out: tuple[Path, ...], minari: str | None) ->
         ("one episode is shown", minari is None, {"episodes"}),
         ("--minari shows nothing", minari is not None, {"out", "force", "fps", "every", "explain"}),
         # The terminal shows neither fields of view nor numbers.
-        ("no picture is written", not suffixes - {".npz"}, {"view", "numbers"}),
-        ("no .png is written", (out or minari) and ".png" not in suffixes, {"step"}),
+        ("--out writes no picture", not suffixes - {".npz"}, {"view", "numbers"}),
+        ("--out writes no .png", (out or minari) and ".png" not in suffixes, {"step"}),
     ):
         _refuse(given & names if holds else (), reason)
 
