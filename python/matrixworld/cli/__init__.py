@@ -21,14 +21,13 @@ __all__ = ["main"]
 COMMANDS = {
     "class": ("classroom", "Play a tournament of students' policies."),
     "evolve": ("evolve", "Start races, or continue them."),
-    "exploit": ("exploit", "Evolve best responses to champions."),
     "explore": ("pages", "Show runs as a page or as figures."),
     "judge": ("judge", "Say what happened in races, and what to try."),
     "play": ("pages", "Play an agent yourself on a page."),
     "playground": ("pages", "Play conflicts by hand on a page."),
     "replay": ("replay", "Watch an episode, or write it to files."),
     "score": ("evaluate", "Play against held-out opponents."),
-    "solve": ("exploit", "Solve a small world exactly."),
+    "solve": ("solve", "Solve a small world exactly."),
     "tournament": ("evaluate", "Play every generation against every other."),
 }
 """Module and summary of each command."""

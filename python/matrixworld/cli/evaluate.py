@@ -11,15 +11,13 @@ import click
 
 from matrixworld._util.files import save_arrays
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis import headline, interval_over_runs, judge
+from matrixworld.analysis import headline, judge
 from matrixworld.analysis.runs import fewest_runs
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.cli.console import TERMS, print_head, print_table, print_wrapped, progress, say
+from matrixworld.cli.console import TERMS, print_head, print_wrapped, progress, say
 from matrixworld.cli.judge import print_judgement
 from matrixworld.cli.options import (
     check_outputs,
-    given_options,
-    integer,
     options,
     out_option,
     write_json,
@@ -33,15 +31,7 @@ from matrixworld.cli.runs import (
     seeds_finished,
 )
 from matrixworld.cli.setting_options import usage_errors
-from matrixworld.coevolution import (
-    TEAMS,
-    Progress,
-    SavedRun,
-    held_out_maps,
-    open_run,
-    score_on_maps,
-    tournament,
-)
+from matrixworld.coevolution import Progress, SavedRun, open_run, tournament
 from matrixworld.coevolution.evaluation.scores import (
     HELD_OUT_VERSION,
     HeldOutScores,
@@ -82,15 +72,9 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
     metavar="NUMBER|all",
     help="which one, negative numbers from the last; all: means of every one  [default: the last]",
 )
-@integer("--maps", "play on so many held-out maps instead, the last generations of a run")
-@click.option(
-    "--regret", is_flag=True, help="with --maps: exact regret of both teams, in a small world"
-)
 @options("episodes", "steps", "seed", "json", "force", "threads", "cluster")
 def score_command(
     runs: list[Path],
-    maps: int | None,
-    regret: bool,
     json_file: Path | None,
     force: bool,
     threads: int | None,
@@ -108,21 +92,8 @@ def score_command(
 
     With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
     --generation all and many episodes. The workers need not see RUN.
-
-    With --maps the last generations of both teams play each other on maps on which no run has
-    learned: rooms, mazes and caves. With --regret each map is solved, and regret is by how much a
-    team falls short of perfect play.
     """
     check_outputs(json_file, force=force)
-    if maps is not None:
-        if given := given_options(dict.fromkeys(("generation", "where"))):
-            refused = ", ".join(f"--{name}" for name in given).replace("where", "cluster")
-            raise click.UsageError(f"--maps: expected no {refused}: the last generations play here")
-        with usage_errors():
-            _score_on_maps(runs, maps, regret, json_file, threads=threads, **chosen)
-        return
-    if regret:
-        raise click.UsageError("--regret: expected --maps beside it")
     with usage_errors():
         groups = finished_groups(runs, unfinished=True)
         every = [run for group in groups for run in group.runs]
@@ -139,44 +110,6 @@ def score_command(
     print_wrapped(LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND)
     say(f"{matches:,} matches were played.")
     write_json(json_file, {"seed": chosen["seed"], "groups": found})
-
-
-def _score_on_maps(
-    runs: list[Path],
-    count: int,
-    exact: bool,
-    json_file: Path | None,
-    *,
-    steps: int | None,
-    generation: int | None,
-    **chosen: Any,
-) -> None:
-    """Print and write what the last generations of each run do on held-out maps."""
-    found: dict[str, Any] = {}
-    for group in finished_groups(runs, unfinished=True):
-        names = ["capture rate", *(f"regret of the {team}s" for team in TEAMS if exact)]
-        rows, numbers = [], []
-        for seed, run in zip(group.seeds, group.runs, strict=True):
-            world = run.settings.world
-            world = replace(world, max_steps=steps or world.max_steps)
-            maps = held_out_maps(world.rows, world.cols, count)
-            teams = {team: run.last(team) for team in TEAMS}
-            scores = score_on_maps(teams, world, maps, exact=exact, **chosen)
-            numbers.append([scores.capture_rate, *scores.regret.values()])
-            rows.append([str(seed), *(f"{each.mean():.3f}" for each in numbers[-1])])
-        if len(rows) > 1:
-            means = [
-                interval_over_runs([row[n].mean() for row in numbers]) for n in range(len(names))
-            ]
-            rows.append(["mean", *map(str, means)])
-        print_head(f"{group.name}: the last generations on {count} held-out maps")
-        print_table([["seed", *names], *rows], ">" * (1 + len(names)))
-        print_missing(group)
-        found[group.name] = {
-            "seeds": list(group.seeds),
-            **{name: [row[n].tolist() for row in numbers] for n, name in enumerate(names)},
-        }
-    write_json(json_file, {"maps": count, "groups": found})
 
 
 def _print_scores(group: RunGroup, teams: Sequence[Sequence[HeldOutScores]]) -> None:

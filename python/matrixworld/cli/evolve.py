@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any
 
 import click
@@ -31,7 +31,6 @@ from matrixworld.cli.console import (
 )
 from matrixworld.cli.options import (
     FAILURES,
-    Existing,
     check_exists,
     check_outputs,
     given_options,
@@ -56,22 +55,22 @@ from matrixworld.cli.setting_options import (
     settings_of,
     usage_errors,
 )
-from matrixworld.coevolution import Progress, ProgressBar, RaceSettings, SavedRun
+from matrixworld.coevolution import Progress, ProgressBar, SavedRun
 from matrixworld.coevolution.evaluation.scores import kept_scores
 from matrixworld.coevolution.groups import RunGroup, grouped
 from matrixworld.coevolution.jobs import (
     Job,
     check_job,
+    create_job,
     described,
-    group_of,
+    found_job,
     job_of,
-    open_job,
     play_job,
 )
 from matrixworld.coevolution.progress import SECONDS, Report, silent
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, Against, Alternating, Maps, Yoked
+from matrixworld.coevolution.race import ALL_SCHEDULES, Against
 from matrixworld.coevolution.sections import kinds_in
-from matrixworld.coevolution.storage import check_empty, find_runs, place_in_job
+from matrixworld.coevolution.storage import check_empty, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
 from matrixworld.explorer.live import LivePage
@@ -95,7 +94,6 @@ Examples:
   matrixworld evolve --out my-evaders --schedule against --set schedule.team=evader
   matrixworld evolve --out my-race --learner ga --set learner.mutation=0.1
   matrixworld evolve --out my-races --seeds 0-999 --cluster tcp://head-node:8786
-  matrixworld evolve --out my-control --yoked my-races/generalist-generalist
   matrixworld evolve --resume my-race
 """
 
@@ -150,11 +148,11 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 @options("variant", "rows", "cols", "n_pursuers", "n_evaders")
 @click.option(
     "--schedule",
-    type=click.Choice([*ALL_SCHEDULES, Maps.kind, Against.kind, ALL]),
+    type=click.Choice([*ALL_SCHEDULES, Against.kind, ALL]),
     multiple=True,
     metavar="NAME",
-    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; {Maps.kind}: maps evolve, too; or "
-    f"{Against.kind}: one team evolves alone; may be given several times; {ALL}: the first "
+    help=f"opponents of each team: {', '.join(ALL_SCHEDULES)}; or {Against.kind}: one team evolves "
+    f"alone; may be given several times; {ALL}: the first "
     f"three  [default: {', '.join(MAIN_JOB)}]",
 )
 @click.option(
@@ -168,13 +166,6 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
     type=int,
     metavar="INTEGER",
     help="generations of a race  [default: 30]",
-)
-@click.option(
-    "--yoked",
-    type=Existing(file_okay=False),
-    metavar="RUN",
-    help="replay opponents from finished races in turns of this job or run, each from the next "
-    "seed's race, with its settings",
 )
 @options("seed", "seeds", "threads", "cluster")
 @click.option(
@@ -213,9 +204,6 @@ def evolve_command(
     against the team schedule.team evolves alone, against the fixed opponents schedule.opponent: a
     script, or the last generation of a run. With --seeds there is a run of each seed.
 
-    With --yoked both teams meet the opponents of a race that another seed has finished. They change
-    as in that race, but do not answer. Whether teams still become stronger shows what answers do.
-
     The directory of --out receives one run directory for each run: SCHEDULE/seed-NUMBER. A run that
     exists is never replaced.
 
@@ -237,10 +225,11 @@ def evolve_command(
             _check_new(root)
         else:
             _refuse_settings(resumed, output, given)
-            root, job = resumed, _found_job(resumed)
+            root, job = resumed, found_job(resumed)
         # Some settings can be checked only when opponents and start genomes have been read.
         with usage_errors():
             check_job(job, root, threads, elsewhere=where is not None)
+        create_job(job, root)
         note(_plan(job, root))
         if resumed is None and not given:
             note(PAGE_HINT)
@@ -250,9 +239,7 @@ def evolve_command(
             with progress() as bar:
                 whole = Whole(job, bar, page, root)
                 with on_cluster(where, threads) as executor:
-                    results, failed = play_runs(
-                        job, root, threads, executor, new=resumed is None, report=whole.played
-                    )
+                    results, failed = play_runs(job, root, threads, executor, whole.played)
                 report(job, results, root, failed, threads, began=began, whole=whole)
             if page is not None and results:
                 page.finish(root / PAGE)
@@ -297,7 +284,7 @@ def _live_page(job: Job, root: Path) -> LivePage:
     """Return the page of the runs that go on: those that the page of finished runs shows."""
     groups: dict[str, list[str]] = {}
     for name in job:
-        groups.setdefault(group_of(name), []).append(name)
+        groups.setdefault(PurePath(name).parent.as_posix(), []).append(name)
     page = LivePage(root, first_seeds(groups.values(), MOST_RUNS))
     note(f"Live: {page.url}")
     return page
@@ -339,8 +326,7 @@ def _default_directory(job: Job) -> Path:
     if seeds != [*range(seeds[0], seeds[0] + len(seeds))]:
         named = ",".join(map(str, seeds[:MOST_NAMES])) + ",..." * (len(seeds) > MOST_NAMES)
     seed = f"seeds{named}" if len(seeds) > 1 else f"seed{seeds[0]}"
-    is_named = isinstance(settings.schedule, Against | Yoked)
-    what = f"-{settings.schedule.name}" if is_named else ""
+    what = f"-{settings.schedule.name}" if isinstance(settings.schedule, Against) else ""
     return RUNS / f"{settings.variant}{what}-{seed}"
 
 
@@ -349,55 +335,12 @@ def _new_job(given: dict[str, Any]) -> Job:
     seeds = given.get("seeds")
     if seeds is not None and "seed" in given:
         raise click.UsageError("--seeds: expected it without --seed, got both")
-    if "yoked" in given:
-        with usage_errors():
-            return job_of(_yoked(**given))
     # The order in which find_runs finds them, so that --resume prints and draws the same.
     settings = sorted(settings_of(given), key=lambda each: place_in_job(each.schedule.name))
     if seeds is not None:
         settings = [replace(each, seed=seed) for each in settings for seed in seeds]
     with usage_errors():
         return job_of(settings)
-
-
-def _yoked(
-    yoked: Path, seed: int | None = None, seeds: Sequence[int] = (), **settings: Any
-) -> list[RaceSettings]:
-    """Return races of some seeds, or of those in a directory, each yoked to that of the next."""
-    if settings:
-        raise click.UsageError(
-            f"--yoked: expected no settings beside it but seeds, because those of the race are "
-            f"kept, got {', '.join(map(option_name, settings))}"
-        )
-    races: dict[RaceSettings, dict[int, Path]] = {}
-    for path in find_runs(yoked):
-        found = SavedRun(path).settings
-        if found.schedule.kind != Alternating.kind:
-            raise ValueError(f"schedule.race: expected races in turns, got {path}")
-        races.setdefault(found.method, {})[found.seed] = path
-    if not races:
-        raise ValueError(f"schedule.race: expected a directory that holds races, got {yoked}")
-    wanted = seeds if seed is None else [seed]
-    return [
-        replace(method, seed=own, schedule=Yoked(**vars(method.schedule), race=race))
-        for method, paths in races.items()
-        for own in wanted or sorted(paths)
-        # After the last seed comes the first one.
-        for race in [str(paths[min(paths, key=lambda other: (other <= own, other))])]
-    ]
-
-
-def _found_job(root: Path) -> Job:
-    """Return the job in a directory; a run's directory is a job of one."""
-    job = open_job(root)
-    if job is not None:
-        return job
-    runs = find_runs(root)
-    if runs != [root] and open_job(root.parent) is not None:
-        hint = resume_command(root.parent)
-        raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
-    # Runs that were put together by hand.
-    return {run.relative_to(root).as_posix(): SavedRun(run).settings for run in runs}
 
 
 class Whole:
@@ -461,15 +404,13 @@ def play_runs(
     root: Path,
     threads: int | None,
     executor: Executor | None = None,
-    *,
-    new: bool,
     report: Report = silent,
 ) -> tuple[list[SavedRun], dict[Path, str]]:
     """Play the runs of a job; return the finished ones, and why the others failed.
 
     The error of a single run is raised.
     """
-    errors = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
+    errors = play_job(job, root, executor=executor, threads=threads, report=report)
     for error in errors.values():
         if len(job) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code

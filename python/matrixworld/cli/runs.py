@@ -15,7 +15,6 @@ from matrixworld.cli.console import command, note, print_wrapped
 from matrixworld.cli.options import check_exists
 from matrixworld.coevolution import SavedRun
 from matrixworld.coevolution.groups import RunGroup, grouped, job_directory, open_groups
-from matrixworld.coevolution.jobs import JOB
 from matrixworld.coevolution.storage import find_runs
 
 MOST_NAMES = 5
@@ -76,7 +75,7 @@ def finished_groups(directories: Sequence[Path], *, unfinished: bool = False) ->
     if unfinished and len(runs) == 1:
         return grouped({runs[0]: SavedRun(runs[0]).settings}, finished=runs)
     if not any(group.runs for group in groups):
-        again = resume_command(job_directory(runs[0]) or runs[0])
+        again = resume_command(job_directory(runs[0]))
         raise click.UsageError(f"{runs[0]}: expected a finished run; {again} continues it")
     for group in groups:
         if not group.runs:
@@ -128,13 +127,13 @@ def run_in(
 
 def dashed_name(run: Path) -> str:
     """Return a name of a run for files: that of its job, and its own in the job."""
-    path, job = run.absolute(), (job_directory(run) or run).absolute()
+    path, job = run.absolute(), job_directory(run).absolute()
     return "-".join([job.name, *path.relative_to(job).parts])
 
 
 def can_resume(path: Path) -> bool:
-    """Return whether a directory holds a run, or runs that have been asked for."""
-    return bool(find_runs(path)) or (path / JOB).exists()
+    """Return whether a directory holds runs."""
+    return bool(find_runs(path))
 
 
 def resume_command(root: Path) -> str:

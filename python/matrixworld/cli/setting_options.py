@@ -21,7 +21,14 @@ from matrixworld._util.files import DamagedFileError, load_toml, sentence_of
 from matrixworld.cli.console import say
 from matrixworld.cli.options import Existing, option_name
 from matrixworld.cli.runs import run_in
-from matrixworld.coevolution import SCHEDULES, Against, OtherVersionError, RaceSettings
+from matrixworld.coevolution import (
+    SCHEDULES,
+    ActorCritic,
+    Against,
+    AtOnce,
+    OtherVersionError,
+    RaceSettings,
+)
 from matrixworld.coevolution.sections import WORLD_HELP, Section, hints_of, sections_in
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
@@ -38,7 +45,6 @@ PATHS = {
     "n_evaders": "world.n_evaders",
     "learner": "learner",
     "generations": "schedule.generations",
-    "yoked": "schedule.race",
     "seed": "seed",
 }
 """Options of their own, and the settings that they set."""
@@ -236,19 +242,30 @@ def _type(hint: Any) -> str:
 
 
 def _text(item: Field[Any]) -> str:
-    usual, by = item.metadata["default"], item.metadata["by"]
-    shown = [_shown(usual), *(f"{kind}: {_shown(value)}" for kind, value in by.items())]
-    return f"{item.metadata['help']}" + (f"  [default: {'; '.join(shown)}]" if shown[0] else "")
+    usual = _shown(item.metadata["default"])
+    others = "; below: other defaults" if item.metadata["by_race"] else ""
+    return f"{item.metadata['help']}" + (f"  [default: {usual}{others}]" if usual else "")
 
 
 def _shown(value: Any) -> str:
-    if callable(value):
-        return str(value.__doc__).removesuffix(".")
     if isinstance(value, tuple):
         return ",".join(map(str, value))
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, float):
+        return f"{value:.3g}"
     return "" if value is None or isinstance(value, Mapping) else str(value)
+
+
+def _other_defaults() -> dict[str, Mapping[str, Any]]:
+    """Return the defaults that kinds of races and learners have of their own, by these kinds."""
+    pursuer, evader = Against(), Against(team="evader")
+    return {
+        "schedule=hall-of-fame": AtOnce().defaults,
+        "schedule=against, schedule.team=pursuer": pursuer.defaults,
+        "schedule=against, schedule.team=evader": evader.defaults,
+        "learner=actor-critic": ActorCritic.defaults,
+    }
 
 
 def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
@@ -265,5 +282,8 @@ def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     for title, rows in _help_sections().items():
         with formatter.section(title):
             formatter.write_dl(rows)
+    for title, defaults in _other_defaults().items():
+        with formatter.section(f"other defaults, {title}"):
+            formatter.write_dl([(path, _shown(value)) for path, value in defaults.items()])
     say(formatter.getvalue().rstrip())
     ctx.exit()

@@ -1,22 +1,25 @@
 """From episode statistics to the fitness of candidates.
 
 A measure of `FITNESS` gives a value for each match. With several opponents a candidate has several
-values, which become one fitness: their mean, competitive fitness sharing, or reduced virulence.
+values, which become one fitness: their mean, or competitive fitness sharing.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_floats, check_number
+from matrixworld._util.checks import check_floats
+from matrixworld.coevolution.sections import Section, documented, setting
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
+from matrixworld.play.rollout import EpisodeStatistics
 
-if TYPE_CHECKING:
-    from matrixworld.play.rollout import EpisodeStatistics
-
+Table = Callable[[FloatArray], FloatArray]
+"""Arranges one value of each match (M,) as a table (n, m) of individuals against opponents, with
+NaN for pairs that did not play."""
 
 FITNESS = ("captured-fraction", "capture-rate", "rewards")
 """Measures: of the captured evaders the share averaged over the steps, in which fast captures count
@@ -26,8 +29,41 @@ the rewards summed over the team and the steps (not zero-sum)."""
 SHARING = ("none", "competitive")
 """How the values of a candidate against several opponents become its fitness."""
 
-LEAST_VIRULENCE = 0.5
-"""Below it, a candidate with the most wins would have a fitness below 0."""
+
+@documented
+@dataclass(frozen=True)
+class FitnessSettings(Section):
+    """What candidates are selected by."""
+
+    measure: str = setting("captured-fraction", f"one of {', '.join(FITNESS)}", choices=FITNESS)
+    cost_limit: float | None = setting(
+        None,
+        "collisions at fault per 1000 agent-steps; candidates within it rank first; default: no "
+        "limit",
+    )
+    sharing: str = setting(
+        "none", f"fitness sharing over several opponents: {', '.join(SHARING)}", choices=SHARING
+    )
+
+    def check(self) -> None:
+        """Raise ValueError for sharing of rewards, which are not in [0, 1]."""
+        if self.sharing != "none" and self.measure == "rewards":
+            raise ValueError("sharing: expected a measure from 0 to 1, got 'rewards'")
+
+    def fitness(
+        self, scores: EpisodeStatistics, team: Team, table: Table, overlap_penalty: float
+    ) -> FloatArray:
+        """Return the fitness (n,) of a team's individuals from their matches (M,)."""
+        values = table(match_fitness(scores, team, self.measure, overlap_penalty))
+        found = mean_over_opponents(values)
+        if self.sharing != "none":
+            # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
+            payoff = table(match_fitness(scores, team, self.measure, 0.0))
+            found = shared_fitness(payoff) - mean_over_opponents(payoff - values)
+        if self.cost_limit is None:
+            return found
+        excess = mean_over_opponents(table(collisions(scores, team))) - self.cost_limit
+        return feasible_first(found, excess)
 
 
 def measured(scores: EpisodeStatistics, team: Team, measure: str) -> FloatArray:
@@ -39,8 +75,8 @@ def measured(scores: EpisodeStatistics, team: Team, measure: str) -> FloatArray:
     return captured if team == "pursuer" else 1.0 - captured
 
 
-def fitness(
-    scores: EpisodeStatistics, team: Team, *, measure: str, overlap_penalty: float
+def match_fitness(
+    scores: EpisodeStatistics, team: Team, measure: str, overlap_penalty: float
 ) -> FloatArray:
     """Return the fitness (M,) of a team in M matches, the mean over the worlds of each.
 
@@ -92,20 +128,14 @@ def mean_over_opponents(values: FloatArray) -> FloatArray:
     return np.asarray(np.nanmean(values, axis=1) if np.isnan(means).any() else means)
 
 
-def shared_fitness(fitness: FloatArray, payoff: FloatArray, virulence: float | None) -> FloatArray:
-    """Return the fitness (n,) of individuals from results (n, m) against several opponents.
+def shared_fitness(payoff: FloatArray) -> FloatArray:
+    """Return `competitive_sharing` of payoffs (n, m); NaN marks opponents that were not met.
 
-    `fitness` has the penalties, `payoff` has not; NaN marks opponents that were not met. The result
-    is `reduced_virulence` of the payoffs, or without it `competitive_sharing`, minus the mean
-    penalty. Sharing is scaled by n / m: a population that beats every opponent then has a mean
-    fitness of 1, whatever its size.
+    It is scaled by n / m: a population that beats every opponent then has a mean fitness of 1,
+    whatever its size.
     """
-    if virulence is not None:
-        earned = reduced_virulence(np.nansum(payoff, axis=1), virulence)
-    else:
-        n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
-        earned = competitive_sharing(np.nan_to_num(payoff)) * (n / m)
-    return np.asarray(earned - mean_over_opponents(payoff - fitness))
+    n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
+    return competitive_sharing(np.nan_to_num(payoff)) * (n / m)
 
 
 def competitive_sharing(wins: ArrayLike) -> FloatArray:
@@ -131,33 +161,4 @@ def competitive_sharing(wins: ArrayLike) -> FloatArray:
     # An opponent that no individual beats is worth nothing, and would divide by zero.
     beaten = matrix[:, matrix.sum(axis=0) > 0.0]
     fitness: FloatArray = (beaten / beaten.sum(axis=0)).sum(axis=1)
-    return fitness
-
-
-def reduced_virulence(wins: ArrayLike, virulence: float) -> FloatArray:
-    """Return the fitness (n,) float64 by reduced virulence, at most 1; zeros if all wins are 0.
-
-    ``f = 2x/v - x^2/v^2`` with ``x = wins / max(wins)`` and virulence v: the best share of the most
-    wins is v. At virulence 1 more wins are always better. Below 1 a team that could win every match
-    is held back, so that the other team keeps something to learn from.
-
-    Parameters
-    ----------
-    wins : array_like of float, shape (n,)
-        Wins of each individual; ValueError unless all are finite and at least 0.
-    virulence : float
-        From 0.5 to 1, or ValueError is raised.
-
-    References
-    ----------
-    Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing parasite
-    virulence", Evolutionary Computation 12(2).
-    """
-    values = check_floats("wins", wins)
-    check_number("virulence", virulence, least=LEAST_VIRULENCE, most=1.0)
-    if values.ndim != 1 or not ((values >= 0.0) & (values < np.inf)).all():
-        raise ValueError(f"wins: expected (n,) numbers >= 0, got shape {values.shape}: {values}")
-    best = values.max(initial=0.0)
-    share = (values / best if best > 0.0 else values) / virulence
-    fitness: FloatArray = 2.0 * share - share * share
     return fitness

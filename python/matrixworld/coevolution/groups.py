@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,7 +24,6 @@ from matrixworld.analysis import (
 )
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.scores import kept_scores
-from matrixworld.coevolution.jobs import JOB, open_job
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SEED, SavedRun, find_runs
 from matrixworld.coevolution.types import TEAMS, Team
@@ -155,8 +153,8 @@ class RunGroup:
 def open_groups(*directories: str | Path) -> list[RunGroup]:
     """Return the runs of jobs, or of any directories, in groups that differ in their seed only.
 
-    Runs of a job that lie in such a directory and are not finished, or have not begun, are
-    `RunGroup.missing`; a group may have no other ones.
+    Runs in such a directory that are not finished are `RunGroup.missing`; a group may have no other
+    ones.
 
     Parameters
     ----------
@@ -176,7 +174,6 @@ def open_groups(*directories: str | Path) -> list[RunGroup]:
         if not paths:
             raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
         runs |= {path: SavedRun(path).settings for path in paths}
-        runs |= _not_begun(directory, paths)
     return grouped(runs)
 
 
@@ -184,12 +181,9 @@ def grouped(
     runs: Mapping[Path, RaceSettings], finished: Collection[Path] | None = None
 ) -> list[RunGroup]:
     """Return runs in groups; those of `finished` have their results, by default all that do."""
-    found: dict[tuple[RaceSettings, float], list[Path]] = {}
+    found: dict[RaceSettings, list[Path]] = {}
     for path, settings in runs.items():
-        # A penalty that is given by its default value makes no difference.
-        usual = replace(settings.fitness, overlap_penalty=None)
-        key = replace(settings.method, fitness=usual), settings.overlap_penalty
-        found.setdefault(key, []).append(path)
+        found.setdefault(settings.method, []).append(path)
     groups = []
     for paths in found.values():
         seeds: dict[int, Path] = {}
@@ -224,21 +218,7 @@ def _inside(path: Path, root: Path) -> Path:
 # Directories of jobs:
 
 
-def job_directory(path: Path) -> Path | None:
-    """Return the directory of the job that a run or its group belongs to; None without a job."""
-    for folder in (path.absolute(), *path.absolute().parents[:2]):
-        if (folder / JOB).exists():
-            return folder if path.is_absolute() else Path(os.path.relpath(folder))
-    return None
-
-
-def _not_begun(directory: Path, begun: Sequence[Path]) -> dict[Path, RaceSettings]:
-    """Return the runs of a job that belong into a directory and are not there."""
-    root = job_directory(directory)
-    job = None if root is None else open_job(root)
-    if root is None or job is None:
-        return {}
-    place = os.path.relpath(directory, root)
-    inside = {name: each for name, each in job.items() if PurePath(name).is_relative_to(place)}
-    runs = {directory / os.path.relpath(name, place): each for name, each in inside.items()}
-    return {path: each for path, each in runs.items() if path not in begun}
+def job_directory(path: Path) -> Path:
+    """Return the directory of the job that a run belongs to: its own, if it is no run of a seed."""
+    folder = path.absolute()
+    return path / ".." / ".." if SEED.fullmatch(folder.name) else path

@@ -10,11 +10,16 @@ for one with these fields. A setting that would have no effect has no place ther
 from __future__ import annotations
 
 import math
+import os
+import re
+import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import Field, dataclass, field, fields
 from functools import cache
+from importlib import import_module
 from inspect import cleandoc
+from operator import attrgetter
 from types import NoneType
 from typing import Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
@@ -30,7 +35,6 @@ from matrixworld._util.checks import (
     check_sequence,
     shown,
 )
-from matrixworld.coevolution.own_code import PATH, check_own_settings, name_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import REWARDS, VARIANTS, Rewards, Rules
 
@@ -55,7 +59,7 @@ def setting(
     default: Any,
     text: str,
     *,
-    by: Mapping[str, Any] | None = None,
+    by_race: bool = False,
     choices: Collection[str] = (),
     least: float = 0,
     most: float = math.inf,
@@ -63,21 +67,19 @@ def setting(
 ) -> Any:
     """Return a field of a section: its default, what it means, and its legal texts or numbers.
 
-    `by` has other defaults, by the kind of learner or schedule that has them ("gradients" for all
-    learners by gradients): the field is then None until `RaceSettings` knows the kinds. A default
-    may be a function of the epochs, whose docstring says in a line what it returns. With
-    `positive`, 0 is refused.
+    A field whose default may be another one `by_race` is None until `RaceSettings` knows the kind
+    of race and the learner, which state such defaults. With `positive`, 0 is refused.
     """
     metadata = {
         "help": text,
         "default": default,
-        "by": by or {},
+        "by_race": by_race,
         "choices": choices,
         "limits": (least, most, positive),
     }
     if isinstance(default, dict):  # which has no hash: equal sections have equal ones nevertheless
         return field(default_factory=dict, hash=False, metadata=metadata)
-    return field(default=None if by else default, metadata=metadata)
+    return field(default=None if by_race else default, metadata=metadata)
 
 
 def documented(cls: type[AnySection]) -> type[AnySection]:
@@ -113,24 +115,106 @@ class Section:
         return by_path(values_of(self))
 
 
+# Code of your own:
+
+PATH = re.compile(r"[^\W\d]\w*(\.[^\W\d]\w*)*:[^\W\d]\w*(\.[^\W\d]\w*)*")
+"""``module:object``, both with dots or without."""
+
+
+class PluginError(RuntimeError):
+    """Code of your own cannot be imported or made, or does not keep a promise of its base.
+
+    The message names it; the cause is the original error, if there is one.
+    """
+
+
 @dataclass(frozen=True)
 class OwnCode(Section):
-    """Base of the settings of a class of your own: its name or itself, and its settings."""
+    """Base of what stands for a section of your own: its name, and its settings.
+
+    A name is data: settings are checked, saved and read without an import. Only `load` imports,
+    when a run is made or goes on.
+    """
 
     kind: ClassVar[str] = "own"
+    base: ClassVar[type[Section]]
+    """What the section has to be derived from."""
 
     code: str = setting("", "module:object")
     settings: Mapping[str, Any] = setting({}, "its settings: numbers, text, true or false")
-
-    def __post_init__(self) -> None:
-        if callable(self.code):
-            object.__setattr__(self, "code", name_of(self.code))
-        super().__post_init__()
 
     def check(self) -> None:
         """Raise ValueError unless a name is given."""
         if not PATH.fullmatch(self.code):
             raise ValueError(f"code: expected module:object, got {shown(self.code)}")
+
+    def load(self) -> Any:
+        """Return the section of your own.
+
+        ValueError if there is no such class, or it refuses its settings; PluginError if its module
+        or the class itself fails.
+        """
+        cls = _imported(self.code)
+        # Before it is called: the files of a stranger's run must not name any function at all.
+        if not (isinstance(cls, type) and issubclass(cls, self.base)):
+            expected = f"a class derived from {self.base.__name__}"
+            raise ValueError(f"{self.code}: expected {expected}, got {shown(cls)}")
+        try:
+            return cls(**self.settings)
+        except TypeError as error:
+            known = [item.name for item in fields(cls)]
+            raise ValueError(
+                f"{self.code}: expected its settings ({', '.join(known)}), got "
+                f"{dict(self.settings)} ({error})"
+            ) from error
+        except ValueError as error:
+            raise ValueError(f"{self.code}: {error}") from error
+        except (Exception, SystemExit) as error:
+            raise PluginError(f"{self.code}: {type(error).__name__}: {error}") from error
+
+
+def _imported(code: str) -> Any:
+    """Return the object of a name; ValueError if there is none, PluginError if its module fails."""
+    module, _, attribute = code.partition(":")
+    # An installed command looks for modules where it lies itself, not where the user is.
+    if os.getcwd() not in sys.path:
+        sys.path.append(os.getcwd())
+    try:
+        return attrgetter(attribute)(import_module(module))
+    except AttributeError as error:
+        raise ValueError(f"{code}: expected the name of an object in {module}") from error
+    except (Exception, SystemExit) as error:
+        # A module that exists may fail to import another one: then the error names that one.
+        missing = isinstance(error, ModuleNotFoundError) and error.name
+        if missing and f"{module}.".startswith(f"{missing}."):
+            raise ValueError(
+                f"{code}: expected a module that can be imported ({error}); install the package "
+                f"that has it, or put its folder on PYTHONPATH"
+            ) from error
+        raise PluginError(f"{code}: import: {type(error).__name__}: {error}") from error
+
+
+def name_of(code: Any) -> str:
+    """Return ``module:object`` of a class; ValueError if an import cannot find it."""
+    name = f"{getattr(code, '__module__', '')}:{getattr(code, '__qualname__', '')}"
+    if not PATH.fullmatch(name):  # such as what is inside a function
+        raise ValueError(f"code: expected a class of a module, got {shown(code)}")
+    return name
+
+
+def check_own_settings(name: str, given: Any) -> dict[str, Any]:
+    """Return settings of own code by name; TypeError or ValueError if files cannot keep them."""
+    if not isinstance(given, Mapping):
+        raise TypeError(f"{name}: expected values by name, such as {{'sigma': 0.1}}, got {given!r}")
+    values = {key: v.item() if isinstance(v, np.generic) else v for key, v in given.items()}
+    for key, value in values.items():
+        if not isinstance(key, str) or not key.isidentifier():
+            raise ValueError(f"{name}: expected names such as sigma, got {key!r}")
+        is_number = isinstance(value, float) and math.isfinite(value)
+        if not is_number and not isinstance(value, bool | int | str):
+            expected = "a finite number, text, True or False"
+            raise TypeError(f"{name}: expected {expected} as {key}, got {value!r}")
+    return dict(sorted(values.items()))
 
 
 # Fields:
@@ -174,7 +258,7 @@ def _converted(item: Field[Any], hint: Any, value: Any) -> Any:
     # NumPy's numbers as Python's, which files can hold; a bool of NumPy is refused as everywhere.
     if isinstance(value, np.number):
         value = value.item()
-    if value is None and (NoneType in accepted or item.metadata["by"]):
+    if value is None and (NoneType in accepted or item.metadata["by_race"]):
         return None
     if sections_in(hint):
         return _section(item, hint, None, value)
@@ -210,7 +294,10 @@ def _section(item: Field[Any], hint: Any, before: Any, given: Any) -> Section:
     known = sections_in(hint)
     if isinstance(given, Section) and isinstance(given, tuple(known.values())):
         return given
-    if isinstance(given, str) or callable(given):
+    if "own" in known and isinstance(given, known["own"].base):  # type: ignore[attr-defined]
+        own = {n: v for n, v in values_of(given).items() if v is not None}
+        given = {"kind": name_of(type(given)), "settings": own}
+    if isinstance(given, str | type):
         given = {"kind": given}
     if not isinstance(given, Mapping):
         classes = " or ".join(dict.fromkeys(each.__name__ for each in known.values()))
@@ -233,7 +320,9 @@ def _named(name: str, hint: Any, kind: Any) -> tuple[type[Section], Mapping[str,
     if isinstance(kind, str) and kind in known:
         return known[kind], known[kind].shorthands.get(kind, {})
     if "own" in known:
-        if callable(kind) or (isinstance(kind, str) and PATH.fullmatch(kind)):
+        if isinstance(kind, type):
+            kind = name_of(kind)
+        if isinstance(kind, str) and PATH.fullmatch(kind):
             return known["own"], {"code": kind}
         names.append("or module:object")
     expected = f"one of {', '.join(names)}" if names else known[""].__name__

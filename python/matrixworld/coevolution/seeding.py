@@ -14,15 +14,10 @@ epoch
 opponents of an epoch  run seed, `Purpose.OPPONENTS`, team, generation, epoch (both teams of a
                        hall-of-fame race: team 0)
 training matches       run seed, generation of the pursuers and of the evaders, `Phase`, epoch
-matches that choose a  run seed, generation twice, `Phase.ELITE` or `Phase.RETENTION`, team
+matches that choose a  run seed, generation twice, `Phase.RETEST`, team
 champion
-matches of an archive  run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`
+matches of PSRO        run seed, generation of the pursuers and of the evaders, `Phase.ARCHIVE`
 held-out matches       seed of the scores, team, number of the opponent, `Phase.HELD_OUT`
-first maps, and new    run seed, `Purpose.MAPS`, 2, generation, 0
-maps of a generation
-map of an epoch        run seed, `Purpose.MAPS`, team, generation, epoch
-matches that score a   run seed, generation twice, `Phase.MAPS`
-map
 evaluation matches     run seed, generation of the pursuers and of the evaders
 =====================  ===========================================================================
 
@@ -46,7 +41,6 @@ class Purpose(IntEnum):
     NOISE = 2
     LEARN = 3
     OPPONENTS = 4
-    MAPS = 5
 
 
 class Phase(IntEnum):
@@ -57,9 +51,7 @@ class Phase(IntEnum):
     BOTH_LEARN = 3
     HELD_OUT = 4
     ARCHIVE = 5
-    ELITE = 6
-    RETENTION = 7
-    MAPS = 8
+    RETEST = 6
 
 
 def learning_phase(team: Team) -> Phase:

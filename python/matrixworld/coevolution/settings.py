@@ -5,46 +5,23 @@ The number of threads is not a setting, because results do not depend on it.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import Field, dataclass, fields, replace
-from functools import partial
-from inspect import signature
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cached_property, partial
 from typing import Any
 
-import numpy as np
-
-from matrixworld._util.checks import (
-    EPISODE_BYTES,
-    PAYOFF_BYTES,
-    OutOfMemoryError,
-    available_memory,
-    check_memory,
-)
-from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
-from matrixworld.coevolution.learners import BuiltInLearner
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.learners.learner import (
-    Learner,
-    LearnerSettings,
-    Task,
-    table_length,
-)
+from matrixworld.coevolution.fitness import FitnessSettings
+from matrixworld.coevolution.learners import BuiltInLearner, OwnLearner
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.learners.learner import Learner, Task
 from matrixworld.coevolution.learners.masked_network import (
     FixedWeights,
     mask_weights,
     masked_network,
 )
-from matrixworld.coevolution.own_code import LEARNER, find, made
-from matrixworld.coevolution.schedules import (
-    SCHEDULES,
-    Against,
-    Alternating,
-    Maps,
-    Simultaneous,
-    Yoked,
-)
+from matrixworld.coevolution.race import SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.sections import (
+    AnySection,
     OwnCode,
     Section,
     by_path,
@@ -54,8 +31,7 @@ from matrixworld.coevolution.sections import (
     merged,
     setting,
 )
-from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.types import TEAMS, Genomes, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.masks import (
     MASKS,
@@ -68,20 +44,13 @@ from matrixworld.world.policy import GATES, Network
 from matrixworld.world.rules import Outcome, Rewards, variant_name
 
 OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5
-"""Default overlap penalties where teammates may share a cell: in general, and of evaders that learn
-alone and from untrained genomes."""
+"""Penalties of evaders that share a cell: in general, and of evaders that learn alone and from
+untrained genomes. Without one, evaders that may share a cell gather in one corner."""
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
-REDUCED = {
-    "candidates": "policy.hidden or learner.population",
-    "archive": "policy.hidden or schedule.generations",
-    "noise": "policy.hidden",
-    "episodes": "schedule.generations or evaluation_episodes",
-    "views": "train_steps or match_episodes",
-}
-"""Which settings make the largest array of a run smaller."""
-COPIES = 4
-"""Of candidates: samples or parents and children of both teams. Of views: for actor and critic."""
+RETESTED = 3
+"""Genomes that are played again at the end of a generation: the learner's own, and the fittest two
+candidates."""
 
 
 @documented
@@ -89,22 +58,20 @@ COPIES = 4
 class PolicySettings(Section):
     """Settings of the policy networks: both teams have one of the same shape."""
 
-    hidden: tuple[int, ...] = setting(
-        (32,), "sizes of the hidden layers", by={"gradients": (400, 300)}
-    )
+    hidden: tuple[int, ...] = setting((32,), "sizes of the hidden layers", by_race=True)
     activation: str = setting(
         "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
     )
     memory: str = setting(
         "none",
-        "recurrent layer after the first hidden layer: elman, gru (gated recurrent units) or none",
+        "recurrent layer after the first hidden layer: gru (gated recurrent units) or none",
         choices=tuple(GATES),
     )
     initial_weight: float = setting(
-        0.05, "standard deviation of untrained hidden weights", by={"against pursuer": 0.2}
+        0.05, "standard deviation of untrained hidden weights", by_race=True
     )
     initial_head: float = setting(
-        0.1, "standard deviation of untrained output weights", by={"against pursuer": 0.09}
+        0.1, "standard deviation of untrained output weights", by_race=True
     )
     mask: str = setting(
         "none",
@@ -113,79 +80,6 @@ class PolicySettings(Section):
         "rules under which pursuers that learn can capture so), or none; not with every learner",
         choices=MASKS,
     )
-
-
-@documented
-@dataclass(frozen=True)
-class FitnessSettings(Section):
-    """What candidates are selected by."""
-
-    measure: str = setting("captured-fraction", f"one of {', '.join(FITNESS)}", choices=FITNESS)
-    overlap_penalty: float | None = setting(
-        None,
-        "penalty of evaders that share a cell; default: 0.2 where teammates may share a cell (0.5 "
-        "for evaders that learn alone from untrained genomes), else 0",
-    )
-    cost_limit: float | None = setting(
-        None,
-        "collisions at fault per 1000 agent-steps; candidates within it rank first; default: no "
-        "limit",
-    )
-    sharing: str = setting(
-        "none", f"fitness sharing over several opponents: {', '.join(SHARING)}", choices=SHARING
-    )
-    pursuer_virulence: float | None = setting(
-        None,
-        "reduced virulence of the pursuers, from 0.5 to 1; default: mean fitness",
-        least=LEAST_VIRULENCE,
-        most=1.0,
-    )
-    evader_virulence: float | None = setting(
-        None,
-        "reduced virulence of the evaders, from 0.5 to 1; default: mean fitness",
-        least=LEAST_VIRULENCE,
-        most=1.0,
-    )
-
-    def check(self) -> None:
-        """Raise ValueError for sharing and virulence together, or of rewards."""
-        given = [name for name in ("pursuer_virulence", "evader_virulence") if getattr(self, name)]
-        if self.sharing != "none":
-            if given:
-                raise ValueError(
-                    f"{given[0]}: expected no value beside sharing, got sharing {self.sharing!r}"
-                )
-            given = ["sharing"]
-        if given and self.measure == "rewards":
-            raise ValueError(f"{given[0]}: expected a measure from 0 to 1, got 'rewards'")
-
-    def virulence(self, team: Team) -> float | None:
-        """Return the reduced virulence of `team`, None for mean fitness."""
-        return self.pursuer_virulence if team == "pursuer" else self.evader_virulence
-
-
-@documented
-@dataclass(frozen=True)
-class OwnLearnerSettings(OwnCode, LearnerSettings):
-    """A learner of your own (see `Learner`)."""
-
-    @property
-    def starting_genomes(self) -> int:
-        """The population for a class that starts from `genomes`; imports its code."""
-        parameters = signature(find(self.code, LEARNER)).parameters
-        return self.population if "genomes" in parameters else 1
-
-    def new(self, task: Task) -> Learner:
-        """Return a new learner of a team; imports its code."""
-        given = {
-            "genome": task.genomes[0],
-            "genomes": task.genomes,
-            "samples": self.population,
-            "epochs": task.epochs,
-            "rng": task.rng,
-        }
-        learner: Learner = made(self.code, LEARNER, given, self.settings)
-        return learner
 
 
 @documented
@@ -200,65 +94,70 @@ class RaceSettings(Section):
 
     world: WorldConfig = setting(WorldConfig(), "the world; its max_steps are those of evaluation")
     policy: PolicySettings = setting(PolicySettings(), "the policy networks")
-    learner: BuiltInLearner | OwnLearnerSettings = setting(
-        EvolutionStrategySettings(),
+    learner: BuiltInLearner | OwnLearner = setting(
+        EvolutionStrategy(),
         f"how teams learn: {', '.join(kinds_in(BuiltInLearner))} or module:object",
     )
-    evader_learner: BuiltInLearner | OwnLearnerSettings | None = setting(
+    evader_learner: BuiltInLearner | OwnLearner | None = setting(
         None, "how the evaders learn, where it differs; learner is then that of the pursuers"
     )
-    schedule: Alternating | Simultaneous | Against | Yoked | Maps = setting(
+    schedule: InTurns | AtOnce | Against = setting(
         SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
     )
     fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
-    train_steps: int = setting(
-        200,
-        "maximum steps of a training episode",
-        by={"gradients": 500, "against pursuer": 500, "against evader": 300},
-        least=1,
-    )
+    train_steps: int = setting(200, "maximum steps of a training episode", by_race=True, least=1)
     match_episodes: int = setting(1, "episodes of each training match", least=1)
+    retest_episodes: int = setting(
+        0,
+        "new matches, at the end of a generation, of the learner's genome and of the two fittest "
+        "candidates against each of their last opponents; the best one enters the archive; 0: the "
+        "learner's genome does",
+    )
     evaluation_episodes: int = setting(
-        10, "evaluation episodes of each pair", by={"against": 200}, least=1
+        10, "evaluation episodes of each pair", by_race=True, least=1
     )
     seed: int = setting(0, "seed of the run", most=MOST_SEED)
 
     def check(self) -> None:
         """Fill in defaults, and raise ValueError unless all sections fit together."""
         # First the schedule: the steps of a learner may follow from its epochs.
-        for item in sorted(fields(self), key=lambda each: each.name != "schedule"):
-            value = getattr(self, item.name)
+        for name in ("schedule", *(item.name for item in fields(self) if item.name != "schedule")):
+            value = getattr(self, name)
             if isinstance(value, Section):
-                learner = value if isinstance(value, LearnerSettings) else self.learner
-                unfilled = {
-                    each.name: self._usual(each, learner)
-                    for each in fields(value)
-                    if each.metadata["by"] and getattr(value, each.name) is None
-                }
-                with inside(item.name):
-                    value = replace(value, **unfilled)
-            object.__setattr__(self, item.name, self._usual(item) if value is None else value)
+                value = self._filled(name, value)
+            elif value is None:
+                item = next(item for item in fields(self) if item.name == name)
+                value = self._defaults().get(name, item.metadata["default"])
+            object.__setattr__(self, name, value)
         self._check_mask()
         self._check_idle()
-        self._check_maps()
-        if self.evader_learner and not isinstance(self.schedule, Alternating):
+        if self.evader_learner and not isinstance(self.schedule, InTurns):
             why = "one team learns" if isinstance(self.schedule, Against) else "both learn at once"
             raise ValueError(
                 f"evader_learner: expected no value with the schedule {self.schedule.kind}, in "
                 f"which {why}, got {self.evader_learner.kind}"
             )
         for team in self.learning_teams:
-            path = self.learner_path(team)
-            self.learner_of(team).check_fits(path, self.world, self.network)
+            learner = getattr(self, self.learner_path(team))
+            if not isinstance(learner, OwnCode):  # which is not imported yet
+                learner.check_fits(self.learner_path(team), self.world, self.network)
 
-    def _usual(self, item: Field[Any], learner: LearnerSettings | None = None) -> Any:
-        """Return the default of a field with a learner, by default `learner`, and this schedule."""
-        by: Mapping[str, Any] = item.metadata["by"]
-        conditions = (*(learner or self.learner).conditions, *self.schedule.conditions)
-        usual = next((by[each] for each in conditions if each in by), item.metadata["default"])
-        if callable(usual):
-            usual = usual(self.schedule.total_epochs(self.learning_teams[0]))
-        return usual
+    def _defaults(self, learner: Section | None = None) -> dict[str, Any]:
+        """Return the defaults that the kind of race and a learner state, by default `learner`."""
+        return {**self.schedule.defaults, **getattr(learner or self.learner, "defaults", {})}
+
+    def _filled(self, name: str, section: AnySection) -> AnySection:
+        """Return a section with its defaults; ValueError if these do not fit the rest of it."""
+        is_learner = name in ("learner", "evader_learner")
+        usual = self._defaults(section if is_learner else None)
+        section_path = "learner" if is_learner else name
+        empty = {
+            item.name: usual.get(f"{section_path}.{item.name}", item.metadata["default"])
+            for item in fields(section)
+            if item.metadata["by_race"] and getattr(section, item.name) is None
+        }
+        with inside(name):
+            return replace(section, **empty)
 
     def _check_mask(self) -> None:
         mask, rules = self.policy.mask, self.world.rules
@@ -275,69 +174,55 @@ class RaceSettings(Section):
 
     def _check_idle(self) -> None:
         """Raise ValueError for a value without effect where another section is the reason."""
-        learners = [self.learner_of(team) for team in self.learning_teams]
-        learner = " and ".join(dict.fromkeys(each.kind for each in learners))
-        gradients = all(each.by_gradients for each in learners)
-        masked = all(each.keeps_fixed_genes for each in learners)
+        learners = [getattr(self, self.learner_path(team)) for team in self.learning_teams]
+        ignored = set.intersection(*({*getattr(each, "ignores", ())} for each in learners))
         started = isinstance(self.schedule, Against) and self.schedule.start is not None
-        rows: tuple[tuple[str, Iterable[str], bool, str], ...] = (
-            ("policy", ("activation", "memory", "initial_weight"), not self.policy.hidden,
-             "without hidden layers"),
-            ("policy", ("initial_weight",), gradients, f"with {learner}"),
+        shallow = ("activation", "memory", "initial_weight")
+        rows: list[tuple[str, tuple[str, ...], bool, str]] = [
+            ("policy", shallow, not self.policy.hidden, "without hidden layers"),
             ("policy", ("initial_weight", "initial_head"), started, "with a genome to start from"),
-            ("policy", ("mask",), not masked, f"with {learner}"),
-            ("fitness", ("sharing",), self.schedule.opponents_met < 2,
-             "with one opponent an epoch"),
-            ("fitness", ("overlap_penalty",), self.world.rules.teammate is not Outcome.REACH,
-             "where teammates cannot share a cell"),
-            ("fitness", ("overlap_penalty",), "evader" not in self.learning_teams, "of pursuers"),
-            ("fitness", vars(self.fitness), gradients, f"with {learner}"),
-        )  # fmt: skip
+            (
+                "fitness",
+                ("sharing",),
+                self.schedule.opponents_met < 2,
+                "with one opponent an epoch",
+            ),
+        ]
+        kinds = " and ".join(dict.fromkeys(each.kind for each in learners))
+        for path in sorted(ignored):
+            section, _, name = path.partition(".")
+            names = (name,) if name else tuple(vars(getattr(self, section)))
+            rows.append((section, names, True, f"with {kinds}"))
         for section, names, idle, why in rows:
             part = getattr(self, section)
             for item in fields(part):
-                value, usual = getattr(part, item.name), self._usual(item)
+                value = getattr(part, item.name)
+                usual = self._defaults().get(f"{section}.{item.name}", item.metadata["default"])
                 # Settings that were made from others may have the default of these.
-                defaults = (usual, item.metadata["default"], *item.metadata["by"].values())
-                if idle and item.name in names and value not in defaults:
+                if idle and item.name in names and value not in (usual, item.metadata["default"]):
                     expected = "no value" if usual is None else f"{usual!r}, the default"
                     raise ValueError(
                         f"{section}.{item.name}: expected {expected}, got {value!r}; it has no "
                         f"effect {why}"
                     )
-        by_gradients = any(each.by_gradients for each in learners)
-        rewarded = by_gradients or self.fitness.measure == "rewards"
+        rewarded = "fitness" in ignored or self.fitness.measure == "rewards"
         if not rewarded and self.world.rewards != Rewards():
             raise ValueError(
                 f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
-                f"have an effect only with the fitness rewards or a learner by gradients"
+                f"have an effect only with the fitness rewards or the learner actor-critic"
             )
-
-    def _check_maps(self) -> None:
-        """Raise ValueError unless maps that evolve have room for all agents."""
-        if isinstance(self.schedule, Maps):
-            cells, agents = self.world.rows * self.world.cols, self.world.n_agents
-            most = 1.0 - agents / cells
-            if self.schedule.walls > most:
-                raise ValueError(
-                    f"schedule.walls: expected at most {most:.3g}, which leaves a cell for each of "
-                    f"{agents} agents, got {self.schedule.walls:g}"
-                )
 
     # What follows from the settings:
 
     @property
     def is_race(self) -> bool:
         """Whether both teams learn."""
-        return not isinstance(self.schedule, Against)
+        return self.schedule.is_race
 
     @property
     def method(self) -> RaceSettings:
-        """The settings without what tells one seed from another: the seed, and whom it replays."""
-        schedule = self.schedule
-        if isinstance(schedule, Yoked):
-            schedule = replace(schedule, race="another seed")
-        return replace(self, seed=0, schedule=schedule)
+        """The settings without what tells one seed from another."""
+        return replace(self, seed=0)
 
     @property
     def variant(self) -> str:
@@ -354,10 +239,29 @@ class RaceSettings(Section):
         own = team == "evader" and self.evader_learner is not None
         return "evader_learner" if own else "learner"
 
-    def learner_of(self, team: Team) -> BuiltInLearner | OwnLearnerSettings:
-        """Return how a team learns."""
-        learner: BuiltInLearner | OwnLearnerSettings = getattr(self, self.learner_path(team))
-        return learner
+    def learner_of(self, team: Team) -> Learner:
+        """Return how a team learns.
+
+        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
+        fails.
+        """
+        return self._learners[self.learner_path(team)]
+
+    @cached_property
+    def _learners(self) -> dict[str, Learner]:
+        learners = {}
+        for path in ("learner", "evader_learner"):
+            learner = getattr(self, path)
+            if isinstance(learner, OwnCode):
+                learner = self._filled(path, learner.load())
+                learner.check_fits(path, self.world, self.network)
+            learners[path] = learner
+        return learners
+
+    @property
+    def retested_matches(self) -> int:
+        """Matches against one opponent by which the champion of a generation is chosen."""
+        return RETESTED * self.retest_episodes
 
     def counted(self, trained: int, evaluated: int) -> int:
         """Return how many training matches take about as long as matches of both kinds."""
@@ -379,10 +283,7 @@ class RaceSettings(Section):
 
     @property
     def overlap_penalty(self) -> float:
-        """The overlap penalty, with the default filled in."""
-        if self.fitness.overlap_penalty is not None:
-            return self.fitness.overlap_penalty
-        # Without a penalty, evaders that may share a cell gather in one corner.
+        """The penalty of evaders that share a cell; 0 where teammates may not."""
         if self.world.rules.teammate is not Outcome.REACH or self.fitness.measure == "rewards":
             return 0.0
         alone = isinstance(self.schedule, Against) and self.schedule.start is None
@@ -394,25 +295,23 @@ class RaceSettings(Section):
             return None
         return mask_weights(self.network, forbidding_cells(self.world, self.policy.mask, team))
 
+    def task(self, team: Team, begin: Genome | None = None) -> Task:
+        """Return what the learner of a team starts from: untrained genomes, or `begin`."""
+        scales: Any = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
+        return Task(
+            seed=self.seed,
+            team=TEAMS.index(team),
+            epochs=self.schedule.total_epochs(team),
+            untrained=partial(self.learner_of(team).untrained, self.network, **scales),
+            begin=begin,
+            world=self.world,
+            network=self.network,
+            mask=self.mask_weights(team),
+        )
+
     def untrained(self, team: Team, count: int) -> Genomes:
         """Return the first `count` untrained genomes (count, genes) of a team."""
-        rng = keyed_generator(self.seed, Purpose.INITIAL, TEAMS.index(team))
-        scales = {"weight": self.policy.initial_weight, "head": self.policy.initial_head}
-        new = partial(self.learner_of(team).untrained, self.network, rng, **scales)
-        # One after the other from one generator: the first genomes do not depend on `count`.
-        return np.stack([new() for _ in range(count)])
-
-    def new_learner(self, team: Team, genomes: Genomes) -> Learner:
-        """Return a new learner of a team, from its `starting_genomes` genomes (n, genes).
-
-        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
-        fails.
-        """
-        # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
-        rng = keyed_generator(self.seed, Purpose.NOISE, TEAMS.index(team))
-        mask, epochs = self.mask_weights(team), self.schedule.total_epochs(team)
-        start, fixed = (genomes, None) if mask is None else (mask.write(genomes), mask.fixed)
-        return self.learner_of(team).new(Task(start, rng, self.world, self.network, epochs, fixed))
+        return self.task(team).genomes(count)
 
     def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
         """Return the settings with other values by their paths.
@@ -427,7 +326,8 @@ class RaceSettings(Section):
         >>> settings.learner.kind, settings.schedule.generations
         ('ga', 5)
         """
-        return RaceSettings(**merged(RaceSettings, vars(self), by_path(changes)))
+        values = {item.name: getattr(self, item.name) for item in fields(self)}
+        return RaceSettings(**merged(RaceSettings, values, by_path(changes)))
 
     @classmethod
     def of(cls, *values: Mapping[str, Any]) -> RaceSettings:
@@ -442,45 +342,3 @@ class RaceSettings(Section):
         for each in values:
             given = merged(cls, given, by_path(each))
         return cls(**given)
-
-
-def check_run_memory(what: str, runs: Sequence[RaceSettings]) -> None:
-    """Raise OutOfMemoryError if runs that are played at one time need more than is available."""
-    parts: Counter[str] = Counter()
-    for each in runs:
-        parts.update(run_memory(each))
-    try:
-        check_memory(what, **parts)
-    except OutOfMemoryError as error:
-        largest = max(parts, key=parts.__getitem__)
-        share = (available_memory() or 0) / parts.total()
-        raise OutOfMemoryError(
-            f"{error}; about {share:.2g} of this would fit, with less {REDUCED[largest]}"
-        ) from error
-
-
-def run_memory(settings: RaceSettings) -> dict[str, int]:
-    """Return the bytes of a run's largest arrays, by what they hold."""
-    schedule = settings.schedule
-    learners = [settings.learner_of(team) for team in settings.learning_teams]
-    population = max(each.population for each in learners)
-    genome, teams = 4 * settings.network.genome_size, len(settings.learning_teams)
-    archives = 2 if isinstance(schedule, Yoked) else 1
-    # Both teams of a hall-of-fame race meet each other and their own samples of the archive.
-    extra = schedule.hall_sample if isinstance(schedule, Simultaneous) else 0
-    episodes = population * (schedule.opponents_met + extra) * settings.match_episodes
-    pairs = schedule.entries**2 if settings.is_race else 1
-    needed = {
-        "candidates": COPIES * population * genome,
-        # A file of it is made in memory.
-        "archive": (archives + 3) * teams * schedule.entries * genome,
-        "noise": teams * 4 * table_length(settings.network.genome_size),
-        "episodes": max(
-            EPISODE_BYTES * episodes, PAYOFF_BYTES * pairs * settings.evaluation_episodes
-        ),
-    }
-    if any(each.by_gradients for each in learners):
-        agents = max(settings.world.n_pursuers, settings.world.n_evaders)
-        transitions = episodes * settings.train_steps * agents
-        needed["views"] = COPIES * transitions * settings.network.sizes[0]
-    return needed

@@ -14,14 +14,13 @@ itself, and then the checkpoint two stages before is removed. The newest stage t
 checkpoint, whenever the process is killed, and a stage costs the same however many there are.
 
 A stage file is written under a temporary name, synced and renamed, and never changes. Readers
-beside a writer see whole stages only, and need no lock. All that the package reads carries a
-checksum of its content, its name and config.json, so that a file that is cut, altered or of another
-run is refused. log.csv, pursuers.npy and evaders.npy are copies that nothing here reads. They,
-payoff.npz and summary.json are written when the training has ended; if one of the last two is
-deleted, resuming the run makes all again.
+beside a writer see whole stages only, and need no lock. A zip archive has checksums of its content,
+so that a file that is cut or altered is refused. log.csv, pursuers.npy and evaders.npy are copies
+that nothing here reads. They, payoff.npz and summary.json are written when the training has ended;
+if one of the last two is deleted, going on makes all again.
 
-`SavedRun` reads these files, and `RunWriter` writes them. Atomic writes, checksums and locks of
-single files are in `matrixworld._util.files`.
+`SavedRun` reads these files, and `RunWriter` writes them. Atomic writes and locks of single files
+are in `matrixworld._util.files`.
 """
 
 from __future__ import annotations
@@ -45,7 +44,6 @@ from matrixworld._util.files import (
     Arrays,
     DamagedFileError,
     is_temporary,
-    json_digest,
     load_arrays,
     load_json,
     locked,
@@ -56,30 +54,24 @@ from matrixworld._util.files import (
     save_json,
 )
 from matrixworld._util.readable import html_of
-from matrixworld.coevolution.schedules import (
-    ALTERNATING,
-    HALL_OF_FAME,
-    PSRO,
-    SCHEDULES,
-    Against,
-)
+from matrixworld.coevolution.race import PSRO, SCHEDULES, Against, AtOnce, InTurns
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Payoff, State, Team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import record
 from matrixworld.play import NetworkPolicy
 from matrixworld.version import __version__
 from matrixworld.world.policy import Network, Population, Script, TeamPolicy
 
-FORMAT = 9
+FORMAT = 10
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
-ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], PSRO, ALTERNATING]
+ORDER = [*list(SCHEDULES)[:-1], AtOnce.kind, list(SCHEDULES)[-1], PSRO, InTurns.kind]
 """The order in which the runs of one job are played and shown."""
 SEED = re.compile(r"seed-(\d+)")
 """Names of the directories of a job's runs."""
@@ -108,9 +100,6 @@ opponents); `fitness_*` are over the candidates of the epoch; `capture_rate`, `l
 are the training episodes and world steps played so far in the run. Matches after the last epoch of
 a generation, which choose its champion, count in the row of that epoch.
 """
-SEVERAL = -1
-"""Value of `opponent` in an epoch with several opponents."""
-
 Row = dict[str, Any]
 Archive = dict[Team, Genomes]
 Counters = dict[str, float]
@@ -122,7 +111,7 @@ class OtherVersionError(ValueError):
 
 
 def load_format(path: Path, expected: int) -> dict[str, Any]:
-    """Return a sealed JSON object; OtherVersionError if its format is another than expected."""
+    """Return a JSON object; OtherVersionError if its format is another than expected."""
     values = load_json(path)
     # Before any other entry is read: another format may not have it.
     if values.get("format") != expected:
@@ -135,10 +124,7 @@ def load_format(path: Path, expected: int) -> dict[str, Any]:
 
 @contextmanager
 def settings_of_this_version(path: Path, values: Mapping[str, Any]) -> Iterator[None]:
-    """Turn errors of settings that `load_format` has read into OtherVersionError.
-
-    Their checksum was correct, so that the file is not damaged.
-    """
+    """Turn errors of settings that `load_format` has read into OtherVersionError."""
     try:
         yield
     except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
@@ -252,40 +238,28 @@ class SavedRun:
         """Return the rows of the log of all finished stages after one; errors as `archive`."""
         return _rows_of([self._stage(number) for number in range(after + 1, self.newest() + 1)])
 
-    def maps(self) -> dict[str, NDArray[Any]]:
-        """Return the maps of a race whose maps evolve, after each generation from 0 on.
-
-        ``maps``, bool (generations, N, rows, cols), begin with the best; ``scores`` (generations,
-        N) are what they were selected by. ValueError if no maps evolve; errors as `archive`.
-        """
-        stages = [stage for stage in self._stages() if "maps" in stage]
-        if not stages:
-            kind = self.settings.schedule.kind
-            raise ValueError(f"run: expected a race with the schedule maps, got {kind}")
-        return {name: np.stack([stage[name] for stage in stages]) for name in ("maps", "scores")}
-
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         return Payoff.from_arrays(self._load(PAYOFF))
 
     def summary(self) -> dict[str, Any]:
         """Return summary.json; FileNotFoundError while the run is not finished."""
-        return load_json(self.path / SUMMARY, owner=self.owner(SUMMARY))
-
-    def owner(self, name: str) -> str:
-        """Return the owner of a file in its checksum: runs of other settings have another one."""
-        return f"{json_digest(self.config)}/{name}"
+        return load_json(self.path / SUMMARY)
 
     def newest(self) -> int:
         """Return the number of the newest stage, 0 before the first."""
         return max(self._numbers("stage"), default=0)
+
+    def matches(self) -> int:
+        """Return the training matches until the newest stage; errors as `archive`."""
+        return int(self._stage(self.newest())["matches"])
 
     def _numbers(self, kind: str) -> list[int]:
         names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
         return [int(name) for name in names if name.isdigit()]
 
     def _load(self, name: str) -> Arrays:
-        return load_arrays(self.path / name, owner=self.owner(name))
+        return load_arrays(self.path / name)
 
     def _stages(self) -> list[Arrays]:
         """Return what all finished stages have added; DamagedFileError if one is missing."""
@@ -489,11 +463,11 @@ def open_runs(directory: str | Path) -> list[SavedRun]:
 
 
 class Restored(NamedTuple):
-    """What all stages have added, the genomes in them, and the state from which to go on."""
+    """What all stages have added, the genomes in them, and the states from which to go on."""
 
     stages: list[Arrays]
     archive: Archive
-    state: Arrays
+    states: dict[str, State]
 
 
 class RunWriter(SavedRun):
@@ -534,20 +508,21 @@ class RunWriter(SavedRun):
         archive: Mapping[Team, Genomes | Sequence[Genome]],
         rows: Sequence[Row],
         counters: Counters,
-        state: Mapping[str, Any],
+        states: Mapping[str, State],
         more: Mapping[str, NDArray[Any]] | None = None,
     ) -> None:
         """Save a stage and its checkpoint.
 
         `archive` holds all genomes of each team, of which those of earlier stages are not written
         again; `rows` are the rows of the log of this stage; `counters` is what the run has counted
-        until now; `state` is that of learners and samplers, from which the next stage goes on;
-        `more` are other results of the stage, such as maps.
+        until now; `states` are those of learners and samplers, from which the next stage goes on;
+        `more` are other results of the stage.
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
-        log = _as_csv([{**row, "stage": stage} for row in rows]).encode()
-        self._save(_name("checkpoint", stage), state)
+        log = _as_csv(rows).encode()
+        flat = {f"{p}.{name}": value for p, each in states.items() for name, value in each.items()}
+        self._save(_name("checkpoint", stage), flat)
         self._save(_name("stage", stage), {**genomes, "log": log, **counters, **(more or {})})
         self._saved = {team: len(archive[team]) for team in TEAMS}
         (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
@@ -589,7 +564,15 @@ class RunWriter(SavedRun):
                 (self.path / _name("checkpoint", number)).unlink()
         archive = _archive_of(stages)
         self._saved = {team: len(archive[team]) for team in TEAMS}
-        return Restored(stages, archive, state)
+        parts = self.settings.learning_teams
+        states: dict[str, State] = {
+            name: {} for team in parts for name in (team, f"{team}.opponents")
+        }
+        for key, value in state.items():
+            # "pursuer.opponents.x" belongs to the part "pursuer.opponents", not to "pursuer".
+            part, _, name = key.rpartition(".")
+            states.setdefault(part, {})[name] = value
+        return Restored(stages, archive, states)
 
     def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
         """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
@@ -601,10 +584,10 @@ class RunWriter(SavedRun):
                 with replacing(self.path / f"{team}s.npy") as file:
                     np.save(file, genomes)
         self._save(PAYOFF, payoff)
-        save_json(self.path / SUMMARY, summary, owner=self.owner(SUMMARY))
+        save_json(self.path / SUMMARY, summary)
 
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        save_arrays(self.path / name, arrays, owner=self.owner(name))
+        save_arrays(self.path / name, arrays)
 
 
 def _name(kind: str, stage: int) -> str:
@@ -652,7 +635,7 @@ def _rows_of(stages: Sequence[Arrays]) -> list[Row]:
 
 def _as_csv(rows: Sequence[Row]) -> str:
     text = io.StringIO()
-    # The same line ends on all systems, so that checksums are the same, too.
+    # The same line ends on all systems, so that files are the same, too.
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
     for row in rows:
         # Nine digits identify every float32.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -22,49 +22,16 @@ Genomes = NDArray[np.float32]
 """One genome a row, shape (n, genes)."""
 Seeds = NDArray[np.uint64]
 """Seeds of matches."""
-Members = NDArray[Any]
-"""Members of an archive, shape (n, ...): one row each, of any dtype (genomes or their indices)."""
 State = dict[str, NDArray[Any]]
 """All that changes in a learner or sampler, as plain arrays by name."""
+
+SEVERAL = -1
+"""Value of `opponent` in the log of an epoch with several opponents."""
 
 Indices = NDArray[np.intp]
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 IntArray = NDArray[np.int64]
-
-
-class Stateful(Protocol):
-    """A part of a run that a checkpoint saves and restores: a learner or an opponent sampler."""
-
-    def state(self) -> State:
-        """Return all that changes, as arrays of numbers or text; names are identifiers.
-
-        These arrays do not change afterwards. Called at the end of an epoch: of a learner between
-        `tell` and `ask`.
-        """
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`, of this or of an equal one.
-
-        It may have gone further, and a learner may have been interrupted after `ask`.
-        """
-
-
-class Saved:
-    """Base of parts whose state is the attributes named in `saved`: arrays and plain numbers."""
-
-    saved: ClassVar[tuple[str, ...]] = ()
-
-    def state(self) -> State:
-        """Return copies of all that changes, as plain arrays by name."""
-        return {name: np.array(getattr(self, name)) for name in self.saved}
-
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        for name in self.saved:
-            value = state[name]
-            # Arrays without an axis were plain numbers before they were saved.
-            setattr(self, name, value.copy() if value.ndim else value.item())
 
 
 def other(team: Team) -> Team:

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
-from matrixworld.coevolution.schedules import PAPER, Simultaneous
+from matrixworld.coevolution.learners import EvolutionStrategy, GeneticAlgorithm
+from matrixworld.coevolution.race import PAPER, AtOnce
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import FORMAT
 from matrixworld.coevolution.types import TEAMS
@@ -38,7 +37,7 @@ RACE: dict[str, Any] = {
 hidden layers a genome has so few numbers that few matches tell which ones are good."""
 SMALL = WorldConfig("TO", rows=6, cols=6, n_pursuers=2, n_evaders=1, fov=5, max_steps=6)
 """A world that a page solves in less than a second. Networks that see less of it learn faster."""
-ES, GA = EvolutionStrategySettings.kind, GeneticAlgorithmSettings.kind
+ES, GA = EvolutionStrategy.kind, GeneticAlgorithm.kind
 LEARNERS: dict[str, dict[str, Any]] = {
     ES: {"learner": ES, "learner.sigma": 0.3, "learner.learning_rate": 0.2},
     GA: {"learner": GA, "learner.mutation": 0.2},
@@ -47,7 +46,7 @@ IN_TURNS = {"learner.population": 32, "schedule.pursuer_epochs": 30, "schedule.e
 AT_ONCE = {"learner.population": 16, "schedule.joint_epochs": 20}
 SCHEDULES: dict[str, dict[str, Any]] = {
     **{name: {"schedule": name, **IN_TURNS} for name in PAPER},
-    Simultaneous.kind: {"schedule": Simultaneous.kind, **AT_ONCE},
+    AtOnce.kind: {"schedule": AtOnce.kind, **AT_ONCE},
 }
 
 

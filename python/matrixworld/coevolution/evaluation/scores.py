@@ -18,12 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import (
-    EPISODE_BYTES,
     SEED_MAX,
     check_choice,
     check_instance,
     check_integer,
-    check_memory,
     check_threads,
 )
 from matrixworld._util.files import (
@@ -45,7 +43,7 @@ from matrixworld.coevolution.evaluation.tournament import (
     team_size,
 )
 from matrixworld.coevolution.progress import Progress, Report, silent
-from matrixworld.coevolution.schedules import Against
+from matrixworld.coevolution.race import Against
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
@@ -78,8 +76,6 @@ ESCAPERS: tuple[Script, ...] = ("random", "still", "clumsy-fleer", "fleer", "dod
 HELD_OUT_VERSION = 2
 """Version of the set of opponents: scores of different versions cannot be compared. In version 1
 the variants with capture by surrounding had no ``careful-team-surrounder``."""
-RATE = 8
-"""Bytes of a float64."""
 SCORES = "scores.json"
 """File in the run directory: scores of the last generations, played once and kept."""
 EPISODES, SEED = 100, 0
@@ -284,8 +280,6 @@ def _scores(
     rates: dict[Team, NDArray[np.float64]] = {}
     for team, policy, generations, opponents, _ in teams:
         shape = len(generations), len(opponents), episodes
-        # Rates of the opponents so far, and the statistics of one more.
-        check_memory("scores", rates=shape[0] * episodes * (EPISODE_BYTES + 2 * RATE * shape[1]))
         rates[team] = np.empty(shape)
         for number, opponent in enumerate(opponents.values()):
             # The generation is not part of the key: all genomes play the same episodes.
@@ -431,14 +425,14 @@ def kept_scores(
         played = score_runs(missing, report=report, threads=threads)
         for run, teams in zip(missing, played, strict=True):
             plain = {f"{team}s": each.to_json() for team, each in teams.items()}
-            save_json(run.path / SCORES, {**SCORED_BY, **plain}, owner=run.owner(SCORES))
+            save_json(run.path / SCORES, {**SCORED_BY, **plain})
     return [_kept(run) or {} for run in runs]
 
 
 def _kept(run: SavedRun) -> dict[str, Any] | None:
     """Return the scores in a run directory; None if none are kept there, or other ones."""
     try:
-        kept = load_json(run.path / SCORES, owner=run.owner(SCORES))
+        kept = load_json(run.path / SCORES)
     except (FileNotFoundError, DamagedFileError):
         return None
     return kept if kept.items() >= SCORED_BY.items() else None

@@ -11,14 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import (
-    EPISODE_BYTES,
-    PAYOFF_BYTES,
-    check_instance,
-    check_integer,
-    check_memory,
-    check_threads,
-)
+from matrixworld._util.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Payoff
 from matrixworld.play.matches import Plays
@@ -86,8 +79,6 @@ def tournament(
     episodes = check_integer("episodes", episodes, 1)
     check_threads(threads)
     size = team_size(pursuers), team_size(evaders)
-    row = size[1] * episodes
-    check_memory("tournament", kept=PAYOFF_BYTES * size[0] * row, row=EPISODE_BYTES * row)
     generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
     seeds = np.array([evaluation_seed(seed, g, h) for g, h in product(*generations)], np.uint64)
     columns = np.arange(size[1])

@@ -1,21 +1,39 @@
 """Learners: algorithms that improve the genome of one team from the fitness of its candidates.
 
-`learner` has the interface, `Learner`; each other file an algorithm with its settings. To add one
-to the package, write a class with that interface and a subclass of `LearnerSettings` in a file of
-its own, and name the settings in `BuiltInLearner`. Everywhere here, a value out of range or of
-another shape raises a ValueError that names it.
+`learner` has their base, `Learner`, and parts that several share; each other file an algorithm. To
+add one to the package, write a dataclass with that base in a file of its own, and name it in
+`BuiltInLearner`.
 """
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from dataclasses import dataclass
+from typing import ClassVar, TypeAlias
 
-from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
-from matrixworld.coevolution.learners.cma_es import CmaEsSettings
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
+from matrixworld.coevolution.learners.actor_critic import ActorCritic
+from matrixworld.coevolution.learners.cma_es import CmaEs
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
+from matrixworld.coevolution.learners.learner import Learner
+from matrixworld.coevolution.sections import OwnCode, Section, documented
 
-BuiltInLearner: TypeAlias = (
-    EvolutionStrategySettings | GeneticAlgorithmSettings | CmaEsSettings | ActorCriticSettings
-)
-"""The learners of the package, by their settings."""
+__all__ = [
+    "ActorCritic",
+    "BuiltInLearner",
+    "CmaEs",
+    "EvolutionStrategy",
+    "GeneticAlgorithm",
+    "Learner",
+    "OwnLearner",
+]
+
+BuiltInLearner: TypeAlias = EvolutionStrategy | GeneticAlgorithm | CmaEs | ActorCritic
+"""The learners of the package."""
+
+
+@documented
+@dataclass(frozen=True)
+class OwnLearner(OwnCode):
+    """A learner of your own (see `Learner`)."""
+
+    base: ClassVar[type[Section]] = Learner

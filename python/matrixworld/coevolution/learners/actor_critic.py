@@ -13,7 +13,7 @@ ICLR. Schulman et al. 2017, "Proximal policy optimization algorithms", arXiv:170
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import chain, cycle, islice, pairwise
@@ -21,16 +21,23 @@ from math import sqrt
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution.learners.learner import Adam, LearnerSettings, Task, annealed
-from matrixworld.coevolution.learners.transitions import Experience, Reals, Views, experience
+from matrixworld.coevolution.learners.learner import (
+    Learner,
+    Results,
+    Task,
+    adam,
+    adam_state,
+    annealed,
+)
+from matrixworld.coevolution.learners.transitions import Experience, Reals, Views
 from matrixworld.coevolution.sections import documented, setting
+from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State
 from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import CHANNELS, Network, Population
+from matrixworld.world.policy import CHANNELS, Network
 from matrixworld.world.rules import Interaction
 
 CHUNK = 2**20
@@ -151,22 +158,23 @@ def _sparse(rows: Views, torch: Any) -> Tensor:
         return torch.sparse_csr_tensor(*map(torch.from_numpy, parts), size=rows.shape)
 
 
-class Perceptron(Adam):
-    """A network that learns by Adam; its weights are one vector, in the layout of a genome."""
+class Perceptron:
+    """A network that learns by Adam; its weights are one vector, in the layout of a genome.
 
-    saved: ClassVar[tuple[str, ...]] = (*Adam.saved, "weights")
+    It is made from the entries of a state whose names begin with `name`, and `state` has these.
+    """
 
     def __init__(
-        self,
-        weights: Genome,
-        sizes: tuple[int, ...],
-        activation: str,
-        rate: float,
-        fixed: BoolArray | None = None,
+        self, name: str, state: State, sizes: tuple[int, ...], activation: str, rate: float
     ) -> None:
-        super().__init__(len(weights))
-        self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
-        self.fixed = fixed
+        self.sizes, self.activation, self.rate, self._prefix = sizes, activation, rate, f"{name}_"
+        self.state: State = {n: each for n, each in state.items() if n.startswith(self._prefix)}
+        self.fixed: BoolArray | None = state.get("fixed") if name == "actor" else None
+
+    @property
+    def weights(self) -> Genome:
+        """The weights (genes,)."""
+        return self.state[f"{self._prefix}weights"]
 
     def outputs(self, weights: Tensor, inputs: Inputs) -> Tensor:
         """Return the outputs (n, out) for inputs (n, in); `weights` is a tensor of the vector."""
@@ -184,8 +192,8 @@ class Perceptron(Adam):
         """Make one step of Adam, at a share of the learning rate."""
         if self.fixed is not None:
             gradient = np.where(self.fixed, np.float32(0.0), gradient)
-        # A new array: archives keep a reference to the genome of their generation.
-        self.weights = self.weights + self.step(gradient, share * self.rate)
+        change, averages = adam(self.state, gradient, share * self.rate, self._prefix)
+        self.state = {**averages, f"{self._prefix}weights": self.weights + change}
 
 
 def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
@@ -207,12 +215,32 @@ def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float 
 
 @documented
 @dataclass(frozen=True)
-class ActorCriticSettings(LearnerSettings):
-    """Settings of `ActorCritic`. The defaults are those of the published implementation."""
+class ActorCritic(Learner):
+    """Actor-critic: policy gradient with generalized advantage estimation.
+
+    ::
+
+        play:    matches of the actor, whose agents' transitions are collected
+        critic:  V = critic(view);  returns R = rewards to go, with V at the end of the time
+        actor:   ascend  mean( log p(action | view) * A ),  A normalised over all transitions
+        critic:  descend mean( (V - R)^2 )
+
+    With `clip`, the actor ascends the clipped objective of PPO. With `cost_limit` a second critic
+    estimates advantages C of costs, and the actor follows (A - m C) / (1 + m), where the multiplier
+    m >= 0 rises while there are more collisions than the limit. Defaults are those of the published
+    implementation.
+    """
 
     kind: ClassVar[str] = "actor-critic"
-    by_gradients: ClassVar[bool] = True
-    keeps_fixed_genes: ClassVar[bool] = True
+    ignores: ClassVar[tuple[str, ...]] = ("fitness", "policy.initial_weight")
+    defaults: ClassVar[Mapping[str, Any]] = {
+        "policy.hidden": (400, 300),
+        "train_steps": 500,
+        "schedule.pursuer_epochs": 400,
+        "schedule.evader_epochs": 400,
+        "schedule.joint_epochs": 400,
+        "schedule.epochs": 1200,
+    }
     learning_time: ClassVar[float] = 40.0
     steps: ClassVar[tuple[str, ...]] = ("actor_rate", "critic_rate")
 
@@ -274,71 +302,75 @@ class ActorCriticSettings(LearnerSettings):
         """Return orthogonal weights: gradients vanish or explode from other beginnings."""
         return orthogonal(network.sizes, rng, head=head)
 
-    def new(self, task: Task) -> ActorCritic:
-        """Return a new learner of a team."""
-        return ActorCritic(task, self)
-
-
-class ActorCritic:
-    """Actor-critic: policy gradient with generalized advantage estimation.
-
-    ::
-
-        play:    matches of the actor, whose agents' transitions are collected
-        critic:  V = critic(view);  returns R = rewards to go, with V at the end of the time
-        actor:   ascend  mean( log p(action | view) * A ),  A normalised over all transitions
-        critic:  descend mean( (V - R)^2 )
-
-    With `clip`, the actor ascends the clipped objective of PPO. With `cost_limit` a second critic
-    estimates advantages C of costs, and the actor follows (A - m C) / (1 + m), where the multiplier
-    m >= 0 rises while there are more collisions than the limit.
-
-    """
-
-    def __init__(self, task: Task, chosen: ActorCriticSettings) -> None:
-        self.chosen = chosen
-        self.network = network = task.network
-        self.anneal_over = task.epochs if chosen.anneal else None
-        self._device = _usable_device(self._torch, chosen.device)
-        rate, activation = chosen.actor_rate, network.activation
-        actor = np.array(task.genomes[0], np.float32)
-        self._actor = Perceptron(actor, network.sizes, activation, rate, task.fixed)
-        state = CHANNELS * task.world.rows * task.world.cols
-        sizes = (state if chosen.central_critic else network.sizes[0], *network.hidden, 1)
-        names = ["critic"] if chosen.cost_limit is None else ["critic", "cost_critic"]
-        self._critics = {
-            name: Perceptron(orthogonal(sizes, task.rng), sizes, activation, chosen.critic_rate)
-            for name in names
-        }
-        self.multiplier = 0.0
-        self._share = 1.0  # of the learning rates, in this epoch
-
-    @property
-    def _torch(self) -> Any:
-        # Not an attribute: a module cannot be pickled.
-        return imported("torch", "torch")
-
-    @property
-    def genome(self) -> Genome:
-        """Weights of the actor, (genes,)."""
-        return self._actor.weights
-
     @property
     def seed_groups(self) -> Indices:
         """Each match has a seed of its own."""
-        return np.arange(self.chosen.population)
+        return np.arange(self.population)
 
-    def ask(self, rng: np.random.Generator) -> Genomes:
+    def start(self, task: Task) -> State:
+        """Return the multiplier, and weights and averages of Adam of actor and critics."""
+        _usable_device(self.device)
+        network, cells = task.network, task.world.rows * task.world.cols
+        seen = CHANNELS * cells if self.central_critic else network.sizes[0]
+        sizes = (seen, *network.hidden, 1)
+        rng = keyed_generator(task.seed, Purpose.NOISE, task.team)
+        weights = {"actor": np.array(task.genomes(1)[0], np.float32)}
+        for name in ("critic",) if self.cost_limit is None else ("critic", "cost_critic"):
+            weights[name] = orthogonal(sizes, rng)
+        state = {
+            "multiplier": np.array(0.0),
+            "epochs": np.array(task.epochs),
+            "sizes": np.array(network.sizes),
+            "value_sizes": np.array(sizes),
+            "tanh": np.array(network.activation == "tanh"),
+        }
+        if task.mask is not None:
+            state["fixed"] = task.mask.fixed
+        for name, vector in weights.items():
+            state |= {f"{name}_weights": vector, **adam_state(vector.size, f"{name}_")}
+        return state
+
+    def genome(self, state: State) -> Genome:
+        """Return the weights of the actor."""
+        return state["actor_weights"]
+
+    def ask(self, state: State, rng: np.random.Generator) -> tuple[Genomes, State]:
         """Return the actor once for each match."""
-        return np.repeat(self.genome[np.newaxis], self.chosen.population, axis=0)
+        return np.repeat(self.genome(state)[np.newaxis], self.population, axis=0), state
 
-    def tell(self, fitness: ArrayLike) -> None:
-        """Do nothing: this learner has learned from the transitions, and fitness is for the log."""
+    def tell(self, state: State, results: Results) -> State:
+        """Learn from the transitions of the matches; their fitness is for the log alone."""
+        update = Update(self, state)
+        update.learn(results.experience(states=self.central_critic))
+        return update.state()
 
-    def learn_from(self, **matches: Any) -> None:
-        """Learn from matches, which are played once more for it (see `experience`)."""
-        policy, states = Population(self.genome, self.network), self.chosen.central_critic
-        self.learn(experience(policy=policy, states=states, **matches))
+
+class Update:
+    """One epoch of learning: the networks of a state, which move, and their new state."""
+
+    def __init__(self, chosen: ActorCritic, state: State) -> None:
+        self.chosen = chosen
+        self._torch, self._device = imported("torch", "torch"), _usable_device(chosen.device)
+        activation = "tanh" if state["tanh"] else "relu"
+        self._kept = {name: value for name, value in state.items() if "_weights" not in name}
+        self._actor = Perceptron(
+            "actor", state, tuple(map(int, state["sizes"])), activation, chosen.actor_rate
+        )
+        sizes = tuple(map(int, state["value_sizes"]))
+        names = ["critic"] if chosen.cost_limit is None else ["critic", "cost_critic"]
+        self._critics = {
+            name: Perceptron(name, state, sizes, activation, chosen.critic_rate) for name in names
+        }
+        self.multiplier = float(state["multiplier"])
+        updates = int(state["actor_updates"]) // chosen.actor_updates
+        # Of the learning rates, in this epoch.
+        self._share = annealed(updates, int(state["epochs"])) if chosen.anneal else 1.0
+
+    def state(self) -> State:
+        """Return the state after the update."""
+        networks = (self._actor, *self._critics.values())
+        moved = {name: value for each in networks for name, value in each.state.items()}
+        return {**self._kept, **moved, "multiplier": np.array(self.multiplier)}
 
     @np.errstate(over="ignore", invalid="ignore")  # a run reports genes that are not finite
     def learn(self, experience: Experience) -> None:
@@ -355,7 +387,6 @@ class ActorCritic:
 
     def _learn(self, seen: Experience) -> None:
         chosen, acted = self.chosen, seen.acted
-        self._share = annealed(self._actor.updates // chosen.actor_updates, self.anneal_over)
         before, after = critic_rows(seen)
         known, ends = self._parts(before), self._parts(after)
         estimates = []
@@ -445,22 +476,10 @@ class ActorCritic:
             parts.append([(Inputs(rows[at], self._torch, self._device), at) for at in places])
         return parts
 
-    def state(self) -> State:
-        """Return the multiplier, and weights and averages of Adam of each network."""
-        state = {"multiplier": np.array(self.multiplier)}
-        for name, network in {"actor": self._actor, **self._critics}.items():
-            state |= {f"{name}_{key}": value for key, value in network.state().items()}
-        return state
 
-    def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
-        self.multiplier = float(state["multiplier"])
-        for name, network in {"actor": self._actor, **self._critics}.items():
-            network.restore({key: state[f"{name}_{key}"] for key in network.saved})
-
-
-def _usable_device(torch: Any, name: str) -> Any:
+def _usable_device(name: str) -> Any:
     """Return a device of PyTorch; ValueError if this machine lacks it."""
+    torch = imported("torch", "torch")
     try:
         # A device has a name even if PyTorch cannot compute there.
         torch.zeros(1, device=name).cpu()

@@ -9,8 +9,8 @@ import numpy as np
 from deap import base
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.coevolution.learners.learner import Learner
-from matrixworld.coevolution.types import Genomes
+from matrixworld.coevolution.learners.learner import Learner, Results
+from matrixworld.coevolution.types import Genomes, State
 
 
 class Maximize(base.Fitness):  # type: ignore[misc]
@@ -36,17 +36,21 @@ class Individual:
 
 def generate_update_toolbox(
     learner: Learner,
+    state: State,
     evaluate: Callable[[Genomes], ArrayLike],
     generators: Iterator[np.random.Generator],
 ) -> base.Toolbox:
     """Return a toolbox with which `deap.algorithms.eaGenerateUpdate` drives a learner.
 
-    It has `generate`, `evaluate`, `map` and `update`.
+    It has `generate`, `evaluate`, `map` and `update`, and `genome`, which returns the genome of the
+    learner.
 
     Parameters
     ----------
     learner : Learner
         The learner.
+    state : dict of str to ndarray
+        Its state, such as ``learner.start(task)``.
     evaluate : callable
         Scores all candidates in one call: genomes (n, genes) float32 -> fitness (n,).
     generators : iterator of numpy.random.Generator
@@ -54,7 +58,9 @@ def generate_update_toolbox(
     """
 
     def generate() -> list[Individual]:
-        return [Individual(genome) for genome in learner.ask(next(generators))]
+        nonlocal state
+        candidates, state = learner.ask(state, next(generators))
+        return [Individual(genome) for genome in candidates]
 
     def evaluate_all(score: Callable[..., ArrayLike], population: list[Individual]) -> list[Any]:
         # Called as DEAP's `map`: matches are played in bulk.
@@ -62,11 +68,14 @@ def generate_update_toolbox(
         return [(float(value),) for value in np.asarray(score(genomes))]
 
     def update(population: list[Any]) -> None:
-        learner.tell([individual.fitness.values[0] for individual in population])
+        nonlocal state
+        fitness = np.array([individual.fitness.values[0] for individual in population])
+        state = learner.tell(state, Results(fitness))
 
     toolbox = base.Toolbox()
     toolbox.register("generate", generate)
     toolbox.register("update", update)
     toolbox.register("evaluate", evaluate)
     toolbox.register("map", evaluate_all)
+    toolbox.register("genome", lambda: learner.genome(state))
     return toolbox

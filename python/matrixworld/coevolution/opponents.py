@@ -1,0 +1,403 @@
+"""Which archived opponents a team meets in an epoch.
+
+Opponents are numbered from the oldest, 0: they are generations of the other team. A team does not
+know which one it is: if the teams are swapped, so is the result. Values out of range, and scores or
+payoffs of another shape, raise a ValueError that names them.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld._util.checks import check_floats
+from matrixworld.analysis.games import nash_averaging
+from matrixworld.coevolution.sections import OwnCode, Section, documented, setting
+from matrixworld.coevolution.types import FloatArray, Indices, State
+
+PayoffFunction = Callable[[Indices, Indices], ArrayLike]
+"""Generations (n,) of the team and (m,) of its opponents -> payoffs (n, m) to the team, in [0, 1].
+
+One pair always has the same payoff.
+"""
+UNKNOWN = 0.5
+"""Assumed win rate against an opponent without games."""
+WEIGHT_DECIMALS = 6
+"""Decimals of the weights of a mixture: the last bits differ from processor to processor."""
+
+
+@dataclass(frozen=True)
+class Opponents(Section):
+    """Base of the samplers of opponents. A sampler is its settings; its state is a dict of arrays.
+
+    ::
+
+        state = sampler.start()
+        in each epoch:
+            opponents = sampler.sample(state, available, count, epoch, rng)
+            state = sampler.tell(state, opponents, scores)
+
+    No method changes the arrays that it gets. Random numbers come only from the generator of
+    `sample`, so that a sampler continues from a saved state bit for bit. A sampler of your own is a
+    frozen dataclass with this base, in the settings itself or by its name ``module:object``. Its
+    fields are its settings: numbers, text, true or false. `check_sampler` checks it.
+    """
+
+    def start(self) -> State:
+        """Return the state before the first epoch."""
+        return {}
+
+    @abstractmethod
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return the opponents (c,) of an epoch, all below `available`, without repetition.
+
+        At least 1, at most `count` of them. `available` never falls during a run; `epoch` counts
+        from 0 in each generation.
+        """
+
+    def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
+        """Return the state after scores (n, c), in [0, 1], of n candidates against opponents (c,).
+
+        NaN marks pairs that have not met.
+        """
+        return state
+
+    def update(self, state: State, own: int, available: int, payoff: PayoffFunction) -> State:
+        """Return the state at the begin of a generation, with so many generations of both teams."""
+        return state
+
+
+@documented
+@dataclass(frozen=True)
+class Latest(Opponents):
+    """The newest opponents: ``available - 1, available - 2, ...``."""
+
+    kind: ClassVar[str] = "latest"
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return the newest opponents, the newest first."""
+        return np.arange(available)[::-1][:count]
+
+
+@documented
+@dataclass(frozen=True)
+class Uniform(Opponents):
+    """Opponents drawn evenly without replacement.
+
+    A best response to all past opponents, each with the same weight, is fictitious play (Brown
+    1951, "Iterative solution of games by fictitious play").
+    """
+
+    kind: ClassVar[str] = "uniform"
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return opponents in random order."""
+        return rng.choice(available, size=min(count, available), replace=False)
+
+
+@documented
+@dataclass(frozen=True)
+class RoundRobin(Opponents):
+    """All opponents in turn: ``epoch mod available``, as the paper's generalists.
+
+    References
+    ----------
+    Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
+    """
+
+    kind: ClassVar[str] = "round-robin"
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return the next opponents in the cycle."""
+        # No more than are available, or an opponent would come twice in an epoch.
+        turns = np.arange(min(count, available))
+        return np.asarray((epoch * count + turns) % available)
+
+
+@documented
+@dataclass(frozen=True)
+class NewestAndOlder(Opponents):
+    """Half of the opponents are the newest, and the other half, or one more, older ones by chance.
+
+    With one opponent it is drawn from all, as `Uniform` does.
+
+    References
+    ----------
+    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
+    """
+
+    kind: ClassVar[str] = "newest-and-older"
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return the newest opponents, the newest first, and then the older ones."""
+        # Opponents 0 .. older - 1 are the older ones.
+        older = max(0, available - count // 2)
+        newest = np.arange(older, available)[::-1]
+        drawn = rng.choice(older, size=min(count - count // 2, older), replace=False)
+        return np.append(newest, drawn)
+
+
+def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
+    """Return opponents (c,) and scores (n, c); ValueError unless they fit and are in [0, 1]."""
+    index, values = np.asarray(opponents, dtype=np.intp), np.asarray(scores, dtype=np.float64)
+    if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
+        raise ValueError(
+            f"scores: expected shape (n, {index.size}), at least one each, got {values.shape}"
+        )
+    if not ((values >= 0.0) & (values <= 1.0)).all():
+        raise ValueError(f"scores: expected numbers in [0, 1], got {values}")
+    return index, values
+
+
+def _padded(values: FloatArray, size: int) -> FloatArray:
+    return np.pad(values, (0, max(0, size - len(values))))
+
+
+WEIGHTINGS: dict[str, Callable[[FloatArray], FloatArray]] = {
+    "hard": lambda x: (1.0 - x) ** 2.0,
+    "even": lambda x: x * (1.0 - x),
+}
+"""Name -> win rates (m,) of the learning team to weights (m,): most on opponents that are seldom
+beaten, or on those that are beaten half of the time."""
+
+
+@documented
+@dataclass(frozen=True)
+class Prioritized(Opponents):
+    """Opponents drawn with probability ~ f(win rate), without replacement.
+
+    ::
+
+        sample:  x[j] = wins[j] / games[j], or 1/2 without games
+                 draw opponents with P(j) = f(x[j]) / sum_i f(x[i])
+        tell:    games[j] = decay games[j] + 1;  wins[j] = decay wins[j] + mean score against j
+
+    Opponents of weight 0 are drawn, evenly, only if those of positive weight do not suffice.
+
+    References
+    ----------
+    Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
+    learning", Nature 575, "prioritized fictitious self-play".
+    """
+
+    kind: ClassVar[str] = "prioritized"
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
+        f"prioritized-{name}": {"weighting": name} for name in WEIGHTINGS
+    }
+
+    weighting: str = setting(
+        "hard",
+        "most weight on opponents that are seldom beaten (hard), or half of the time (even)",
+        choices=WEIGHTINGS,
+    )
+    decay: float = setting(
+        0.99,
+        "factor on earlier games against an opponent with each new one",
+        most=1.0,
+        positive=True,
+    )
+
+    def start(self) -> State:
+        """Return no games."""
+        return {"wins": np.zeros(0), "games": np.zeros(0)}
+
+    def probabilities(self, state: State, available: int) -> FloatArray:
+        """Return the probability (available,) of each opponent; even if all weights are 0."""
+        wins, games = (_padded(state[name], available)[:available] for name in ("wins", "games"))
+        rates = np.full(available, UNKNOWN)
+        # Where there are no games, `out` keeps the assumed rate.
+        np.divide(wins, games, out=rates, where=games > 0.0)
+        weights = WEIGHTINGS[self.weighting](rates)
+        total = weights.sum()
+        return weights / total if total > 0.0 else np.full(available, 1.0 / available)
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return opponents drawn by their weights, in the order of the draw."""
+        probabilities = self.probabilities(state, available)
+        positive = np.flatnonzero(probabilities)
+        count = min(count, available)
+        # `choice` cannot draw more than there are of positive weight; the rest is drawn evenly.
+        size = min(count, len(positive))
+        chosen = rng.choice(positive, size=size, replace=False, p=probabilities[positive])
+        rest = np.flatnonzero(probabilities == 0.0)
+        return np.append(chosen, rng.choice(rest, size=count - size, replace=False))
+
+    def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
+        """Count one game against each opponent, won by the mean of its scores."""
+        index, values = checked_scores(opponents, scores)
+        # The archive grows during a run, and so do the counts.
+        size = int(index.max()) + 1
+        wins, games = (_padded(state[name], size) for name in ("wins", "games"))
+        wins[index] = self.decay * wins[index] + values.mean(axis=0)
+        games[index] = self.decay * games[index] + 1.0
+        return {"wins": wins, "games": games}
+
+
+def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Indices:
+    """Return a greedy sample of opponents, each of which beats what few others in it beat.
+
+    ::
+
+        covered[k] = 0 for every individual k
+        repeat count times:
+            choose the j not yet chosen with the most  sum_k beats[j, k] / (1 + covered[k]);
+            decide ties at random
+            covered[k] += beats[j, k]
+
+    `beats` (m, n) says how surely opponent j beats individual k of the last epoch, in [0, 1].
+
+    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
+    """
+    matrix = np.asarray(beats, dtype=np.float64)
+    # argmax takes the first of equals, so a random order of the rows decides ties at random.
+    order = rng.permutation(len(matrix))
+    shuffled, covered = matrix[order], np.zeros(matrix.shape[1])
+    chosen: list[int] = []
+    for _ in range(min(count, len(matrix))):
+        value = (shuffled / (1.0 + covered)).sum(axis=1)
+        # Below every value, so that no opponent is chosen twice.
+        value[chosen] = -1.0
+        chosen.append(int(np.argmax(value)))
+        covered += shuffled[chosen[-1]]
+    return np.asarray(order[chosen], dtype=np.intp)
+
+
+@documented
+@dataclass(frozen=True)
+class SharedSampling(Opponents):
+    """Strong and different opponents, by the last scores against each (`shared_sample`).
+
+    An opponent without scores counts as beating every candidate, so that it is soon sampled. If the
+    number of candidates changes, all scores are forgotten.
+    """
+
+    kind: ClassVar[str] = "shared-sampling"
+
+    def start(self) -> State:
+        """Return no scores."""
+        return {"beats": np.ones((0, 1))}
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return the sample, the strongest first."""
+        return shared_sample(_known(state["beats"], available)[:available], count, rng)
+
+    def tell(self, state: State, opponents: Indices, scores: FloatArray) -> State:
+        """Record one minus the scores for each opponent."""
+        index, values = checked_scores(opponents, scores)
+        beats = state["beats"]
+        # Columns are candidates; with another number of them old scores fit none.
+        if beats.shape[1] != len(values):
+            beats = np.ones((0, len(values)))
+        beats = _known(beats, int(index.max()) + 1)
+        beats[index] = 1.0 - values.T
+        return {"beats": beats}
+
+
+def _known(beats: FloatArray, size: int) -> FloatArray:
+    """Return how surely each opponent beats each candidate, for at least so many opponents."""
+    return np.pad(beats, ((0, max(0, size - len(beats))), (0, 0)), constant_values=1.0)
+
+
+@documented
+@dataclass(frozen=True)
+class NashOpponents(Opponents):
+    """Opponents drawn from a Nash mixture of all generations: policy-space response oracles (PSRO).
+
+    ::
+
+        update:  M = payoffs of all generations of the team against all of its opponents
+                 weights = the opponents' mixture of maximum entropy in the equilibrium of M
+        sample:  opponent j with probability weights[j]
+
+    With several opponents an epoch they are drawn without replacement, so that all have a more
+    equal share than their weights say. Before the first update the newest opponent is met.
+
+    References
+    ----------
+    Lanctot et al. 2017, "A unified game-theoretic approach to multiagent reinforcement learning",
+    NeurIPS 30.
+    """
+
+    kind: ClassVar[str] = "nash"
+
+    episodes: int = setting(10, "matches of each pair in the payoff matrix", least=1)
+
+    def start(self) -> State:
+        """Return an empty game."""
+        return {"payoffs": np.zeros((0, 0)), "weights": np.zeros(0)}
+
+    def update(self, state: State, own: int, available: int, payoff: PayoffFunction) -> State:
+        """Add new generations to the game, and solve it."""
+        known = state["payoffs"]
+        rows, columns = np.arange(own), np.arange(available)
+        n, m = known.shape
+        payoffs = np.block([
+            [known, _checked(payoff, rows[:n], columns[m:])],
+            [_checked(payoff, rows[n:], columns)],
+        ])  # fmt: skip
+        # The opponents' own mixture: the game as they see it has their payoffs.
+        rounded = np.round(nash_averaging(payoffs).evaders, WEIGHT_DECIMALS)
+        return {"payoffs": payoffs, "weights": rounded / rounded.sum()}
+
+    def sample(
+        self, state: State, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return opponents drawn by their weights."""
+        weights = state["weights"]
+        if not len(weights):
+            return np.array([available - 1], dtype=np.intp)
+        if len(weights) != available:
+            raise ValueError(f"available: expected {len(weights)} opponents, got {available}")
+        support = np.flatnonzero(weights)
+        size = min(count, len(support))
+        return rng.choice(support, size=size, replace=False, p=weights[support])
+
+
+def _checked(payoff: PayoffFunction, rows: Indices, columns: Indices) -> FloatArray:
+    """Return payoffs (n, m), which are not played for no pairs; ValueError for another shape."""
+    shape = len(rows), len(columns)
+    if 0 in shape:
+        return np.zeros(shape)
+    values = check_floats("payoff", payoff(rows, columns))
+    if values.shape != shape or not np.isfinite(values).all():
+        raise ValueError(f"payoff: expected {shape} finite numbers, got {values}")
+    return values
+
+
+@documented
+@dataclass(frozen=True)
+class OwnOpponents(OwnCode):
+    """Opponents by a sampler of your own (see `Opponents`)."""
+
+    base: ClassVar[type[Section]] = Opponents
+
+
+AnyOpponents: TypeAlias = (
+    Latest
+    | Uniform
+    | RoundRobin
+    | NewestAndOlder
+    | Prioritized
+    | SharedSampling
+    | NashOpponents
+    | OwnOpponents
+)

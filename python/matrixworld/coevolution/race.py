@@ -1,0 +1,688 @@
+"""Races: which opponents a team meets while it learns, for how many epochs, and the loop itself.
+
+`k` is the generation that learns (from 1), `i` the epoch inside it (from 0). The archives begin
+with the untrained `p[0]` and `e[0]`. The paper's three schedules (Sun et al. 2023, "MatrixWorld",
+arXiv:2307.14854) are races in turns:
+
+==========================  =========================  =========================
+schedule                    opponents of the pursuers  opponents of the evaders
+==========================  =========================  =========================
+specialist-specialist       ``e[k - 1]``               ``p[k]``
+generalist-specialist       ``e[i mod k]``             ``p[k]``
+generalist-generalist       ``e[i mod k]``             ``p[i mod (k + 1)]``
+==========================  =========================  =========================
+
+The opponents of specialists are the `Latest`, those of generalists all by `RoundRobin`. A fourth
+one, `psro`, draws them from Nash mixtures (`NashOpponents`). Each class here is the settings of a
+kind of race, its own defaults of other settings, and its loop, `learn`. What a loop does with a
+`Run` (ask, play, tell, archive) is in `run`.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from abc import abstractmethod
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from itertools import product
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from matrixworld._util.checks import check_choice, check_integer
+from matrixworld.analysis.intervals import does_not_vary, t_ends
+from matrixworld.coevolution.fitness import win_rates
+from matrixworld.coevolution.opponents import (
+    AnyOpponents,
+    NashOpponents,
+    Opponents,
+    OwnOpponents,
+    RoundRobin,
+    Uniform,
+)
+from matrixworld.coevolution.sections import Section, documented, kinds_in, setting
+from matrixworld.coevolution.seeding import Phase, Purpose, learning_phase, training_seeds
+from matrixworld.coevolution.types import (
+    SEVERAL,
+    TEAMS,
+    FloatArray,
+    Genome,
+    Genomes,
+    Indices,
+    Payoff,
+    Team,
+    other,
+)
+from matrixworld.play.rollout import Matches
+from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.run import Run
+    from matrixworld.coevolution.settings import RaceSettings
+
+CONFIDENCE = 0.95
+"""Probability with which an interval of the summary covers the true mean."""
+
+
+@dataclass(frozen=True)
+class Race(Section):
+    """Base of the kinds of races."""
+
+    stages_per_generation: ClassVar[int] = 1
+    """Stages of a generation; a run is saved after each of them."""
+    is_race: ClassVar[bool] = True
+    """Whether both teams learn."""
+
+    # What a kind of race states:
+
+    @property
+    def name(self) -> str:
+        """What the race is called, such as in directories."""
+        return self.kind
+
+    @property
+    def defaults(self) -> Mapping[str, Any]:
+        """Settings that have other defaults in this kind of race, by their paths."""
+        return {}
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Teams that learn."""
+        return TEAMS
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return 1
+
+    @property
+    def limits(self) -> str:
+        """What races with so few epochs may hide, in a sentence; empty if nothing is known."""
+        return ""
+
+    @property
+    @abstractmethod
+    def entries(self) -> int:
+        """Genomes in the archive of a learning team at the end of a run."""
+
+    @abstractmethod
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+
+    @abstractmethod
+    def training_matches(self, settings: RaceSettings) -> int:
+        """Return the matches of the training of a whole run."""
+
+    def sampler(self, team: Team) -> Opponents:
+        """Return how a team chooses opponents; imports code of your own."""
+        return RoundRobin()
+
+    @abstractmethod
+    def learn(self, run: Run, stage: int) -> None:
+        """Run one stage: improve learners, extend the archive, log each epoch."""
+
+    def finalists(self, run: Run) -> dict[Team, tuple[TeamPolicy, int]]:
+        """Return who plays the evaluation for each team, and the generation of the first."""
+        return {team: (run.population(team, run.genomes(team)), 0) for team in TEAMS}
+
+    def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
+        """Return what summary.json holds besides counts."""
+        return {"disengagement": [str(stretch) for stretch in run.disengagements()]}
+
+    @property
+    def n_stages(self) -> int:
+        """The number of stages: of each entry that the run adds to the archive of a team."""
+        return self.stages_per_generation * (self.entries - 1)
+
+
+@dataclass(frozen=True)
+class OfGenerations(Race):
+    """Base of the races in which both teams learn."""
+
+    generations: int = setting(30, "generations after the untrained generation 0", least=1)
+    pursuers_meet: AnyOpponents = setting(
+        Uniform(), f"which evaders pursuers meet: {', '.join(kinds_in(AnyOpponents))} or "
+        "module:object",
+    )  # fmt: skip
+    evaders_meet: AnyOpponents = setting(
+        Uniform(), "which pursuers evaders meet; as for the pursuers"
+    )
+
+    @property
+    def sampled_opponents(self) -> int:
+        """Most archived opponents of a candidate in an epoch."""
+        return self.opponents_met
+
+    @abstractmethod
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation in which `team` learns."""
+
+    def archived(self, team: Team, k: int) -> int:
+        """Return how many generations of the other team are archived when generation k learns."""
+        return k
+
+    @property
+    def entries(self) -> int:
+        """Genomes in the archive of a team at the end of a race."""
+        return 1 + self.generations
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+        return self.generations * self.epochs(team)
+
+    def sampler(self, team: Team) -> Opponents:
+        """Return how a team chooses opponents.
+
+        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
+        fails.
+        """
+        met = self.pursuers_meet if team == "pursuer" else self.evaders_meet
+        sampler: Opponents = met.load() if isinstance(met, OwnOpponents) else met
+        return sampler
+
+    def training_matches(self, settings: RaceSettings) -> int:
+        """Return the matches of the training of a whole run."""
+        return settings.match_episodes * sum(
+            self._matches(settings, team, k) for team, k in product(TEAMS, range(1, self.entries))
+        )
+
+    def _matches(self, settings: RaceSettings, team: Team, k: int) -> int:
+        """Return the matches in which a team learns its generation k."""
+        archived = self.archived(team, k)
+        met = min(self.sampled_opponents, archived)
+        learner, sampler = settings.learner_of(team), self.sampler(team)
+        matches = self.epochs(team) * met * learner.population
+        matches += settings.retested_matches * met
+        if isinstance(sampler, NashOpponents):  # a new row and a new column
+            matches += (k + archived) * sampler.episodes
+        return matches
+
+
+# In turns:
+
+PAPER: dict[str, dict[str, str]] = {
+    "specialist-specialist": {"pursuers_meet": "latest", "evaders_meet": "latest"},
+    "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
+    "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
+}
+PSRO = "psro"
+"""Name of a schedule in which both teams meet Nash mixtures."""
+ENOUGH_EPOCHS = 60
+HIDES_CYCLING = (
+    "Short races of specialists may hide cycling: with 28 and 58 epochs in a generation it was "
+    f"found in 5 of 20 races, with {ENOUGH_EPOCHS} and 120 in 12 of 20."
+)
+"""By ``evolution/race_budgets.py``; epochs of pursuers and of evaders."""
+
+
+@documented
+@dataclass(frozen=True)
+class InTurns(OfGenerations):
+    """The teams learn in turns, against archived opponents that their samplers choose.
+
+    ::
+
+        p[0], e[0] untrained
+        for k in 1 .. generations:
+            p[k] = p[k-1], improved for some epochs against evaders among e[0 .. k-1]
+            e[k] = e[k-1], improved for some epochs against pursuers among p[0 .. k]
+        payoff[g, h] = capture rate of p[g] against e[h]
+
+    A stage is a team phase: one team's epochs of one generation. Learners keep their state from
+    generation to generation.
+    """
+
+    kind: ClassVar[str] = "alternating"
+    stages_per_generation: ClassVar[int] = 2
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
+        **PAPER,
+        PSRO: {"pursuers_meet": "nash", "evaders_meet": "nash"},
+    }
+
+    opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
+    pursuer_epochs: int = setting(
+        28, "epochs per generation in which pursuers learn", by_race=True, least=1
+    )
+    evader_epochs: int = setting(
+        58, "epochs per generation in which evaders learn", by_race=True, least=1
+    )
+
+    @property
+    def name(self) -> str:
+        """The name in the paper of a schedule that has one, "psro", or "alternating"."""
+        if self.pursuers_meet.kind == self.evaders_meet.kind == NashOpponents.kind:
+            return PSRO
+        kinds = (self.pursuers_meet.kind, self.evaders_meet.kind)
+        names = [name for name, each in PAPER.items() if kinds == tuple(each.values())]
+        return names[0] if names and self.opponents == 1 else self.kind
+
+    @property
+    def limits(self) -> str:
+        """What races with so few epochs may hide, in a sentence; empty if nothing is known."""
+        specialists = self.name == "specialist-specialist"
+        return HIDES_CYCLING if specialists and self.pursuer_epochs < ENOUGH_EPOCHS else ""
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return self.opponents
+
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation in which `team` learns."""
+        return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
+
+    def archived(self, team: Team, k: int) -> int:
+        """Return how many generations of the other team are archived when generation k learns."""
+        return available(team, k)
+
+    def learn(self, run: Run, stage: int) -> None:
+        """Let one team learn for the epochs of a generation, and archive its genome."""
+        # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
+        generation, team = 1 + stage // 2, TEAMS[stage % 2]
+        run.update_sampler(team, generation, available(team, generation))
+        epochs, activity = range(self.epochs(team)), f"generation {generation}: {team}s"
+        genome = improve(run, team, generation, self.opponents, epochs, activity)
+        run.archive_genome(team, genome)
+
+
+def available(team: Team, k: int) -> int:
+    """Return how many generations of the other team are archived when a team learns, in turns.
+
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        The team that learns.
+    k : int
+        The generation that it learns, at least 1: generation 0 is untrained.
+    """
+    check_choice("team", team, TEAMS)
+    check_integer("k", k, 1)
+    # The pursuers learn first, so the evaders can play against generation k already.
+    return k if team == "pursuer" else k + 1
+
+
+def improve(
+    run: Run, team: Team, generation: int, count: int, epochs: Iterable[int], activity: str
+) -> Genome:
+    """Let a team learn for some epochs against `count` opponents each; return its genome.
+
+    ::
+
+        in each epoch:
+            candidates = asked of the learner
+            opponents = chosen by the sampler of the team
+            each candidate plays against each opponent
+            sampler and learner are told the results
+
+    After each epoch the `activity` is reported.
+    """
+    opponents = run.opponents(team)
+    groups = run.learners[team].seed_groups
+    n = len(groups)
+
+    def table(values: FloatArray) -> FloatArray:
+        return values.reshape(n, -1)
+
+    for epoch in epochs:
+        run.begin_epoch(team, generation, epoch)
+        candidates = run.ask(team, generation, epoch)
+        rng = run.generator(Purpose.OPPONENTS, team, generation, epoch)
+        met = run.sample(team, run.size(opponents), count, epoch, rng)
+        seeds = match_seeds(run, team, generation, epoch, met)
+        scores = run.play_candidates(team, candidates, opponents, met, seeds)
+        # Win rates, not fitness: samplers expect numbers in [0, 1].
+        run.tell_sampler(team, met, table(win_rates(scores, team)))
+        opponent = int(met[0]) if len(met) == 1 else SEVERAL
+        fitness = run.log_fitness(team, scores, table, generation, epoch, opponent)
+        run.report(activity)
+        run.tell(team, fitness, opponents, np.tile(met, n), seeds.ravel())
+    return run.champion(team, generation, candidates, fitness, opponents, met)
+
+
+def match_seeds(run: Run, team: Team, generation: int, epoch: int, met: Indices) -> Any:
+    """Return the seeds (n, c) of n candidates against the opponents (c,) of an epoch."""
+    # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
+    groups = run.learners[team].seed_groups
+    seeds = []
+    for opponent in map(int, met):
+        # They depend on both generations, so that no two phases play the same episodes.
+        pair = (generation, opponent) if team == "pursuer" else (opponent, generation)
+        count, phase = int(groups.max()) + 1, learning_phase(team)
+        seeds.append(training_seeds(run.settings.seed, *pair, phase, epoch, count)[groups])
+    return np.stack(seeds, axis=1)
+
+
+# At the same time:
+
+
+@documented
+@dataclass(frozen=True)
+class AtOnce(OfGenerations):
+    """Both teams learn at the same time, from living opponents and a hall of fame.
+
+    ::
+
+        in each epoch:
+            both populations breed
+            each individual plays against some living opponents, and against members of the
+            opponents' hall of fame that its team's sampler chooses
+            its fitness is the mean over its matches, or the result of fitness sharing
+        at the end of a generation the champion of each team enters its hall of fame
+
+    The halls of fame are the archive, so that payoff and analysis are those of races in turns. A
+    stage is a generation. Any learner can take part: the individuals of an evolution strategy are
+    its samples, and its mean is the champion.
+
+    References
+    ----------
+    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
+    """
+
+    kind: ClassVar[str] = "hall-of-fame"
+
+    joint_epochs: int = setting(
+        43, "epochs per generation, in which both teams learn", by_race=True, least=1
+    )
+    contemporaries: int = setting(2, "living opponents of each individual")
+    hall_sample: int = setting(1, "opponents of each individual from the hall of fame")
+
+    def check(self) -> None:
+        """Raise ValueError without opponents, or if a sampler is named that draws none."""
+        if not self.opponents_met:
+            raise ValueError("contemporaries and hall_sample: expected at least 1 opponent, got 0")
+        for name in ("pursuers_meet", "evaders_meet"):
+            if not self.hall_sample and getattr(self, name) != Uniform():
+                raise ValueError(f"{name}: expected no value with a hall_sample of 0")
+
+    @property
+    def defaults(self) -> Mapping[str, Any]:
+        """Individuals of both teams share the matches."""
+        return {"learner.population": 24}
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return self.contemporaries + self.hall_sample
+
+    @property
+    def sampled_opponents(self) -> int:
+        """Most archived opponents of a candidate in an epoch."""
+        return self.hall_sample
+
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation, in which both teams learn."""
+        return self.joint_epochs
+
+    def _matches(self, settings: RaceSettings, team: Team, k: int) -> int:
+        """Return the matches in which a team learns its generation k."""
+        matches = super()._matches(settings, team, k)
+        matches += settings.retested_matches * self.contemporaries
+        # A match of two living individuals counts for both teams, and here for the pursuers.
+        living = self.contemporaries if team == "pursuer" else 0
+        return matches + self.joint_epochs * living * settings.learner_of(team).population
+
+    def learn(self, run: Run, stage: int) -> None:
+        """Let both teams evolve for the epochs of a generation, and archive their champions."""
+        generation = 1 + stage
+        for team in TEAMS:
+            run.update_sampler(team, generation, generation)
+        for epoch in range(self.joint_epochs):
+            populations = {team: run.ask(team, generation, epoch) for team in TEAMS}
+            played = self._play(run, generation, epoch, populations)
+            run.report(f"generation {generation}: both")
+        # Both teams before either archive grows, so that the order of the teams does not matter.
+        genomes = {
+            team: run.champion(team, generation, populations[team], *played[team]) for team in TEAMS
+        }
+        for team in TEAMS:
+            run.archive_genome(team, genomes[team])
+
+    def _play(
+        self, run: Run, generation: int, epoch: int, populations: Mapping[Team, Genomes]
+    ) -> dict[Team, tuple[FloatArray, Population, Indices]]:
+        """Play the matches of an epoch, and let both teams learn from them.
+
+        Returns for each team the fitness (n,), all possible opponents, and those that its fittest
+        individual has met.
+        """
+        # One for both teams: their matches are drawn together.
+        rng = run.generator(Purpose.OPPONENTS, "pursuer", generation, epoch)
+        sampled = self._sample_halls(run, epoch, rng)
+        halls = {team: run.genomes(team)[sampled[other(team)]] for team in TEAMS}
+        # Both teams have the same learner, and with it the same groups.
+        groups = run.learners["pursuer"].seed_groups
+        n, hall_sizes = len(groups), (len(halls["pursuer"]), len(halls["evader"]))
+        pairs = pairings(groups, self.contemporaries, hall_sizes, rng)
+        everyone = {
+            team: run.population(team, np.concatenate([populations[team], halls[team]]))
+            for team in TEAMS
+        }
+        key = (run.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch)
+        seeds = training_seeds(*key, int(pairs.group.max()) + 1)[pairs.group]
+        matches = Matches.of(pairs.pursuer, pairs.evader, seeds)
+        scores = run.play(everyone["pursuer"], everyone["evader"], matches)
+        found: dict[Team, tuple[FloatArray, Population, Indices]] = {}
+        for team in TEAMS:
+            own, opponents = getattr(pairs, team), getattr(pairs, other(team))
+            rivals = everyone[other(team)]
+            table = partial(table_of_individuals, own, opponents, n)
+            fitness = run.log_fitness(team, scores, table, generation, epoch, SEVERAL)
+            if len(sampled[team]):
+                # Columns from n on are the hall of fame.
+                won = table(win_rates(scores, team))[:, n:]
+                run.tell_sampler(team, sampled[team], won)
+            found[team] = fitness, rivals, opponents[own == np.argmax(fitness)]
+            living = own < n
+            run.tell(team, fitness, rivals, opponents[living], seeds[living])
+        return found
+
+    def _sample_halls(self, run: Run, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
+        """Return for each team its opponents from the other team's hall of fame."""
+        if not self.hall_sample:
+            return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
+        size = len(run.archive["pursuer"])
+        return {team: run.sample(team, size, self.hall_sample, epoch, rng) for team in TEAMS}
+
+
+class Pairings(NamedTuple):
+    """The M matches of one epoch between two populations of n individuals.
+
+    Players with numbers below n are individuals, the others members of the hall of fame. Matches of
+    the same group have the same seed.
+    """
+
+    pursuer: Indices
+    evader: Indices
+    group: Indices
+
+
+def pairings(
+    seed_groups: Indices, contemporaries: int, hall: tuple[int, int], rng: np.random.Generator
+) -> Pairings:
+    """Return the matches of two populations of n individuals.
+
+    Every individual plays against `contemporaries` living opponents (such a match counts for both),
+    and against every sampled member of the other team's hall of fame.
+
+    `seed_groups` (n,) has the learner's groups (see `Learner`), and `hall` the number of
+    sampled members of the pursuers' and of the evaders' hall of fame.
+
+    Groups meet groups in random order, and their members meet in turn: with as many contemporaries
+    as a group has members, every member meets all members of one opposing group. Between mirrored
+    samples the strength of the opponents then cancels out, like the luck of the match seed. Where
+    all individuals are one group, each meets single opponents in random order.
+    """
+    n, groups = len(seed_groups), int(seed_groups.max()) + 1
+    size = n // groups if groups > 1 else 1
+    blocks = np.argsort(seed_groups, kind="stable").reshape(-1, size)
+    individuals = blocks.ravel()
+    rounds = []
+    for meeting in range(contemporaries):
+        if meeting % size == 0:
+            opponents = blocks[rng.permutation(len(blocks))]
+        rounds.append((individuals, np.roll(opponents, meeting % size, axis=1).ravel()))
+    rounds += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
+    rounds += [(np.full(n, n + member), individuals) for member in range(hall[0])]
+    pursuers, evaders = zip(*rounds, strict=True)
+    # The same seeds for the members of a group, other ones in each round.
+    first = np.arange(len(rounds))[:, np.newaxis] * groups
+    seeds = first + seed_groups[individuals]
+    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
+
+
+def table_of_individuals(
+    own: Indices, opponents: Indices, n: int, values: FloatArray
+) -> FloatArray:
+    """Return the values (M,) of matches as a table (n, m) of individuals against opponents.
+
+    It holds the mean over the matches of a pair, and NaN for a pair that did not play.
+    """
+    # Matches of hall members themselves are not needed: they do not evolve any more.
+    living, m = own < n, int(opponents.max()) + 1
+    pair = own[living] * m + opponents[living]
+    count = np.bincount(pair, minlength=n * m)
+    table = np.full(n * m, np.nan)
+    np.divide(np.bincount(pair, values[living], n * m), count, out=table, where=count > 0)
+    return table.reshape(n, m)
+
+
+# Against fixed opponents:
+
+
+@documented
+@dataclass(frozen=True)
+class Against(Race):
+    """One team learns alone, against fixed opponents, one of them in each epoch.
+
+    ::
+
+        for k in 1 .. epochs / archive_every:
+            g[k] = g[k-1], improved for `archive_every` epochs against each opponent in turn
+        payoff = capture rate of the last genome against, or of, each opponent
+
+    The archive holds the opponents' genomes, too, if they have any, so that a run does not depend
+    on other directories.
+    """
+
+    kind: ClassVar[str] = "against"
+    is_race: ClassVar[bool] = False
+
+    team: Team = setting("pursuer", "team that learns: pursuer or evader", choices=TEAMS)
+    opponent: str = setting(
+        "random", f"{', '.join(SCRIPTS)}, or a run directory (its last generation)"
+    )
+    start: str | None = setting(
+        None, "run directory; start from its last generation instead of an untrained genome"
+    )
+    epochs: int = setting(6000, "epochs of the run", by_race=True, least=1)
+    archive_every: int = setting(
+        100, "epochs between entries of the archive; each is a checkpoint", least=1
+    )
+
+    @property
+    def name(self) -> str:
+        """What the run is called, such as ``evader-against-random``."""
+        path = Path(self.opponent)
+        # Runs of a job are called after their seeds, which says nothing: their folder does.
+        name = path.parent.name if re.fullmatch(r"seed-\d+", path.name) else path.name
+        name = re.sub(r"[^\w.=+-]", "-", name)
+        return f"{self.team}-against-{name}"
+
+    @property
+    def defaults(self) -> Mapping[str, Any]:
+        """More epochs, in which steps fall: n random steps lead a root of n as far as one.
+
+        Updates by Adam have about the length of the rate in each gene, and mostly random
+        directions. So a rate in proportion to 1 / root(n) lets a genome go equally far in short
+        runs and in long ones. The factors are chosen by trial.
+        """
+        pursuers = self.team == "pursuer"
+        epochs = 6000 if pursuers else 4000
+        rate = 1.25 / math.sqrt(self.epochs or epochs)
+        return {
+            "schedule.epochs": epochs,
+            "learner.population": 128,
+            "learner.learning_rate": rate,
+            "learner.sigma": math.sqrt(rate / 2.0),
+            "learner.relative_sigma": 0.0,
+            "learner.anneal": True,
+            "learner.mutation": 0.2,
+            "policy.initial_weight": 0.2 if pursuers else 0.05,
+            "policy.initial_head": 0.09 if pursuers else 0.1,
+            "train_steps": 500 if pursuers else 300,
+            "evaluation_episodes": 200,
+        }
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """The one team that learns."""
+        return (self.team,)
+
+    @property
+    def entries(self) -> int:
+        """Genomes in the archive at the end of the run."""
+        return 1 + -(-self.epochs // self.archive_every)
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the run."""
+        return self.epochs
+
+    def training_matches(self, settings: RaceSettings) -> int:
+        """Return the matches of the training of a whole run, with one opponent an epoch."""
+        matches = self.epochs * settings.learner_of(self.team).population
+        return (matches + self.n_stages * settings.retested_matches) * settings.match_episodes
+
+    def learn(self, run: Run, stage: int) -> None:
+        """Let the team learn until the next entry of the archive."""
+        first = stage * self.archive_every
+        epochs = range(first, min(first + self.archive_every, self.epochs))
+        activity = f"{self.team}s against {self.opponent}"
+        genome = improve(run, self.team, 1 + stage, 1, epochs, activity)
+        run.archive_genome(self.team, genome)
+
+    def finalists(self, run: Run) -> dict[Team, tuple[TeamPolicy, int]]:
+        """Return the last genome, and all opponents."""
+        last = run.population(self.team, run.archive[self.team][-1][np.newaxis])
+        rivals = run.opponents(self.team)
+        return {self.team: (last, self.n_stages), other(self.team): (rivals, 0)}
+
+    def summary(self, run: Run, payoff: Payoff) -> dict[str, Any]:
+        """Return the mean capture rate and length with intervals over the episodes.
+
+        An interval is Student's t, cut at 0 and at the largest possible number; its ends are None
+        if the episodes do not differ.
+        """
+        longest = run.settings.world.max_steps
+        rows = ("capture_rate", payoff.capture_rates, 1.0), ("length", payoff.lengths, longest)
+        found: dict[str, Any] = {}
+        for name, episodes, most in rows:
+            values = np.asarray(episodes, dtype=np.float64).ravel()
+            # Equal episodes say nothing of their spread: the interval would have a width of 0.
+            varies = not does_not_vary(values)
+            low, high = t_ends(values, CONFIDENCE, (0.0, most)) if varies else (None, None)
+            found |= {
+                name: float(values.mean()),
+                f"{name}_low": low,
+                f"{name}_high": high,
+                f"{name}_std": float(values.std()),
+            }
+        return found
+
+
+SCHEDULES: dict[str, InTurns] = {
+    name: InTurns(**samplers)  # type: ignore[arg-type]  # a text stands for a section
+    for name, samplers in PAPER.items()
+}
+"""The paper's schedules by name."""
+ALL_SCHEDULES = (*SCHEDULES, PSRO, InTurns.kind, AtOnce.kind)
+"""Names of all schedules of races."""
+
+
+def curve_window(schedule: Race) -> int:
+    """Return the epochs of the moving average of a training curve, the same for both teams."""
+    if isinstance(schedule, OfGenerations):
+        return max(1, min(schedule.epochs(team) for team in TEAMS) // 4)
+    return max(1, schedule.total_epochs("pursuer") // 100)

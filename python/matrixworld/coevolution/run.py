@@ -1,0 +1,595 @@
+"""A run: stages of learning, each saved at its end, and then an evaluation.
+
+A kind of race says what a stage is and how teams learn in it (`race`); a `Run` is what its loop
+works with. Everything that a stage changes (states of learners and samplers, archive, counters,
+log) is saved at its end. A run that is stopped within a stage, even by a power cut, repeats that
+stage when it goes on, and ends bit for bit as if it had never been stopped.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util.checks import check_floats, check_instance, check_threads
+from matrixworld.analysis import disengagements
+from matrixworld.analysis.progress import PATIENCE, Disengagement
+from matrixworld.coevolution.evaluation.tournament import team_size, tournament
+from matrixworld.coevolution.fitness import Table
+from matrixworld.coevolution.learners.learner import Learner, Results
+from matrixworld.coevolution.learners.transitions import experience
+from matrixworld.coevolution.opponents import Opponents
+from matrixworld.coevolution.progress import LOG, OnEpoch, Progress, Report, silent
+from matrixworld.coevolution.race import Against
+from matrixworld.coevolution.sections import PluginError, different_settings
+from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
+from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.storage import Row, RunWriter, SavedRun, check_empty, last_generation
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genome,
+    Genomes,
+    Indices,
+    Payoff,
+    Seeds,
+    State,
+    Team,
+    other,
+)
+from matrixworld.play.network_policy import check_fits
+from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
+
+GIVEN = "given as genomes"
+"""Value of the settings `opponent` and `start` if these were given as arrays."""
+COUNTERS = ("matches", "steps", "agent_steps")
+"""Episodes, world steps, and steps of living agents: what a run counts."""
+
+
+class DisengagementWarning(UserWarning):
+    """One team wins nearly everything, so that neither team has much to learn from."""
+
+
+# New runs:
+
+
+def create(
+    settings: RaceSettings,
+    directory: str | Path,
+    *,
+    opponents: Population | None = None,
+    start: ArrayLike | None = None,
+) -> SavedRun:
+    """Make the directory of a run, as of its stage 0: nothing is played yet.
+
+    A directory that holds a run of the same settings is left as it is.
+
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the run.
+    directory : str or Path
+        A new or empty directory, or that of the same run.
+    opponents : Population, optional
+        Opponents of a team that learns alone, in place of `schedule.opponent`.
+    start : array_like of float32, shape (genes,), optional
+        Genome that it starts from, in place of `schedule.start`.
+
+    Raises
+    ------
+    FileExistsError
+        If the directory holds no run, and is not empty.
+    ValueError
+        If the directory holds a run of other settings, opponents do not fit the world, or code of
+        your own refuses its settings.
+    PluginError
+        If code of your own fails.
+    """
+    check_instance("settings", settings, RaceSettings)
+    files, schedule = RunWriter(directory), settings.schedule
+    given: Any = {
+        name: GIVEN
+        for name, value in (("opponent", opponents), ("start", start))
+        if value is not None
+    }
+    if files.exists and not given:
+        check_same(files, settings)
+        return SavedRun(directory)
+    # Everything that can be wrong is checked before the directory is made.
+    if files.path.exists():
+        check_empty(files.path)
+    begin: Genome | None = None
+    archive: dict[Team, Any] = {team: [] for team in TEAMS}
+    config: dict[str, Any] = {}
+    if isinstance(schedule, Against):
+        rivals, begin = check_sources(settings, opponents, start)
+        if isinstance(rivals, Population):
+            archive[other(schedule.team)] = rivals.genomes
+            network = rivals.network
+            shape = {"activation": network.activation, "memory": network.memory}
+            config["opponent_network"] = {"hidden": list(network.hidden), **shape}
+        # config.json must not name opponents that were not used.
+        settings = replace_schedule(settings, given)
+    states: dict[str, State] = {}
+    for team in settings.learning_teams:
+        learner = settings.learner_of(team)
+        states[team] = learner.start(settings.task(team, begin))
+        states[f"{team}.opponents"] = schedule.sampler(team).start()
+        archive[team] = [learner.genome(states[team])]
+    with files.creating(settings.to_json(), **config):
+        files.save(0, archive, [], dict.fromkeys(COUNTERS, 0), states)
+    return SavedRun(directory)
+
+
+def replace_schedule(settings: RaceSettings, changes: dict[str, Any]) -> RaceSettings:
+    """Return settings with changes of their schedule."""
+    return settings.changed({f"schedule.{name}": value for name, value in changes.items()})
+
+
+def check_sources(
+    settings: RaceSettings, opponents: Population | None = None, start: ArrayLike | None = None
+) -> tuple[TeamPolicy, Genome | None]:
+    """Return the opponents and the genome to start from, those given or those of the settings.
+
+    FileNotFoundError or ValueError if a run holds none, or if they do not fit the settings.
+    """
+    schedule, network = settings.schedule, settings.network
+    assert isinstance(schedule, Against)
+    policy: Any = opponents
+    if opponents is None and schedule.opponent in SCRIPTS:
+        policy = schedule.opponent
+    else:
+        policy = opponents or last_generation(schedule.opponent, other(schedule.team))
+        check_fits("opponents", policy.network, settings.world)
+    if start is None and schedule.start is not None:
+        population = last_generation(schedule.start, schedule.team)
+        if population.network != network:
+            raise ValueError(f"start: expected a genome of {network}, got {population.network}")
+        start = population.genomes[0]
+    if start is None:
+        return policy, None
+    genome, size = check_floats("start", start, np.float32), network.genome_size
+    if genome.shape != (size,) or not np.isfinite(genome).all():
+        raise ValueError(f"start: expected {size} finite genes, got shape {genome.shape}")
+    return policy, genome
+
+
+def check_same(run: SavedRun, expected: RaceSettings) -> None:
+    """Raise ValueError if a run has other settings than expected."""
+    different = different_settings(run.settings, expected)
+    if different:
+        raise ValueError(f"{run.path}: holds a run with other settings: {', '.join(different)}")
+
+
+# Runs that go on:
+
+
+class Run:
+    """A run that goes on in its directory, from its last finished stage.
+
+    ::
+
+        states of learners and samplers, archive (generation 0), stage = 0; saved by `create`
+        while stage < n_stages:
+            learn(stage); stage += 1; saved
+        payoff of the archives; saved
+
+    Parameters
+    ----------
+    directory : str or Path
+        The directory that `create` has made.
+    threads : int, optional
+        Threads that play matches. By default one per usable core. Results do not depend on it.
+    play : callable, optional
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+
+    Attributes
+    ----------
+    archive : dict of str to list of ndarray of float32, shape (genes,)
+        Genomes of generations 0, 1, ... of each team.
+    states : dict of str to dict of str to ndarray
+        States of the learners by team, and of their samplers as ``<team>.opponents``.
+    stage : int
+        Number of finished stages.
+    matches, steps, agent_steps : int
+        Training episodes, world steps and steps of living agents so far.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the directory holds no run.
+    DamagedFileError
+        If no stage is intact that has a checkpoint.
+    OtherVersionError
+        If the run is of another version of the package.
+    LockedError
+        If another process runs it.
+    """
+
+    def __init__(
+        self, directory: str | Path, *, threads: int | None = None, play: Rollout = rollout
+    ) -> None:
+        check_threads(threads)
+        self.files: RunWriter = RunWriter(directory)
+        self.settings: RaceSettings = self.files.settings
+        self.threads: int | None = threads
+        self.rollout: Rollout = play
+        teams = self.settings.learning_teams
+        self.learners: dict[Team, Learner] = {
+            team: self.settings.learner_of(team) for team in teams
+        }
+        self.samplers: dict[Team, Opponents] = {
+            team: self.settings.schedule.sampler(team) for team in teams
+        }
+        self.world: WorldConfig = self.settings.training_world
+        self.rows: list[Row] = []
+        self.results: dict[str, NDArray[Any]] = {}
+        """Other arrays of this stage, which a subclass may add to its file."""
+        self._report: Report = silent
+        self._on_epoch: OnEpoch | None = None
+        with self.files.lock():
+            self._restore()
+
+    def __repr__(self) -> str:
+        schedule, seed = self.settings.schedule, self.settings.seed
+        stages = f"stage {self.stage} of {schedule.n_stages}"
+        return f"<{type(self).__name__}: {self.files.path}, {schedule.name}, seed {seed}, {stages}>"
+
+    def run(self, report: Report = silent, on_epoch: OnEpoch | None = None) -> SavedRun:
+        """Go on to the end: the last stage, the payoff and the summary.
+
+        `report` is called often with the progress (see `ProgressBar`), and `on_epoch` with a row
+        for each epoch (see `evolve`). After KeyboardInterrupt or any other error, such as one that
+        `on_epoch` raises, the files hold the last finished stage, from which the run goes on.
+        """
+        self._report, self._on_epoch = report, on_epoch
+        schedule, path = self.settings.schedule, self.files.path
+        with self.files.lock():
+            # Also if this object has just been made: an interrupted stage has changed states, and
+            # another process may have continued the run.
+            self._restore()
+            LOG.info("%s: goes on from stage %d of %d", path, self.stage, schedule.n_stages)
+            self._before, self._total = self.matches, total_matches(self.settings, self._pairs())
+            while self.stage < schedule.n_stages:
+                try:
+                    self.learn(self.stage)
+                except SystemExit as error:  # it would end the program without a word
+                    where = f"stage {self.stage + 1} of the run {path}"
+                    raise PluginError(f"{where}: code of your own called exit") from error
+                except Exception as error:
+                    if sys.version_info >= (3, 11):
+                        error.add_note(f"in stage {self.stage + 1} of the run {path}")
+                    raise
+                self._end_stage()
+            if self.files.finished:
+                self.files.summary()  # only to raise an error if one of them is damaged
+                self.files.payoff()
+            else:
+                payoff = self.evaluate()
+                self.files.save_results(payoff.arrays(), self.summary(payoff))
+                LOG.info("%s: ended", path)
+        return SavedRun(path)
+
+    def learn(self, stage: int) -> None:
+        """Run one stage, as the kind of race says."""
+        self.settings.schedule.learn(self, stage)
+
+    def evaluate(self) -> Payoff:
+        """Play the finalists of one team against those of the other, on episodes of their own."""
+        finalists = self.settings.schedule.finalists(self)
+        (pursuers, g), (evaders, h) = (finalists[team] for team in TEAMS)
+        return tournament(
+            self.settings.world,
+            pursuers,
+            evaders,
+            seed=self.settings.seed,
+            episodes=self.settings.evaluation_episodes,
+            threads=self.threads,
+            play=self.rollout,
+            first=(g, h),
+            on_row=lambda played: self.report("tournament", played),
+        )
+
+    def summary(self, payoff: Payoff) -> dict[str, Any]:
+        """Return the most important numbers of the run, which summary.json holds."""
+        counters = {f"training_{name}": getattr(self, name) for name in COUNTERS}
+        return {
+            "stages": self.stage,
+            **counters,
+            "evaluation_matches": int(payoff.lengths.size),
+            **self.settings.schedule.summary(self, payoff),
+        }
+
+    # Stages:
+
+    def _end_stage(self) -> None:
+        """Count and save a finished stage; warn once of each disengagement."""
+        # In the second half of the epochs the team has mostly adapted to its opponents.
+        rates = [row["capture_rate"] for row in self.rows[len(self.rows) // 2 :]]
+        self.stage_capture_rates.append(float(np.mean(rates)))
+        self.stage += 1
+        counters = {name: getattr(self, name) for name in COUNTERS}
+        counters["capture_rate"] = self.stage_capture_rates[-1]
+        self.files.save(self.stage, self.archive, self.rows, counters, self.states, self.results)
+        LOG.info(
+            "%s: saved stage %d of %d",
+            self.files.path, self.stage, self.settings.schedule.n_stages,
+        )  # fmt: skip
+        self.rows, self.results = [], {}
+        generation, left = divmod(self.stage, self.settings.schedule.stages_per_generation)
+        for stretch in self.disengagements() if not left else ():
+            # Equal, not at least: a longer stretch has been reported before.
+            if stretch.last == generation and len(stretch) == PATIENCE:
+                warnings.warn(str(stretch), DisengagementWarning, stacklevel=3)
+
+    def disengagements(self) -> tuple[Disengagement, ...]:
+        """Return the stretches of finished generations in which one team won everything."""
+        if not self.settings.is_race:
+            return ()
+        stages = self.settings.schedule.stages_per_generation
+        finished = self.stage // stages
+        rates = np.array(self.stage_capture_rates[: finished * stages]).reshape(finished, stages)
+        # If a stage is a generation, both phases have its rate.
+        return disengagements(np.broadcast_to(rates, (finished, 2)))
+
+    def _restore(self) -> None:
+        restored = self.files.restore()
+        _, *stages = restored.stages  # stage 0 is before training
+        self.stage: int = len(stages)
+        self.stage_capture_rates: list[float] = [float(each["capture_rate"]) for each in stages]
+        counted = restored.stages[-1]
+        self.matches, self.steps, self.agent_steps = (int(counted[name]) for name in COUNTERS)
+        self.archive: dict[Team, list[Genome]] = {
+            team: [*genomes] for team, genomes in restored.archive.items()
+        }
+        self.states: dict[str, State] = restored.states
+        self.rows, self.results = [], {}
+
+    # What the loop of a race works with:
+
+    def genomes(self, team: Team) -> Genomes:
+        """Return a team's archive as one array (generations, genes) float32."""
+        archive, size = self.archive[team], self.settings.network.genome_size
+        return np.stack(archive) if archive else np.empty((0, size), np.float32)
+
+    def population(self, team: Team, genomes: Genomes) -> Population:
+        """Return genomes (n, genes) of a team as a population; DivergedError for infinite ones."""
+        try:
+            return Population(genomes, self.settings.network)
+        except ValueError as error:
+            if np.isfinite(genomes).all():  # of another shape, by a learner of the user's own
+                raise
+            raise self.learners[team].diverged(self.settings.learner_path(team)) from error
+
+    def opponents(self, team: Team) -> TeamPolicy:
+        """Return whom a team can meet now: all generations of the other team, or its script."""
+        return self.files.as_policy(other(team), self.genomes(other(team)))
+
+    def size(self, opponents: TeamPolicy) -> int:
+        """Return how many opponents there are."""
+        return team_size(opponents)
+
+    def generator(
+        self, purpose: Purpose, team: Team, generation: int, epoch: int
+    ) -> np.random.Generator:
+        """Return the random numbers of a team in an epoch."""
+        return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
+
+    def begin_epoch(self, team: Team, generation: int, epoch: int) -> None:
+        """Prepare an epoch in which a team learns in turns; a subclass may change the world."""
+
+    def ask(self, team: Team, generation: int, epoch: int) -> Genomes:
+        """Return the candidates (n, genes) of a team."""
+        rng = self.generator(Purpose.LEARN, team, generation, epoch)
+        candidates, self.states[team] = self.learners[team].ask(self.states[team], rng)
+        return candidates
+
+    def tell(
+        self, team: Team, fitness: FloatArray, opponents: TeamPolicy, met: Indices, seeds: Seeds
+    ) -> None:
+        """Let a team learn from the fitness (n,) of its candidates.
+
+        `met` and `seeds` (M,) are its matches against `opponents`; the learner may play them again.
+        """
+
+        def again(*, states: bool = False) -> Any:
+            genome = self.learners[team].genome(self.states[team])
+            return experience(
+                self.world, team, self.population(team, genome[np.newaxis]), opponents, met, seeds,
+                worlds=self.settings.match_episodes, states=states, threads=self.threads,
+            )  # fmt: skip
+
+        state, results = self.states[team], Results(fitness, again)
+        self.states[team] = self.learners[team].tell(state, results)
+
+    def update_sampler(self, team: Team, own: int, available: int) -> None:
+        """Tell a sampler at the begin of a generation how many generations of both teams exist."""
+        name, sampler = f"{team}.opponents", self.samplers[team]
+        episodes = getattr(sampler, "episodes", 1)
+        payoff = partial(self._payoff, team, episodes=episodes)
+        self.states[name] = sampler.update(self.states[name], own, available, payoff)
+
+    def sample(
+        self, team: Team, available: int, count: int, epoch: int, rng: np.random.Generator
+    ) -> Indices:
+        """Return the opponents (c,) of a team in an epoch."""
+        state = self.states[f"{team}.opponents"]
+        return self.samplers[team].sample(state, available, count, epoch, rng)
+
+    def tell_sampler(self, team: Team, met: Indices, rates: FloatArray) -> None:
+        """Tell a sampler the win rates (n, c) of n candidates against the opponents (c,)."""
+        name = f"{team}.opponents"
+        self.states[name] = self.samplers[team].tell(self.states[name], met, rates)
+
+    def archive_genome(self, team: Team, genome: Genome) -> None:
+        """Add a genome to the archive of a team; DivergedError if it is not finite."""
+        self.archive[team].extend(self.population(team, genome[np.newaxis].copy()).genomes)
+
+    def report(self, activity: str, evaluated: int = 0) -> None:
+        """Report the progress: the current activity, and evaluation episodes played so far."""
+        done = self.settings.counted(self.matches, evaluated)
+        self._report(Progress(activity, done, self._total, self._before))
+
+    # Matches:
+
+    def play(
+        self, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches
+    ) -> EpisodeStatistics:
+        """Play and count M matches; the arrays of the result have shape (M, episodes)."""
+        episodes, threads = self.settings.match_episodes, self.threads
+        scores = self.rollout(
+            self.world, pursuers, evaders, matches, episodes=episodes, threads=threads
+        )
+        self.matches += int(scores.length.size)
+        self.steps += int(scores.length.sum())
+        self.agent_steps += int(scores.agent_steps.sum())
+        return scores
+
+    def play_candidates(
+        self, team: Team, candidates: Genomes, opponents: TeamPolicy, met: Indices, seeds: Seeds
+    ) -> EpisodeStatistics:
+        """Play each candidate (n, genes) of a team against the opponents of some indices (c,).
+
+        Returns the statistics of n * c matches in the order of ``seeds.ravel()``, seeds (n, c): the
+        matches of a candidate are adjacent. A script has no indices, and ignores them.
+        """
+        n, c = seeds.shape
+        rivals = np.full((n, c), 0 if isinstance(opponents, str) else met, np.int32)
+        own = np.repeat(np.arange(n, dtype=np.int32), c)
+        learning = self.population(team, candidates)
+        if team == "pursuer":
+            return self.play(learning, opponents, Matches(own, rivals.ravel(), seeds.ravel()))
+        return self.play(opponents, learning, Matches(rivals.ravel(), own, seeds.ravel()))
+
+    def fitness(self, team: Team, scores: EpisodeStatistics, table: Table) -> FloatArray:
+        """Return the fitness (n,) of a team's individuals, as the settings define it."""
+        penalty = self.settings.overlap_penalty
+        return self.settings.fitness.fitness(scores, team, table, penalty)
+
+    def log_fitness(
+        self,
+        team: Team,
+        scores: EpisodeStatistics,
+        table: Table,
+        generation: int,
+        epoch: int,
+        opponent: int,
+    ) -> FloatArray:
+        """Return the fitness (n,) of a team's individuals, and log the epoch (see `COLUMNS`)."""
+        fitness = self.fitness(team, scores, table)
+        # (M, worlds, teams, kinds of collision) -> (teams,)
+        faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
+        row: Row = {
+            "stage": self.stage + 1,
+            "generation": generation,
+            "team": team,
+            "epoch": epoch,
+            "opponent": opponent,
+            "fitness_mean": float(fitness.mean()),
+            "fitness_std": float(fitness.std()),
+            "fitness_best": float(fitness.max()),
+            "capture_rate": float(scores.capture_rate.mean(dtype=np.float64)),
+            "length": float(scores.length.mean()),
+            "pursuer_faults": float(faults[0]),
+            "evader_faults": float(faults[1]),
+            "matches": self.matches,
+            "steps": self.steps,
+        }
+        self.rows.append(row)
+        if self._on_epoch is not None:
+            name = self.files.path.absolute().name
+            self._on_epoch({"run": name, "seed": self.settings.seed, **row})
+        return fitness
+
+    def champion(
+        self,
+        team: Team,
+        generation: int,
+        candidates: Genomes,
+        fitness: FloatArray,
+        opponents: TeamPolicy,
+        met: Indices,
+    ) -> Genome:
+        """Return the genome that enters the archive, from the last epoch of a generation.
+
+        It is the learner's. With `retest_episodes` it is the best of that one and the two fittest
+        candidates in new matches against the opponents `met` (c,): the fittest candidate of the
+        epoch may be the luckiest one.
+        """
+        genome = self.learners[team].genome(self.states[team])
+        episodes = self.settings.retest_episodes
+        if not episodes:
+            return genome
+        best = np.argsort(-fitness, kind="stable")[:2]
+        genomes = np.stack([genome, *candidates[best]])
+        n, c = len(genomes), len(met)
+        key = (self.settings.seed, generation, generation, Phase.RETEST, TEAMS.index(team))
+        seeds = np.tile(training_seeds(*key, c * episodes), (n, 1))
+        scores = self.play_candidates(team, genomes, opponents, np.repeat(met, episodes), seeds)
+        self._count_in_last_epoch()
+        again = self.fitness(
+            team, scores, lambda values: np.asarray(values.reshape(n, c, episodes).mean(axis=2))
+        )
+        champion: Genome = genomes[np.argmax(again)]
+        return champion
+
+    def _count_in_last_epoch(self) -> None:
+        """Count matches after an epoch in its rows: two where both teams learn at once."""
+        last = self.rows[-1]["matches"]
+        for row in self.rows:
+            if row["matches"] == last:
+                row |= {"matches": self.matches, "steps": self.steps}
+
+    def _payoff(self, team: Team, own: Indices, rivals: Indices, *, episodes: int) -> FloatArray:
+        """Play generations (n,) of a team against opponents (m,), and return the payoffs (n, m)."""
+        met = {team: own, other(team): rivals}
+        # The order of the seeds: all episodes of a pair, which have seeds of their own, then the
+        # next pair.
+        pairs = [(int(g), int(h)) for g in met["pursuer"] for h in met["evader"]]
+        seeds = [
+            training_seeds(self.settings.seed, g, h, Phase.ARCHIVE, 0, episodes) for g, h in pairs
+        ]
+        pursuers, evaders = (self.population(each, self.genomes(each)) for each in TEAMS)
+        g, h = np.repeat(pairs, episodes, axis=0).T
+        scores = self.play(pursuers, evaders, Matches.of(g, h, np.concatenate(seeds)))
+        rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
+        shape = len(met["pursuer"]), len(met["evader"]), episodes
+        captured = np.asarray(rates.reshape(shape).mean(axis=2))
+        return captured if team == "pursuer" else 1.0 - captured.T
+
+    def _pairs(self) -> int:
+        """Return how many pairs of genomes the evaluation plays."""
+        if self.settings.is_race:
+            return self.settings.schedule.entries**2
+        [team] = self.settings.learning_teams
+        return self.size(self.opponents(team))
+
+
+def total_matches(settings: RaceSettings, pairs: int) -> int:
+    """Return the matches of a whole run as progress counts them, with an evaluation of pairs."""
+    trained = settings.schedule.training_matches(settings)
+    return settings.counted(trained, pairs * settings.evaluation_episodes)
+
+
+def finish(
+    directory: str | Path,
+    *,
+    threads: int | None = None,
+    play: Rollout = rollout,
+    report: Report = silent,
+    on_epoch: OnEpoch | None = None,
+) -> SavedRun:
+    """Return the finished run of a directory that `create` has made, which may have begun.
+
+    What an executor gets: a path, and wherever the directory is. For parameters and errors see
+    `Run` and `Run.run`.
+    """
+    return Run(directory, threads=threads, play=play).run(report, on_epoch)
