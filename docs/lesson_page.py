@@ -12,13 +12,13 @@ import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from course.figures import CROSSINGS, may_go
 from matrixworld._util.files import load_toml
 from matrixworld.coevolution.storage import open_runs
 from matrixworld.explorer.evolve_page import evolve_data
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.playground import page_data
 from matrixworld.explorer.runs_page import runs_data
-from matrixworld.plots.game import CROSSINGS, may_go
 from matrixworld.version import __version__
 from matrixworld.world.arrays import MOVES
 

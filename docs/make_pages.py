@@ -1,4 +1,4 @@
-"""Write the pages of the variants and their pictures, the playground, the race and the lesson.
+"""Write the pages of the variants, the pictures, the playground, the race and the lesson.
 
     python docs/make_pages.py
 
@@ -21,6 +21,7 @@ from matrixworld.episodes import replay
 from matrixworld.explorer import Playground
 from matrixworld.explorer.evolve_page import PAGE, evolve_page
 from matrixworld.explorer.page import write_page
+from matrixworld.plots import save_figure
 
 DOCS = Path(__file__).parent
 FOLDER = DOCS / "variants"
@@ -103,6 +104,11 @@ if __name__ == "__main__":
     write(FOLDER)
     Playground().save(DOCS / "playground.html", force=True)
     write_page(DOCS / PAGE, evolve_page())
+    sys.path.append(str(DOCS.parent / "tutorials"))
     from lesson_page import write_lesson  # beside this file
 
+    from course import figures
+
+    for name, picture in figures.PICTURES.items():
+        save_figure(picture(), DOCS / "figures" / f"{name}.png")
     write_lesson(Path(sys.argv[1]) if len(sys.argv) > 1 else None)

@@ -12,7 +12,6 @@ from matrixworld.coevolution.evaluation.scores import HeldOutScores
 PAYOFF = np.random.default_rng(0).random((12, 11))
 NETWORK = mw.Network.for_config(mw.WorldConfig("O"))
 RESULTS = {
-    "AlphaRank": lambda: analysis.alpha_rank(PAYOFF),
     "Judgement": lambda: analysis.judge(PAYOFF),
     "LagProfile": lambda: analysis.lag_profile(PAYOFF),
     "Nash": lambda: analysis.nash_averaging(PAYOFF),

@@ -13,7 +13,8 @@ from scipy.special import expit
 from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Estimate, Judgement, judge
-from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, Finding
+from matrixworld.analysis.judge import RULES
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Finding
 
 
 def played(
@@ -178,6 +179,7 @@ def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
 
 
 def test_words_and_json() -> None:
+    assert tuple(RULES) == CONDITIONS
     judgement = of_scores(played(circular(31), 10, evaders=30))
     heads, *rows = analysis.judgement_table(judgement)
     assert heads[:2] == ("condition", "verdict")

@@ -150,27 +150,6 @@ def test_noise_is_not_intransitive() -> None:
     assert np.mean([one.biased_high for one in found]) == pytest.approx(0.0, abs=0.005)
 
 
-def test_a_spinning_top_is_widest_in_the_middle() -> None:
-    t, lag = np.arange(20) / 19, np.subtract.outer(np.arange(20), np.arange(20))
-    middle = np.exp(-(((t - 0.5) / 0.15) ** 2))
-    logits = 4 * (t[:, None] - t) + 4 * np.outer(middle, middle) * np.sin(np.pi * lag / 2)
-    scores = played(1 / (1 + np.exp(-logits)), 300)
-    matrix, noise = scores.mean(axis=2), scores.var(axis=2, ddof=1) / 300
-    thirds = [squared_intransitivity(matrix, noise, third=k) for k in range(3)]
-    assert thirds[1].ends[0] > max(thirds[0].ends[1], thirds[2].ends[1])
-    top = analysis.spinning_top(scores)
-    for team, swapped in zip(
-        top, [*analysis.spinning_top(1 - scores.swapaxes(0, 1))][::-1], strict=True
-    ):
-        np.testing.assert_allclose(team.strength, swapped.strength)
-        assert 6 <= team.intransitivity.argmax() <= 13
-        assert (team.low <= team.intransitivity).all()
-        assert (team.intransitivity <= team.high).all()
-    # One row or column each: together they are the intransitivity of the judgement.
-    whole = squared_intransitivity(matrix, noise).value
-    assert np.mean(top.evaders.intransitivity**2) == pytest.approx(whole, rel=0.02)
-
-
 # ---- Forgetting ----------------------------------------------------------------------------------
 
 

@@ -57,15 +57,11 @@ REPLAY = [
     (["walks.npz", "--explain"], 2, "expected a recording with conflicts, got none"),
 ]
 EXPLORE = [
-    ([], 2, "expected RUN..."),
-    (["--figures"], 2, "expected RUN..., or --figure rules or conflicts or interaction or right_o"),
-    (["--figure", "payoff"], 2, "expected RUN..., or --figure rules"),
+    ([], 2, "Missing argument 'RUN...'"),
     (["race", "--each"], 2, "--each: expected --figures or --figure beside it"),
-    (["race", "--figure", "rules"], 2, "--figure rules: expected no RUN, got race"),
     (["race", "--figures", "--out", "x.svg"], 2, "--out: expected one --figure of one run, got no"),
-    (["--figure", "rules", "-o", "x.bmp"], 2, "expected a name that ends in .png, .pdf, .svg, got"),
-    (["--figure", "rules", "-o", "x.svg", "--format", "png"], 2, "that ends in .png, got x.svg"),
-    (["--figure", "rules", "--width", "5"], 2, "--width: expected at least 6.9 inches for this"),
+    (["race", "--figure", "payoff", "-o", "x.bmp"], 2, "a name that ends in .png, .pdf, .svg, got"),
+    (["race", "--figures", "-o", "x.svg", "--format", "png"], 2, "that ends in .png, got x.svg"),
     (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
     (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),

@@ -9,7 +9,7 @@ from scipy import stats
 
 from command_line import matrixworld_command, run_together
 from matrixworld._util.files import load_json
-from matrixworld.analysis.words import summary
+from matrixworld.analysis.judgement import summary
 from matrixworld.cli.evolve import Whole, report
 from matrixworld.coevolution import Progress, SavedRun, finish, open_run, score
 from matrixworld.coevolution.groups import RunGroup, open_groups

@@ -16,7 +16,7 @@ import pytest
 from browser import READY, Browser
 from matrixworld import World, WorldConfig, analysis, record
 from matrixworld._util.files import DamagedFileError
-from matrixworld.analysis.words import all_results, summary
+from matrixworld.analysis.judgement import summary
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.explorer import Explorer, explore
@@ -263,10 +263,8 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     assert [found["sentence"], found["headline"], *found["numbers"]] == summary(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
     assert found["reasons"] == analysis.explain(judgement).splitlines()
-    # Its numbers as a game, and the dots of the panel, are those of `judge --all`.
-    results = all_results(analysis.read_payoffs(rates, per_episode=True))
-    assert found["spinning_top"] == results["runs"][0]["spinning_top"]
-    assert found["ratings"]["pursuers"]["high"] == results["ratings"]["pursuers"]["high"][0]
+    ratings = analysis.elo_over_episodes(rates).pursuers
+    assert found["ratings"]["pursuers"]["high"] == ratings.high.tolist()
     # What the guided minute says of a pair is in its cell, which is the match that is shown.
     stops, matrix = found["guided_minute"], race.payoff().capture_rate
     for stop in stops[:2]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.analysis.games import META_SOLVERS, projected_replicator_dynamics
+from matrixworld.analysis.games import META_SOLVERS
 from matrixworld.integrations.openspiel import matrix_game, world_game
 from matrixworld.solve import solve
 
@@ -55,15 +55,9 @@ def test_a_payoff_is_a_matrix_game() -> None:
 
 @pytest.mark.parametrize("shape", [(2, 2), (3, 5), (8, 7)])
 def test_mixtures_are_those_of_the_library(shape: tuple[int, int]) -> None:
-    theirs = pytest.importorskip("open_spiel.python.algorithms.projected_replicator_dynamics")
     strategies = pytest.importorskip("open_spiel.python.algorithms.psro_v2.meta_strategies")
     matrix = np.random.default_rng(0).random(shape)
     solver = type("Solver", (), {"get_meta_game": lambda self: [matrix, -matrix]})()
     # Random payoffs have one equilibrium.
     expected = strategies.META_STRATEGY_METHODS["nash"](solver)
     np.testing.assert_allclose(META_SOLVERS["nash"](matrix), expected[1], atol=1e-6)
-    for least in (1e-6, 0.05):
-        same = {"prd_iterations": 500, "prd_dt": 0.02, "prd_gamma": least}
-        means = theirs.projected_replicator_dynamics([matrix, -matrix], **same)
-        found = projected_replicator_dynamics(matrix, steps=500, rate=0.02, least=least)
-        np.testing.assert_allclose(np.concatenate(found), np.concatenate(means), atol=1e-9)

@@ -11,16 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matplotlib.text import Text
-from PIL import Image
 
-from matrices import ROCK_PAPER_SCISSORS, circular, logistic
+from matrices import circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
 from matrixworld.analysis.intervals import Band, generalization_over_episodes
 from matrixworld.analysis.runs import race_bands
-from matrixworld.plots.style import DPI
-from slow import quickly
+from matrixworld.plots.style import FORMATS
 
 RACE, CYCLE = logistic(31), circular(31)  # 30 generations and the untrained one, as in races
 RNG = np.random.default_rng(0)
@@ -223,26 +220,21 @@ def test_the_strip_has_a_cell_for_each_verdict() -> None:
     assert words[-len(findings) :] == [finding.verdict for finding in findings.values()]
 
 
-def test_scores_show_profiles_and_interquartile_means() -> None:
+def test_scores_show_seeds_and_interquartile_means() -> None:
     scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
-              "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
-    figure = plots.seed_scores(scores)
-    profiles, middles, *_ = figure.axes
-    for line, of_group in zip(profiles.lines, scores.values(), strict=True):
-        expected = analysis.performance_profile(of_group["pursuer"]).mean
-        np.testing.assert_allclose(line.get_ydata(), expected)
-    # Seven seeds have a band and an interval, three have neither.
-    assert len(profiles.collections) == 1
+              "b": {"pursuer": RNG.random((3, 5))}}  # fmt: skip
+    pursuers, evaders = plots.seed_scores(scores).axes
+    # Seven seeds have an interval, three have none.
     a = analysis.interquartile_mean(scores["a"]["pursuer"])
-    bar, diamond, other = middles.lines
+    bar, diamond, other = (line for line in pursuers.lines if len(line.get_xdata()))
     np.testing.assert_allclose(bar.get_xdata(), [a.low, a.high])
     np.testing.assert_allclose(diamond.get_xdata(), a.value)
     b = analysis.interquartile_mean(scores["b"]["pursuer"])
     np.testing.assert_allclose(other.get_xdata(), b.value)
-    dots = np.asarray(middles.collections[0].get_offsets())[:, 0]
+    dots = np.asarray(pursuers.collections[0].get_offsets())[:, 0]
     np.testing.assert_allclose(dots, scores["a"]["pursuer"].mean(axis=1))
-    names = [tick.get_text() for tick in middles.get_yticklabels()]
-    assert names == ["a (7 seeds)", "b (3 seeds)"]
+    names = [[tick.get_text() for tick in axes.get_yticklabels()] for axes in (pursuers, evaders)]
+    assert names == [["a (7 seeds)", "b (3 seeds)"], ["a (7 seeds)"]]
 
 
 # ---- Dots, curves and CIAO plots -----------------------------------------------------------------
@@ -287,85 +279,23 @@ def test_triangles_are_those_of_ciao() -> None:
     assert [*every.get_extent()] == [-10, 110, -10, 110]  # generations 0 to 100
 
 
-def test_trajectories_and_tops_are_those_of_the_analysis() -> None:
-    starts = [([0.5, 0.3, 0.2], [0.1, 0.2, 0.7]), ([0.2, 0.2, 0.6], [0.3, 0.3, 0.4])]
-    figure = plots.replicator_trajectories(ROCK_PAPER_SCISSORS, starts, time=30)
-    path = analysis.replicator_dynamics(
-        ROCK_PAPER_SCISSORS, pursuers=starts[1][0], evaders=starts[1][1], time=30, points=1001
-    )
-    triangle, _, distance = figure.axes
-    # The frame, then path and start of each; the right corner is strategy 1, the upper one 2.
-    x, y = triangle.lines[3].get_data()
-    np.testing.assert_allclose(x, path.pursuers[:, 1] + path.pursuers[:, 2] / 2)
-    np.testing.assert_allclose(y, path.pursuers[:, 2] * 0.75**0.5)
-    away = path.divergence([1 / 3] * 3, [1 / 3] * 3)
-    np.testing.assert_allclose(distance.lines[1].get_ydata(), away)
-    tops, axes = analysis.spinning_top(SINGLE), plots.spinning_top(SINGLE).axes[0]
-    for line, top, side in zip(axes.lines, tops, (-1, 1), strict=False):  # then that of 0
-        np.testing.assert_allclose(line.get_xdata(), side * top.intransitivity)
-        np.testing.assert_allclose(line.get_ydata(), top.strength)
+# ---- Files ---------------------------------------------------------------------------------------
 
 
-# ---- On paper ------------------------------------------------------------------------------------
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_figures_are_files_of_their_suffix(suffix: str, tmp_path: Path) -> None:
+    begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
+    figure = plots.lag_profile_curve(RACE)
+    content = plots.save_figure(figure, tmp_path / f"figure.{suffix}").read_bytes()
+    assert content.startswith(begins[suffix])
+    assert b"<image" not in content  # vectors only
+    assert b"Date" not in content
 
 
-SCORES = {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}
-PANELS = {
-    "heat map": lambda: plots.payoff_heatmap(RACE),
-    "lags": lambda: plots.lag_profile_curve(RACE),
-    "ciao": lambda: plots.ciao_triangles(RACE),
-    "dynamics": lambda: plots.replicator_trajectories(RACE),
-    "comparison": lambda: plots.comparison(
-        {f"specialists {n}": RACE for n in range(3)}, {"specialists 0": judged(RACE)}
-    ),
-    "over seeds": lambda: plots.generalization_curves({"one": MATRICES, "two": MATRICES[:3]}),
-    "training": lambda: plots.training_curve(
-        RNG.random(620), np.arange(620) // 10 % 2, generations=1 + np.arange(620) // 20, window=5
-    ),
-    "collisions": lambda: plots.collision_rates(RNG.random((31, 2, 3))),
-    "bands": lambda: plots.seed_bands({f"group {n}": MATRICES[:3] for n in range(3)}),
-    "strip": lambda: plots.verdict_strip({"a": judged_seeds(3)}, {"a": (2, 5, 9)}),
-    "scores": lambda: plots.seed_scores({"specialists": SCORES, "generalists": SCORES}),
-    "dots": lambda: plots.run_dots({"one": RNG.random(7)}, label="score", levels={"random": 0.3}),
-    "curves": lambda: plots.run_curves({"one": RNG.random((5, 9))}, label="score"),
-}
-
-
-# The others take up to some seconds each.
-@quickly("name", tuple(PANELS), lambda name: name in ("lags", "dots", "curves"))
-def test_a_figure_for_a_column_has_type_that_can_be_read(name: str, tmp_path: Path) -> None:
-    with plots.at_width(3.35):
-        figure = PANELS[name]()
-        with Image.open(plots.save_figure(figure, tmp_path / "x.png")) as image:
-            assert image.width == pytest.approx(3.35 * DPI, abs=1)
-    texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
-    # Points; smaller type cannot be read on paper.
-    assert min(text.get_fontsize() for text in texts) >= 6.0
-    edge = figure.bbox.padded(2)  # antialiasing may reach a pixel further
-    names = [axis.label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
-    names += [axes.title for axes in figure.axes] + [figure._suptitle or Text()]
-    shown = [name for name in names if name.get_text()]
-    for box in (each.get_window_extent() for each in [*figure.legends, *shown]):
-        assert edge.x0 <= box.x0 <= box.x1 <= edge.x1
-        assert edge.y0 <= box.y0 <= box.y1 <= edge.y1
-    # Neighbours do not reach into each other.
-    boxes = [axes.get_tightbbox() for axes in figure.axes]
-    assert not any(
-        one.padded(-2).overlaps(other) for n, one in enumerate(boxes) for other in boxes[n + 1 :]
-    )
-    # The shape of the panels, not of the page.
-    panel = figure.axes[0].get_window_extent()
-    assert 0.5 < panel.height / panel.width < 1.05
-
-
-def test_widths_that_texts_do_not_fit_are_refused() -> None:
-    with plots.at_width(6.9):
-        assert plots.rules_table().get_figwidth() == pytest.approx(6.9)
-        with pytest.raises(ValueError, match="width: expected at least 7.5 inches .* got 6.9"):
-            plots.interaction_models()
-    with pytest.raises(ValueError, match="width: expected a number at least 3"), plots.at_width(2):
-        pass
-    assert plots.lag_profile_curve(RACE).get_figwidth() == 6.4
+def test_another_suffix_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"expected a name that ends in \.png, \.pdf, \.svg, got"):
+        plots.save_figure(plots.lag_profile_curve(RACE), tmp_path / "figure.bmp")
+    assert not list(tmp_path.iterdir())
 
 
 # ---- What cannot be drawn ------------------------------------------------------------------------
@@ -390,7 +320,6 @@ scores = analysis.judge([SQUARE] * 3)
         (lambda: curves({"one": [SQUARE]}, pursuer_baselines={"two": {}}), "baselines: "),
         (lambda: plots.seed_bands({}), "expected at least one group of runs to draw, got none"),
         (lambda: plots.verdict_strip({"a": scores}, {"a": (0, 1)}), "seeds: expected 3 of a"),
-        (lambda: plots.rules_table({}), "at least one row to draw, got none"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused(draw: Callable[[], object], message: str) -> None:
@@ -414,7 +343,6 @@ def test_what_cannot_be_drawn_is_refused(draw: Callable[[], object], message: st
         lambda: plots.collision_rates(np.full((2, 2, 3), 1j)),
         lambda: training([0.5], [0], window=1.5),
         lambda: plots.payoff_heatmap(SQUARE, title=3),
-        lambda: plots.rules_table({"a": "O"}),
         lambda: plots.save_figure("figure", "x.png"),
     ],
 )
@@ -435,7 +363,6 @@ def test_masked_values_are_not_drawn() -> None:
         lambda: plots.seed_scores({"a": {"pursuer": hidden[0]}}),
         lambda: plots.payoff_heatmap(hidden[0]),
         lambda: plots.seed_bands({"a": hidden}),
-        lambda: plots.spinning_top(hidden),
     ):
         with pytest.raises(ValueError, match="masked cell"):
             draw()
@@ -446,7 +373,6 @@ def test_no_group_and_no_level_is_left_out() -> None:
     levels = {f"level {n}": n / 10 for n in range(7)}
     (axes,) = plots.run_dots({"a": [0.1, 0.2, 0.4]}, label="score", levels=levels).axes
     assert {*levels} <= {line.get_label() for line in axes.lines}
-    groups = {f"group {n}": {"pursuer": RNG.random((2, 3))} for n in range(23)}
-    figure = plots.seed_scores(groups)
-    assert len(figure.axes[0].lines) == 23
+    groups = {f"group {n}": RNG.random((2, 3)) for n in range(23)}
+    figure = plots.run_curves(groups, label="score")
     assert {*groups} <= {*legend_texts(figure)}

@@ -1,19 +1,16 @@
 """The figures of saved runs, and ``matrixworld explore --figures``."""
 
-import re
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from command_line import matrixworld_command
-from matrixworld import analysis, plots
-from matrixworld.cli.pages import FIGURES, OF_GAME
-from matrixworld.coevolution import TEAMS, finish, open_groups, open_run, open_runs
+from matrixworld import analysis
+from matrixworld.cli.pages import FIGURES
+from matrixworld.coevolution import finish, open_groups, open_run, open_runs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.plots.saved import OF_GROUPS, OF_RUN, collisions_per_1000, figures_of
-from matrixworld.solve import guarantees
 from tiny_race import tiny_race, tiny_single
 
 TOGETHER = ["seeds", "verdicts", "held_out"]
@@ -49,7 +46,7 @@ def test_the_command_knows_the_names_of_all_figures():
 
 
 def test_runs_have_their_own_figures_and_seeds_have_them_together(runs):
-    of_run = [f"{name}.png" for name in OF_RUN if name != "worst_map"]
+    of_run = [f"{name}.png" for name in OF_RUN]
     assert files_of(runs, "hall") == [f"hall/{name}" for name in of_run]
     assert files_of(runs, "pursuers", suffix="pdf") == ["pursuers/training.pdf"]
     assert files_of(runs, "job") == [f"{name}.png" for name in TOGETHER]
@@ -120,51 +117,11 @@ def test_baselines_are_level_lines_with_intervals_over_seeds(runs):
         levels(runs, "hall", x=str(Path("others").absolute()))
 
 
-MAPS = {
-    "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "fov": 7,
-    "max_steps": 4, "train_steps": 4, "maps": 3, "children": 1, "fresh": 0,
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("fitness", ["regret", "novelty"])
-def test_the_worst_map_shows_what_the_newest_lose_and_perfect_teams_do_not(tmp_path, fitness):
-    run = finish(tiny_race(schedule=f"maps-{fitness}", **MAPS), tmp_path / "run", threads=1)
-    usual = files_of(tmp_path, "run")
-    assert ("run/worst_map.png" in usual) == (fitness == "regret")
-    [group] = open_groups(tmp_path / "run")
-    [draw] = figures_of([group], tmp_path, name="worst_map").values()
-    figure = draw()
-    newest = {team: run.last(team) for team in TEAMS}
-    world, lost = run.settings.training_world, {}
-    for walls in run.maps()["maps"][-1]:
-        found = guarantees(replace(world, obstacles=walls), newest)
-        lost["pursuer", found.value - found.pursuers[0]] = found.pursuers[0], found.value
-        lost["evader", found.evaders[0] - found.value] = found.evaders[0], found.value
-    team, _ = key = max(lost, key=lambda each: each[1])
-    rates = [f"{rate:.0%}" for rate in lost[key]]
-    assert re.findall(r"\d+%", figure.get_suptitle()) == rates
-    ends = [axes.get_title().split(":\n")[1].split()[1] for axes in figure.axes]
-    expected = ["free", "captured"]
-    assert ends == (expected if team == "pursuer" else expected[::-1])
-
-
-def test_only_races_on_maps_have_a_worst_one(runs):
-    [draw] = figures_of(open_groups(runs / "hall"), runs, name="worst_map").values()
-    with pytest.raises(ValueError, match="expected a race with the schedule maps"):
-        draw()
-
-
 # The command
 
 
-def test_one_figure_in_a_format_and_a_width(runs):
+def test_one_figure_in_a_format(runs):
     race, file = runs / "job" / "seed-5", "here.pdf"
-    words = ["explore", race, "--figure", "collisions", "--width", 3.35, "--out", file]
+    words = ["explore", race, "--figure", "collisions", "--out", file]
     assert matrixworld_command(*words).output == f"{file}\n"
     assert Path(file).read_bytes().startswith(b"%PDF-")
-
-
-def test_a_figure_of_the_game_needs_no_run():
-    words = ["explore", "--figure", "right_of_way", "--format", "svg"]
-    assert matrixworld_command(*words).output == "right_of_way.svg\n"
-    assert all(hasattr(plots, name) for name in OF_GAME.values())

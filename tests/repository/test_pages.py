@@ -19,10 +19,10 @@ import pettingzoo
 import pytest
 
 import matrixworld as mw
+from course.figures import PICTURES
 from course.questions import Exercise, exercises
 from matrixworld import analysis, plots
 from matrixworld.cli import main
-from matrixworld.cli.pages import OF_GAME
 from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS, Maps
 from matrixworld.coevolution.storage import COLUMNS
@@ -282,13 +282,11 @@ def test_the_table_of_figures_names_them_and_their_functions() -> None:
     page = read("docs/figures.md")
     rows = re.findall(r"^\| [^|]+ \| `(matrixworld explore[^|]+)` \| (.+) \|$", page, re.M)
     named = {name for command, _ in rows for name in re.findall(r"--figure (\w+)", command)}
-    # These are not in the paper.
-    others = {"lag_profile", "dynamics", "worst_map", "spinning_top", "right_of_way"}
-    assert named == {*OF_GAME, *OF_RUN} - others
+    assert named == {*OF_RUN} - {"lag_profile"}  # which is not in the paper
     functions = [name for _, cell in rows for name in re.findall(r"`(\w+)`", cell)]
     assert set(functions) <= set(plots.__all__)
     pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", page)
-    assert {Path(each).stem for each in pictures} == set(OF_GAME)
+    assert {Path(each).stem for each in pictures} == set(PICTURES)
 
 
 def test_the_exercises_that_the_teachers_page_names_exist() -> None:

@@ -24,8 +24,6 @@ FIGURES = {
         "lag_profile",
         "training",
         "collisions",
-        "dynamics",
-        "spinning_top",
     ]
 }
 READING = [

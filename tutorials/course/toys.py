@@ -32,6 +32,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.integrate import solve_ivp
 
 from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
@@ -96,6 +97,33 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
             opponents = [hands[other(team)][index] for index in chosen]
             hands[team].append(best_response(team, opponents, rng))
     return hands
+
+
+def replicators(
+    payoff: FloatArray, start: ArrayLike, *, time: float, points: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return times (points,) and shares (points, n) of the first of two populations.
+
+    A strategy becomes more frequent if it gains more than the mean of its population
+    (Taylor and Jonker 1978): ``x_g' = x_g ((A y)_g - x A y)``, ``y_h' = y_h (x A y - (x A)_h)``.
+    The second population begins with equal shares.
+    """
+    n, m = payoff.shape
+    x, y = np.asarray(start, float), np.full(m, 1.0 / m)
+
+    def shares(first: FloatArray, collected: FloatArray) -> FloatArray:
+        # Shares are proportional to the exponential of what a strategy has collected.
+        grown = first * np.exp(collected - collected.max(axis=-1, keepdims=True))
+        return np.asarray(grown / grown.sum(axis=-1, keepdims=True))
+
+    def gained(_: float, state: FloatArray) -> FloatArray:
+        return np.append(payoff @ shares(y, state[n:]), shares(x, state[:n]) @ -payoff)
+
+    times = np.linspace(0.0, time, points)
+    solved = solve_ivp(
+        gained, (0.0, time), np.zeros(n + m), "DOP853", times, rtol=1e-12, atol=1e-12
+    )
+    return times, shares(x, solved.y[:n].T)
 
 
 # ---- Populations of bits -------------------------------------------------------------------------

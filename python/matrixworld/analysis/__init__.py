@@ -16,19 +16,8 @@ real numbers, FileNotFoundError for a file that does not exist.
 
 from __future__ import annotations
 
-from matrixworld.analysis.cycles import (
-    checkerboards,
-    spinning_top,
-    transitive_share,
-    transitive_share_over_episodes,
-    two_way_parts,
-)
-from matrixworld.analysis.dynamics import alpha_rank, replicator_dynamics
-from matrixworld.analysis.games import (
-    effective_diversity,
-    exploitability,
-    nash_averaging,
-)
+from matrixworld.analysis.cycles import checkerboards, transitive_share
+from matrixworld.analysis.games import exploitability, nash_averaging
 from matrixworld.analysis.intervals import (
     Estimate,
     band_over_runs,
@@ -36,77 +25,57 @@ from matrixworld.analysis.intervals import (
     interval_over_runs,
     mean_over_episodes,
 )
-from matrixworld.analysis.judge import CONDITIONS, Judgement, judge
-from matrixworld.analysis.measures import MEASURES, measure_all
+from matrixworld.analysis.judge import judge
+from matrixworld.analysis.judgement import (
+    CONDITIONS,
+    Judgement,
+    explain,
+    headline,
+    judgement_table,
+    sentence,
+)
+from matrixworld.analysis.measures import MEASURES, measure_all, measure_table
 from matrixworld.analysis.payoffs import last_half, read_payoffs
 from matrixworld.analysis.progress import (
     ciao,
     disengagements,
-    dominance_tournament,
     generalization,
-    global_progress,
-    historical_progress,
     lag_profile,
-    local_progress,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import elo, elo_over_episodes, log_loss
-from matrixworld.analysis.runs import (
-    interquartile_mean,
-    performance_profile,
-    probability_of_improvement,
-)
+from matrixworld.analysis.ratings import elo, elo_over_episodes
+from matrixworld.analysis.runs import interquartile_mean
 from matrixworld.analysis.strength import forgetting
-from matrixworld.analysis.words import (
-    explain,
-    headline,
-    judgement_table,
-    measure_table,
-    sentence,
-)
 
 __all__ = [
     "CONDITIONS",
     "MEASURES",
     "Estimate",
     "Judgement",
-    "alpha_rank",
     "band_over_runs",
     "checkerboards",
     "ciao",
     "difference_of_runs",
     "disengagements",
-    "dominance_tournament",
-    "effective_diversity",
     "elo",
     "elo_over_episodes",
     "explain",
     "exploitability",
     "forgetting",
     "generalization",
-    "global_progress",
     "headline",
-    "historical_progress",
     "interquartile_mean",
     "interval_over_runs",
     "judge",
     "judgement_table",
     "lag_profile",
     "last_half",
-    "local_progress",
-    "log_loss",
     "mean_over_episodes",
     "measure_all",
     "measure_table",
     "nash_averaging",
-    "performance_profile",
-    "probability_of_improvement",
     "read_payoffs",
-    "replicator_dynamics",
     "sentence",
-    "spinning_top",
     "team_phase_rates",
     "transitive_share",
-    "transitive_share_over_episodes",
-    "two_way_parts",
 ]

@@ -10,32 +10,15 @@ from __future__ import annotations
 import heapq
 import math
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_bool, check_number, check_real
-from matrixworld._util.readable import Readable
-from matrixworld.analysis.intervals import (
-    BIASED,
-    LEVEL,
-    Estimate,
-    check_cells,
-    normal_quantile,
-    t_quantile,
-)
-from matrixworld.analysis.payoffs import (
-    ByTeam,
-    Rates,
-    check_payoff,
-    require,
-    swap_teams,
-)
-from matrixworld.analysis.payoffs import logits as logits_of
+from matrixworld._util.checks import check_number, check_real
+from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_quantile
+from matrixworld.analysis.payoffs import Rates, check_payoff, require
 
-EPISODES_TO_SUBTRACT_NOISE = 4
-"""Fewest episodes for the interval of a transitive share: the jackknife leaves out one of them."""
 MARGIN = 0.15
 """Margin of a checkerboard: an additive matrix with the noise of ten episodes of a default race has
 none above it. It does not tell cycles from noise in general; `judge` does."""
@@ -81,60 +64,52 @@ class Checkerboard:
     margin: float
 
 
-class TwoWayParts(NamedTuple):
-    """Parts of ``M = mean + pursuers[:, None] + evaders + cyclic``, in units of the capture rate.
-
-    `pursuers` (n,) and `evaders` (m,) sum to 0, and so do all rows and columns of `cyclic` (n, m),
-    which depends on the pairing or is noise.
-    """
-
-    mean: float
-    pursuers: Rates
-    evaders: Rates
-    cyclic: Rates
-
-
-def transitive_share(payoff: ArrayLike, *, logits: bool = False) -> float:
+def transitive_share(payoff: ArrayLike) -> float:
     """Return the share of the variance that each generation's own strength explains, in [0, 1].
 
     1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
     NaN for a constant matrix. Noise alone gives about ``(n + m - 2) / (n m - 1)``, so a low value
-    is no proof of cycles: look at `checkerboards`, too.
+    is no proof of cycles: look at `checkerboards`, too; ``MEASURES["transitive_share"]`` subtracts
+    the noise of single episodes.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-    logits : bool, optional
-        Decompose the logits of the shrunken rates: they straighten graded matrices that flatten out
-        at 0 and 1, where a sum of strengths does not.
-    """
-    matrix = check_payoff(payoff)
-    values = logits_of(matrix) if check_bool("logits", logits) else matrix
-    total = float(np.sum((values - values.mean()) ** 2))
-    if total <= values.size * _ROUNDING**2:  # constant but for rounding
-        return math.nan
-    return min(1.0, max(0.0, 1.0 - float(np.sum(_parts(values).cyclic ** 2)) / total))
-
-
-def two_way_parts(payoff: ArrayLike) -> TwoWayParts:
-    """Decompose `payoff` (n, m) into mean, strength of each generation, and cyclic part.
-
-    The parts are orthogonal. On the complete bipartite graph of two teams the strengths are the
-    gradient flow of the Hodge decomposition of games, and the rest is its cyclic part.
 
     References
     ----------
     Fisher (1925), "Statistical methods for research workers": two-way analysis of variance.
     Candogan et al. (2011), "Flows and decompositions of games: harmonic and potential games".
     """
-    return _parts(check_payoff(payoff))
+    matrix = check_payoff(payoff)
+    deviations, cyclic = _centred(matrix[:, :, np.newaxis])
+    total = float(np.sum(deviations**2))
+    if total <= matrix.size * _ROUNDING**2:  # constant but for rounding
+        return math.nan
+    return min(1.0, max(0.0, 1.0 - float(np.sum(cyclic**2)) / total))
 
 
-def _parts(values: Rates) -> TwoWayParts:
-    mean = float(values.mean())
-    # With one value in each cell the least-squares strengths are row and column means.
-    pursuers, evaders = values.mean(axis=1) - mean, values.mean(axis=0) - mean
-    return TwoWayParts(mean, pursuers, evaders, values - mean - pursuers[:, None] - evaders)
+def transitive_share_without_noise(scores: Rates) -> float:
+    """Return the transitive share of what is behind episodes (n, m, episodes), at least two.
+
+    Both sums of squares are estimated from products of different episodes of a cell, which hold no
+    noise (U statistics, Hoeffding 1948). NaN if the cells vary no more than noise does.
+    """
+    total, cyclic = map(_square_without_noise, _centred(scores))
+    return min(1.0, max(0.0, 1.0 - cyclic / total)) if total > 0.0 else math.nan
+
+
+def _square_without_noise(parts: Rates) -> float:
+    episodes = len(parts)
+    squares = (parts.sum(axis=0) ** 2).sum() - (parts**2).sum()
+    return float(squares) / (episodes * (episodes - 1))
+
+
+def _centred(scores: Rates) -> tuple[Rates, Rates]:
+    """Return the matrix of each episode (episodes, n, m) less its mean, and its cyclic part."""
+    matrices = np.moveaxis(scores, 2, 0)
+    total = matrices - matrices.mean(axis=(1, 2), keepdims=True)
+    return total, total - total.mean(axis=1, keepdims=True) - total.mean(axis=2, keepdims=True)
 
 
 def checkerboards(
@@ -232,108 +207,28 @@ def transitive_fit(matrix: Rates) -> Rates:
     return fit
 
 
-def squared_intransitivity(
-    matrix: Rates, noise: Rates, *, third: int | None = None, level: float = LEVEL
-) -> Estimate:
+def squared_intransitivity(matrix: Rates, noise: Rates, *, level: float = LEVEL) -> Estimate:
     """Return the mean square of what no order of strength explains, without episode noise.
 
     That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
     estimate of the variance of each cell; it may be negative. `biased_high` and `high` allow for
-    what the fit hides. A `third` of the generations of both teams by strength, from the weakest
-    (0), has the mean over the cells of its pursuers and over those of its evaders. A test of lack
-    of fit with an order as the null hypothesis (Robertson, Wright and Dykstra 1988).
+    what the fit hides. A test of lack of fit with an order as the null hypothesis (Robertson,
+    Wright and Dykstra 1988).
     """
     matrix, noise = thinned(matrix), thinned(noise)
-    weights = np.full(matrix.shape, 1.0 / matrix.size)
-    if third is not None:
-        rows, columns = (
-            np.array_split(np.argsort(each.mean(axis=1), kind="stable"), 3)[third]
-            for each in (matrix, swap_teams(matrix))
-        )
-        weights = np.zeros(matrix.shape)
-        weights[rows] += 0.5 / (len(rows) * matrix.shape[1])
-        weights[:, columns] += 0.5 / (len(columns) * matrix.shape[0])
-    return _weighted(_excess(matrix, noise), noise, weights, level)
-
-
-def _excess(matrix: Rates, noise: Rates) -> Rates:
-    """Return the squared residual of each cell minus what its noise leaves of it."""
-    fit = transitive_fit(matrix)
+    fit, share = transitive_fit(matrix), 1.0 / matrix.size
     # A cell in a level set of b cells loses 1/b of its noise to the fit (Meyer and Woodroofe 2000).
-    excess: Rates = (matrix - fit) ** 2 - noise * (1.0 - _leverages(fit))
-    return excess
-
-
-def _weighted(excess: Rates, noise: Rates, weights: Rates, level: float) -> Estimate:
-    value = float((weights * excess).sum())
-    reach = normal_quantile(level) * float(np.sqrt((weights**2 * excess**2).sum()))
-    most = value + SORTING * sum(excess.shape) / excess.size * float((weights * noise).sum())
+    excess = (matrix - fit) ** 2 - noise * (1.0 - _leverages(fit))
+    value = float((share * excess).sum())
+    reach = normal_quantile(level) * float(np.sqrt((share**2 * excess**2).sum()))
+    most = value + SORTING * sum(matrix.shape) / matrix.size * float((share * noise).sum())
     return Estimate(value, value - reach, most + reach, "episodes", biased_high=most)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class SpinningTop(Readable):
-    """Strength and intransitivity of the generations of one team, each array of shape (k,).
-
-    `strength`: mean payoff. `intransitivity`, with its interval `low` to `high` for each generation
-    by itself: the root mean square of what no order of strength explains in its matches.
-    """
-
-    generations: NDArray[np.intp]
-    strength: Rates
-    intransitivity: Rates
-    low: Rates
-    high: Rates
-
-
-def spinning_top(scores: ArrayLike, *, level: float = LEVEL) -> ByTeam[SpinningTop]:
-    """Return strength and size of cycles of each generation: the spinning top of a race.
-
-    In many games strategies of middle strength beat each other in circles, and very weak and very
-    strong ones do not. Czarnecki et al. count cycles of three strategies in a symmetric game.
-    Generations of one team do not play each other, so the size of cycles is here the intransitivity
-    of the judgement, of one row or one column of the matrix.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Scores in [0, 1] of independent episodes, at least two of each cell. More than 40
-        generations are thinned out evenly.
-    level : float, optional
-        Confidence level, in (0, 1).
-
-    References
-    ----------
-    Czarnecki et al. (2020), "Real world games look like spinning tops".
-    """
-    array = check_cells(scores, level)
-    matrix, noise = array.mean(axis=2), array.var(axis=2, ddof=1) / array.shape[2]
-    matrix, noise, kept = thinned(matrix), thinned(noise), [*map(_kept, matrix.shape)]
-    excess = _excess(matrix, noise)
-    return ByTeam(
-        _top(kept[0], matrix, excess, noise, level),
-        _top(kept[1], swap_teams(matrix), excess.T, noise.T, level),
-    )
-
-
-def _top(
-    generations: NDArray[np.intp], matrix: Rates, excess: Rates, noise: Rates, level: float
-) -> SpinningTop:
-    even = np.full((1, matrix.shape[1]), 1.0 / matrix.shape[1])
-    found = [_weighted(excess, noise, even * row[:, None], level) for row in np.eye(len(matrix))]
-    # Noise is subtracted from a square, so it may be negative.
-    roots = np.sqrt([np.maximum(0.0, (each.value, *each.ends)) for each in found]).T
-    return SpinningTop(generations, matrix.mean(axis=1), *roots)
 
 
 def thinned(matrix: Rates) -> Rates:
     """Return all generations of each team, or `MOST_GENERATIONS` of them at even distances."""
-    return matrix[np.ix_(*map(_kept, matrix.shape))]
-
-
-def _kept(size: int) -> NDArray[np.intp]:
-    even = np.linspace(0, size - 1, min(size, MOST_GENERATIONS))
-    return np.asarray(even.round(), np.intp)
+    even = (np.linspace(0, size - 1, min(size, MOST_GENERATIONS)) for size in matrix.shape)
+    return matrix[np.ix_(*(each.round().astype(np.intp) for each in even))]
 
 
 def _leverages(fit: Rates) -> Rates:
@@ -372,83 +267,6 @@ def _isotonic_rows(values: Rates) -> Rates:
     return fit
 
 
-def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return the transitive share without episode noise, with an interval over episodes.
-
-    There is none with fewer than 4 episodes, or if the cells vary no more than episode noise does.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Scores in [0, 1] of independent episodes, at least two of each cell.
-    level : float, optional
-        Confidence level, in (0, 1).
-
-    Notes
-    -----
-    The share is ``1 - residual / total``. Both sums of squares are estimated from products of
-    different episodes of a cell, which hold no noise (U statistics, Hoeffding 1948). The interval
-    inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard errors of the
-    jackknife over episodes (Efron and Stein 1981).
-    """
-    array = check_cells(scores, level)
-    episodes = array.shape[2]
-    measured = transitive_share(array.mean(axis=2))
-    if episodes < EPISODES_TO_SUBTRACT_NOISE:
-        return Estimate(
-            measured, samples=episodes, note=f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
-        )
-    ends = _ratio(*_sums_without_noise(array), float(t_quantile(level, episodes - 1)))
-    if ends is None:
-        return Estimate(measured, samples=episodes, note=f"{BIASED}, no variation beyond it")
-    value, low, high = (float(share) for share in np.clip(1.0 - np.array(ends), 0.0, 1.0))
-    return Estimate(value, low, high, "episodes", episodes, "episode noise subtracted")
-
-
-def _sums_without_noise(scores: Rates) -> tuple[Rates, Rates]:
-    """Return residual and total sum of squares, shape (2,), and their covariance, shape (2, 2)."""
-    total, residual = _centred(scores)
-    parts = np.stack([residual, total]).reshape(2, len(total), -1)
-    return _without_noise(parts @ parts.transpose(0, 2, 1))
-
-
-def _centred(scores: Rates) -> tuple[Rates, Rates]:
-    """Return the matrix of each episode (episodes, n, m) less its mean, and its cyclic part."""
-    matrices = np.moveaxis(scores, 2, 0)
-    total = matrices - matrices.mean(axis=(1, 2), keepdims=True)
-    return total, total - total.mean(axis=1, keepdims=True) - total.mean(axis=2, keepdims=True)
-
-
-def _without_noise(products: Rates) -> tuple[Rates, Rates]:
-    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k).
-
-    Products of an episode with itself hold the noise, so only those of two episodes count.
-    """
-    episodes = products.shape[1]
-    of_episode = products.sum(axis=2) - np.diagonal(products, axis1=1, axis2=2)
-    everything = of_episode.sum(axis=1)
-    left_out = everything[:, None] - 2.0 * of_episode
-    jackknife = left_out / ((episodes - 1) * (episodes - 2))
-    deviations = jackknife - jackknife.mean(axis=1, keepdims=True)
-    covariance = (episodes - 1) / episodes * deviations @ deviations.T
-    return everything / (episodes * (episodes - 1)), covariance
-
-
-def _ratio(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
-    """Return the ratio q of two sums, its largest and smallest value; None if the total may be 0.
-
-    The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
-    """
-    residual, total = sums.tolist()
-    a = total**2 - t**2 * covariance[1, 1]
-    b = residual * total - t**2 * covariance[0, 1]
-    c = residual**2 - t**2 * covariance[0, 0]
-    if total <= 0.0 or a <= 0.0:
-        return None
-    half = math.sqrt(max(0.0, b**2 - a * c))
-    return residual / total, (b + half) / a, (b - half) / a
-
-
 # ---- Recurrence ----------------------------------------------------------------------------------
 
 
@@ -460,7 +278,9 @@ def recurrence_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate
     team has left its old strategies; the largest c(d) after that, up to half of the generations, is
     the recurrence: 1 for a perfect cycle, about 0 for strategies that are always new, set to 0
     where nothing is left. One half of the episodes (n, m, episodes) chooses d, the other one
-    measures c(d), and both change roles. The interval is that of `transitive_share_over_episodes`.
+    measures c(d), and both change roles. Products of different episodes hold no noise. The interval
+    inverts a t test, as Fieller's theorem (1954) does for a ratio, with the standard errors of the
+    jackknife over episodes (Efron and Stein 1981).
     """
     if scores.shape[2] < EPISODES_TO_RECUR:
         return Estimate(math.nan, note=TOO_FEW_TO_RECUR)
@@ -497,3 +317,33 @@ def _returned(chooses: Rates, measures: Rates, level: float) -> tuple[float, flo
     lag = below[0] + 1 + int(curve[below[0] + 1 :].argmax())
     t = float(t_quantile(level, measures.shape[1] - 1))
     return _ratio(*_without_noise(measures[[lag, 0]]), t)
+
+
+def _without_noise(products: Rates) -> tuple[Rates, Rates]:
+    """Return sums from products (k, episodes, episodes), and their jackknife covariance (k, k).
+
+    Products of an episode with itself hold the noise, so only those of two episodes count.
+    """
+    episodes = products.shape[1]
+    of_episode = products.sum(axis=2) - np.diagonal(products, axis1=1, axis2=2)
+    everything = of_episode.sum(axis=1)
+    left_out = everything[:, None] - 2.0 * of_episode
+    jackknife = left_out / ((episodes - 1) * (episodes - 2))
+    deviations = jackknife - jackknife.mean(axis=1, keepdims=True)
+    covariance = (episodes - 1) / episodes * deviations @ deviations.T
+    return everything / (episodes * (episodes - 1)), covariance
+
+
+def _ratio(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
+    """Return the ratio q of two sums, its largest and smallest value; None if the total may be 0.
+
+    The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
+    """
+    residual, total = sums.tolist()
+    a = total**2 - t**2 * covariance[1, 1]
+    b = residual * total - t**2 * covariance[0, 1]
+    c = residual**2 - t**2 * covariance[0, 0]
+    if total <= 0.0 or a <= 0.0:
+        return None
+    half = math.sqrt(max(0.0, b**2 - a * c))
+    return residual / total, (b + half) / a, (b - half) / a

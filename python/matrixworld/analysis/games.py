@@ -1,4 +1,4 @@
-"""Games between generations: Nash averaging, exploitability, diversity, and meta-solvers."""
+"""Games between generations: Nash averaging, exploitability, and meta-solvers."""
 
 from __future__ import annotations
 
@@ -11,12 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.readable import Readable
-from matrixworld.analysis.cycles import transitive_fit
-from matrixworld.analysis.intervals import (
-    LEVEL,
-    Estimate,
-    t_ends,
-)
 from matrixworld.analysis.payoffs import Rates, check_payoff, check_rates, require, swap_teams
 
 # Capture rates closer than this count as equal: the tolerance of the linear programmes.
@@ -281,143 +275,13 @@ def check_mixture(weights: ArrayLike, length: int, team: str) -> Rates:
     return mixture
 
 
-# ---- Effective diversity -------------------------------------------------------------------------
-
-
-def effective_diversity(payoff: ArrayLike) -> float:
-    """Return how much the generations of the equilibrium win more than the value, where they do.
-
-    ``p max(0, M - v) q`` in the capture rates of `payoff` (n, m), with the mixtures p and q and the
-    value v of `nash_averaging`. 0 if one generation of each team is best; 1/6 in
-    rock-paper-scissors. Weak generations count nothing, copies share their weight, and both teams
-    have the same number. Noise makes it larger; ``MEASURES["effective_diversity"]`` allows for it.
-
-    References
-    ----------
-    Balduzzi et al. (2019), "Open-ended learning in symmetric zero-sum games": ``p max(0, A) p`` of
-    a symmetric game, whose value is 0. Here the value is subtracted, because roles differ.
-    """
-    matrix = check_payoff(payoff)
-    nash = nash_averaging(matrix)
-    return float(nash.pursuers @ np.maximum(0.0, matrix - nash.value) @ nash.evaders)
-
-
-def effective_diversity_over_episodes(scores: Rates, *, level: float = LEVEL) -> Estimate:
-    """Return the effective diversity of the measured equilibrium, with an interval over episodes.
-
-    One half of the episodes (n, m, episodes) chooses the mixtures, and the cells in which pursuers
-    do better than both mixtures explain; the other half measures the excess of these cells, and
-    both change roles, so that noise that was chosen is not measured. The lower end is without what
-    the nearest transitive matrix has of the excess, and the upper end contains
-    `effective_diversity` of all episodes, which is too large.
-    """
-    matrix, halves = scores.mean(axis=2), (scores[:, :, 0::2], scores[:, :, 1::2])
-    fit, found = transitive_fit(matrix), []
-    for chooses, measures in (halves, halves[::-1]):
-        weights = _excess_weights(chooses.mean(axis=2))
-        each = np.tensordot(weights, measures, 2)
-        ordered = max(0.0, float((weights * fit).sum()))
-        found.append((each.mean(), each.mean() - ordered, *t_ends(each, level)))
-    value, least, low, high = np.mean(found, axis=0).tolist()
-    most = max(value, effective_diversity(matrix))
-    ends = low + least - value, high + most - value
-    return Estimate(value, *ends, "episodes", biased_low=least, biased_high=most)
-
-
-def _excess_weights(matrix: Rates) -> Rates:
-    """Return the weights of cells whose sum is the excess of a matrix over its mixtures' means."""
-    nash = nash_averaging(matrix)
-    p, q = nash.pursuers, nash.evaders
-    excess = matrix - (matrix @ q)[:, None] - p @ matrix + p @ matrix @ q
-    chosen = np.outer(p, q) * (excess > 0.0)
-    # The same sum of chosen cells, of the matrix itself instead of its excess.
-    rows, columns = chosen.sum(axis=1), chosen.sum(axis=0)
-    weights: Rates = (
-        chosen - np.outer(rows, q) - np.outer(p, columns) + np.outer(p, q) * chosen.sum()
-    )
-    return weights
-
-
 # ---- Meta-solvers of PSRO ------------------------------------------------------------------------
-
-MetaSolver = Callable[[ArrayLike], Rates]
-"""Payoffs (n, m) of a team's generations against those of the other -> weights (m,) with which the
-next generation of the team meets these."""
-
-
-def projected_replicator_dynamics(
-    payoff: ArrayLike, *, steps: int = 2_000, rate: float = 0.1, least: float = 1e-6
-) -> tuple[Rates, Rates]:
-    """Return the mean mixtures of both teams, (n,) and (m,), under projected replicator dynamics.
-
-    ::
-
-        p, q = uniform mixtures
-        repeat steps times:
-            p = project(p + rate p (M q - p M q));  q = project(q + rate q (p M q - p M))
-        project(x) = the nearest mixture whose weights are all at least `least`
-
-    In zero-sum games these means approach an equilibrium (Lanctot et al. 2017).
-    """
-    matrix = check_payoff(payoff)
-    most = 1.0 / max(matrix.shape)
-    require(steps >= 1, "at least 1 step", steps)
-    require(rate > 0.0, "a rate above 0", rate)
-    require(0.0 <= least <= most, f"a smallest weight from 0 to {most:g}", least)
-    p, q = (np.full(size, 1.0 / size) for size in matrix.shape)
-    total_p, total_q = p.copy(), q.copy()
-    for _ in range(steps):
-        of_p, of_q = matrix @ q, p @ matrix
-        mean = p @ of_p
-        p = _projected(p + rate * p * (of_p - mean), least)
-        q = _projected(q + rate * q * (mean - of_q), least)
-        total_p += p
-        total_q += q
-    return total_p / total_p.sum(), total_q / total_q.sum()
-
-
-def _projected(mixture: Rates, least: float) -> Rates:
-    """Return the nearest mixture (Euclidean) whose weights are at least `least`."""
-    # A step keeps the sum of 1, but rounding errors of the sum would grow from step to step.
-    mixture = mixture / mixture.sum()
-    if mixture.min() >= least:
-        return mixture
-    # As many of the largest weights as possible are shifted alike; the others are the smallest.
-    largest = np.sort(mixture)[::-1]
-    count = np.arange(1, len(mixture) + 1)
-    shift = (1.0 - (len(mixture) - count) * least - np.cumsum(largest)) / count
-    free = int(np.flatnonzero(largest + shift > least)[-1])
-    nearest: Rates = np.maximum(mixture + shift[free], least)
-    return nearest
 
 
 def _nash(payoff: ArrayLike) -> Rates:
     return nash_averaging(payoff).evaders
 
 
-def _prd(payoff: ArrayLike) -> Rates:
-    return projected_replicator_dynamics(payoff)[1]
-
-
-def rectified_nash(payoff: ArrayLike) -> Rates:
-    """Return weights (m,) of the opponents that the newest row should meet: its rectified Nash.
-
-    In PSRO_rN every member of the support of an equilibrium learns against the members that it
-    beats or ties, with their weights in it (Balduzzi et al. 2019, algorithm 4). With two
-    populations these are the other team's, and a tie is the value of the game. The one member that
-    learns is the newest row; if it is not in the support, it meets the whole equilibrium.
-    """
-    nash = nash_averaging(payoff)
-    beaten = check_payoff(payoff)[-1] >= nash.value - _TIE
-    # A member of the support has the value as its mean, so that it beats or ties some opponent.
-    weights = nash.evaders * (beaten if nash.pursuers[-1] > 0.0 else 1.0)
-    total = float(weights.sum())
-    return weights / total if total > 0.0 else nash.evaders
-
-
-META_SOLVERS: dict[str, MetaSolver] = {
-    "nash": _nash,
-    "prd": _prd,
-    "rectified": rectified_nash,
-}
-"""Name -> meta-solver. The uniform mixture is the opponent sampler `Uniform`."""
+META_SOLVERS: dict[str, Callable[[ArrayLike], Rates]] = {"nash": _nash}
+"""Name -> meta-solver: payoffs (n, m) of a team's generations against those of the other -> weights
+(m,) with which the next generation of the team meets these."""

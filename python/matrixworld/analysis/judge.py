@@ -6,17 +6,22 @@ All commands, figures and pages take their verdicts from `judge`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import replace
+from typing import NamedTuple
 
-from matrixworld._util.checks import check_choice
-from matrixworld._util.readable import Parts, Readable, plain_values
 from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
+from matrixworld.analysis.judgement import (
+    ABSENT,
+    CANNOT_TELL,
+    PRESENT,
+    Estimates,
+    Finding,
+    Findings,
+    Judgement,
+)
 from matrixworld.analysis.measures import MEASURES, NO_EPISODES, NOT_SUSTAINED, TOO_SHORT
 from matrixworld.analysis.payoffs import GENERATIONS_TO_JUDGE, Payoffs, Source, Window, read_payoffs
 from matrixworld.analysis.progress import PURSUERS_WIN
-
-PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 
 LEAST_GAIN = 0.05
 """Rise and stagnation: strength changes by more, or by less, than this over the window."""
@@ -35,75 +40,6 @@ LEAST_FORGETTING = 0.05
 HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
-
-Estimates = Mapping[str, Estimate]
-Findings = Mapping[str, "Finding"]
-
-
-@dataclass(frozen=True)
-class Finding:
-    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``.
-
-    The `reason` is a clause after "because". The `estimates` are the numbers that decide, by their
-    names in `MEASURES`; none if some are not known. `teams`: those of which a condition is present.
-    `by_run`: verdict on each single run.
-    """
-
-    verdict: str
-    reason: str
-    teams: tuple[str, ...] = ()
-    estimates: Estimates = field(default_factory=dict)
-    by_run: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, repr=False)
-class Judgement(Readable):
-    """What happened in a race, or in several with the same settings.
-
-    Parameters
-    ----------
-    runs : int
-        Number of runs.
-    shape : tuple of int
-        Pursuer and evader generations of each run.
-    episodes : int or None
-        Episodes behind each cell; None if unknown.
-    level : float
-        Level of the intervals.
-    window : str
-        Name of the window that headlines speak of: the last half, of short races the whole.
-    windows : mapping of str to mapping of str to Finding
-        Findings on the whole race, its first half and its last half, by condition.
-    """
-
-    runs: int
-    shape: tuple[int, int]
-    episodes: int | None
-    level: float
-    window: str
-    windows: Mapping[str, Findings]
-
-    def _parts(self) -> Parts:
-        from matrixworld.analysis.words import judgement_cells, summary
-
-        return [*summary(self), judgement_cells(self)]
-
-    @property
-    def findings(self) -> Findings:
-        """The findings on the window that headlines speak of."""
-        return self.windows[self.window]
-
-    def present(self, window: str | None = None) -> tuple[str, ...]:
-        """Return the conditions that are present in a window, by default that of headlines."""
-        if window is not None:
-            check_choice("window", window, self.windows)
-        findings = self.windows[window or self.window]
-        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
-
-    def to_json(self) -> dict[str, Any]:
-        """Return plain values that JSON can represent."""
-        plain: dict[str, Any] = plain_values(self)
-        return plain
 
 
 def judge(
@@ -328,42 +264,17 @@ def _listed(teams: tuple[str, ...]) -> str:
 # ---- The table -----------------------------------------------------------------------------------
 
 
-TWICE = "twice"
-"""New value of a setting: twice the present one."""
-ANY, IN_TURNS, NEWEST_ONLY, PAST_ONES = "any", "in turns", "newest only", "past ones"
-ONE_GENOME, FULL_VIRULENCE = "samples around one genome in turns", "full virulence"
-"""Situations of races, beside the names of schedules; `cli.judge` says which ones a race is in."""
-
-
-@dataclass(frozen=True, eq=False)
-class Change:
-    """New values of settings, by path, that may help races in any of some situations, and why."""
-
-    situations: tuple[str, ...]
-    settings: Mapping[str, Any]
-    why: str
-
-
-@dataclass(frozen=True)
-class Condition:
-    """A condition of the judgement, in a row of `RULES`; nothing else has to know of it.
+class Rule(NamedTuple):
+    """How a condition of the judgement is decided, in a row of `RULES`.
 
     `measures`: the numbers that decide, by their names in `MEASURES`. `rule`: the verdict from
     these, and from the findings on the rows above. `missing`: what it would take to know them,
-    empty if they are known. `happened`: what a plain sentence says of its ``{teams}``. A headline
-    leaves out the condition that this one `implies`. `numbers`: what its numbers are called in the
-    line under a headline, which has one if it is present; empty for none. `advice`: what to try
-    next where it is present, and `changes` the settings of a race that may do it.
+    empty if they are known.
     """
 
     measures: tuple[str, ...]
     rule: Callable[[Estimates, Findings], Finding]
     missing: Callable[[Payoffs], str]
-    happened: str
-    implies: str = ""
-    numbers: str = ""
-    advice: str = ""
-    changes: tuple[Change, ...] = ()
 
 
 def _nothing(payoffs: Payoffs) -> str:
@@ -382,97 +293,14 @@ GAINS, CHANGES = ("pursuer_gain", "evader_gain"), ("pursuer_change", "evader_cha
 DROPS = ("pursuer_forgetting", "evader_forgetting")
 RECURRENCES = ("pursuer_recurrence", "evader_recurrence")
 
-# What several conditions have in common:
-NEWEST, GENERALISTS = ("specialist-specialist", "generalist-specialist"), "generalist-generalist"
-PURSUERS_MEET, EVADERS_MEET = "schedule.pursuers_meet", "schedule.evaders_meet"
-AGAINST_CYCLES: dict[str, Any] = {
-    "advice": "let both teams meet opponents of all generations, or a hall of fame",
-    "changes": (
-        Change(NEWEST, {"schedule": GENERALISTS}, "both teams meet opponents of all generations"),
-        Change(NEWEST, {"schedule": "hall-of-fame"},
-               "both teams meet living opponents and champions of all generations"),
-        Change((GENERALISTS,), {"schedule.opponents": 4},
-               "candidates meet several opponents in each epoch"),
-        Change((GENERALISTS,), {PURSUERS_MEET: "maxsolve", EVADERS_MEET: "maxsolve"},
-               "an archive keeps the opponents that tell candidates apart"),
-        Change((NEWEST_ONLY,), {PURSUERS_MEET: "uniform", EVADERS_MEET: "uniform"},
-               "both teams meet opponents of all generations"),
-        Change((PAST_ONES,), {"schedule.opponents": TWICE},
-               "candidates meet more opponents in each epoch"),
-        Change(("hall-of-fame",), {"schedule.hall_sample": TWICE},
-               "candidates meet more members of the halls of fame"),
-    ),
-}  # fmt: skip
-GO_ON: dict[str, Any] = {
-    "advice": "more generations show how long it goes on",
-    "changes": (
-        Change((ANY,), {"schedule.generations": TWICE},
-               "the race goes on; more generations show how long"),
-    ),
-}  # fmt: skip
-MORE_EPOCHS = (
-    Change((IN_TURNS,), {"schedule.pursuer_epochs": TWICE},
-           "if pursuers are the weaker team or the one that does not gain"),
-    Change((IN_TURNS,), {"schedule.evader_epochs": TWICE},
-           "if evaders are the weaker team or the one that does not gain"),
-)  # fmt: skip
-
-RULES: Mapping[str, Condition] = {
-    "disengagement": Condition(
-        ("one_sidedness",), _disengagement, _noise,
-        "one team often won nearly all matches",
-        advice="make the weaker team stronger, or reward no candidate for winning everything",
-        changes=(
-            Change((FULL_VIRULENCE,), {"fitness.pursuer_virulence": 0.75},
-                   "if pursuers win everything: candidates that win everything have no advantage"),
-            Change((FULL_VIRULENCE,), {"fitness.evader_virulence": 0.75},
-                   "the same for evaders, if they win everything"),
-            *MORE_EPOCHS,
-        ),
-    ),
-    "arms race": Condition(
-        GAINS, _arms_race, _nothing, "{teams} improved",
-        implies="rise", numbers="gains", **GO_ON
-    ),
-    "one-sided progress": Condition(
-        GAINS, _one_sided_progress, _nothing, "only {teams} improved",
-        implies="rise", numbers="gains",
-        advice="give the team that does not gain more time to learn",
-        changes=(
-            *MORE_EPOCHS,
-            Change(("hall-of-fame",), {"schedule.joint_epochs": TWICE},
-                   "more time for the team that does not gain"),
-        ),
-    ),
-    "rise": Condition(
-        CHANGES, _rise, _nothing, "{teams} became stronger (perhaps by chance)",
-        numbers="changes", **GO_ON
-    ),
-    "intransitivity": Condition(
-        ("squared_intransitivity", "checkerboards"), _intransitivity, _noise,
-        "some generations beat each other in a circle", **AGAINST_CYCLES
-    ),
-    "cycling": Condition(
-        RECURRENCES, _cycling, _noise, "{teams} returned to earlier strategies",
-        implies="intransitivity", **AGAINST_CYCLES
-    ),
-    "forgetting": Condition(
-        DROPS, _forgetting, _single_episodes, "{teams} lost old skills",
-        numbers="drops", **AGAINST_CYCLES
-    ),
-    "stagnation": Condition(
-        CHANGES, _stagnation, _nothing, "neither team became stronger or weaker",
-        advice="more candidates, another learner or a larger network",
-        changes=(
-            Change((ANY,), {"learner.population": TWICE},
-                   "the fitness of more candidates is less noisy"),
-            Change((ONE_GENOME,), {"learner": "ga"},
-                   "a population of different genomes instead of samples around one"),
-            Change((ANY,), {"policy.hidden": TWICE}, "a larger network"),
-        ),
-    ),
-}  # fmt: skip
-"""All conditions by name, in the order in which they are judged."""
-
-CONDITIONS = tuple(RULES)
-"""Names of the conditions."""
+RULES: Mapping[str, Rule] = {
+    "disengagement": Rule(("one_sidedness",), _disengagement, _noise),
+    "arms race": Rule(GAINS, _arms_race, _nothing),
+    "one-sided progress": Rule(GAINS, _one_sided_progress, _nothing),
+    "rise": Rule(CHANGES, _rise, _nothing),
+    "intransitivity": Rule(("squared_intransitivity", "checkerboards"), _intransitivity, _noise),
+    "cycling": Rule(RECURRENCES, _cycling, _noise),
+    "forgetting": Rule(DROPS, _forgetting, _single_episodes),
+    "stagnation": Rule(CHANGES, _stagnation, _nothing),
+}
+"""The rules of all `CONDITIONS`, in the order in which they are judged."""

@@ -7,7 +7,7 @@ several, of a window of the race, and of the level of the interval, which return
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -18,12 +18,15 @@ from matrixworld._util.checks import check_choice
 from matrixworld.analysis import cycles, games, progress, ratings, strength
 from matrixworld.analysis.intervals import (
     BIASED,
+    FEW_RUNS,
     LEVEL,
+    SINGLE_RUN,
     UNBOUNDED,
     UNIT,
     Bounds,
     Estimate,
     check_level,
+    few_runs,
     interval_over_runs,
     linear_over_episodes,
     t_ends,
@@ -45,12 +48,10 @@ NO_EPISODES = (
     f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
     "noise"
 )
-TOO_FEW_FOR_DIVERSITY = f"it takes at least {EPISODES_TO_JUDGE} single episodes of each pair"
 NOT_SUSTAINED = "not sustained: a jump or a setback makes much of the change"
 
 GAIN: Bounds = (-1.0, 1.0)
 """Bounds of a difference of two rates."""
-POSITIVE: Bounds = (0.0, math.inf)
 
 
 @dataclass(frozen=True)
@@ -118,6 +119,50 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
     return {name: measure.of(payoffs, level=level) for name, measure in MEASURES.items()}
 
 
+def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
+    """Return all measures of one run or several as text, by window.
+
+    Notes say why a measure has no interval.
+
+    Parameters
+    ----------
+    source, level, **known
+        As for `measure_all`.
+    """
+    payoffs = read_payoffs(source, **known)
+    estimates = measure_all(payoffs, level=level)
+    notes = _footnotes(payoffs, estimates)
+    lines, last = [_heading(payoffs, estimates, level)], ""
+    for name, estimate in estimates.items():
+        window = MEASURES[name].window_in(payoffs).name
+        if window != last:
+            lines.append(f"  {'whole race' if window == 'whole' else window}")
+            last = window
+        text = f"{MEASURES[name].label:53}{MEASURES[name].shown(estimate)}"
+        lines.append(f"    {text} {notes.get(estimate.note, '')}".rstrip())
+    lines += [f"  {mark} {note}" for note, mark in notes.items()]
+    return "\n".join(lines)
+
+
+def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) -> str:
+    if len(payoffs) > 1:
+        few = "; few runs make it wide" if len(payoffs) < FEW_RUNS else ""
+        return f"Mean ({level:.0%} interval over runs{few}):"
+    if any(one.across == "episodes" for one in estimates.values()):
+        return (
+            f"A single run ({level:.0%} interval over its episodes, which says nothing about other "
+            "runs):"
+        )
+    return "A single run: no intervals."
+
+
+def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[str, str]:
+    """Return the notes that the heading does not say, with a mark for each."""
+    said = (SINGLE_RUN, few_runs(len(payoffs)), "")
+    notes = dict.fromkeys(one.note for one in estimates.values() if one.note not in said)
+    return {note: f"[{number}]" for number, note in enumerate(notes, 1)}
+
+
 # ---- Numbers of the matrix of a window -----------------------------------------------------------
 
 Number = Callable[[Rates], float]
@@ -148,18 +193,19 @@ def _transitive_share(payoffs: Payoffs, window: Window, level: float) -> Estimat
     scores = _episodes(payoffs, window)
     if scores is None:
         return _mean(payoffs, window, level, cycles.transitive_share, UNIT)
-    return cycles.transitive_share_over_episodes(scores, level=level)
+    share, note = cycles.transitive_share_without_noise(scores), "episode noise subtracted"
+    return Estimate(share, samples=scores.shape[2], note=f"{note}: no interval")
 
 
 def _rating(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
     scores, number = _episodes(payoffs, window), partial(_last_rating, team=team)
     if scores is None:
         return _mean(payoffs, window, level, number, UNBOUNDED)
-    found = getattr(ratings.elo_over_episodes(scores, level=level), team)
-    ends = float(found.low[0, -1]), float(found.high[0, -1])
-    if math.isnan(ends[0]):
-        return Estimate(number(scores.mean(axis=2)), note="no interval: all episodes are equal")
-    return Estimate(float(found.mean[0, -1]), *ends, "episodes", scores.shape[2])
+    band = getattr(ratings.elo_over_episodes(scores, level=level), team)
+    value, low, high = (float(each[-1]) for each in (band.mean, band.low, band.high))
+    if math.isnan(low):
+        return Estimate(value, note="no interval: all episodes are equal")
+    return Estimate(value, low, high, "episodes", scores.shape[2])
 
 
 def _episodes(payoffs: Payoffs, window: Window) -> Rates | None:
@@ -184,14 +230,6 @@ def _mean_of(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
     return interval_over_runs(known, level=level, bounds=bounds)
 
 
-def _local_gain(matrix: Rates, team: str) -> float:
-    return float(getattr(progress.local_progress(matrix), team).mean_gain)
-
-
-def _historical_gain(matrix: Rates, team: str) -> float:
-    return float(getattr(progress.historical_progress(matrix), team).mean_gain)
-
-
 def _last_score(matrix: Rates, team: str) -> float:
     return float(getattr(progress.generalization(matrix), team)[-1])
 
@@ -210,29 +248,6 @@ def _stripes(matrix: Rates, team: str) -> float:
 
 def _checkerboards(matrix: Rates) -> float:
     return cycles.clear_checkerboards(matrix).share
-
-
-def _elo_loss(matrix: Rates, cycles: int) -> float:
-    return ratings.log_loss(matrix, ratings.elo(matrix, cycles=cycles).predict())
-
-
-# ---- Numbers that take single episodes, or tests between runs ------------------------------------
-
-
-def _rungs(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    if payoffs.scores is None or not payoffs.has_episodes:
-        return Estimate(math.nan, note="it takes at least 2 single episodes of each pair")
-    parts = (scores[window.cells] for scores in payoffs.scores)
-    lengths = (len(getattr(progress.dominance_tournament(part), team)) for part in parts)
-    return _mean_of(lengths, level, POSITIVE)
-
-
-def _global_gain(payoffs: Payoffs, window: Window, level: float, *, team: str) -> Estimate:
-    if payoffs.cross is None:
-        return Estimate(math.nan, note="it takes cross tests between runs")
-    pursuers, evaders = window.cells
-    found = getattr(progress.global_progress(payoffs.cross[..., pursuers, evaders]), team)
-    return _mean_of(found.gains.mean(axis=1), level, GAIN)
 
 
 # ---- Numbers that decide on conditions -----------------------------------------------------------
@@ -336,32 +351,16 @@ def _effective_episodes(run: Payoffs, window: Window) -> float:
     return episodes * max(1.0, wins_and_losses / noise if noise else 1.0)
 
 
-def _intransitivity(
-    run: Payoffs, window: Window, level: float, third: int | None = None
-) -> Estimate:
+def _intransitivity(run: Payoffs, window: Window, level: float) -> Estimate:
     if not run.shows_noise:
         return Estimate(math.nan, note=NO_EPISODES)
     matrix, noise = run.matrices[0][window.cells], run.noise[0][window.cells]
-    found = cycles.squared_intransitivity(matrix, noise, third=third, level=level)
+    found = cycles.squared_intransitivity(matrix, noise, level=level)
     if run.scores is not None:
         return found
     # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
-    most = cycles.squared_intransitivity(matrix, np.zeros_like(noise), third=third, level=level)
+    most = cycles.squared_intransitivity(matrix, np.zeros_like(noise), level=level)
     return replace(found, high=most.high, biased_high=most.biased_high)
-
-
-def _diversity(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-    found = _deciding(payoffs, window, level, of_run=_diversity_of_run)
-    if found.low is None:
-        return found
-    # Estimates without bias may be below 0, diversities not.
-    return replace(found, value=max(0.0, found.value), low=max(0.0, found.low))
-
-
-def _diversity_of_run(run: Payoffs, window: Window, level: float) -> Estimate:
-    if run.scores is None or not run.shows_noise:
-        return Estimate(math.nan, note=TOO_FEW_FOR_DIVERSITY)
-    return games.effective_diversity_over_episodes(run.scores[0][window.cells], level=level)
 
 
 def _recurrence(run: Payoffs, window: Window, level: float, team: str) -> Estimate:
@@ -445,13 +444,8 @@ ROWS = (
     *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, short="{team}s", late=True),
     # Early generations mix untrained and trained teams.
     Measure("transitive_share", "transitive share", _transitive_share, late=True),
-    Measure(
-        "transitive_share_logits", "transitive share on logits",
-        partial(_biased, number=partial(cycles.transitive_share, logits=True)), late=True,
-    ),
     # Of the whole race.
     Measure("capture_rate", "mean capture rate", partial(_linear, number=np.mean)),
-    Measure("swing", "swing between team phases", partial(_biased, number=progress.swing)),
     Measure(
         "lag_rise", "gain of later over earlier pursuers",
         partial(_linear, number=progress.lag_rise, bounds=GAIN),
@@ -465,40 +459,14 @@ ROWS = (
         partial(_linear, number=partial(_last_score, team="evaders")),
     ),
     *_of_teams(
-        "local_gain", "local progress of the {team}s per generation",
-        partial(_linear, bounds=GAIN), number=_local_gain,
-    ),
-    *_of_teams(
-        "historical_gain", "historical progress of the {team}s per generation",
-        partial(_linear, bounds=GAIN), number=_historical_gain,
-    ),
-    *_of_teams("global_gain", "global progress of the {team}s per generation", _global_gain),
-    *_of_teams(
         "fading", "CIAO, fading of the {team}s", partial(_linear, bounds=GAIN), number=_fading,
     ),
     *_of_teams("stripes", "CIAO, stripes of the {team}s", _biased, number=_stripes),
-    *_of_teams("rungs", "dominant {team} generations", _rungs, form=".1f"),
     Measure(
         "game_value", "capture rate in the Nash equilibrium",
         partial(_biased, number=games.game_value),
     ),
-    Measure("effective_diversity", "effective diversity of the equilibrium", _diversity),
-    *(
-        Measure(
-            f"{which}_intransitivity", f"intransitivity of the {which} third",
-            partial(_deciding, of_run=_intransitivity, third=third), squared=True,
-        )
-        for third, which in enumerate(("weakest", "middle", "strongest"))
-    ),
     *_of_teams("rating", "Elo points of the last {team}s above their mean", _rating, form="+.0f"),
-    Measure(
-        "elo_log_loss", "log loss of Elo, nats",
-        partial(_biased, number=partial(_elo_loss, cycles=0), bounds=POSITIVE),
-    ),
-    Measure(
-        "multi_elo_log_loss", "log loss of Elo with one cycle, nats",
-        partial(_biased, number=partial(_elo_loss, cycles=1), bounds=POSITIVE),
-    ),
 )  # fmt: skip
 MEASURES = {row.name: row for row in ROWS}
 """All measures by name, in the order of tables."""

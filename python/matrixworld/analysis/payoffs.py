@@ -27,8 +27,6 @@ Rates = NDArray[np.float64]
 """Capture rates, or other float64 numbers of the analysis."""
 OfTeam = TypeVar("OfTeam")
 
-SHRINKAGE = 0.01
-"""Shrinkage towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
 ROUNDING = 1e-9
 """Sums of rates may leave [0, 1] by this."""
 GENERATIONS_TO_JUDGE = 6
@@ -80,13 +78,12 @@ class Payoffs(Readable):
     """Payoff matrices of one run or of several independent runs, and their episodes if known.
 
     `matrices` (runs, n, m); `scores` (runs, n, m, episodes), the capture rate of each episode;
-    `episodes` behind each cell; `cross` tests, as `global_progress` takes them.
+    `episodes` behind each cell.
     """
 
     matrices: Rates
     scores: Rates | None = None
     episodes: int | None = None
-    cross: Rates | None = None
 
     def __len__(self) -> int:
         return len(self.matrices)
@@ -117,7 +114,7 @@ class Payoffs(Readable):
         ]
 
     def select(self, runs: list[int]) -> Payoffs:
-        """Return the payoffs of some of the runs, without cross tests."""
+        """Return the payoffs of some of the runs."""
         scores = None if self.scores is None else self.scores[runs]
         chosen = Payoffs(self.matrices[runs], scores, self.episodes)
         # What is known of single runs stays known.
@@ -227,22 +224,6 @@ def swap_teams(payoff: ArrayLike) -> Rates:
     return swapped
 
 
-def logits(matrix: Rates) -> Rates:
-    """Return the logits ``log(x / (1 - x))`` of shrunken rates.
-
-    Shrinking keeps the order of all cells; clipping would make cells near 0 or 1 equal.
-    """
-    x = shrink(matrix)
-    # log1p keeps its digits for rates close to 0.
-    odds: Rates = np.log(x) - np.log1p(-x)
-    return odds
-
-
-def shrink(rates: Rates) -> Rates:
-    """Return rates moved towards 1/2, away from 0 and 1."""
-    return SHRINKAGE + (1.0 - 2.0 * SHRINKAGE) * rates
-
-
 def require(condition: bool, expected: str, received: object) -> None:
     """Raise ValueError with the expected and the received value unless the condition holds."""
     if not condition:
@@ -258,11 +239,7 @@ Source: TypeAlias = (
 
 
 def read_payoffs(
-    source: Source,
-    *,
-    per_episode: bool = False,
-    episodes: int | None = None,
-    cross: ArrayLike | None = None,
+    source: Source, *, per_episode: bool = False, episodes: int | None = None
 ) -> Payoffs:
     """Read payoffs from an array, a file or several files.
 
@@ -276,8 +253,6 @@ def read_payoffs(
         (n, m, episodes) or (runs, n, m, episodes).
     episodes : int, optional
         Number of episodes behind each cell, at least 1, for payoffs that hold means only.
-    cross : array_like of float, shape (runs, runs, n, m), optional
-        Cross tests between these runs, as `global_progress` takes them.
 
     Notes
     -----
@@ -286,10 +261,9 @@ def read_payoffs(
     cell is left out. Or it holds one line for each pair: a header with ``pursuer, evader,
     capture_rate`` in any order, and ``run`` or ``episode`` if there are several; every combination
     of these numbers or names has one line. Other columns, empty lines and lines that begin with
-    ``#`` are ignored. Cells are separated by commas, semicolons, tabs, bars or blanks; decimal
-    commas (beside semicolons or in quotes) and per cent are read, and so are UTF-8, UTF-16 with a
-    byte order mark and Windows-1252. Of several arrays in an .npz file ``capture_rates`` is taken,
-    which holds episodes, or else ``capture_rate``, ``payoff`` or ``payoffs``.
+    ``#`` are ignored. Cells are separated by commas, semicolons or tabs; beside the latter two a
+    comma is a decimal comma. Per cent are read, too. Of several arrays in an .npz file ``capture_rates`` is taken, which
+    holds episodes, or else ``capture_rate``, ``payoff`` or ``payoffs``.
     """
     check_bool("per_episode", per_episode)
     if isinstance(source, Payoffs):
@@ -302,11 +276,6 @@ def read_payoffs(
         payoffs = _stacked([Path(path) for path in source], per_episode)
     else:
         payoffs = _payoffs(source, per_episode)
-    if cross is not None:
-        # Cross tests have to be between the runs that are analysed.
-        tests, shape = check_floats("cross tests", cross), (len(payoffs), *payoffs.matrices.shape)
-        require(tests.shape == shape, f"cross tests of shape {shape}", tests.shape)
-        payoffs = replace(payoffs, cross=tests)
     if episodes is None:
         return payoffs
     number = check_integer("episodes", episodes, 1)
@@ -400,15 +369,15 @@ def _read_table(path: Path) -> tuple[Rates, bool]:
 
 
 def _lines(path: Path) -> list[Line]:
-    """Return the lines of a CSV file, as programs of all countries write it, without comments."""
-    text = read_text(path, "CSV")
+    """Return the lines of a CSV file without comments; cells are between tabs, semicolons, commas.
+
+    A comma beside a tab or a semicolon is a decimal comma.
+    """
     # A comment becomes an empty line, so that the numbers of lines stay.
-    raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text.split("\n")]
-    declared = re.fullmatch(r"sep=(.)", raw[0], re.IGNORECASE)  # as spreadsheets write it
-    raw[0] = "" if declared else raw[0]
-    first = next((line for line in raw if line), "")
-    # A comma beside one of the others is a decimal comma.
-    delimiter = declared[1] if declared else next((mark for mark in "\t;|," if mark in first), " ")
+    text = read_text(path, "CSV").split("\n")
+    raw = ["" if line.lstrip().startswith("#") else line.strip(" ") for line in text]
+    first = next(filter(None, raw), "")
+    delimiter = next((mark for mark in "\t;" if mark in first), ",")
     reader = csv.reader(raw, delimiter=delimiter, skipinitialspace=True, strict=True)
     try:
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]

@@ -1,4 +1,4 @@
-"""Progress: against current, past and unknown opponents, and against each lag of opponents."""
+"""Progress: against all opponents, by their lag and their age; and where a race is one-sided."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_floats, check_integer
 from matrixworld._util.readable import Readable
-from matrixworld.analysis.intervals import Estimate, check_cells
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.payoffs import (
     ByTeam,
     Rates,
@@ -19,23 +19,6 @@ from matrixworld.analysis.payoffs import (
     require,
     swap_teams,
 )
-
-
-@dataclass(frozen=True, eq=False)
-class TeamProgress:
-    """Payoff of one team against one kind of opponents, over its generations 0 to k - 1.
-
-    `scores`, shape (..., k): mean payoff of each generation. `gains`, shape (..., k - 1): score of
-    generations 1, 2, ... minus that of the previous generation against the same opponents.
-    """
-
-    scores: Rates
-    gains: Rates
-
-    @property
-    def mean_gain(self) -> float:
-        """Mean of the gains; positive for progress of this kind, NaN for a single generation."""
-        return float(self.gains.mean()) if self.gains.size else float("nan")
 
 
 def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
@@ -50,86 +33,6 @@ def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
     """
     matrix = check_payoff(payoff)
     return ByTeam(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
-
-
-def local_progress(payoff: ArrayLike) -> ByTeam[TeamProgress]:
-    """Return progress against current opponents: those of the same generation of `payoff` (n, m).
-
-    A race that only cycles has local progress, too: each generation beats the newest opponents and
-    loses to others. Gain of pursuers g: ``M[g, g] - M[g - 1, g]``, for ``g < min(n, m)``.
-
-    References
-    ----------
-    Miconi (2009), "Why coevolution doesn't 'work': superiority and progress in coevolution".
-    Simione and Nolfi (2021), "Long-term progress and behavior complexification in competitive
-    coevolution".
-    """
-    # Later generations of the longer team have no opponent of their own generation.
-    matrix = check_payoff(payoff)
-    k = min(matrix.shape)
-    return _both_teams(matrix[:k, :k], np.eye(k, dtype=bool))
-
-
-def historical_progress(payoff: ArrayLike) -> ByTeam[TeamProgress]:
-    """Return progress against all opponents so far: those of the same and of earlier generations.
-
-    Gain of pursuers g: mean over ``h <= g`` of ``M[g, h] - M[g - 1, h]``; for evaders the same on
-    ``1 - M.T``. Generations of the longer team in `payoff` (n, m) beyond the end of the shorter one
-    play against all of its generations. Sources: as for `local_progress`.
-    """
-    matrix = check_payoff(payoff)
-    # Square at the longer side, so that the same mask serves the matrix and the swapped one.
-    return _both_teams(matrix, np.tri(max(matrix.shape)) > 0.0)
-
-
-def global_progress(cross: ArrayLike) -> ByTeam[TeamProgress]:
-    """Return progress against unknown opponents: all opponents of other independent runs.
-
-    A race can make historical progress without global progress if a team learns the habits of its
-    own opponents only. Scores have the shapes (runs, n) and (runs, m).
-
-    Parameters
-    ----------
-    cross : array_like of float, shape (runs, runs, n, m)
-        Cross tests: capture rates of the pursuers of run r against the evaders of run s. Entries
-        with ``r == s`` are not used and may be NaN.
-    """
-    array = check_floats("cross tests", cross)
-    require(
-        array.ndim == 4 and array.shape[0] == array.shape[1],
-        "cross tests of shape (runs, runs, n, m)",
-        array.shape,
-    )
-    runs = len(array)
-    require(runs >= 2, "cross tests between at least 2 runs", runs)
-    # Opponents of the same run are no unknown opponents: the team has trained against them.
-    others = ~np.eye(runs, dtype=bool)
-    # Only the entries between different runs are checked; the diagonal may be NaN.
-    flat = check_payoff(array[others].reshape(runs * (runs - 1), -1))
-    played = np.zeros(array.shape)
-    played[others] = flat.reshape(-1, *array.shape[2:])
-    # Sum over the other runs (the diagonal holds 0), mean over the generations of their opponents.
-    pursuers = played.sum(axis=1).mean(axis=-1) / (runs - 1)
-    evaders = 1.0 - played.sum(axis=0).mean(axis=-2) / (runs - 1)
-    return ByTeam(
-        TeamProgress(pursuers, np.diff(pursuers, axis=-1)),
-        TeamProgress(evaders, np.diff(evaders, axis=-1)),
-    )
-
-
-def _both_teams(matrix: Rates, opponents: NDArray[np.bool_]) -> ByTeam[TeamProgress]:
-    """Return progress of both teams; ``opponents[g, h]``: generation g is scored against h."""
-    return ByTeam(_progress(matrix, opponents), _progress(swap_teams(matrix), opponents))
-
-
-def _progress(matrix: Rates, opponents: NDArray[np.bool_]) -> TeamProgress:
-    rows, columns = matrix.shape
-    met = opponents[:rows, :columns]
-    weights = met / met.sum(axis=1, keepdims=True)
-    scores = (weights * matrix).sum(axis=1)
-    # Both generations of a difference are weighted by the opponents of the later one.
-    gains = (weights[1:] * np.diff(matrix, axis=0)).sum(axis=1)
-    return TeamProgress(scores, gains)
 
 
 # ---- By the lag between opponents ----------------------------------------------------------------
@@ -188,17 +91,6 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
     # Generation 0 is untrained: no team phase precedes it.
     k = np.arange(1, min(matrix.shape))
     return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
-
-
-def swing(matrix: Rates) -> float:
-    """Return how much the capture rate changes on average in the evaders' team phase.
-
-    Generations before a quarter of them, rounded up, do not count: the first are untrained.
-    """
-    # Row k - 1 belongs to generation k.
-    first = max(1, -(-min(matrix.shape) // 4))
-    rates = team_phase_rates(matrix)[first - 1 :]
-    return float(np.abs(rates[:, 0] - rates[:, 1]).mean())
 
 
 # ---- Disengagement: one team wins nearly all matches, so neither team learns ---------------------
@@ -398,87 +290,3 @@ def _first_peak(correlations: Rates) -> tuple[float, int | None]:
         if here > 0.0 and here > before and here >= after:
             return min(1.0, float(here)), lag
     return 0.0, None
-
-
-# ---- Dominance tournament ------------------------------------------------------------------------
-
-SIGNIFICANCE = 0.05
-"""Default level of the one-sided test against each earlier dominant generation."""
-
-_ROUNDING = 1e-12  # differences of mean scores below this are floating-point noise
-
-
-@dataclass(frozen=True)
-class Ladder:
-    """The dominant generations of one team, ascending; 0 is the first.
-
-    `p_values`: for each of them after the first, the largest one against an earlier one.
-    """
-
-    generations: tuple[int, ...]
-    p_values: tuple[float, ...]
-
-    def __len__(self) -> int:
-        return len(self.generations)
-
-
-def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> ByTeam[Ladder]:
-    """Find the generations that beat all dominant generations before them.
-
-    A generation is dominant if its mean score against the whole archive of the other team is
-    significantly higher than that of every earlier dominant generation. Generation 0 is dominant.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Capture rate of each episode; at least two independent episodes of each cell. Counts of won
-        episodes are scores, too: ``np.arange(episodes) < wins[..., None]``.
-    level : float, optional
-        Significance level of the one-sided test, in (0, 1/2]. Among k equal generations at most
-        about ``k * level`` are dominant by chance.
-
-    References
-    ----------
-    Stanley and Miikkulainen (2002), "The dominance tournament method of monitoring progress in
-    coevolution"; extended here to two teams. The test is Welch's t (1947) of the two mean scores,
-    with the degrees of freedom of Satterthwaite (1946): the archive is fixed, episodes are random.
-    """
-    array = check_cells(scores, level)
-    require(0.0 < level <= 0.5, "a level in (0, 0.5]", level)
-    episodes = array.shape[2]
-    means, variances = array.mean(axis=2), array.var(axis=2, ddof=1) / episodes
-    return ByTeam(
-        _ladder(means, variances, episodes - 1, level),
-        _ladder(1.0 - means.T, variances.T, episodes - 1, level),
-    )
-
-
-def _ladder(means: Rates, variances: Rates, freedom: int, level: float) -> Ladder:
-    # A score is the mean of m cells, so each cell's variance counts 1 / m^2.
-    parts = variances / means.shape[1] ** 2
-    # Of each generation its score, the variance of the score, and the sum over cells of squared
-    # variance / degrees of freedom (Satterthwaite).
-    scores = np.stack(
-        [means.mean(axis=1), parts.sum(axis=1), (parts**2 / freedom).sum(axis=1)], axis=1
-    )
-    dominant, p_values = [0], []
-    # In the order of time: a generation is compared with the dominant ones before it only.
-    for generation in range(1, len(scores)):
-        p = max(_p_value(scores[generation], scores[earlier]) for earlier in dominant)
-        if p < level:
-            dominant.append(generation)
-            p_values.append(p)
-    return Ladder(tuple(dominant), tuple(p_values))
-
-
-def _p_value(one: Rates, other: Rates) -> float:
-    """Return the p-value of the hypothesis that ``one`` scores no higher than ``other``."""
-    from scipy.special import stdtr
-
-    difference = float(one[0] - other[0])
-    variance, spread = (one + other)[1:].tolist()
-    if abs(difference) <= _ROUNDING or variance == 0.0:  # Welch's t is not defined
-        return 0.0 if difference > _ROUNDING else 1.0
-    # The squares of tiny variances are 0 in floating point.
-    freedom = variance**2 / spread if spread > 0.0 else np.inf
-    return float(stdtr(freedom, -difference / np.sqrt(variance)))

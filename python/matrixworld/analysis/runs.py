@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,21 +15,16 @@ from matrixworld.analysis.intervals import (
     Estimate,
     band_over_runs,
     check_level,
-    difference_of_runs,
-    does_not_vary,
     t_quantile,
 )
-from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates
 from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
 
 RESAMPLES = 2000
 """Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
 its width."""
-THRESHOLDS = np.linspace(0.0, 1.0, 101)
-"""Default thresholds of a performance profile, for scores that are rates."""
 TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
-SEPARATE = "no interval: the scores of the two groups do not overlap"
 
 
 def fewest_runs(level: float = LEVEL) -> int:
@@ -85,73 +79,6 @@ def interquartile_mean(
     tail = expanded_tail(runs, level)
     low, high = np.quantile(drawn, [tail, 1.0 - tail])
     return Estimate(value, float(low), float(high), "runs", runs)
-
-
-def performance_profile(
-    scores: ArrayLike, thresholds: ArrayLike = THRESHOLDS, *, level: float = LEVEL
-) -> Band:
-    """Return the share of scores above each threshold, with its pointwise interval over runs.
-
-    Each run has a share of the opponents; the interval is that of `band_over_runs`. There is none
-    below 6 runs (at 95 %).
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (runs, opponents)
-        One finite score of each run against each opponent.
-    thresholds : array_like of float, shape (k,), optional
-        Thresholds in ascending order. The default is 0, 0.01 ... 1, for rates.
-    level : float, optional
-        Confidence level of each point, in (0, 1).
-
-    References
-    ----------
-    Dolan and More (2002), "Benchmarking optimization software with performance profiles".
-    """
-    array = _check_scores(scores)
-    places = check_finite(thresholds, "thresholds", ndim=1)
-    require(bool((np.diff(places) > 0.0).all()), "ascending thresholds", "others")
-    above = (array[:, :, np.newaxis] > places).mean(axis=1)
-    shares = band_over_runs(above, places=places, level=level, bounds=UNIT)
-    return replace(shares, low=None, high=None) if _too_few(len(array), level) else shares
-
-
-def probability_of_improvement(
-    one: ArrayLike, other: ArrayLike, *, level: float = LEVEL
-) -> Estimate:
-    """Return how probably a run of one group scores higher than a run of another group.
-
-    Mean over opponents; equal scores count one half. There is no interval below 6 runs in a group
-    (at 95 %), or if the groups do not overlap.
-
-    Parameters
-    ----------
-    one, other : array_like of float, shapes (runs, opponents) and (other_runs, opponents)
-        One finite score of each run against each of the same opponents.
-    level : float, optional
-        Confidence level, in (0, 1).
-
-    References
-    ----------
-    Mann and Whitney (1947): the statistic, divided by the number of pairs. Brunner and Munzel
-    (2000), "The nonparametric Behrens-Fisher problem": Welch's t interval of the placements, the
-    share of the other group that each run beats.
-    """
-    first, second = _check_scores(one), _check_scores(other)
-    opponents = first.shape[1]
-    expected = f"scores against the same {opponents} opponents"
-    require(second.shape[1] == opponents, expected, second.shape[1])
-    # Signs of the differences, shape (runs, other runs, opponents): wins 1, ties 1/2, losses 0.
-    wins = (np.sign(first[:, np.newaxis] - second[np.newaxis]) + 1.0) / 2.0
-    beaten, beating = wins.mean(axis=(1, 2)), wins.mean(axis=(0, 2))
-    value, fewest = float(wins.mean()), min(len(first), len(second))
-    missing = _too_few(fewest, level)
-    if not missing and does_not_vary(beaten) and does_not_vary(beating):
-        missing = SEPARATE
-    if missing:
-        return Estimate(value, samples=fewest, note=missing)
-    # The difference of the means is `value`, because the second mean is 0.
-    return difference_of_runs(beaten, beating - value, level=level, bounds=UNIT)
 
 
 def expanded_tail(runs: int, level: float) -> float:

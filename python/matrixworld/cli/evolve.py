@@ -16,7 +16,7 @@ import click
 from tqdm import tqdm
 
 from matrixworld._util.files import LockedError, save_json
-from matrixworld.analysis.words import summary
+from matrixworld.analysis.judgement import summary
 from matrixworld.cli.cluster import on_cluster
 from matrixworld.cli.console import (
     INTERRUPTED,
@@ -76,7 +76,7 @@ from matrixworld.explorer import evolve_page
 from matrixworld.explorer.live import LivePage
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
-from matrixworld.world.rules import VARIANTS
+from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row
 
 PAGE_HINT = "Watch a small race evolve in your browser meanwhile: matrixworld evolve --page"
 SCORED = 1300
@@ -111,10 +111,8 @@ Other rules can be made in Python: matrixworld.Rules(...)."""
 
 def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     if value:
-        from matrixworld.plots.game import COLUMNS, rules_row
-
-        rows = [[*COLUMNS], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
-        print_table(rows, "<" * len(COLUMNS))
+        rows = [[*RULES_HEAD], *(rules_row(name, rules) for name, rules in VARIANTS.items())]
+        print_table(rows, "<" * len(RULES_HEAD))
         say(f"\n{VARIANT_LEGEND}")
         ctx.exit()
 

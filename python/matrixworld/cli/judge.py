@@ -1,40 +1,29 @@
-"""``matrixworld judge``: what happened in races, and what to try next."""
+"""``matrixworld judge``: what happened in races."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import click
 
-from matrixworld.analysis import Judgement, explain, judge, read_payoffs
-from matrixworld.analysis.judge import (
-    ABSENT,
-    ANY,
-    CANNOT_TELL,
-    FULL_VIRULENCE,
-    IN_TURNS,
-    NEWEST_ONLY,
-    ONE_GENOME,
-    PAST_ONES,
-    PRESENT,
-    RULES,
-    TWICE,
-    Change,
+from matrixworld._util.readable import plain_values
+from matrixworld.analysis import (
+    Judgement,
+    explain,
+    judge,
+    measure_all,
+    measure_table,
+    read_payoffs,
 )
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, judgement_cells, summary
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE, Payoffs
-from matrixworld.analysis.words import all_results, judgement_cells, measure_table, summary
 from matrixworld.cli.console import TERMS, WIDEST, print_head, print_table, print_wrapped, say
 from matrixworld.cli.options import check_exists, check_outputs, integer, options, write_json
 from matrixworld.cli.runs import finished_groups, print_missing, unpacked
-from matrixworld.cli.setting_options import option_of, usage_errors
-from matrixworld.coevolution import Alternating, RaceSettings
+from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.schedules import PSRO, RaceSchedule, Yoked
-from matrixworld.coevolution.sections import values_of
 from matrixworld.coevolution.storage import find_runs
-from matrixworld.coevolution.types import TEAMS
 
 FILES = (".csv", ".npz")
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
@@ -76,7 +65,7 @@ def judge_command(
     json_file: Path | None,
     force: bool,
 ) -> None:
-    """Say what happened in races, and what to try.
+    """Say what happened in races.
 
     Each condition, such as an arms race or cycling, is present or absent, or the intervals cannot
     tell. RUN is the directory of a job or of a run. Runs that differ in their seed only are judged
@@ -118,7 +107,8 @@ def judge_command(
         _print(name, payoffs, judgement, group, everything=everything, explained=explained)
         found[name] = judgement.to_json()
         if everything:
-            found[name] = {"judgement": found[name], **all_results(payoffs)}
+            measures = plain_values(measure_all(payoffs))
+            found[name] = {"judgement": found[name], "measures": measures}
     say(f"\n{TERMS}")
     write_json(json_file, {"groups": found})
 
@@ -141,19 +131,13 @@ def _print(
         print_wrapped(STRIP_LEGEND)
     if judgement.runs == 1:
         print_wrapped(SINGLE_RUN)
-    settings = None if group is None else group.runs[0].settings
-    if settings is not None:
-        print_wrapped(settings.schedule.limits)
+    if group is not None:
+        print_wrapped(group.runs[0].settings.schedule.limits)
     if explained:
         say()
         print_wrapped(explain(judgement))
     if everything:
         say(f"\n{measure_table(payoffs)}")
-    lines = advice(judgement, settings)
-    if lines:
-        say("\nWhat to try:")
-        for line in lines:
-            print_wrapped(line)
 
 
 def counts(judgement: Judgement) -> str:
@@ -203,62 +187,3 @@ def print_strip(judgement: Judgement, seeds: Sequence[int], missing: Sequence[in
             numbers = ", ".join(str(finding.by_run.count(verdict)) for verdict in SIGNS)
             rows.append((name, *signs, f"{finding.verdict} ({numbers})" if is_last else ""))
         print_table(rows, "<" + ">" * len(part) + "<")
-
-
-# What to try next, by the rows of the conditions that are present:
-
-
-def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
-    """Return what to try next, a line each: options with their values, and a reason.
-
-    Nothing is advised that the race does already. Its settings are None if they are not known.
-    """
-    found = [RULES[name] for name in judgement.present()]
-    if settings is None:
-        return list(dict.fromkeys(each.advice for each in found if each.advice))
-    if isinstance(settings.schedule, Yoked):
-        return []  # its settings are those of the race that it replays
-    lines = []
-    for change in dict.fromkeys(change for each in found for change in each.changes):
-        if options := helpful(change, settings):
-            typed = " ".join(option_of(*each) for each in options.items())
-            lines.append(f"{typed}: {change.why}")
-    return lines
-
-
-def helpful(change: Change, settings: RaceSettings) -> dict[str, Any]:
-    """Return the settings that a race would change; none if it is in another situation."""
-    if situations_of(settings).isdisjoint(change.situations):
-        return {}
-    present = values_of(settings)
-    values = {
-        name: doubled(present.get(name)) if value == TWICE else value
-        for name, value in change.settings.items()
-    }
-    options = {name: value for name, value in values.items() if value != present.get(name)}
-    try:
-        settings.changed(options)
-    except ValueError:
-        # Such as a larger network with a learner that takes few genes only.
-        return {}
-    return options
-
-
-def doubled(value: Any) -> Any:
-    """Return twice a number, or one hidden layer of twice the largest size."""
-    return [2 * max((16, *value))] if isinstance(value, list) else 2 * max(1, value)
-
-
-def situations_of(settings: RaceSettings) -> set[str]:
-    """Return what advice depends on: the name of the schedule, and what the settings have."""
-    schedule, fitness = settings.schedule, settings.fitness
-    found = {ANY, schedule.name}
-    if isinstance(schedule, Alternating):
-        found |= {IN_TURNS} if settings.learner.keeps_population else {IN_TURNS, ONE_GENOME}
-    if isinstance(schedule, RaceSchedule) and schedule.name in (Alternating.kind, PSRO):
-        rules = [getattr(schedule.opponents_of(team), "rule", None) for team in TEAMS]
-        found.add(NEWEST_ONLY if "latest" in rules else PAST_ONES)
-    reduced = fitness.pursuer_virulence is not None or fitness.evader_virulence is not None
-    if not reduced and fitness.sharing == "none" and fitness.measure != "rewards":
-        found.add(FULL_VIRULENCE)
-    return found

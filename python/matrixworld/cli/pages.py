@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import webbrowser
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import nullcontext
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any, TypeVar
@@ -28,17 +27,10 @@ Run = TypeVar("Run")
 FORMATS = ("png", "pdf", "svg")
 # Matplotlib takes half a second to import: the names of figures stand here, and a test compares.
 FIGURES = (
-    "training", "payoff", "generalization", "lag_profile", "collisions", "dynamics", "worst_map",
-    "spinning_top", "comparison", "seeds", "verdicts", "held_out",
+    "training", "payoff", "generalization", "lag_profile", "collisions", "comparison", "seeds",
+    "verdicts", "held_out",
 )  # fmt: skip
 """Figures of runs: the functions of `matrixworld.plots.saved` that draw them."""
-OF_GAME = {
-    "rules": "rules_table",
-    "conflicts": "conflict_outcomes",
-    "interaction": "interaction_models",
-    "right_of_way": "right_of_way",
-}
-"""Figures of the game, which need no run: the functions of `matrixworld.plots` that draw them."""
 
 # \b keeps click from wrapping the lines.
 PLAY_EXAMPLES = """\b
@@ -78,18 +70,14 @@ def _baselines(
 
 
 @click.command("explore")
-@runs_argument(required=False)
+@runs_argument()
 @out_option(
     f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
     "runs]; with --figure, the file of the figure"
 )
 @options("open")
 @click.option("--figures", is_flag=True, help="draw figures, and write no page")
-@click.option(
-    "--figure",
-    type=click.Choice([*FIGURES, *OF_GAME]),
-    help="only this figure; the last three show the game and need no RUN",
-)
+@click.option("--figure", type=click.Choice(FIGURES), help="only this figure")
 @click.option(
     "--format",
     "suffix",
@@ -107,13 +95,6 @@ def _baselines(
     "plays against the race's opponents, and is a level line in the figure of generalization. RUN "
     "may hold a run for each seed of the races. May be repeated",
 )
-@click.option(
-    "--width",
-    type=click.FloatRange(3, 12),
-    metavar="INCHES",
-    help="make figures for paper: of this width, with type of 6 to 9 points. A column has about "
-    "3.35 inches, a page 6.9",
-)
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
 @options("force")
 def explore_command(
@@ -124,7 +105,6 @@ def explore_command(
     figure: str | None,
     suffix: str | None,
     baselines: dict[str, list[SavedRun]],
-    width: float | None,
     each: bool,
     force: bool,
 ) -> None:
@@ -136,23 +116,18 @@ def explore_command(
 
     With --figures the figures of each run go into its directory. Races of one seed are also drawn
     side by side; of several seeds all are drawn together, and single runs only with --each.
-
-    Without RUN, --figure draws the game: its rules (the variants as a table), conflicts (what the
-    engine makes of the same moves under each outcome) and interaction (who acts together).
     """
     with usage_errors():
-        groups = finished_groups(runs) if runs else []
+        groups = finished_groups(runs)
     if figures or figure:
         chosen = {"suffix": _format(out, suffix), "baselines": baselines, "each": each}
-        root = common_directory(runs) if runs else Path()
-        _draw(_files(groups, root, figure, chosen), figure, out, width, force)
+        root = common_directory(runs)
+        _draw(_files(groups, root, figure, chosen), figure, out, force)
         return
-    given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
+    given = {"--format": suffix, "--baseline": baselines, "--each": each}
     for option, value in given.items():
         if value:
             raise click.UsageError(f"{option}: expected --figures or --figure beside it")
-    if not runs:
-        raise click.UsageError("expected RUN...")
     page = out or common_directory(runs) / PAGE
     check_outputs(page, force=force)
     write_explorer(groups, page)
@@ -198,16 +173,9 @@ def _format(out: Path | None, suffix: str | None) -> str:
 def _files(
     groups: Sequence[RunGroup], root: Path, name: str | None, chosen: Mapping[str, Any]
 ) -> dict[Path, Callable[[], Any]]:
-    """Return the files of figures, of runs or of the game, with what draws them."""
-    from matrixworld import plots
+    """Return the files of figures of runs, with what draws them."""
     from matrixworld.plots.saved import figures_of
 
-    if name in OF_GAME:
-        if groups:
-            raise click.UsageError(f"--figure {name}: expected no RUN, got {groups[0].name}")
-        return {Path(f"{name}.{chosen['suffix']}"): getattr(plots, OF_GAME[name])}
-    if not groups:
-        raise click.UsageError(f"expected RUN..., or --figure {' or '.join(OF_GAME)}")
     for group in groups:
         if name not in (None, "training") and not group.is_race:
             expected = "expected a race, got a run of one team"
@@ -219,7 +187,6 @@ def _draw(
     files: Mapping[Path, Callable[[], Any]],
     name: str | None,
     out: Path | None,
-    width: float | None,
     force: bool,
 ) -> None:
     from matrixworld import plots
@@ -232,7 +199,7 @@ def _draw(
     # All files are checked before the first is drawn.
     check_outputs(*files, force=force)
     for file, figure in files.items():
-        with usage_errors(), nullcontext() if width is None else plots.at_width(width):
+        with usage_errors():
             plots.save_figure(figure(), file)
         say(file)
 

@@ -21,7 +21,7 @@ MOST_NAMES = 5
 """Most runs that a message names."""
 
 
-def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
+def runs_argument() -> Callable[[Any], Any]:
     """Return the argument of directories of jobs or runs."""
 
     def found(ctx: click.Context, param: click.Parameter, values: Sequence[str]) -> list[Path]:
@@ -32,8 +32,7 @@ def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
                 raise click.BadParameter(f"expected run directories, got {str(path)!r}")
         return paths
 
-    metavar = "RUN..." if required else "[RUN...]"
-    return click.argument("runs", nargs=-1, required=required, metavar=metavar, callback=found)
+    return click.argument("runs", nargs=-1, required=True, metavar="RUN...", callback=found)
 
 
 def unpacked(path: Path) -> Path:

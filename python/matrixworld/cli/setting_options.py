@@ -199,13 +199,6 @@ def _meant(path: str) -> str:
     return f"; did you mean {' or '.join(same)}?" if near else ""
 
 
-def option_of(path: str, value: Any) -> str:
-    """Return the option of ``evolve`` that sets a setting to a value."""
-    text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
-    names = {setting: name for name, setting in PATHS.items()} | {"schedule": "schedule"}
-    return f"{option_name(names[path])} {text}" if path in names else f"--set {path}={text}"
-
-
 # --help-all:
 
 Rows = list[tuple[str, str]]

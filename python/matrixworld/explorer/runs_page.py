@@ -26,9 +26,9 @@ from matrixworld import analysis
 from matrixworld._util.readable import plain_values
 from matrixworld.analysis.cycles import MARGIN, Checkerboard, strongest_checkerboards
 from matrixworld.analysis.intervals import generalization_over_episodes
+from matrixworld.analysis.judgement import headline_numbers
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.analysis.words import headline_numbers
 from matrixworld.coevolution.schedules import Against, Maps, Simultaneous, Yoked, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -323,11 +323,6 @@ def _shown(value: Any) -> str:
 
 BOARDS = 12
 """The most checkerboards on a page: the strongest ones."""
-OF_GAME = (
-    "weakest_intransitivity", "middle_intransitivity", "strongest_intransitivity",
-    "effective_diversity",
-)  # fmt: skip
-"""Measures beside the spinning top."""
 
 
 def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
@@ -337,7 +332,6 @@ def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
     kept = [kept_generations(size, step) for size in matrix.shape]
     scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
     judgement = analysis.judge(scores)
-    of_game = (analysis.MEASURES[name] for name in OF_GAME)
     return {
         "sentence": analysis.sentence(judgement),
         "headline": analysis.headline(judgement),
@@ -347,7 +341,6 @@ def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
         "checkerboards": plain_values(boards),
         "guided_minute": plain_values(guided_minute(matrix, judgement, boards, kept)),
         "margin": MARGIN,
-        "game": [f"{each.label}: {each.shown(each.of(scores))}" for each in of_game],
         **curves(payoff),
     }
 
@@ -360,11 +353,9 @@ def so_far_found(payoff: Payoff) -> dict[str, Any]:
 
 def curves(payoff: Payoff) -> dict[str, Any]:
     """Return what is drawn of a race and claims nothing."""
-    matrix, several = payoff.capture_rate, payoff.capture_rates.shape[2] >= 2
+    matrix = payoff.capture_rate
     ratings = analysis.elo(matrix)
-    top = plain_values(analysis.spinning_top(payoff.capture_rates)) if several else None
     return {
-        "spinning_top": top,
         "generalization": _with_bands(
             analysis.generalization(matrix), generalization_over_episodes, payoff
         ),

@@ -1,4 +1,4 @@
-"""Figures of a single race, and of races side by side: payoffs, lags, generalization, dynamics."""
+"""Figures of a single race, and of races side by side: payoffs, lags, generalization."""
 
 from __future__ import annotations
 
@@ -9,8 +9,6 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.patheffects import Normal, Stroke
@@ -19,10 +17,7 @@ from numpy.typing import ArrayLike
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld._util.checks import check_integer, check_sequence
-from matrixworld.analysis.dynamics import TIME, ReplicatorPath
-from matrixworld.analysis.games import Nash
 from matrixworld.analysis.intervals import UNIT, Band, generalization_over_episodes
-from matrixworld.analysis.judge import LEAST_INTRANSITIVITY, Judgement
 from matrixworld.analysis.payoffs import (
     Payoffs,
     Rates,
@@ -43,10 +38,6 @@ FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
 COLUMNS = 3
 """The most races beside each other in `comparison`; further ones are in rows below."""
-CORNERS = np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.75**0.5]])
-"""Where the three strategies of a triangle are."""
-LEAST_MOVE = 0.02
-"""A share that moves by less has settled."""
 SMALL = 0.83
 """Size of judgements above heat maps, as a multiple of the type."""
 _LINE = 1.4  # height of a line above a heat map, as a multiple of the type
@@ -176,7 +167,7 @@ def generalization_curves(
 
 def comparison(
     payoffs: Mapping[str, Source],
-    judgements: Mapping[str, Judgement] | None = None,
+    judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
     title: str | None = None,
 ) -> Figure:
@@ -329,144 +320,3 @@ def _draw_baselines(axes: Axes, *teams: Mapping[str, ArrayLike]) -> None:
         axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
         if level.low is not None and level.high is not None:
             axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
-
-
-# ---- Dynamics and the spinning top ---------------------------------------------------------------
-
-
-def replicator_trajectories(
-    payoff: ArrayLike,
-    starts: Sequence[tuple[ArrayLike, ArrayLike]] = (),
-    *,
-    time: float = TIME,
-    title: str = "Replicator dynamics",
-) -> Figure:
-    """Draw how the shares of all strategies change, and their distance from the Nash equilibrium.
-
-    A team of three strategies has a triangle with a path from each start, which is a dot, and a
-    cross in the equilibrium. Other teams have stacked shares over time, of the first start. Noise
-    of the capture rates moves shares, too: which generation remains may be chance. See
-    :func:`matrixworld.analysis.replicator_dynamics`.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Capture rates.
-    starts : sequence of pairs of array_like of float, shapes (n,) and (m,), optional
-        Shares of pursuers and evaders at the begin, at most 20. The default is equal shares.
-    time : float, optional
-        Duration, above 0.
-    title : str, optional
-    """
-    nash = analysis.nash_averaging(payoff)
-    starts = [
-        check_sequence("start", each, "two mixtures")
-        for each in check_sequence("starts", starts, "pairs")
-    ]
-    require({*map(len, starts)} <= {2}, "starts of two mixtures each", [*map(len, starts)])
-    require(len(starts) <= len(style.LINES), f"at most {len(style.LINES)} starts", len(starts))
-    pairs: Sequence[Any] = starts or [(None, None)]
-    paths = [
-        analysis.replicator_dynamics(payoff, pursuers=p, evaders=q, time=time, points=1001)
-        for p, q in pairs
-    ]
-    columns = style.beside(3, inches=3.0)
-    figure = style.new_figure(11.0, 3.8 * -(-3 // columns))
-    panels = figure.subplots(-(-3 // columns), columns, squeeze=False).flat
-    for axes, team, color in zip(panels, ("pursuers", "evaders"), colors.TEAMS, strict=False):
-        _draw_shares(axes, [getattr(path, team) for path in paths], paths[0], getattr(nash, team))
-        axes.set_title(team, color=color, size="medium")
-    _draw_divergence(panels[2], paths, nash)
-    end = max(map(_settled, paths))
-    for axes in panels[:3]:
-        if axes.axison:  # not a triangle
-            axes.set_xlim(0, end)
-    for axes in panels[3:]:
-        axes.remove()
-    style.entitle(figure, title)
-    return figure
-
-
-def _settled(path: ReplicatorPath) -> float:
-    """Return a time after which hardly a share moves; the last one of paths that go round."""
-    moves = [abs(each - each[-1]).max(axis=1) for each in (path.pursuers, path.evaders)]
-    moving = np.flatnonzero(np.maximum(*moves) > LEAST_MOVE)
-    last = int(moving[-1]) + 1 if len(moving) else 1
-    return float(path.times[min(len(path.times) - 1, max(last * 5 // 4, 20))])
-
-
-def _draw_shares(axes: Axes, shares: Sequence[Rates], path: ReplicatorPath, nash: Rates) -> None:
-    if len(nash) == 3:
-        _draw_triangle(axes, shares, nash)
-        return
-    norm = Normalize(0, max(1, len(nash) - 1))
-    shades = [*mpl.colormaps[COLORMAP](norm(np.arange(len(nash))))]
-    axes.stackplot(path.times, shares[0].T, colors=shades, linewidth=0)
-    axes.set(xlabel="time", ylabel="share of each generation", ylim=(0, 1))
-    axes.figure.colorbar(
-        ScalarMappable(norm, COLORMAP), ax=axes, label="generation", ticks=style.whole_numbers()
-    )
-
-
-def _draw_triangle(axes: Axes, shares: Sequence[Rates], nash: Rates) -> None:
-    axes.plot(*CORNERS[[0, 1, 2, 0]].T, color=colors.MUTED, linewidth=0.8)
-    for number, (corner, shift) in enumerate(zip(CORNERS, (-0.07, -0.07, 0.07), strict=True)):
-        axes.text(corner[0], corner[1] + shift, str(number), ha="center", va="center")
-    for each, (color, line) in zip(shares, style.LINES, strict=False):
-        places = (each @ CORNERS).T
-        axes.plot(*places, color=color, linestyle=line, linewidth=1.2)
-        axes.plot(*places[:, 0], color=color, marker="o", markersize=5)
-    axes.plot(*nash @ CORNERS, color=colors.INK, marker="+", markersize=9)
-    axes.set(aspect="equal", ylim=(-0.13, 1.0))
-    axes.set_axis_off()
-
-
-def _draw_divergence(axes: Axes, paths: Sequence[ReplicatorPath], nash: Nash) -> None:
-    for path, (color, line) in zip(paths, style.LINES, strict=False):
-        away = path.divergence(nash.pursuers, nash.evaders)
-        axes.plot(path.times, away, color=color, linestyle=line, linewidth=1.5)
-    axes.set(xlabel="time", ylabel="divergence, nats")
-    axes.set_ylim(0, 1.1 * axes.get_ylim()[1])
-    axes.set_title("distance from equilibrium", size="medium")
-    style.plain_axis(axes)
-
-
-def spinning_top(
-    scores: ArrayLike,
-    *,
-    title: str = "At which strength do generations go in circles?",
-) -> Figure:
-    """Draw the intransitivity of each generation at its strength: pursuers left, evaders right.
-
-    Lines are 95 % intervals over episodes, of each generation by itself. Within the grey band a
-    generation deviates by less than the margin of the judgement: its strength explains whom it
-    beats. See
-    :func:`matrixworld.analysis.spinning_top`.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Capture rates of single episodes, at least two of each cell.
-    title : str, optional
-    """
-    figure, axes = style.single(6.4, 4.6, title)
-    tops = analysis.spinning_top(scores)
-    sides = (("pursuers", -1), ("evaders", 1))
-    for (team, side), top, color in zip(sides, tops, colors.TEAMS, strict=True):
-        ends = side * top.low, side * top.high
-        axes.hlines(top.strength, *ends, color=color, linewidth=0.8, alpha=0.5)
-        axes.plot(side * top.intransitivity, top.strength, "o", markersize=4, color=color)
-        axes.text(
-            0.5 + 0.49 * side, 0.99, f"{team}: a dot is a generation", color=color, va="top",
-            ha="right" if side > 0 else "left", size="small", transform=axes.transAxes,
-        )  # fmt: skip
-    axes.axvspan(-LEAST_INTRANSITIVITY, LEAST_INTRANSITIVITY, color=colors.GRID, zorder=0)
-    axes.axvline(0.0, color=colors.MUTED, linewidth=0.8)
-    most = 1.05 * max(2 * LEAST_INTRANSITIVITY, *(float(top.high.max()) for top in tops))
-    around = "\u2190 in circles     strength explains whom they beat     in circles \u2192"
-    axes.set(xlim=(-most, most), xlabel=f"{around}\nintransitivity")
-    axes.set(ylabel="strength: mean payoff against all opponents")
-    axes.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
-    style.unit_axis(axes)
-    axes.set_ylim(top=1.12)
-    return figure

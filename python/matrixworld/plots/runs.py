@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import cycle
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 from numpy.typing import ArrayLike
 
@@ -25,7 +23,7 @@ from matrixworld._util.checks import (
     check_sequence,
 )
 from matrixworld.analysis.intervals import UNBOUNDED, Band, Bounds
-from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, CONDITIONS, PRESENT, Judgement
 from matrixworld.analysis.payoffs import Rates, Source, check_rates
 from matrixworld.analysis.runs import fewest_runs, race_bands
 from matrixworld.plots import style
@@ -72,8 +70,7 @@ def run_dots(
     for index, (name, level) in enumerate(style.by_name("levels", levels).items()):
         dashes, place = style.DASHES[index % len(style.DASHES)], check_real(f"level {name}", level)
         axes.axvline(place, color=colors.MUTED, linestyle=dashes, linewidth=1.3, label=name)
-    axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
-    axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label="mean, 95% interval")
+    _label_dots(axes, each, "mean, 95% interval")
     _name_rows(figure, axes, groups, NAMES)
     axes.set_xlabel(label)
     low, high = axes.get_xlim()
@@ -94,6 +91,11 @@ def _draw_dots(axes: Axes, row: int, mean: analysis.Estimate, values: np.ndarray
     if mean.low is not None and mean.high is not None:
         axes.plot([mean.low, mean.high], [row + 0.2] * 2, color=colors.INK, linewidth=1.8)
     axes.plot(mean.value, row + 0.2, "D", color=colors.INK, markersize=5)
+
+
+def _label_dots(axes: Axes, each: str, mean: str) -> None:
+    axes.scatter([], [], s=16, color=colors.SKY_BLUE, label=each)
+    axes.errorbar([], [], xerr=[], fmt="D", color=colors.INK, label=mean)
 
 
 def _name_rows(
@@ -159,6 +161,7 @@ def run_curves(
 
 SCORES = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""
+FEWEST = fewest_runs()
 
 
 def seed_scores(
@@ -166,11 +169,10 @@ def seed_scores(
     *,
     title: str = "Scores of the last generation against held-out opponents",
 ) -> Figure:
-    """Draw scores of groups of runs: performance profiles and interquartile means.
+    """Draw scores of groups of runs: the mean of each seed, and the interquartile mean of all.
 
-    A row for each team. On the left the share of all scores (runs times opponents) above each
-    threshold, with its pointwise 95% interval over seeds. On the right the interquartile mean with
-    its 95% interval, and the mean score of each seed as a dot. Groups with fewer than 6 seeds have
+    A panel for each team, with a row for each group. Dots are the mean scores of single seeds, and
+    diamonds the interquartile means with their 95% intervals; groups with fewer than 6 seeds have
     no intervals.
 
     Parameters
@@ -180,75 +182,30 @@ def seed_scores(
     title : str, optional
     """
     style.check_some(scores)
-    arrays: dict[str, dict[str, Rates]] = {}
-    for group, of_teams in scores.items():
-        style.check_some(of_teams, "team")
-        for team in of_teams:
+    of_teams: dict[str, dict[str, Rates]] = {team: {} for team in SCORES}
+    for group, of_group in scores.items():
+        style.check_some(of_group, "team")
+        for team, values in of_group.items():
             check_choice(group, team, SCORES)
-        arrays[group] = {
-            team: check_rates(values, ndim=2, what=f"scores of {group}")
-            for team, values in of_teams.items()
-        }
-    teams = [team for team in SCORES if any(team in each for each in arrays.values())]
-    figure = style.new_figure(9.4, 0.9 + max(3.0, 0.55 * len(arrays) + 1.4) * len(teams))
-    columns = style.beside(2, 3.0)
-    shape = (2 * len(teams) // columns, columns)
-    grid = figure.subplots(*shape, width_ratios=(1.25, 1.0)[:columns]).reshape(-1, 2)
-    for (left, right), team in zip(grid, teams, strict=True):
-        of_team = {group: each[team] for group, each in arrays.items() if team in each}
-        _draw_profiles(left, of_team, team)
-        _draw_middles(right, of_team, team)
-        names = [f"{name} ({len(values)} seeds)" for name, values in of_team.items()]
-        _name_rows(figure, right, names, NAMES, size="small")
-    style.legend_below(figure, _legend_of_scores(arrays), columns=min(3, len(arrays) + 2))
+            of_teams[team][group] = check_rates(values, ndim=2, what=f"scores of {group}")
+    drawn = {team: groups for team, groups in of_teams.items() if groups}
+    figure = style.new_figure(6.6, 1.0 + sum(0.8 + 0.5 * len(groups) for groups in drawn.values()))
+    heights = [0.8 + 0.5 * len(groups) for groups in drawn.values()]
+    panels = figure.subplots(len(drawn), 1, squeeze=False, height_ratios=heights)[:, 0]
+    for axes, (team, groups) in zip(panels, drawn.items(), strict=True):
+        for row, values in enumerate(groups.values()):
+            _draw_dots(axes, row, analysis.interquartile_mean(values), values.mean(axis=1))
+        names = [f"{name} ({len(values)} seeds)" for name, values in groups.items()]
+        _name_rows(figure, axes, names, NAMES, size="small")
+        axes.set(xlim=(-0.02, 1.02), xlabel=SCORES[team])
+        axes.set_title(f"{team}s", size="medium")
+        style.plain_axis(axes)
+    _label_dots(
+        panels[0], "mean of one run", f"interquartile mean, 95% interval from {FEWEST} seeds on"
+    )
+    style.legend_below(figure, style.labelled(panels[0]), columns=2)
     style.entitle(figure, title)
     return figure
-
-
-def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
-    for (color, line), values in zip(cycle(style.LINES), scores.values(), strict=False):
-        shares = analysis.performance_profile(values)
-        axes.step(
-            shares.places, shares.mean, color=color, linestyle=line, linewidth=1.6, where="post",
-        )  # fmt: skip
-        if shares.low is not None and shares.high is not None:
-            axes.fill_between(
-                shares.places, shares.low, shares.high, color=color, alpha=0.15, linewidth=0,
-                step="post",
-            )  # fmt: skip
-    axes.set(xlabel=f"threshold of the {SCORES[team]}", ylabel="share of scores above it")
-    axes.set_title(f"{team}s: performance profile", size="medium")
-    axes.set_xlim(-0.01, 1.01)
-    style.unit_axis(axes)
-
-
-def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
-    looks = zip(cycle(style.LINES), scores.values(), strict=False)
-    for row, ((color, _), values) in enumerate(looks):
-        middle = analysis.interquartile_mean(values)
-        means = values.mean(axis=1)
-        # Seeds with equal means lie beside each other.
-        spread = np.linspace(-0.16, 0.16, len(means)) if len(means) > 1 else np.zeros(1)
-        axes.scatter(means, row + 0.12 + spread, s=12, color=color, alpha=0.45, linewidth=0)
-        if middle.low is not None and middle.high is not None:
-            axes.plot([middle.low, middle.high], [row - 0.22] * 2, color=color, linewidth=2.2)
-        axes.plot(middle.value, row - 0.22, marker="D", markersize=6, color=color)
-    axes.set(xlim=(-0.02, 1.02), xlabel=SCORES[team])
-    axes.set_title(f"{team}s: interquartile mean", size="medium")
-    style.plain_axis(axes)
-
-
-def _legend_of_scores(groups: Iterable[str]) -> dict[str, Line2D]:
-    entries = {
-        group: Line2D([], [], color=color, linestyle=line, linewidth=1.6)
-        for (color, line), group in zip(cycle(style.LINES), groups, strict=False)
-    }
-    middle = f"interquartile mean, 95% interval from {fewest_runs()} seeds on"
-    entries[middle] = Line2D([], [], color=colors.MUTED, marker="D", linewidth=2.2)
-    entries["mean of one run"] = Line2D(
-        [], [], color=colors.MUTED, marker="o", markersize=4, linewidth=0, alpha=0.6
-    )
-    return entries
 
 
 # ---- Bands over generations ----------------------------------------------------------------------

@@ -6,9 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
-from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -21,18 +19,11 @@ from matrixworld.analysis import Judgement, headline
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.maps import MAP_FITNESS
-from matrixworld.coevolution.schedules import Against, Maps, Simultaneous, curve_window
+from matrixworld.coevolution.schedules import Against, Simultaneous, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.episodes.episode import Episode
-from matrixworld.episodes.record import record
 from matrixworld.plots.style import FORMATS
-from matrixworld.solve import States, best_response, guarantees, solve
-from matrixworld.world.policy import EnginePolicy
 
-EPISODES = 100
-"""Of the worst map, of which one is shown."""
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
 
@@ -98,11 +89,6 @@ def figures_of(
 
 def _is_usual(group: RunGroup, figure: str) -> bool:
     """Return whether a figure of a run is drawn if nobody asks for it."""
-    schedule = group.runs[0].settings.schedule
-    if figure == "worst_map":  # which takes as long as a generation of such maps
-        return isinstance(schedule, Maps) and MAP_FITNESS[schedule.map_fitness].exact
-    if figure == "spinning_top":  # which takes the noise of the episodes: of one there is none
-        return group.is_race and (group.payoffs.episodes or 0) > 1
     return group.is_race or figure == "training"
 
 
@@ -141,10 +127,6 @@ def _matrix(group: RunGroup) -> ArrayLike:
     return matrix
 
 
-def _rates(group: RunGroup) -> ArrayLike:
-    return group.runs[0].payoff().capture_rates
-
-
 def collisions_per_1000(group: RunGroup) -> NDArray[np.float64]:
     """Return how often agents collide in 1000 agent-steps: (G, 2, 3), by generation, team, kind."""
     payoff = group.runs[0].payoff()
@@ -166,43 +148,6 @@ def _drawn(
     return draw(numbers(group), title=_title(group, shown or headline(group.judgement)))
 
 
-def _worst_map(group: RunGroup, baselines: Baselines) -> Figure:
-    """Draw on which of the last maps a newest team falls most short of perfect play.
-
-    On the left it meets the best reply to it, on the right both teams play perfectly: for a capture
-    as early, or as late, as possible. Of several starts it is that of the longest chase.
-    """
-    [run] = group.runs
-    world, newest = run.settings.training_world, {team: run.last(team) for team in TEAMS}
-    maps = [States(replace(world, obstacles=walls)) for walls in run.maps()["maps"][-1]]
-    solved = [(guarantees(states, newest), states) for states in maps]
-    team, (found, states) = max(
-        product(TEAMS, solved), key=lambda each: each[1][0].exploitability[each[0]][0]
-    )
-    perfect = solve(states, payoff="capture-time")
-    best: dict[Team, EnginePolicy] = {each: perfect.policy(each) for each in TEAMS}
-    other = TEAMS[1 - TEAMS.index(team)]
-    reply = best_response(states, newest[team], team, payoff="capture-time").policy(other)
-    sides = {f"The newest {team}s": {team: newest[team], other: reply}, f"Perfect {team}s": best}
-
-    def played(number: int) -> list[Episode]:
-        teams = ((side["pursuer"], side["evader"]) for side in sides.values())
-        return [record(states.config, *pair, seed=0, episode=number) for pair in teams]
-
-    def worth(pair: list[Episode]) -> tuple[int, int]:
-        won = [int(each.ever_captured[-1].all() == (team == "pursuer")) for each in pair]
-        return won[1] - won[0], sum(len(each.actions) for each in pair)
-
-    pair: list[Episode] = max(map(played, range(EPISODES)), key=worth)
-    told, rates = {
-        "pursuer": ("are sure of", found.pursuers),
-        "evader": ("cannot prevent", found.evaders),
-    }[team]
-    title = f"Captures that {team}s {told} on this map: newest {rates[0]:.0%}, "
-    title = _title(group, f"{title}perfect {found.value:.0%}")
-    return plots.paths(dict(zip(sides, pair, strict=True)), title=title)
-
-
 OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "training": _training,
     "payoff": partial(_drawn, plots.payoff_heatmap, _matrix, ""),
@@ -210,19 +155,6 @@ OF_RUN: dict[str, Callable[[RunGroup, Baselines], Figure]] = {
     "lag_profile": partial(_drawn, plots.lag_profile_curve, _matrix, "Lag profile"),
     "collisions": partial(
         _drawn, plots.collision_rates, collisions_per_1000, "Collisions per 1000 agent-steps"
-    ),
-    "dynamics": partial(
-        _drawn,
-        plots.replicator_trajectories,
-        _matrix,
-        "Which generations remain if winners spread (replicator dynamics)",
-    ),
-    "worst_map": _worst_map,
-    "spinning_top": partial(
-        _drawn,
-        plots.spinning_top,
-        _rates,
-        "At which strength do generations go in circles?",
     ),
 }
 """Figures of a race. A run of one team has the first one only."""

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
-from weakref import WeakSet
 
 import matplotlib as mpl
 import numpy as np
@@ -19,7 +16,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
 from matrixworld._util import colors
-from matrixworld._util.checks import check_instance, check_number
+from matrixworld._util.checks import check_instance
 from matrixworld._util.files import replacing
 from matrixworld.analysis.intervals import Band
 from matrixworld.analysis.payoffs import require
@@ -29,20 +26,12 @@ OfName = TypeVar("OfName")
 DPI = 150
 """Resolution of saved figures."""
 
-POINTS = 7.5
-"""Type of figures that are made for a page: texts have 6.2 to 9 points there."""
 CHARACTERS = 106.0
 """Characters of one point that an inch holds, about."""
 LARGE = 1.2
 """Size of titles, as a multiple of the type."""
 HANDLE = 7
 """Characters that a line of a legend takes beside its name."""
-NARROWEST = 1.6
-"""Inches of a panel of several beside each other."""
-FLAT = 0.6
-"""Height of the panels of a page, as a share of their width; matrices are square."""
-SHORTEST = 12
-"""Characters of a line of a label, at least."""
 
 DASHES = ("--", ":", "-.")
 """Line styles beside the solid one."""
@@ -59,69 +48,10 @@ MOST_LINES = 10
 """With more runs the single ones are not drawn: their lines would hide the band."""
 
 
-_width: ContextVar[float | None] = ContextVar("width", default=None)
-_shrunk: WeakSet[Figure] = WeakSet()
-"""Figures that get their height when they are saved, because all their texts are known then."""
-
-
-@contextmanager
-def at_width(width: float) -> Iterator[None]:
-    """Make figures for a page: of this width, with type that has its size on paper.
-
-    Texts have 6 to 9 points. Panels and heights are chosen for the width; titles, legends and
-    names are wrapped. Figures are to be made and saved within the block.
-
-    Parameters
-    ----------
-    width : float
-        Width of all figures in inches, from 3 to 12; a column of a paper has about 3.35.
-
-    Raises
-    ------
-    ValueError
-        If the width is another one. A figure whose texts would overlap raises it, too.
-
-    Examples
-    --------
-    ::
-
-        with plots.at_width(3.35):
-            plots.save_figure(plots.payoff_heatmap(payoff), Path("payoff.pdf"))
-    """
-    check_number("width", width, least=3.0, most=12.0)
-    token = _width.set(float(width))
-    look: dict[Any, Any] = {"font.size": POINTS, "lines.linewidth": 1.1, "axes.linewidth": 0.6}
-    try:
-        with mpl.rc_context(look):
-            yield
-    finally:
-        _width.reset(token)
-
-
-def new_figure(width: float, height: float, *, shrinks: bool = True) -> Figure:
-    """Return an empty figure; sizes are in inches, and change in `at_width`.
-
-    One that does not shrink has texts side by side, which need all of its width.
-    """
-    wanted = _width.get()
-    share = 1.0 if wanted is None else wanted / width
-    least = width * POINTS / 10
-    if wanted is not None and not shrinks and wanted < least - 0.05:
-        raise ValueError(
-            f"width: expected at least {least:.1f} inches for this figure, got {wanted:g}"
-        )
+def new_figure(width: float, height: float) -> Figure:
+    """Return an empty figure; sizes are in inches."""
     layout = ConstrainedLayoutEngine(w_pad=0.04, h_pad=0.04)
-    size = width * share, height * (max(1.0, share) if shrinks else share)
-    figure = Figure(figsize=size, dpi=DPI, layout=layout)
-    if wanted is not None and shrinks:
-        _shrunk.add(figure)
-    return figure
-
-
-def beside(most: int, inches: float = NARROWEST) -> int:
-    """Return how many panels of some width fit beside each other, at most so many."""
-    wanted = _width.get()
-    return most if wanted is None else max(1, min(most, int(wanted / inches)))
+    return Figure(figsize=(width, height), dpi=DPI, layout=layout)
 
 
 def room(figure: Figure, columns: float = 1, size: float = 1.0) -> int:
@@ -186,7 +116,7 @@ def columns_of_groups(
     Width and height have a part of their own, and one for each column and line; `least` is the
     least width. The last result is the number of columns.
     """
-    lines = -(-count // beside(most))
+    lines = -(-count // most)
     columns = -(-count // lines)
     figure = new_figure(max(least, width[0] + width[1] * columns), height[0] + height[1] * lines)
     rows = len(heights)
@@ -289,34 +219,6 @@ def save_figure(figure: Figure, path: str | Path) -> Path:
     if kind not in FORMATS:
         expected = ", ".join(f".{each}" for each in FORMATS)
         raise ValueError(f"{file}: expected a name that ends in {expected}, got {file.name!r}")
-    if figure in _shrunk:
-        _fit(figure)
     with mpl.rc_context(_LOOK), replacing(file) as content:
         figure.savefig(content, format=kind, metadata=_METADATA[kind])
     return file
-
-
-def _fit(figure: Figure) -> None:
-    """Wrap labels that are longer than their panels, and choose the height of the figure."""
-    layout = figure.get_layout_engine()
-    assert layout is not None
-    layout.execute(figure)
-    panels = [axes for axes in figure.axes if axes.get_subplotspec() is not None]
-    shapes = [1.0 if axes.images else FLAT for axes in panels]
-    widths = [axes.get_window_extent().width for axes in panels]
-    up = max(shape * width for shape, width in zip(shapes, widths, strict=True))
-    for axes in figure.axes:
-        across = axes.get_window_extent().width
-        for text, pixels in ((axes.xaxis.label, across), (axes.yaxis.label, up)):
-            most = int(1.1 * CHARACTERS * pixels / figure.dpi / float(text.get_fontsize()))
-            text.set_text("\n".join(textwrap.wrap(text.get_text(), max(most, SHORTEST))))
-    # In small steps: a new height changes what the layout leaves for the panels.
-    for _ in range(6):
-        layout.execute(figure)
-        height = figure.get_figheight()
-        boxes = [axes.get_position(original=True) for axes in panels]
-        wanted = figure.get_figwidth() * max(
-            shape * box.width / box.height for shape, box in zip(shapes, boxes, strict=True)
-        )
-        rows = sum({round(box.y0, 3): box.height for box in boxes}.values())
-        figure.set_figheight(height + rows * max(wanted - height, -0.4 * height))

@@ -275,3 +275,23 @@ def rules_of(variant: Rules | str) -> Rules:
     if name not in VARIANTS:
         raise ValueError(f"variant: expected one of {', '.join(VARIANTS)}, got {variant!r}")
     return VARIANTS[name]
+
+
+RULES_HEAD = (
+    "variant", "agents move", "obstacle", "teammate", "adversary:\nthe evader",
+    "adversary:\nthe pursuer", "capture by", "the captured",
+)  # fmt: skip
+"""Heads of a table of rules; those in the middle are what a collision is with."""
+
+
+def rules_row(name: str, rules: Rules) -> list[str]:
+    """Return the cells of rules in a table, below `RULES_HEAD`."""
+    outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
+    fate = ("disappear" if rules.removes_captured else "stay") if rules.captures else "none"
+    return [
+        name,
+        INTERACTION_TEXTS[rules.interaction],
+        *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
+        CAPTURE_TEXTS[rules.capture],
+        fate,
+    ]

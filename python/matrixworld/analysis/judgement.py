@@ -1,33 +1,116 @@
-"""Judgements and measures in words and tables."""
+"""Judgements: the findings on a race, and what they say in words and tables."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-import numpy as np
+from matrixworld._util.checks import check_choice, check_instance
+from matrixworld._util.readable import Parts, Readable, plain_values
+from matrixworld.analysis.intervals import Estimate
+from matrixworld.analysis.measures import MEASURES
 
-from matrixworld._util.checks import check_instance
-from matrixworld._util.readable import plain_values
-from matrixworld.analysis import progress
-from matrixworld.analysis.cycles import spinning_top
-from matrixworld.analysis.dynamics import alpha_rank, replicator_dynamics
-from matrixworld.analysis.games import nash_averaging
-from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, SINGLE_RUN, Estimate, few_runs
-from matrixworld.analysis.judge import (
-    ABSENT,
-    CANNOT_TELL,
-    CONDITIONS,
-    PRESENT,
-    RULES,
-    Finding,
-    Judgement,
-)
-from matrixworld.analysis.measures import MEASURES, measure_all
-from matrixworld.analysis.payoffs import Payoffs, Rates, Source, read_payoffs
-from matrixworld.analysis.ratings import elo, elo_over_episodes
-from matrixworld.analysis.runs import race_bands
-from matrixworld.analysis.strength import forgetting
+PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
+
+Estimates = Mapping[str, Estimate]
+Findings = Mapping[str, "Finding"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``.
+
+    The `reason` is a clause after "because". The `estimates` are the numbers that decide, by their
+    names in `MEASURES`; none if some are not known. `teams`: those of which a condition is present.
+    `by_run`: verdict on each single run.
+    """
+
+    verdict: str
+    reason: str
+    teams: tuple[str, ...] = ()
+    estimates: Estimates = field(default_factory=dict)
+    by_run: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class Judgement(Readable):
+    """What happened in a race, or in several with the same settings.
+
+    Parameters
+    ----------
+    runs : int
+        Number of runs.
+    shape : tuple of int
+        Pursuer and evader generations of each run.
+    episodes : int or None
+        Episodes behind each cell; None if unknown.
+    level : float
+        Level of the intervals.
+    window : str
+        Name of the window that headlines speak of: the last half, of short races the whole.
+    windows : mapping of str to mapping of str to Finding
+        Findings on the whole race, its first half and its last half, by condition.
+    """
+
+    runs: int
+    shape: tuple[int, int]
+    episodes: int | None
+    level: float
+    window: str
+    windows: Mapping[str, Findings]
+
+    def _parts(self) -> Parts:
+        return [*summary(self), judgement_cells(self)]
+
+    @property
+    def findings(self) -> Findings:
+        """The findings on the window that headlines speak of."""
+        return self.windows[self.window]
+
+    def present(self, window: str | None = None) -> tuple[str, ...]:
+        """Return the conditions that are present in a window, by default that of headlines."""
+        if window is not None:
+            check_choice("window", window, self.windows)
+        findings = self.windows[window or self.window]
+        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain values that JSON can represent."""
+        plain: dict[str, Any] = plain_values(self)
+        return plain
+
+
+# ---- In words ------------------------------------------------------------------------------------
+
+
+class Words(NamedTuple):
+    """What is told of a condition that is present.
+
+    `happened`: what a plain sentence says of its ``{teams}``. A headline leaves out the condition
+    that this one `implies`. `numbers`: what its numbers are called in the line under a headline,
+    which has one if it is present; empty for none.
+    """
+
+    happened: str
+    implies: str = ""
+    numbers: str = ""
+
+
+WORDS: Mapping[str, Words] = {
+    "disengagement": Words("one team often won nearly all matches"),
+    "arms race": Words("{teams} improved", "rise", "gains"),
+    "one-sided progress": Words("only {teams} improved", "rise", "gains"),
+    "rise": Words("{teams} became stronger (perhaps by chance)", numbers="changes"),
+    "intransitivity": Words("some generations beat each other in a circle"),
+    "cycling": Words("{teams} returned to earlier strategies", "intransitivity"),
+    "forgetting": Words("{teams} lost old skills", numbers="drops"),
+    "stagnation": Words("neither team became stronger or weaker"),
+}
+"""All conditions by name, in the order in which they are judged."""
+
+CONDITIONS = tuple(WORDS)
+"""Names of the conditions."""
 
 TIMES = {"first half": "early", "last half": "late"}
 """Windows in a headline."""
@@ -40,11 +123,6 @@ WHEN = {
 IMPROVEMENTS = ("arms race", "one-sided progress", "rise")
 BETTER_OR_NOT = {"disengagement", "stagnation", *IMPROVEMENTS}
 """Conditions that say whether a team improved, or why that is not known."""
-RANKED_PAIRS = 1024
-"""Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
-
-
-# ---- A judgement ---------------------------------------------------------------------------------
 
 
 def summary(judgement: Judgement) -> list[str]:
@@ -114,7 +192,7 @@ def _claims(judgement: Judgement) -> list[_Claim]:
         for teams, windows in by_teams.items():
             who = "both teams" if len(teams) == 2 else "".join(f"the {team}" for team in teams)
             time = _time(judgement, windows, verdicts)
-            what = RULES[name].happened.format(teams=who)
+            what = WORDS[name].happened.format(teams=who)
             claims.append(_Claim(what, *time, name in BETTER_OR_NOT))
     if not BETTER_OR_NOT & present.keys():
         claims.insert(0, _no_improvement(judgement))
@@ -188,7 +266,7 @@ def _present(judgement: Judgement) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for window in judgement.windows:
         present = judgement.present(window)
-        implied = {RULES[name].implies for name in present}
+        implied = {WORDS[name].implies for name in present}
         for name in present:
             if name not in implied:
                 found.setdefault(name, []).append(window)
@@ -203,7 +281,7 @@ def headline_numbers(judgement: Judgement) -> list[str]:
     """
     lines = []
     for name, window in _numbered(judgement):
-        found, kind = judgement.windows[window][name], RULES[name].numbers
+        found, kind = judgement.windows[window][name], WORDS[name].numbers
         known = {MEASURES[key].short: each for key, each in found.estimates.items()}
         if kind == "drops":  # only of teams that are known to forget
             drops = [f"{team} {known[team].value:.2f}" for team in found.teams]
@@ -217,9 +295,9 @@ def headline_numbers(judgement: Judgement) -> list[str]:
 def _numbered(judgement: Judgement) -> list[tuple[str, str]]:
     """Return the conditions whose numbers stand under a headline, each with a window."""
     present = _present(judgement)
-    told = [name for name in CONDITIONS if name in present and RULES[name].numbers]
+    told = [name for name in CONDITIONS if name in present and WORDS[name].numbers]
     # A rise is a change in what was played; a gain would come again. One of them is enough.
-    falling = [name for name in told if RULES[name].numbers == "drops"]
+    falling = [name for name in told if WORDS[name].numbers == "drops"]
     rising = [name for name in told if name not in falling][:1]
     numbered = []
     for name in rising + falling or ["arms race"]:
@@ -298,117 +376,3 @@ def _counts(by_run: tuple[str, ...]) -> str:
         return ""
     counts = ", ".join(f"{by_run.count(each)} {each}" for each in (PRESENT, ABSENT, CANNOT_TELL))
     return f" Of the single runs: {counts}."
-
-
-# ---- All measures --------------------------------------------------------------------------------
-
-
-def measure_table(source: Source, *, level: float = LEVEL, **known: Any) -> str:
-    """Return all measures of one run or several as text, by window.
-
-    Notes say why a measure has no interval.
-
-    Parameters
-    ----------
-    source, level, **known
-        As for `measure_all`.
-    """
-    payoffs = read_payoffs(source, **known)
-    estimates = measure_all(payoffs, level=level)
-    notes = _footnotes(payoffs, estimates)
-    lines, last = [_heading(payoffs, estimates, level)], ""
-    for name, estimate in estimates.items():
-        window = MEASURES[name].window_in(payoffs).name
-        if window != last:
-            lines.append(f"  {_named(window)}")
-            last = window
-        text = f"{MEASURES[name].label:53}{MEASURES[name].shown(estimate)}"
-        lines.append(f"    {text} {notes.get(estimate.note, '')}".rstrip())
-    lines += [f"  {mark} {note}" for note, mark in notes.items()]
-    return "\n".join([*lines, *_dominant(payoffs)])
-
-
-def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) -> str:
-    if len(payoffs) > 1:
-        few = "; few runs make it wide" if len(payoffs) < FEW_RUNS else ""
-        return f"Mean ({level:.0%} interval over runs{few}):"
-    if any(one.across == "episodes" for one in estimates.values()):
-        return (
-            f"A single run ({level:.0%} interval over its episodes, which says nothing about other "
-            "runs):"
-        )
-    return "A single run: no intervals."
-
-
-def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[str, str]:
-    """Return the notes that the heading does not say, with a mark for each."""
-    said = (SINGLE_RUN, few_runs(len(payoffs)), "")
-    notes = dict.fromkeys(one.note for one in estimates.values() if one.note not in said)
-    return {note: f"[{number}]" for number, note in enumerate(notes, 1)}
-
-
-def _dominant(payoffs: Payoffs) -> list[str]:
-    # Several runs have the mean number of dominant generations among the measures.
-    if len(payoffs) > 1 or payoffs.scores is None or payoffs.scores.shape[3] < 2:
-        return []
-    ladders = progress.dominance_tournament(payoffs.scores[0])
-    return [
-        f"Dominant {team}: generations {', '.join(map(str, ladder.generations))}."
-        for team, ladder in zip(("pursuers", "evaders"), ladders, strict=True)
-    ]
-
-
-def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
-    """Return measures and curves as plain values that JSON can represent: lists, and None for NaN.
-
-    ``measures``: those of `measure_all`. ``bands``: the mean curves of `race_bands`. ``runs``: for
-    each run its payoff matrix and the results of `CURVES`, of episodes also those of
-    `dominance_tournament` and `spinning_top`. ``ratings``: of episodes, `elo_over_episodes`. With
-    cross tests ``global_progress``.
-    """
-    payoffs = read_payoffs(source)
-    found: dict[str, Any] = {
-        "level": level,
-        "measures": measure_all(payoffs, level=level),
-        "bands": race_bands(payoffs.matrices, level=level),
-        "runs": [_curves(run, level) for run in payoffs.runs],
-    }
-    if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
-        found["ratings"] = elo_over_episodes(payoffs.scores, level=level)
-    if payoffs.cross is not None:
-        found["global_progress"] = progress.global_progress(payoffs.cross)
-    plain: dict[str, Any] = plain_values(found)
-    return plain
-
-
-def _curves(run: Payoffs, level: float) -> dict[str, Any]:
-    curves = {name: of(run.matrices[0]) for name, of in CURVES.items()}
-    if run.scores is not None and run.scores.shape[3] >= 2:
-        curves["dominance"] = progress.dominance_tournament(run.scores[0])
-        curves["spinning_top"] = spinning_top(run.scores[0], level=level)
-    return {"payoff": run.matrices[0], **curves}
-
-
-def _ranked(matrix: Rates) -> dict[str, Any]:
-    """Return alpha-Rank of all generations, or of every k-th one counted back from the last."""
-    rows, columns = matrix.shape
-    step = 1
-    # The smallest k for which every k-th generation of both teams is few enough pairs.
-    while -(-rows // step) * -(-columns // step) > RANKED_PAIRS:
-        step += 1
-    g, h = (np.arange((size - 1) % step, size, step) for size in matrix.shape)
-    return {"pursuers": g, "evaders": h, "ranks": alpha_rank(matrix[np.ix_(g, h)])}
-
-
-CURVES: Mapping[str, Callable[[Rates], Any]] = {
-    "generalization": progress.generalization,
-    "forgetting": forgetting,
-    "local_progress": progress.local_progress,
-    "historical_progress": progress.historical_progress,
-    "lag_profile": progress.lag_profile,
-    "ciao": progress.ciao,
-    "ratings": lambda matrix: elo(matrix, cycles=1),
-    "nash": nash_averaging,
-    "alpha_rank": _ranked,
-    "replicator_dynamics": lambda matrix: replicator_dynamics(matrix, points=51),
-}

@@ -1,16 +1,13 @@
 """Figures of the game show what the engine does, and the rules that it plays."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from matplotlib.patches import Circle, RegularPolygon
 from matplotlib.text import Annotation
 
 import matrixworld as mw
-from matrixworld import plots
-from matrixworld.plots.game import CROSSINGS, MOVES, PER_TEAM, SITUATIONS, resolve
-from matrixworld.plots.style import FORMATS
+from course import figures
+from course.figures import CROSSINGS, MOVES, PER_TEAM, SITUATIONS, resolve
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
 from right_of_way import from_the_right
 
@@ -35,7 +32,7 @@ def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
 
 
 def test_the_drawing_shows_what_the_engine_made_of_each_situation() -> None:
-    panels = np.reshape(plots.conflict_outcomes().axes, (len(SITUATIONS), 4))
+    panels = np.reshape(figures.conflict_outcomes().axes, (len(SITUATIONS), 4))
     for situation, row in zip(SITUATIONS, panels, strict=True):
         for axes, outcome in zip(row[1:], OUTCOME_TEXTS, strict=True):
             world = resolve(situation, outcome)
@@ -54,27 +51,8 @@ def test_the_drawing_shows_what_the_engine_made_of_each_situation() -> None:
             assert len(triangles) == sum(name[0] == "P" for name in drawn)
 
 
-def test_paths_are_numbered_by_rounds() -> None:
-    config = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=8)
-    episode = mw.record(config, "random", "random", seed=3)
-    [axes] = plots.paths({"an episode": episode}).axes
-    for agent, label in enumerate(("P0", "P1", "E0")):
-        [start] = [each for each in axes.texts if each.get_text() == label]
-        aside = np.array(start.get_position())[::-1] - episode.last_positions[0, agent]
-        for round_, cell in enumerate(episode.last_positions[:, agent].tolist()):
-            if cell == episode.last_positions[0, agent].tolist():
-                continue
-            near = [
-                each.get_text()
-                for each in axes.texts
-                if np.allclose(np.array(each.get_position())[::-1] - cell, aside, atol=0.05)
-            ]
-            spans = [[int(end) for end in part.split("-")] for part in near[0].split(",")]
-            assert any(ends[0] <= round_ <= ends[-1] for ends in spans)
-
-
 def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
-    for axes, (*_, moves) in zip(plots.right_of_way().axes, CROSSINGS, strict=True):
+    for axes, (*_, moves) in zip(figures.right_of_way().axes, CROSSINGS, strict=True):
         steps = {move: tuple(MOVES[move]) for move in moves}
 
         def first(one: int, other: int, steps=steps) -> bool:
@@ -93,16 +71,15 @@ def test_an_arrow_leads_in_and_a_bar_keeps_out() -> None:
 
 
 def test_the_table_shows_the_rules() -> None:
-    own = mw.Rules(mw.Interaction.SWARM_TURNS, teammate=mw.Outcome.DISAPPEAR)
-    (axes,) = plots.rules_table({**mw.VARIANTS, "mine": own}).axes
+    (axes,) = figures.rules_table().axes
     (table,) = axes.tables
     rows: dict[int, list[str]] = {}
     for (row, _), cell in sorted(table.get_celld().items()):
         rows.setdefault(row - 1, []).append(cell.get_text().get_text())
-    for row, (name, rules) in enumerate({**mw.VARIANTS, "mine": own}.items()):
+    for row, (name, rules) in enumerate(mw.VARIANTS.items()):
         outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
         assert rows[row] == [
-            "mine" if name == "mine" else f"{name}",
+            name,
             INTERACTION_TEXTS[rules.interaction],
             *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
             CAPTURE_TEXTS[rules.capture],
@@ -118,24 +95,9 @@ def test_each_turn_shows_who_acts() -> None:
         mw.Interaction.AGENT_TURNS: [[agent] for agent in everyone],
     }
     for axes, (interaction, found) in zip(
-        plots.interaction_models().axes, turns.items(), strict=True
+        figures.interaction_models().axes, turns.items(), strict=True
     ):
         assert axes.get_title().strip() == INTERACTION_TEXTS[interaction]
         marks = [line for line in axes.lines if line.get_marker() in ("o", "^")]
         drawn = [(float(line.get_xdata()[0]), int(line.get_ydata()[0])) for line in marks]
         assert drawn == [(turn + 0.5, agent) for turn, each in enumerate(found) for agent in each]
-
-
-@pytest.mark.parametrize("suffix", FORMATS)
-def test_figures_are_files_of_their_suffix(suffix: str, tmp_path: Path) -> None:
-    begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
-    content = plots.save_figure(plots.right_of_way(), tmp_path / f"figure.{suffix}").read_bytes()
-    assert content.startswith(begins[suffix])
-    assert b"<image" not in content  # vectors only
-    assert b"Date" not in content
-
-
-def test_another_suffix_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"expected a name that ends in \.png, \.pdf, \.svg, got"):
-        plots.save_figure(plots.right_of_way(), tmp_path / "figure.bmp")
-    assert not list(tmp_path.iterdir())

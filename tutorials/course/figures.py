@@ -15,7 +15,7 @@ J. K. Terry et al. (2021). PettingZoo: Gym for multi-agent reinforcement learnin
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,21 +35,20 @@ from matplotlib.patheffects import withStroke
 from matplotlib.transforms import Bbox
 
 from matrixworld._util import colors
-from matrixworld._util.checks import check_instance
-from matrixworld.episodes.episode import Episode
-from matrixworld.plots.style import check_some, entitle, legend_below, new_figure
+from matrixworld.plots.style import legend_below, new_figure
 from matrixworld.world.arrays import MOVES
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import (
-    CAPTURE_TEXTS,
     INTERACTION_TEXTS,
     OUTCOME_TEXTS,
+    RULES_HEAD,
     VARIANTS,
     Action,
     Capture,
     Interaction,
     Outcome,
     Rules,
+    rules_row,
 )
 from matrixworld.world.world import World
 
@@ -148,7 +147,7 @@ def conflict_outcomes() -> Figure:
     reach and bounce.
     """
     heights = [CELL * situation.rows + BELOW for situation in SITUATIONS]
-    figure = new_figure(8.0, 1.1 + sum(heights), shrinks=False)
+    figure = new_figure(8.0, 1.1 + sum(heights))
     grid = figure.subplots(len(SITUATIONS), 4, height_ratios=heights)
     for situation, panels in zip(SITUATIONS, grid, strict=True):
         _draw_plan(panels[0], situation)
@@ -292,7 +291,7 @@ def right_of_way() -> Figure:
     Right before left, as on a road; of two that face each other, the one that moves north or east.
     """
     look = {"color": colors.INK, "linewidth": 2.5, "shrinkA": 0, "shrinkB": 0}
-    figure = new_figure(8.0, 2.9, shrinks=False)
+    figure = new_figure(8.0, 2.9)
     panels = figure.subplots(1, len(CROSSINGS))
     for axes, (title, text, moves) in zip(panels, CROSSINGS, strict=True):
         _draw_cells(axes, Situation(title, text, 3, 3, ()))
@@ -313,77 +312,10 @@ def right_of_way() -> Figure:
     return figure
 
 
-# ---- Paths of an episode -------------------------------------------------------------------------
-
-
-def paths(episodes: Mapping[str, Episode], *, title: str | None = None) -> Figure:
-    """Draw the paths of all agents in recorded episodes of small worlds, side by side.
-
-    Agents stand where they start. The numbers on a path are the rounds after which its agent is
-    there, and a star is a capture.
-
-    Parameters
-    ----------
-    episodes : mapping of str to Episode
-        The episodes, by the titles of their panels.
-    title : str, optional
-        The title. The default is none.
-    """
-    check_some(episodes, "episode")
-    figure = new_figure(3.7 * len(episodes), 5.2)
-    panels = figure.subplots(1, len(episodes), squeeze=False)[0]
-    for axes, (name, episode) in zip(panels, episodes.items(), strict=True):
-        _draw_paths(axes, episode)
-        ends = "captured in round" if episode.ever_captured[-1].all() else "free after round"
-        who = "evaders" if episode.ever_captured.shape[1] > 1 else "evader"
-        axes.set_title(f"{name}:\n{who} {ends} {len(episode.actions)}", fontweight="bold")
-    figure.supxlabel("Numbers are rounds; a star is a capture.", size="small")
-    entitle(figure, title)
-    return figure
-
-
-def _draw_paths(axes: Axes, episode: Episode) -> None:
-    walls = tuple((row, col) for row, col in np.argwhere(episode.map).tolist())
-    rows, cols = episode.map.shape
-    _draw_cells(axes, Situation("", "", rows, cols, (), obstacles=walls))
-    axes.set_xlim(-0.55, cols - 0.45)
-    n_pursuers, n_agents = episode.n_pursuers, episode.last_positions.shape[1]
-    for agent in range(n_agents):
-        team = int(agent >= n_pursuers)
-        # Each has a place of its own in all cells, so that no path hides another.
-        turn = 2 * math.pi * (agent / n_agents + 0.25)
-        aside = 0.26 * np.array([math.sin(turn), math.cos(turn)])
-        y, x = (episode.last_positions[:, agent] + aside).T
-        look: dict[str, Any] = {"color": colors.TEAMS[team], "zorder": 3}
-        axes.plot(x, y, linewidth=1.5, linestyle=("-", "--")[team], **look)
-        axes.plot(x[0], y[0], marker="^o"[team], markersize=18, **look)
-        text: dict[str, Any] = {"color": colors.PAPER, "fontweight": "bold", "zorder": 4}
-        name = f"{'PE'[team]}{agent - team * n_pursuers}"
-        _write(axes, x[0], y[0] + 0.03, name, size="x-small", **text)
-        if team and episode.ever_captured[-1, agent - n_pursuers]:
-            star: dict[str, Any] = {"color": colors.CAPTURE, "markeredgecolor": colors.INK}
-            axes.plot(x[-1], y[-1], marker="*", markersize=32, zorder=2, **star)
-        text |= look | {"path_effects": [withStroke(linewidth=3, foreground=colors.PAPER)]}
-        for place in {*zip(x[1:], y[1:], strict=True)} - {(x[0], y[0])}:
-            rounds = np.flatnonzero((x == place[0]) & (y == place[1]))
-            spells = np.split(rounds, np.flatnonzero(np.diff(rounds) > 1) + 1)
-            told = ("-".join(map(str, dict.fromkeys((each[0], each[-1])))) for each in spells)
-            _write(axes, *place, ",".join(told), **text)
-
-
 # ---- Rules as a table ----------------------------------------------------------------------------
 
-COLUMNS = {
-    "variant": 0.7,
-    "agents move": 1.4,
-    "obstacle": 1.0,
-    "teammate": 1.0,
-    "adversary:\nthe evader": 1.0,
-    "adversary:\nthe pursuer": 1.0,
-    "capture by": 1.2,
-    "the captured": 1.1,
-}
-"""Heads of the columns with their widths; those in the middle are what a collision is with."""
+WIDTHS = np.array([0.7, 1.4, 1.0, 1.0, 1.0, 1.0, 1.2, 1.1])
+"""Widths of the columns below `RULES_HEAD`."""
 ROW = 0.34
 """Height of a row, in inches."""
 
@@ -395,23 +327,16 @@ FILLS = {
 """Colours of the outcomes, by the first words of their texts: the ground and the text on it."""
 
 
-def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
-    """Draw rules as a table: which agents move together, what a collision does, what a capture is.
-
-    Parameters
-    ----------
-    rules : mapping of str to Rules, optional
-        The rows, by name. The default is the nine variants.
-    """
-    check_some(rules, "row")
-    rows = [rules_row(name, each) for name, each in rules.items()]
-    figure = new_figure(9.2, 1.15 + ROW * len(rules), shrinks=False)
+def rules_table() -> Figure:
+    """Draw the variants as a table: who moves together, what collisions and captures do."""
+    rows = [rules_row(name, each) for name, each in VARIANTS.items()]
+    figure = new_figure(9.2, 1.15 + ROW * len(rows))
     axes = figure.add_subplot()
     axes.set_axis_off()
-    widths = [width / sum(COLUMNS.values()) for width in COLUMNS.values()]
     table = axes.table(
-        rows, colLabels=[*COLUMNS], colWidths=widths, cellLoc="center", bbox=Bbox.unit()
-    )
+        rows, colLabels=RULES_HEAD, colWidths=[*WIDTHS / WIDTHS.sum()], cellLoc="center",
+        bbox=Bbox.unit(),
+    )  # fmt: skip
     table.auto_set_font_size(False)
     for (row, column), cell in table.get_celld().items():
         text = cell.get_text()
@@ -420,22 +345,8 @@ def rules_table(rules: Mapping[str, Rules] = VARIANTS) -> Figure:
         cell.set(facecolor=ground, edgecolor=colors.PAPER, linewidth=3)
         cell.set_height(2.0 if row == 0 else 1.0)
         text.set(color=ink, size="small", fontweight="bold" if bold else "normal")
-    axes.set_title("The rules of the variants" if rules is VARIANTS else "The rules")
+    axes.set_title("The rules of the variants")
     return figure
-
-
-def rules_row(name: str, rules: Rules) -> list[str]:
-    """Return the cells of a row, below `COLUMNS`."""
-    check_instance(name, rules, Rules)
-    outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
-    fate = ("disappear" if rules.removes_captured else "stay") if rules.captures else "none"
-    return [
-        name,
-        INTERACTION_TEXTS[rules.interaction],
-        *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
-        CAPTURE_TEXTS[rules.capture],
-        fate,
-    ]
 
 
 # ---- Interaction models --------------------------------------------------------------------------
@@ -472,7 +383,7 @@ def interaction_models() -> Figure:
     """
     models = list(Interaction)
     rounds = [turns_of(each) for each in models]
-    figure = new_figure(10.0, 3.9, shrinks=False)
+    figure = new_figure(10.0, 3.9)
     panels = figure.subplots(1, len(models), width_ratios=[len(turns) + 0.9 for turns in rounds])
     for axes, interaction, turns in zip(panels, models, rounds, strict=True):
         _draw_round(axes, turns)
@@ -560,7 +471,7 @@ def learning_concepts() -> Figure:
     Sun et al. (2023), "MatrixWorld", section 2; Leibo et al. (2019), "Autocurricula and the
     emergence of innovation from social interaction".
     """
-    figure = new_figure(8.0, 5.0, shrinks=False)
+    figure = new_figure(8.0, 5.0)
     axes = figure.subplots()
     axes.set(xlim=(0.0, 10.0), ylim=(0.0, 6.0))
     axes.axis("off")
@@ -587,3 +498,12 @@ def learning_concepts() -> Figure:
     axes.plot(4.0, 2.95, "^", color=colors.PURSUER, markersize=9)
     axes.plot(6.0, 2.95, "o", color=colors.EVADER, markersize=8)
     return figure
+
+
+PICTURES = {
+    "conflicts": conflict_outcomes,
+    "interaction": interaction_models,
+    "right_of_way": right_of_way,
+    "rules": rules_table,
+}
+"""Figures that the documentation shows, by the names of their files."""
