@@ -1,0 +1,3 @@
+"""Options, settings and fixtures as in ``tests/``."""
+
+pytest_plugins = ["shared"]
