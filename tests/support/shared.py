@@ -30,8 +30,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    nightly = config.getoption("--nightly")
-    run = {"nightly": nightly, "slow": nightly or config.getoption("--slow")}
+    nightly = config.getoption("--nightly", False)
+    run = {"nightly": nightly, "slow": nightly or config.getoption("--slow", False)}
     for item in items:
         for mark in run:
             if mark in item.keywords and not run[mark]:
