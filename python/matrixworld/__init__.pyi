@@ -46,7 +46,6 @@ from . import coevolution as coevolution
 from . import envs as envs
 from . import episodes as episodes
 from . import explorer as explorer
-from . import integrations as integrations
 from . import play as play
 from . import plots as plots
 from . import solve as solve
