@@ -1,15 +1,13 @@
 """Small worlds and payoff matrices as games of OpenSpiel."""
 
 import importlib
+from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
 from matrixworld.solve import solve
-
-pyspiel = pytest.importorskip("pyspiel")
-games = importlib.import_module("openspiel_games")
 
 WORLDS = {
     "all at once": mw.WorldConfig("O", rows=1, cols=4, n_pursuers=1, n_evaders=1, max_steps=2),
@@ -18,9 +16,18 @@ WORLDS = {
 }
 
 
+@pytest.fixture
+def games() -> Any:
+    """The recipe; tests are skipped one by one without the library, for .ci/run to repeat them."""
+    pytest.importorskip("pyspiel")
+    return importlib.import_module("openspiel_games")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("config", WORLDS.values(), ids=WORLDS)
-def test_value_iteration_of_the_library_finds_the_solution(config: mw.WorldConfig) -> None:
+def test_value_iteration_of_the_library_finds_the_solution(
+    config: mw.WorldConfig, games: Any
+) -> None:
     pytest.importorskip("cvxpy")
     found = pytest.importorskip("open_spiel.python.algorithms.value_iteration")
     game = games.WorldGame(config)
@@ -31,15 +38,15 @@ def test_value_iteration_of_the_library_finds_the_solution(config: mw.WorldConfi
 
 
 @pytest.mark.parametrize("config", WORLDS.values(), ids=WORLDS)
-def test_a_world_passes_the_tests_of_the_library(config: mw.WorldConfig) -> None:
+def test_a_world_passes_the_tests_of_the_library(config: mw.WorldConfig, games: Any) -> None:
     game = games.WorldGame(config)
-    pyspiel.random_sim_test(game, num_sims=5, serialize=False, verbose=False)
+    games.pyspiel.random_sim_test(game, num_sims=5, serialize=False, verbose=False)
     state = game.new_initial_state()
     state.apply_action(0)
     assert sum(state.observation_tensor(0)) == config.n_agents + 2  # places, turn, all rounds
 
 
-def test_a_payoff_is_a_matrix_game() -> None:
+def test_a_payoff_is_a_matrix_game(games: Any) -> None:
     rates = np.array([[0.1, 0.9, 0.4], [0.8, 0.2, 0.5]])
     game = games.matrix_game(rates)
     np.testing.assert_array_equal(game.row_utilities(), rates)
