@@ -41,7 +41,7 @@ from matrixworld.world.arrays import (
     new_arrays,
 )
 from matrixworld.world.batch import Batch, batch_memory
-from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
 from matrixworld.world.masks import ActionMasks
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
@@ -390,6 +390,18 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         if self.render_mode is None:
             return None
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
+
+
+def make_vec(
+    config: WorldConfig | Rules | str,
+    num_envs: int = 1,
+    max_episode_steps: int | None = None,
+    **settings: Any,
+) -> VectorEnv:
+    """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses."""
+    return VectorEnv(
+        config, num_envs, **with_limit("max_episode_steps", max_episode_steps, settings)
+    )
 
 
 class TeamView:
