@@ -149,7 +149,6 @@ CALLS = [
     partial(solve.solve, world=STATES, steps=1, payoff="capture-rate"),
     partial(solve.best_response, world=STATES, champion="still", team="pursuer", steps=1),
     partial(solve.guarantees, world=STATES, teams=dict.fromkeys(TEAM_NAMES, "still"), steps=1),
-    partial(solve.mixture_bounds, world=STATES, mixture=[(1.0, "still")], team="evader", steps=1),
     partial(solve.solve(STATES).probabilities, team="pursuer", rounds=1, turn=0),
 ]  # fmt: skip
 """Calls with legal arguments, each of which is tried."""

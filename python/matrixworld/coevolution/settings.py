@@ -97,7 +97,7 @@ class PolicySettings(Section):
     )
     memory: str = setting(
         "none",
-        "recurrent layer after the first hidden layer: elman, gru (gated recurrent units) or none",
+        "recurrent layer after the first hidden layer: gru (gated recurrent units) or none",
         choices=tuple(GATES),
     )
     initial_weight: float = setting(

@@ -18,7 +18,6 @@ from matrixworld._util.checks import (
     check_choice,
     check_integer,
     check_keywords,
-    check_memory,
     shown,
 )
 from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
@@ -137,8 +136,6 @@ class MatrixWorldBase(HasOpponents):
         built_in = one_team(pursuers, evaders)
         self._team = None if built_in is None else BuiltInTeam(*built_in, self.config)
         played = range(self.config.n_agents) if self._team is None else self._team.learners
-        # A space of views has four arrays and an observation one; the rest are objects of Python.
-        check_memory("environment", agents=len(played) * (15 * self.config.fov**2 + 2500))
         self._names = {agent: self.config.agent_name(agent) for agent in played}
         self._index = {name: agent for agent, name in self._names.items()}
         self.possible_agents = list(self._index)
