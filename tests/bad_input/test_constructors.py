@@ -14,9 +14,10 @@ from matrixworld import coevolution, solve
 from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.sections import Section
-from matrixworld.episodes import render, replay
+from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
 from matrixworld.play.rollout import match_seed
+from matrixworld.world import render
 from matrixworld.world.policy import TEAMS as TEAM_NAMES
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks

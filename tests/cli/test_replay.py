@@ -11,7 +11,8 @@ from matrixworld import Episode, WorldConfig, record
 from matrixworld.classroom import save_genome
 from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.episodes import render, replay
+from matrixworld.episodes import replay
+from matrixworld.world import render
 from tiny_race import tiny_race
 
 STILL = ["O", "--pursuer", "still", "--evader", "still"]

@@ -7,8 +7,8 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.episodes.display import FPS, Drawing, Notebook
-from matrixworld.episodes.render import ansi, png
 from matrixworld.episodes.replay import CLEAR, HOME, WRAP_OFF, WRAP_ON
+from matrixworld.world.render import ansi, png
 from rows import config_of
 
 WORLD = mw.World(config_of("O"))

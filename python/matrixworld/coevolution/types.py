@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
-from matrixworld.world.policy import TEAMS as TEAMS
-from matrixworld.world.policy import Team as Team
+from matrixworld._util.teams import TEAMS as TEAMS
+from matrixworld._util.teams import Team as Team
+from matrixworld._util.teams import other as other
 
 SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""
@@ -65,11 +66,6 @@ class Saved:
             value = state[name]
             # Arrays without an axis were plain numbers before they were saved.
             setattr(self, name, value.copy() if value.ndim else value.item())
-
-
-def other(team: Team) -> Team:
-    """Return the opposing team."""
-    return "evader" if team == "pursuer" else "pursuer"
 
 
 @dataclass(frozen=True, repr=False)

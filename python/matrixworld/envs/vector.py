@@ -28,7 +28,6 @@ from matrixworld.envs.opponents import (
     one_team,
     own_and_other,
 )
-from matrixworld.episodes.render import rgb
 from matrixworld.world.arrays import (
     BATCH_FIELDS,
     WORLD_FIELDS,
@@ -41,6 +40,7 @@ from matrixworld.world.arrays import (
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
 from matrixworld.world.masks import ActionMasks
+from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.episodes.record import Recorder
-from matrixworld.episodes.render import Scene, ansi, png, rgb
 from matrixworld.episodes.replay import CLEAR, WRAP_OFF, WRAP_ON, draw, text_look
+from matrixworld.world.render import Scene, ansi, png, rgb
 from matrixworld.world.world import World
 
 FPS = 10.0

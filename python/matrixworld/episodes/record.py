@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
-from matrixworld.episodes.render import MARK_STEPS, Scene
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.maps import MapLike
 from matrixworld.world.policy import EnginePolicy, check_team
+from matrixworld.world.render import MARK_STEPS, Scene
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
 

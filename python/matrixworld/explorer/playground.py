@@ -47,11 +47,11 @@ import numpy as np
 from matrixworld._util.checks import check_choice, check_instance, check_integer
 from matrixworld._util.files import load_toml
 from matrixworld.envs import VARIANT_TEXTS
-from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.episodes.render import png
 from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
+from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS
+from matrixworld.world.render import png
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,

@@ -21,11 +21,9 @@ from matrixworld._util.checks import (
     shown,
 )
 from matrixworld._util.readable import Readable
+from matrixworld._util.teams import TEAMS as TEAMS
+from matrixworld._util.teams import Team as Team
 from matrixworld.world.config import WorldConfig
-
-Team: TypeAlias = Literal["pursuer", "evader"]
-
-TEAMS: tuple[Team, Team] = ("pursuer", "evader")
 
 Script: TypeAlias = Literal[
     "random",

@@ -10,7 +10,6 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, shown
-from matrixworld.episodes.render import Scene
 from matrixworld.world.arrays import (
     CHANNEL,
     WORLD_FIELDS,
@@ -25,6 +24,7 @@ from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.maps import MapLike, read_map
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
+from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
 
 
