@@ -12,16 +12,18 @@ some minutes and handed over; look then whether ``lesson.toml`` still says what 
 from __future__ import annotations
 
 import sys
+import textwrap
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 
 import matrixworld as mw
+from matrixworld.envs import VARIANT_TEXTS
 from matrixworld.episodes import replay
 from matrixworld.explorer import Playground
 from matrixworld.explorer.evolve_page import PAGE, evolve_page
 from matrixworld.explorer.page import write_page
 from matrixworld.plots import save_figure
+from matrixworld.world.rules import INTERACTION_TEXTS, OUTCOME_TEXTS
 
 DOCS = Path(__file__).parent
 FOLDER = DOCS / "variants"
@@ -51,6 +53,17 @@ class Moment:
         return mw.record(config, self.pursuers, self.evaders, seed=self.seed)
 
 
+CAPTURES = {
+    mw.Capture.OCCUPATION: "a pursuer reaches it",
+    mw.Capture.SURROUND: "pursuers, obstacles or the border are on its four sides",
+}
+CLOSING = """\
+All variants share their observations, actions, rewards, infos and arguments:
+see [`matrixworld.envs`](../../python/matrixworld/envs/__init__.py).
+
+Versions: v0, the first.
+"""
+
 PACK = {"n_pursuers": 14, "n_evaders": 4}
 DEFAULT = Moment("Chasers against fleers, after a few steps.", 15)
 """The picture of a variant without an entry in `MOMENTS`."""
@@ -74,14 +87,72 @@ def moment_of(variant: str) -> Moment:
 
 
 def page(variant: str) -> str:
-    """Return a page in Markdown: the module's docstring with the picture below its title."""
-    letter = variant.lower()
-    module = import_module(f"matrixworld.envs.pursuit_evasion_{letter}_v0")
-    title, rest = (module.__doc__ or "").strip().split("\n", 1)
-    text = moment_of(variant).text
-    common = "see [`matrixworld.envs`](../../python/matrixworld/envs/__init__.py)"
-    rest = rest.replace("see `matrixworld.envs`", common)
-    return f"{title}\n\n![{text}]({letter}.png)\n\n*{text}*\n{rest}\n"
+    """Return a page in Markdown: the picture, texts, facts and rules."""
+    letter, text, config = variant.lower(), VARIANT_TEXTS[variant], mw.WorldConfig(variant)
+    caption = moment_of(variant).text
+    observe = f"To observe: {text['observe']}"
+    parts = [
+        f"# {variant}: {text['title']}",
+        f"![{caption}]({letter}.png)",
+        f"*{caption}*",
+        *map(filled, (text["models"], text["choose"], observe)),
+        table(facts(variant, config)),
+        table(rule_texts(config.rules), head="rule"),
+        CLOSING,
+    ]
+    return "\n\n".join(parts)
+
+
+def filled(paragraph: str) -> str:
+    """Return a paragraph in lines."""
+    words = " ".join(paragraph.split())
+    return textwrap.fill(words, 98, break_long_words=False, break_on_hyphens=False)
+
+
+def facts(variant: str, config: mw.WorldConfig) -> dict[str, str]:
+    """Return what PettingZoo's pages state first of an environment."""
+    name = f"pursuit_evasion_{variant.lower()}_v0"
+    teams = (("pursuer", config.n_pursuers), ("evader", config.n_evaders))
+    return {
+        "Make": f'`matrixworld.parallel_env("{variant}")`',
+        "By its name": f'`pettingzoo.make("parallel", "matrixworld/{name}")`',
+        "Actions": "Discrete",
+        "Parallel API": "Yes",
+        "AEC API": "Yes",
+        "Number of agents": f"`{config.n_agents}`",
+        "Agents": ", ".join(f"`{team}_0` ... `{team}_{n - 1}`" for team, n in teams),
+        "Action Shape": "`()`",
+        "Action Values": f"`Discrete({config.n_actions})`",
+        "Observation Shape": f"`(3, {config.fov}, {config.fov})`",
+        "Observation Values": "`0, 1`",
+        "State Shape": f"`(3, {config.rows}, {config.cols})`",
+        "State Values": "`0, 1`",
+    }
+
+
+def rule_texts(rules: mw.Rules) -> dict[str, str]:
+    """Return what the rules say, as it stands in a table."""
+    if rules.removes_captured:
+        captured = "disappears"
+    elif rules.capture is mw.Capture.SURROUND:
+        captured = "stays, and is free again when the ring opens"
+    else:
+        captured = "stays and moves on"
+    return {
+        "agents move": INTERACTION_TEXTS[rules.interaction],
+        "an agent that runs into an obstacle or the border": OUTCOME_TEXTS[rules.obstacle],
+        "an agent that collides with a teammate": OUTCOME_TEXTS[rules.teammate],
+        "an evader that collides with a pursuer": OUTCOME_TEXTS[rules.evader],
+        "a pursuer that collides with an evader": OUTCOME_TEXTS[rules.pursuer],
+        "an evader is captured when": CAPTURES[rules.capture],
+        "a captured evader": captured,
+    }
+
+
+def table(rows: dict[str, str], head: str = "") -> str:
+    """Return rows of two cells in Markdown."""
+    first = f"| {head} | |" if head else "| | |"
+    return "\n".join([first, "|---|---|", *(f"| {key} | {value} |" for key, value in rows.items())])
 
 
 def draw(variant: str, path: Path) -> None:

@@ -19,7 +19,7 @@ teams together. Of the newest generations; of the *best* so far, the least explo
 each team, which only exact play can know; and of the *mixtures*, the equilibrium of the payoff
 matrix of the generations so far, from which each team draws one an episode. Theirs is a bound: an
 opponent that is told whom it meets gains as much, and the best one at most. What
-`matrixworld.solve.mixture_bounds` says of the races of the first seed shows how close it is. A team
+`mixture_bounds` says of the races of the first seed shows how close it is. A team
 whose members decide for themselves may be unable to reach 0 (von Stengel and Koller 1997,
 "Team-maxmin equilibria"); here perfect play is deterministic, so it can.
 
@@ -56,7 +56,8 @@ from common import (
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
-from matrixworld.solve import States, guarantees, mixture_bounds, solve
+from matrixworld.solve import States, guarantees, solve
+from mixtures import mixture_bounds
 
 WORLD = {
     "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 4, "fov": 7,

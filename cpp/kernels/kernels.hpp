@@ -15,12 +15,10 @@ namespace matrixworld {
 
 enum class Activation : std::uint8_t { None, Relu, Tanh };
 
-// The recurrent layer of a network: none, that of Elman (1990) or gated recurrent units (Cho et al.
-// 2014).
-enum class Memory : std::uint8_t { None, Elman, Gru };
+// The recurrent layer of a network: none, or gated recurrent units (Cho et al. 2014).
+enum class Memory : std::uint8_t { None, Gru };
 
-// Sums of products for each unit of a recurrent layer.
-inline int n_gates(Memory memory) { return memory == Memory::Gru ? 3 : 1; }
+constexpr int kGates = 3;  // sums of products for each gated unit: the gates r and z, the candidate
 
 // Layers are padded in memory to a multiple of this many floats: the widest vector. Rows (agents)
 // are padded to a multiple of kRowPad. So kernels need no code for the rest of a layer.
@@ -66,13 +64,13 @@ struct Kernels {
 
     // A recurrent layer of n_units: out[i, :] = what agent i remembers next, from its input in[i, :]
     // and what it remembers, states[i, :], for i < n. `weights` has 2 n_units rows, first those of the
-    // inputs, each of n_gates(memory) columns for each unit: the first kPad units' columns of every
+    // inputs, each of kGates columns for each unit: the first kPad units' columns of every
     // gate, then those of the next kPad units. `bias` is such a row. Rows of `in` have `in_stride`
     // floats, those of `states` and `out` padded(n_units), and all have room for a multiple of kRowPad
     // rows. The formulas are in Python's `Network`; each sum adds the bias, the products of the inputs
     // and those of the state in this order; those of the state for a candidate are a sum of their own.
     void (*remember)(const float* in, int in_stride, const float* states, int n, int n_units,
-                     const float* weights, const float* bias, Memory memory, float* out);
+                     const float* weights, const float* bias, float* out);
 
     // Draws actions[i] from softmax(logits[i, 0..n_actions)) by inverting the distribution at
     // units[i] in [0, 1). Without units (null) it is the largest logit, the first of equal ones.

@@ -1,4 +1,4 @@
-// Recurrent layers: what an agent remembers from step to step. Included by kernels.cpp alone.
+// The recurrent layer: what an agent remembers from step to step. Included by kernels.cpp alone.
 #pragma once
 
 #include "kernels/networks.hpp"
@@ -58,21 +58,6 @@ struct Recurrent {
     }
 };
 
-// tanh(b + x W + h U), for kVecs vectors of units.
-template <int kRows, int kVecs>
-inline void elman_tile(const Recurrent& layer, const float* bias, int column, float* out) {
-    Vec sum[kRows][kVecs];
-    for (int i = 0; i < kRows; ++i) {
-        for (int v = 0; v < kVecs; ++v) sum[i][v] = load<Vec>(bias + column + v * kLanes);
-    }
-    layer.add_inputs(column, sum);
-    layer.add_states(column, sum);
-    for (int i = 0; i < kRows; ++i) {
-        float* const row = out + static_cast<std::ptrdiff_t>(i) * layer.width + column;
-        for (int v = 0; v < kVecs; ++v) store(row + v * kLanes, saturating_tanh<0>(sum[i][v]));
-    }
-}
-
 // z h + (1 - z) tanh(b + x W + r (h U)), for a block of kPad units.
 template <int kRows>
 inline void gru_tile(const Recurrent& layer, const float* bias, int block, float* out) {
@@ -110,28 +95,17 @@ inline void gru_tile(const Recurrent& layer, const float* bias, int block, float
     }
 }
 
-// As many rows as sums fit the registers.
-constexpr int kElmanRows = kRowPad;
-constexpr int kGruRows = kLanes == kPad ? 4 : 2;
+constexpr int kGruRows = kLanes == kPad ? 4 : 2;  // as many as sums fit the registers
 
 void remember(const float* in, int in_stride, const float* states, int n, int n_units,
-              const float* weights, const float* bias, Memory memory, float* out) {
+              const float* weights, const float* bias, float* out) {
     const int width = padded(n_units);
-    Recurrent layer{in, in_stride, states, width, n_units, weights, n_gates(memory) * width};
-    const int rows = memory == Memory::Gru ? kGruRows : kElmanRows;
-    for (int i = 0; i < n; i += rows) {
-        if (memory == Memory::Gru) {
-            for (int c = 0; c < width; c += kPad) gru_tile<kGruRows>(layer, bias, c, out);
-        } else {
-            int c = 0;
-            for (; c + 2 * kLanes <= width; c += 2 * kLanes) {
-                elman_tile<kElmanRows, 2>(layer, bias, c, out);
-            }
-            if (c < width) elman_tile<kElmanRows, 1>(layer, bias, c, out);
-        }
-        layer.in += static_cast<std::ptrdiff_t>(rows) * in_stride;
-        layer.states += static_cast<std::ptrdiff_t>(rows) * width;
-        out += static_cast<std::ptrdiff_t>(rows) * width;
+    Recurrent layer{in, in_stride, states, width, n_units, weights, kGates * width};
+    for (int i = 0; i < n; i += kGruRows) {
+        for (int c = 0; c < width; c += kPad) gru_tile<kGruRows>(layer, bias, c, out);
+        layer.in += static_cast<std::ptrdiff_t>(kGruRows) * in_stride;
+        layer.states += static_cast<std::ptrdiff_t>(kGruRows) * width;
+        out += static_cast<std::ptrdiff_t>(kGruRows) * width;
     }
 }
 

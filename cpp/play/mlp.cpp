@@ -12,9 +12,8 @@ namespace matrixworld {
 
 Memory to_memory(const std::string& name) {
     if (name == "none") return Memory::None;
-    if (name == "elman") return Memory::Elman;
     if (name == "gru") return Memory::Gru;
-    throw std::invalid_argument("memory: expected none, elman or gru, got '" + name + "'");
+    throw std::invalid_argument("memory: expected none or gru, got '" + name + "'");
 }
 
 Network::Network(int fov, std::vector<int> hidden, int n_actions, Activation activation,
@@ -33,10 +32,9 @@ Network::Network(int fov, std::vector<int> hidden, int n_actions, Activation act
 std::vector<Network::Shape> Network::layers() const {
     std::vector<Shape> layers;
     for (std::size_t i = 0; i + 1 < sizes.size(); ++i)
-        layers.push_back({sizes[i], sizes[i + 1], 0});
+        layers.push_back({sizes[i], sizes[i + 1], false});
     if (memory == Memory::None) return layers;
-    const int gates = n_gates(memory);
-    layers.insert(layers.begin() + 1, {2 * sizes[1], gates * sizes[1], gates});
+    layers.insert(layers.begin() + 1, {2 * sizes[1], kGates * sizes[1], true});
     return layers;
 }
 
@@ -58,10 +56,10 @@ constexpr Eigen::Index kMostKept = Eigen::Index{1} << 22;
 
 Mlp::Mlp(const Network& network, const Grid& grid)
     : network_(network), grid_(grid), inputs_(network.n_inputs()), cases_(grid, network.fov) {
-    for (const auto& [n_in, n_out, n_gates] : network.layers()) {
-        Layer layer{n_in, n_out, n_gates, network.activation, {}};
+    for (const auto& [n_in, n_out, recurrent] : network.layers()) {
+        Layer layer{n_in, n_out, recurrent, network.activation, {}};
         const int width = padded(layer.n_units());
-        layer.weights = Rows(n_in + 1, std::max(n_gates, 1) * width);
+        layer.weights = Rows(n_in + 1, (recurrent ? kGates : 1) * width);
         activations_.emplace_back(0, width);
         layers_.push_back(std::move(layer));
     }
@@ -77,7 +75,7 @@ Mlp::Mlp(const Network& network, const Grid& grid)
 void Mlp::load(const float* genome) {
     for (Layer& layer : layers_) {
         for (int row = 0; row <= layer.n_in; ++row, genome += layer.n_out) {
-            if (layer.n_gates) {
+            if (layer.recurrent) {
                 layer.load_gates(genome, layer.weights[row]);
             } else {
                 std::copy_n(genome, layer.n_out, layer.weights[row]);
@@ -89,10 +87,10 @@ void Mlp::load(const float* genome) {
 
 // The columns of kPad units of a gate lie beside those of its other gates (see Kernels::remember).
 void Mlp::Layer::load_gates(const float* genome, float* row) const {
-    for (int gate = 0; gate < n_gates; ++gate, genome += n_units()) {
+    for (int gate = 0; gate < kGates; ++gate, genome += n_units()) {
         for (int unit = 0; unit < n_units(); unit += kPad) {
             const int n = std::min(kPad, n_units() - unit);
-            std::copy_n(genome + unit, n, row + unit * n_gates + gate * kPad);
+            std::copy_n(genome + unit, n, row + unit * kGates + gate * kPad);
         }
     }
 }
@@ -219,7 +217,7 @@ void Mlp::choose(std::size_t n, const float* units, std::uint8_t* actions) {
     const std::size_t last = layers_.size() - 1;
     for (std::size_t i = 1; i < last; ++i) pass(i, n);
     const Layer& layer = layers_[last];
-    const Rows& in = layers_[last - 1].n_gates ? states_ : activations_[last - 1];
+    const Rows& in = layers_[last - 1].recurrent ? states_ : activations_[last - 1];
     kernels().finish(in[0], in.width(), static_cast<int>(n), layer.n_in, layer.weights[0],
                      layer.bias(), layer.width(), layer.n_out, network_.sampled ? units : nullptr,
                      actions);
@@ -227,8 +225,8 @@ void Mlp::choose(std::size_t n, const float* units, std::uint8_t* actions) {
 
 void Mlp::pass(std::size_t i, std::size_t n) {
     const Layer& layer = layers_[i];
-    if (layer.n_gates) return remember(layer, n);
-    const Rows& in = layers_[i - 1].n_gates ? states_ : activations_[i - 1];
+    if (layer.recurrent) return remember(layer, n);
+    const Rows& in = layers_[i - 1].recurrent ? states_ : activations_[i - 1];
     kernels().dense(in[0], in.width(), static_cast<int>(n), layer.n_in, layer.weights[0],
                     layer.bias(), layer.width(), layer.n_out, layer.activation, activations_[i][0]);
 }
@@ -237,7 +235,7 @@ void Mlp::pass(std::size_t i, std::size_t n) {
 void Mlp::remember(const Layer& layer, std::size_t n) {
     const Rows& in = activations_[0];
     kernels().remember(in[0], in.width(), states_[0], static_cast<int>(n), layer.n_units(),
-                       layer.weights[0], layer.bias(), network_.memory, activations_[1][0]);
+                       layer.weights[0], layer.bias(), activations_[1][0]);
     std::swap(states_, activations_[1]);
 }
 

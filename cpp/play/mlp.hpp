@@ -19,7 +19,7 @@
 
 namespace matrixworld {
 
-// "none", "elman" or "gru". Throws std::invalid_argument for other names.
+// "none" or "gru". Throws std::invalid_argument for other names.
 Memory to_memory(const std::string& name);
 
 constexpr int kMaxLayer = 1 << 20;  // units; the largest layer, so that sizes fit their types
@@ -48,7 +48,7 @@ struct Network {
     struct Shape {
         int n_in;
         int n_out;
-        int n_gates;  // of a recurrent layer; otherwise 0
+        bool recurrent;
     };
     std::vector<Shape> layers() const;
 };
@@ -118,11 +118,11 @@ class Mlp {
     struct Layer {
         int n_in = 0;
         int n_out = 0;
-        int n_gates = 0;  // of a recurrent layer
+        bool recurrent = false;
         Activation activation = Activation::None;
         Rows weights;  // (n_in, n_out), padded, and then the bias
 
-        int n_units() const { return n_gates ? n_out / n_gates : n_out; }
+        int n_units() const { return recurrent ? n_out / kGates : n_out; }
         void load_gates(const float* genome, float* row) const;
 
         int width() const { return weights.width(); }

@@ -1,5 +1,5 @@
-// Prints one number for matches under every combination of the rules, by networks without memory,
-// Elman's and gated ones, and by all scripts: a hash of the statistics of episodes and of what networks
+// Prints one number for matches under every combination of the rules, by networks without memory
+// and with it, and by all scripts: a hash of the statistics of episodes and of what networks
 // compute, bit by bit. It is the same for every compiler, system and instruction set (.ci/bits).
 //
 //     same_bits [rounds]
@@ -79,7 +79,7 @@ void add_game(const Game& game) {
 void play_row(const Rules& rules, Random& random) {
     static std::size_t n_played = 0;
     using Kind = matrixworld::Memory;
-    for (const Kind kind : {Kind::None, Kind::Elman, Kind::Gru}) {
+    for (const Kind kind : {Kind::None, Kind::Gru}) {
         Config config = random_config(rules, random);
         config.fov = std::min(config.fov, 15);  // genomes of wide views take most of the time
         auto team = random_networks(config, random.between(1, 2), kind, random);

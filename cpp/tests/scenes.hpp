@@ -170,7 +170,7 @@ inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden,
 
 inline std::unique_ptr<Side> random_networks(const Config& config, int n_hidden, Random& random) {
     using Kind = matrixworld::Memory;
-    const Kind kind = random.one_of({Kind::None, Kind::Elman, Kind::Gru});
+    const Kind kind = random.one_of({Kind::None, Kind::Gru});
     return random_networks(config, n_hidden, n_hidden ? kind : Kind::None, random);
 }
 

@@ -12,7 +12,6 @@ from matrixworld.envs import parallel_env as parallel_env
 from matrixworld.envs.agent import AgentEnv as AgentEnv
 from matrixworld.envs.vector import AgentVectorEnv as AgentVectorEnv
 from matrixworld.envs.vector import VectorEnv as VectorEnv
-from matrixworld.episodes import render as render
 from matrixworld.episodes import replay as replay
 from matrixworld.episodes.episode import Episode as Episode
 from matrixworld.episodes.record import Recorder as Recorder
@@ -24,6 +23,7 @@ from matrixworld.play import NetworkPolicy as NetworkPolicy
 from matrixworld.play.rollout import EpisodeStatistics as EpisodeStatistics
 from matrixworld.play.rollout import Matches as Matches
 from matrixworld.play.rollout import rollout as rollout
+from matrixworld.world import render as render
 from matrixworld.world.arrays import array_specs as array_specs
 from matrixworld.world.arrays import episode_specs as episode_specs
 from matrixworld.world.batch import Batch as Batch
@@ -45,7 +45,6 @@ from . import coevolution as coevolution
 from . import envs as envs
 from . import episodes as episodes
 from . import explorer as explorer
-from . import integrations as integrations
 from . import play as play
 from . import plots as plots
 from . import solve as solve

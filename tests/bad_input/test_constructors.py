@@ -14,9 +14,10 @@ from matrixworld import coevolution, solve
 from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
 from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
 from matrixworld.coevolution.sections import Section
-from matrixworld.episodes import render, replay
+from matrixworld.episodes import replay
 from matrixworld.play import capture_rates
 from matrixworld.play.rollout import match_seed
+from matrixworld.world import render
 from matrixworld.world.policy import TEAMS as TEAM_NAMES
 from refusals import CONFIG, GENOME, NETWORK
 from rows import random_walks
@@ -149,7 +150,6 @@ CALLS = [
     partial(solve.solve, world=STATES, steps=1, payoff="capture-rate"),
     partial(solve.best_response, world=STATES, champion="still", team="pursuer", steps=1),
     partial(solve.guarantees, world=STATES, teams=dict.fromkeys(TEAM_NAMES, "still"), steps=1),
-    partial(solve.mixture_bounds, world=STATES, mixture=[(1.0, "still")], team="evader", steps=1),
     partial(solve.solve(STATES).probabilities, team="pursuer", rounds=1, turn=0),
 ]  # fmt: skip
 """Calls with legal arguments, each of which is tried."""

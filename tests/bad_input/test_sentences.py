@@ -45,7 +45,7 @@ VALUES = [
     value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
     value(lambda: mw.Network((0,)), "1 to 1048576 | got 0"),
     value(lambda: mw.Network(activation="gelu"), "one of relu, tanh | got 'gelu'"),
-    value(lambda: mw.Network(memory="lstm"), "one of none, elman, gru | got 'lstm'"),
+    value(lambda: mw.Network(memory="lstm"), "one of none, gru | got 'lstm'"),
     value(lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
     kind(lambda: mw.Population(GENOME.astype(int), NETWORK), "dtype float32 | got int64"),
     value(lambda: mw.Population(TEAM.genomes[:, :9], NETWORK), "shape (n >= 1, 329) | got (2, 9)"),

@@ -41,8 +41,6 @@ SMALL = {
     **{("solve", option): "3" for option in ("--rows", "--cols", "--steps")},
 }
 """Options that a command gets if it has them; None: a flag."""
-WITH_OTHERS = {("replay", "--episodes")}
-"""Options that are refused without another one."""
 
 
 def commands(
@@ -62,8 +60,6 @@ def usual(path: tuple[str, ...], param: click.Parameter) -> list[str]:
         return [place] if place else []
     for option in (*param.opts, *param.secondary_opts):
         known = {**SMALL, **REQUIRED} if param.required else SMALL
-        if (path[0], option) in WITH_OTHERS:
-            continue
         if (key := (path[0], option)) in known or (key := option) in known:
             return [option] if known[key] is None else [option, str(known[key])]
     return []

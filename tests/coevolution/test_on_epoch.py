@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from matrixworld.coevolution import RaceSettings, StopRun, evolve, finish, jobs, open_run
-from matrixworld.integrations.metrics import tensorboard_writer, wandb_writer
+from run_curves import tensorboard_writer, wandb_writer
 from tiny_race import results, tiny_race, tiny_single
 
 Row = dict[str, Any]

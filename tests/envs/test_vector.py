@@ -127,7 +127,6 @@ def test_make_vec(variant: str) -> None:
     twins = [
         gymnasium.make_vec(env.spec),
         gymnasium.make_vec(f"matrixworld:{name}", **SETTINGS, vectorization_mode=ENTRY_POINT),
-        getattr(mw.envs, name.split("/")[1]).vector_env(**SETTINGS),
     ]
     for twin in twins:
         np.testing.assert_array_equal(env.reset(seed=5)[0], twin.reset(seed=5)[0])

@@ -3,23 +3,16 @@
 from types import SimpleNamespace
 from unittest.mock import Mock, call
 
-import matplotlib as mpl
 import pytest
 
 import matrixworld as mw
-from matrixworld.episodes.display import FPS, _Notebook, first_place
-from matrixworld.episodes.render import ansi, png
+from matrixworld.episodes.display import FPS, Drawing, Notebook
 from matrixworld.episodes.replay import CLEAR, HOME, WRAP_OFF, WRAP_ON
+from matrixworld.world.render import ansi, png
 from rows import config_of
 
-
-@pytest.fixture(autouse=True)
-def _drawn_to_memory(naps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mpl, "rcParams", mpl.rcParams.copy())
-    mpl.use("agg")
-
-
-SCENE = mw.World(config_of("O")).scene("a title")
+WORLD = mw.World(config_of("O"))
+SCENE = WORLD.scene("a title")
 
 
 # ---- Terminals ---------------------------------------------------------------------------------
@@ -45,14 +38,13 @@ def test_without_display_or_terminal_it_is_plain_text(
 def test_a_terminal_is_drawn_in_place(
     naps: list[float], terminal: pytest.CaptureFixture[str]
 ) -> None:
-    shown = first_place()
+    shown = Drawing(WORLD, "human")
     for _ in range(3):
-        shown.follow(SCENE)
-    shown.close()
+        shown.show()
     start, *pieces = terminal.readouterr().out.split(HOME)
     assert start == WRAP_OFF + CLEAR
     assert len(pieces) == 3
-    assert pieces[0].splitlines()[0].startswith(ansi(SCENE, color="256").splitlines()[0])
+    assert pieces[0].splitlines()[0].startswith(ansi(shown.scene(), color="256").splitlines()[0])
     assert pieces[0] == pieces[1] == pieces[2] + WRAP_OFF
     assert pieces[2].endswith(WRAP_ON + "\n")
     assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
@@ -63,7 +55,7 @@ def test_a_terminal_is_drawn_in_place(
 
 def test_a_notebook_s_output_is_drawn_anew() -> None:
     shell, display = SimpleNamespace(execution_count=4), Mock()
-    place = _Notebook(shell, display)
+    place = Notebook(shell, display)
     for _ in range(3):
         place.show(SCENE)
     data = {"image/png": png(SCENE)}
@@ -71,5 +63,4 @@ def test_a_notebook_s_output_is_drawn_anew() -> None:
     assert display.mock_calls == [call(data, raw=True, display_id=True), redrawn, redrawn]
     shell.execution_count = 5  # another cell is run
     place.show(SCENE)
-    place.close()
     assert display.call_count == 2

@@ -15,7 +15,6 @@ from PIL import Image, ImageColor
 
 import matrixworld as mw
 from matrixworld._util import colors
-from matrixworld.episodes import render
 from matrixworld.episodes import replay as term
 from matrixworld.episodes.replay import (
     animate_terminal,
@@ -25,6 +24,7 @@ from matrixworld.episodes.replay import (
     save,
     scene,
 )
+from matrixworld.world import render
 from rows import random_walks
 
 EPISODE = random_walks()

@@ -22,14 +22,14 @@ from class_submissions import write_genomes
 from class_tournament import results
 from class_tournament.round_robin import play_class
 from matrixworld.coevolution import open_run, start
-from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.episodes.render import rgb
 from matrixworld.explorer import Playground
 from matrixworld.explorer.evolve_page import evolve_page
 from matrixworld.explorer.page import BUILT, PAGES, render_page, write_page
 from matrixworld.explorer.play_page import play_page, shipped
 from matrixworld.explorer.playground import PIXELS
 from matrixworld.explorer.runs_page import explorer_page
+from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
+from matrixworld.world.render import rgb
 from tiny_race import tiny_race
 
 REPOSITORY = Path(__file__).parents[2]

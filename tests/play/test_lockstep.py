@@ -28,9 +28,7 @@ def test_every_game(name: str, obstacles: str) -> None:
     number = NAMES.index(name)
     config = config_of(name, obstacles=chosen, diagonal=number % 2 == 1)
     assert_same(config, WIDTHS[number % 5], episodes=1 + number % 20)
-    assert_same(
-        config, WIDTHS[number % 4], episodes=1 + number % 18, memory=["elman", "gru"][number % 2]
-    )
+    assert_same(config, WIDTHS[number % 4], episodes=1 + number % 18, memory="gru")
 
 
 @pytest.mark.parametrize("episodes", [1, 2, 15, 16, 17, 20, 33])
@@ -67,7 +65,7 @@ def test_every_view(fov: int) -> None:
 def test_the_largest_output_and_different_networks(diagonal: bool) -> None:
     config = mw.WorldConfig("O", rows=12, cols=12, max_steps=30, diagonal=diagonal)
     one = random_team(config, 0, 1, hidden=(16,), sampled=False)
-    other = random_team(config, 0, 1, 2, hidden=(40, 8), activation="tanh", memory="elman")
+    other = random_team(config, 0, 1, 2, hidden=(40, 8), activation="tanh", memory="gru")
     matches = mw.Matches.of([0, 1, 1], [2, 0, 1], [1, 2, 3])
     assert_same_one_by_one(config, one, other, matches, episodes=5)
     assert_same_one_by_one(config, one, one, mw.Matches.of(0, 1, 7), episodes=5)
@@ -76,7 +74,7 @@ def test_the_largest_output_and_different_networks(diagonal: bool) -> None:
 def test_extreme_weights() -> None:
     """Outputs that are infinite or not numbers."""
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=9, max_steps=10)
-    for memory in ("none", "elman", "gru"):
+    for memory in ("none", "gru"):
         team = random_team(config, 0, 1, hidden=(32,), memory=memory)
         huge = mw.Population(team.genomes * np.float32(1e30), team.network)
         assert_same_one_by_one(config, huge, team, mw.Matches.of(0, 1, [1, 2]), episodes=3)

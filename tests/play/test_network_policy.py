@@ -1,6 +1,5 @@
-"""Genomes as policies: actions, probabilities, and the same function in other libraries."""
+"""Genomes as policies: actions, probabilities, states."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -60,9 +59,8 @@ def test_observations_come_single_or_in_batches_flat_or_not_in_any_dtype() -> No
 STATES = np.random.default_rng(6).uniform(-1, 1, (200, 16)).astype(np.float32)
 
 
-@pytest.mark.parametrize("memory", ["elman", "gru"])
-def test_a_policy_with_memory_takes_states_and_returns_the_next(memory: str) -> None:
-    policy, same = (policy_of(memory=memory, sampled=False) for _ in range(2))
+def test_a_policy_with_memory_takes_states_and_returns_the_next() -> None:
+    policy, same = (policy_of(memory="gru", sampled=False) for _ in range(2))
     actions, following = policy(VIEWS, STATES)
     logits, expected = policy.network.advance(policy.genome, VIEWS, STATES)
     assert np.array_equal(actions, logits.argmax(axis=1))
@@ -82,51 +80,12 @@ def test_a_policy_with_memory_takes_states_and_returns_the_next(memory: str) -> 
         policy_of()(VIEWS, STATES)
 
 
-@pytest.mark.parametrize(
-    ("hidden", "activation", "memory"),
-    [
-        ((), "relu", "none"),
-        ((16, 8), "tanh", "none"),
-        ((16,), "relu", "elman"),
-        ((16, 8), "tanh", "gru"),
-    ],
-)
-@pytest.mark.parametrize("library", ["torch", "onnx"])
-def test_an_exported_network_computes_the_same(
-    hidden: tuple[int, ...], activation: str, memory: str, library: str, tmp_path: Path
-) -> None:
-    """In PyTorch, and in a saved file of ONNX: their own layers, recurrent ones among them."""
-    policy = policy_of(hidden=hidden, activation=activation, memory=memory)
-    given = {"observations": VIEWS.astype(np.float32)}
-    if memory == "none":
-        expected = [policy.logits(VIEWS), policy.probabilities(VIEWS)]
-    else:
-        given["states"] = STATES
-        expected = list(policy.network.advance(policy.genome, VIEWS, STATES))
-    package = pytest.importorskip(library, reason=f"{library} is not installed")
-    if library == "torch":
-        module = policy.to_torch()
-        with package.no_grad():
-            found = module(*map(package.from_numpy, given.values()))
-        found = [each.numpy() for each in found] if memory != "none" else [found.numpy()]
-        assert all(parameter.requires_grad for parameter in module.parameters())
-    else:
-        from onnx.reference import ReferenceEvaluator
-
-        policy.to_onnx(tmp_path / "policy.onnx")
-        found = ReferenceEvaluator(str(tmp_path / "policy.onnx")).run(None, given)
-    for one, other in zip(found, expected, strict=False):
-        assert np.abs(one - other).max() < 1e-5
-
-
-def test_an_exported_network_keeps_the_right_of_way() -> None:
-    torch = pytest.importorskip("torch", reason="PyTorch is not installed")
+def test_a_policy_keeps_the_right_of_way_of_its_genome() -> None:
     config = mw.WorldConfig("S", rows=8, cols=8, n_pursuers=9, n_evaders=9, fov=5)
     pursuers, _ = random_teams(config, np.random.default_rng(0), 1, hidden=(8, 6))
     world = mw.World(config)
     views = np.concatenate([(world.reset(seed=seed), world.views()[:9])[1] for seed in range(9)])
-    module = mw.NetworkPolicy(pursuers.network, pursuers.genomes[0]).to_torch()
-    chances = module(torch.from_numpy(views).float()).softmax(dim=1).detach().numpy()
+    chances = mw.NetworkPolicy(pursuers.network, pursuers.genomes[0]).probabilities(views)
     refused = np.array([forbidden_in_s(view, "pursuer", 5) for view in views])
     assert refused.any(axis=0)[1:].all()
     assert (chances[refused] == 0).all()

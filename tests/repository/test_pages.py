@@ -95,12 +95,13 @@ def missing_modules(code: str) -> list[str]:
     names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
     parts = [each for each in statements if isinstance(each, ast.ImportFrom)]
     names += [each.module or "" for each in parts]
-    # Its functions have the names of the libraries that they need.
-    ours = [each for each in parts if each.module == "matrixworld.integrations.metrics"]
-    names += [a.name.removesuffix("_writer") for each in ours for a in each.names]
+    for recipe in filter(Path.is_file, [DOCS / f"clients/{name}.py" for name in names]):
+        names += missing_modules(recipe.read_text(encoding="utf-8"))
     if "pettingzoo.make(" in code and not hasattr(pettingzoo, "make"):
         return ["PettingZoo 1.27"]
-    return [name for name in names if find_spec(name.partition(".")[0]) is None]
+    files = {page.stem for page in (DOCS / "clients").glob("*.py")}
+    names = [name.partition(".")[0] for name in names if name not in files]
+    return [name for name in names if find_spec(name) is None]
 
 
 def run_python(parts: Sequence[str], directory: Path, *options: str) -> list[str]:
@@ -109,7 +110,10 @@ def run_python(parts: Sequence[str], directory: Path, *options: str) -> list[str
     # With `-c` worker processes do not run the program themselves.
     program = f"\nprint({mark!r})\n".join(parts)
     command = [sys.executable, *options, "-c", program]
-    own = {**os.environ, "MINARI_DATASETS_PATH": str(directory)}
+    recipes = os.pathsep.join(
+        [str(DOCS / "clients"), *filter(None, [os.environ.get("PYTHONPATH")])]
+    )
+    own = {**os.environ, "MINARI_DATASETS_PATH": str(directory), "PYTHONPATH": recipes}
     done = subprocess.run(
         command, cwd=directory, env=own, capture_output=True, text=True, check=False
     )

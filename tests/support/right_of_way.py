@@ -85,7 +85,7 @@ def play(agent_steps: float, seed: int = 0) -> tuple[int, int, int]:
                 fov=int(rng.choice([5, 7, 11])), diagonal=bool(rng.integers(2)),
             )  # fmt: skip
             hidden = [(), (8,), (8, 6)][rng.integers(3)]
-            memory = str(rng.choice(["none", "gru", "elman"])) if hidden else "none"
+            memory = str(rng.choice(["none", "gru"])) if hidden else "none"
             teams = random_teams(config, rng, 4, hidden=hidden, memory=memory)
             matches = mw.Matches.of(range(4), range(4), rng.integers(2**62, size=4))
             found = mw.rollout(config, *teams, matches, episodes=4)

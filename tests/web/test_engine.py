@@ -138,7 +138,7 @@ MATCHES = {
     "agents take turns": ("TO", (16,), {"activation": "tanh"}, {"obstacles": 0.15}),
     "teams take turns": ("swarm-SD", (7,), {}, {"n_pursuers": 9}),
     "gated memory": ("D", (32,), {"memory": "gru"}, {"n_pursuers": 9, "n_evaders": 9}),
-    "memory, team by team": ("swarm-SD", (9, 4), {"memory": "elman"}, {"obstacles": 0.1}),
+    "memory, team by team": ("swarm-SD", (9, 4), {"memory": "gru"}, {"obstacles": 0.1}),
     "a crowd": ("O", (32,), {}, {"rows": 20, "cols": 20, "n_pursuers": 70, "n_evaders": 80}),
 }
 
@@ -252,7 +252,7 @@ def test_a_snapshot_goes_on_in_another_world(run_command: Commands) -> None:
 # ---- Networks -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("sampled", "memory"), [(True, "none"), (False, "gru"), (True, "elman")])
+@pytest.mark.parametrize(("sampled", "memory"), [(True, "none"), (False, "gru")])
 def test_what_a_network_answers(run_command: Commands, sampled: bool, memory: str) -> None:
     config = config_of("O", obstacles=0.1)
     policy = team(config, (16, 8), 4, sampled=sampled, activation="tanh", memory=memory)

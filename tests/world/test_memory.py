@@ -11,7 +11,6 @@ import math
 import pickle
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +19,6 @@ import matrixworld as mw
 from rows import config_of, random_genome, random_team
 
 GOLDEN = Path(__file__).parent / "golden_memory.txt"
-MEMORIES: tuple[Any, ...] = ("elman", "gru")
 
 
 # ---- The formulas ------------------------------------------------------------------------------
@@ -33,13 +31,10 @@ def logistic(x: float) -> float:
 def next_state(network: mw.Network, genome: np.ndarray, x: np.ndarray, h: np.ndarray) -> list:
     """Return what an agent remembers next, unit by unit, from the layout that is documented."""
     n, first = network.hidden[0], (network.sizes[0] + 1) * network.hidden[0]
-    gates = {"elman": 1, "gru": 3}[network.memory]
-    weights = genome[first : first + 2 * n * gates * n].astype(float).reshape(2 * n, gates * n)
-    bias = genome[first + 2 * n * gates * n :][: gates * n].astype(float)
-    from_x = [bias[j] + sum(x[i] * weights[i, j] for i in range(n)) for j in range(gates * n)]
-    from_h = [sum(h[i] * weights[n + i, j] for i in range(n)) for j in range(gates * n)]
-    if network.memory == "elman":
-        return [math.tanh(from_x[j] + from_h[j]) for j in range(n)]
+    weights = genome[first : first + 2 * n * 3 * n].astype(float).reshape(2 * n, 3 * n)
+    bias = genome[first + 2 * n * 3 * n :][: 3 * n].astype(float)
+    from_x = [bias[j] + sum(x[i] * weights[i, j] for i in range(n)) for j in range(3 * n)]
+    from_h = [sum(h[i] * weights[n + i, j] for i in range(n)) for j in range(3 * n)]
     found = []
     for j in range(n):
         r, z = (logistic(from_x[k] + from_h[k]) for k in (j, n + j))
@@ -75,11 +70,10 @@ def decide(world: mw.World, team: mw.Population) -> np.ndarray:
 
 
 @pytest.mark.parametrize("hidden", [(1,), (5, 3), (20,), (33, 4)])
-@pytest.mark.parametrize("memory", MEMORIES)
-def test_engine_and_numpy_agree_with_slow_loops(memory: Any, hidden: tuple[int, ...]) -> None:
+def test_engine_and_numpy_agree_with_slow_loops(hidden: tuple[int, ...]) -> None:
     """Each agent's state, along an episode in which agents disappear."""
     config = config_of("D", n_pursuers=4, n_evaders=4, max_steps=9, obstacles=0.1)
-    team = random_team(config, 3, hidden=hidden, memory=memory)
+    team = random_team(config, 3, hidden=hidden, memory="gru")
     network, [genome] = team.network, team.genomes
     world = mw.World(config)
     for seed in (1, 2):  # a reset makes all agents forget
@@ -114,10 +108,9 @@ def remembered_sizes(world: mw.World) -> np.ndarray:
     return np.asarray(world._core.snapshot()["memory_sizes"])
 
 
-@pytest.mark.parametrize("memory", MEMORIES)
-def test_memory_belongs_to_the_agents_of_a_world(memory: Any) -> None:
+def test_memory_belongs_to_the_agents_of_a_world() -> None:
     config = config_of("D", rows=12, cols=12, max_steps=40)
-    team = random_team(config, 5, hidden=(8,), memory=memory)
+    team = random_team(config, 5, hidden=(8,), memory="gru")
     world = mw.World(config)
     for _ in range(6):
         world.step(decide(world, team))
@@ -140,7 +133,7 @@ def test_memory_belongs_to_the_agents_of_a_world(memory: Any) -> None:
     assert not remembered(twins[0], 8).any()
     assert remembered(world, 8).any()
     # A state of another length begins with zeros.
-    world.decide(random_team(config, 5, hidden=(3,), memory=memory), range(3), first)
+    world.decide(random_team(config, 5, hidden=(3,), memory="gru"), range(3), first)
     kept = remembered_sizes(world)
     assert set(kept[:3][world.alive[:3]]) == {3}
     assert set(kept[3:][world.alive[3:]]) == {8}
@@ -149,14 +142,14 @@ def test_memory_belongs_to_the_agents_of_a_world(memory: Any) -> None:
 # ---- The same everywhere -------------------------------------------------------------------------
 
 
-def playthrough(memory: Any) -> Iterator[str]:
+def playthrough() -> Iterator[str]:
     """Yield an episode: actions, and an agent's state as hexadecimal floats."""
     config = config_of("O", max_steps=8)
-    network = mw.Network.for_config(config, (3,), memory=memory)
+    network = mw.Network.for_config(config, (3,), memory="gru")
     team = mw.Population(random_genome(network, 2, 0.9), network)
     world = mw.World(config)
     world.reset(4)
-    yield f"{memory}, agents of Pursuit-Evasion-O, seed 4"
+    yield "gru, agents of Pursuit-Evasion-O, seed 4"
     while not (world.terminated or world.truncated):
         actions = decide(world, team)
         state = remembered(world, 3)[1, 1].tolist()
@@ -168,7 +161,7 @@ def playthrough(memory: Any) -> Iterator[str]:
 
 
 def golden() -> str:
-    return "".join(f"{line}\n" for memory in MEMORIES for line in playthrough(memory))
+    return "".join(f"{line}\n" for line in playthrough())
 
 
 def test_golden_playthroughs() -> None:

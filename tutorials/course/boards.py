@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image, ImageDraw
 
 from matrixworld import Action, Recorder, Rules, World, colors, render
-from matrixworld.episodes.canvas import Layout
 from matrixworld.world.arrays import MOVES
+from matrixworld.world.canvas import Layout
 
 Cell = tuple[int, int]
 Situation = tuple[list[Cell], list[Cell]]

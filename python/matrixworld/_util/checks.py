@@ -1,8 +1,4 @@
-"""Checks of arguments and sizes. Every message states what was expected and what was passed.
-
-Sizes that cannot fit are refused before anything is allocated or written. Estimates are sums of the
-largest arrays; the about 100 MB that Python and the libraries need are not counted.
-"""
+"""Checks of arguments. Every message states what was expected and what was passed."""
 
 from __future__ import annotations
 
@@ -37,13 +33,9 @@ EPISODE_BYTES = 240
 PAYOFF_BYTES = 90
 """What a tournament keeps of an episode until its end."""
 
-LARGE = 2**26
-"""64 MiB: to read what is available would take longer than a smaller allocation."""
-
 _LONGEST = 100  # characters of a value in a message
-_MEMINFO = Path("/proc/meminfo")
 _OWN_GROUP = Path("/proc/self/cgroup")
-_GROUPS = Path("/sys/fs/cgroup")
+_GROUPS = Path("/sys/fs/cgroup")  # control groups (Linux, version 2)
 
 
 class OutOfMemoryError(ValueError):
@@ -242,7 +234,7 @@ def usable_cores() -> int:
 
 @cache
 def control_group_cores() -> float:
-    """Return how many cores' time the control groups (Linux, version 2) of this process allow."""
+    """Return how many cores' time the control groups of this process allow."""
     own = re.search(r"^0::/(.*)$", _text(_OWN_GROUP), re.MULTILINE)
     group = _GROUPS / own[1] if own else _GROUPS
     # "150000 100000": 150 ms in every 100 ms. Without a limit: "max 100000", or no file.
@@ -254,9 +246,11 @@ def control_group_cores() -> float:
 
 
 def check_memory(what: str, **parts: float) -> None:
-    """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts."""
-    needed = sum(parts.values())
-    available = available_memory() if needed > LARGE else None
+    """Raise OutOfMemoryError if `what` needs more bytes than are available, in all its parts.
+
+    It is asked once, before a job writes anything. Other sizes that are too large fail as NumPy's.
+    """
+    needed, available = sum(parts.values()), available_memory()
     if available is not None and needed > available:
         largest = max(parts, key=parts.__getitem__)
         raise OutOfMemoryError(
@@ -267,41 +261,16 @@ def check_memory(what: str, **parts: float) -> None:
 
 
 def available_memory() -> int | None:
-    """Return the bytes that this process can still get without swapping; None where unknown."""
-    limits = [
-        limit for limit in (_system(), _control_group(), _address_space()) if limit is not None
-    ]
-    return max(0, min(limits)) if limits else None
-
-
-def _system() -> int | None:
-    free = re.search(r"^MemAvailable: *(\d+) kB", _text(_MEMINFO), re.MULTILINE)
-    if free:
-        return 1024 * int(free[1])
-    try:  # elsewhere all memory is known at best
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, OSError, ValueError):  # Windows has none of these names
-        return None
-
-
-def _control_group() -> int | None:
-    """Return what is left to a container."""
+    """Return the bytes that this process can get without swapping; None where that is unknown."""
+    limits = []
+    if free := re.search(r"^MemAvailable: *(\d+) kB", _text(Path("/proc/meminfo")), re.MULTILINE):
+        limits.append(1024 * int(free[1]))
+    # What is left to a container. Not memory.current, which counts files in the cache.
     limit = re.match(r"\d+", _text(_GROUPS / "memory.max"))  # or the word "max"
-    # Not memory.current, which counts files in the cache: the system drops them on demand.
     held = re.search(r"^anon (\d+)$", _text(_GROUPS / "memory.stat"), re.MULTILINE)
-    return int(limit[0]) - int(held[1]) if limit and held else None
-
-
-def _address_space() -> int | None:
-    """Return what ``ulimit -v`` leaves."""
-    pages = _text(Path("/proc/self/statm")).split()
-    if not pages:  # another system than Linux
-        return None
-    import resource
-
-    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
-    held = int(pages[0]) * resource.getpagesize()
-    return None if limit == resource.RLIM_INFINITY else limit - held
+    if limit and held:
+        limits.append(int(limit[0]) - int(held[1]))
+    return max(0, min(limits)) if limits else None
 
 
 def _text(file: Path) -> str:

@@ -15,7 +15,6 @@ from matrixworld.cli.options import (
     check_exists,
     check_outputs,
     given_options,
-    integer,
     option_name,
     options,
 )
@@ -28,7 +27,6 @@ from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
-from matrixworld.integrations.minari import to_minari
 from matrixworld.play import read_genome
 from matrixworld.solve import solve
 from matrixworld.world.config import WorldConfig
@@ -50,7 +48,6 @@ Examples:
   matrixworld replay my-race --out match.gif
   matrixworld replay SB --pursuer surrounder --obstacles 0.1
   matrixworld replay my-race --step 17 --explain
-  matrixworld replay SB --minari pursuit/sb/chaser-v0
 """
 
 
@@ -145,12 +142,6 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
-@click.option(
-    "--minari",
-    metavar="NAME",
-    help="write episodes of the pursuers, with costs, as a new data set of Minari instead",
-)
-@integer("--episodes", "how many the data set has, from --episode on", default=100)
 @options("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
@@ -162,8 +153,6 @@ def replay_command(
     explain: bool,
     numbers: bool,
     view: tuple[str, ...],
-    minari: str | None,
-    episodes: int,
     **game: Any,
 ) -> None:
     """Watch an episode in the terminal, or write it to files.
@@ -173,21 +162,10 @@ def replay_command(
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
     """
-    _check_output(given_options(click.get_current_context().params).keys(), out, minari)
+    _check_output(given_options(click.get_current_context().params).keys(), out)
     check_outputs(*out, force=force)
     with usage_errors():
-        play = _match(source, given_options(game | {"minari": minari}))
-        first = game["episode"]
-        if minari is not None:
-            default = {"pursuer": CHASER, "evader": FLEER} | play.keywords
-            place = f"{source}: " if isinstance(source, Path) else ""
-            pursuers, evaders = (f"{place}{game[team] or default[team]}" for team in TEAMS)
-            told = {"algorithm_name": pursuers, "evaders": evaders, "seed": default["seed"]}
-            matches = (play(episode=first + number) for number in range(episodes))
-            data = to_minari(matches, minari, **told)
-            say(f"{len(data)} episodes, {data.total_steps:,} steps  {data.storage.data_path}")
-            return
-        played = play(episode=first)
+        played = _match(source, given_options(game))(episode=game["episode"])
         step = None if step is None else step_number(step, played.length)
         lines = _explanation(played, step) if explain else []
     look = {"fps": fps, "step": -1 if step is None else step, "numbers": numbers, "viewers": view}
@@ -203,15 +181,13 @@ def replay_command(
     say(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
 
 
-def _check_output(given: Set[str], out: tuple[Path, ...], minari: str | None) -> None:
+def _check_output(given: Set[str], out: tuple[Path, ...]) -> None:
     """Refuse options that no output of this command would follow."""
     suffixes = {path.suffix.lower() for path in out}
     for reason, holds, names in (
-        ("one episode is shown", minari is None, {"episodes"}),
-        ("--minari shows nothing", minari is not None, {"out", "force", "fps", "every", "explain"}),
         # The terminal shows neither fields of view nor numbers.
         ("--out writes no picture", not suffixes - {".npz"}, {"view", "numbers"}),
-        ("--out writes no .png", (out or minari) and ".png" not in suffixes, {"step"}),
+        ("--out writes no .png", out and ".png" not in suffixes, {"step"}),
     ):
         _refuse(given & names if holds else (), reason)
 
@@ -245,7 +221,7 @@ def _match(source: Path | Rules, given: dict[str, Any]) -> Any:
     if isinstance(source, Path) and source.is_file():
         _refuse(given, f"{source} is a single episode")
         return lambda episode: Episode.load(source)
-    given = {name: value for name, value in given.items() if name not in ("episode", "minari")}
+    given = {name: value for name, value in given.items() if name != "episode"}
     race = given.pop("race", None)
     if isinstance(source, Rules):
         return _scripted(source, **given)

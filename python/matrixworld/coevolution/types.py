@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from matrixworld._util.readable import Parts, Readable, matrix_table
-from matrixworld.world.policy import TEAMS as TEAMS
-from matrixworld.world.policy import Team as Team
+from matrixworld._util.teams import TEAMS as TEAMS
+from matrixworld._util.teams import Team as Team
+from matrixworld._util.teams import other as other
 
 SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 """What the score of a team is called."""
@@ -32,11 +33,6 @@ Indices = NDArray[np.intp]
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 IntArray = NDArray[np.int64]
-
-
-def other(team: Team) -> Team:
-    """Return the opposing team."""
-    return "evader" if team == "pursuer" else "pursuer"
 
 
 @dataclass(frozen=True, repr=False)

@@ -1,11 +1,9 @@
-"""The variants as PettingZoo environments: one module each, with ``env``, ``raw_env``, ``parallel_env``.
+"""Environments of PettingZoo and Gymnasium: what all variants share.
 
-``from matrixworld.envs import pursuit_evasion_o_v0; env = pursuit_evasion_o_v0.parallel_env()``
-
-The docstring of each module says what its game models. This page describes what all of them share.
-``agent_env()`` makes a `matrixworld.AgentEnv`, the world of one agent; ``vector_env(num_envs=16)`` makes a
-`matrixworld.VectorEnv`. ``gymnasium.make`` and ``gymnasium.make_vec`` know them by the same id.
-For rules of your own use `matrixworld.parallel_env` and `matrixworld.aec_env`.
+`matrixworld.parallel_env` and `matrixworld.aec_env` make them from rules or the name of a variant. From
+PettingZoo 1.27 on, ``pettingzoo.make("parallel", "matrixworld/pursuit_evasion_o_v0")`` knows each
+variant, too. ``gymnasium.make`` makes a `matrixworld.AgentEnv`, the world of one agent, by the same id, and
+``gymnasium.make_vec`` a `matrixworld.VectorEnv`.
 
 ## Observation
 
@@ -69,17 +67,35 @@ episode draws one.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from pathlib import Path
 
-from matrixworld.envs.variants import VariantModule, add_module, aec_env, parallel_env
+import gymnasium
+
+from matrixworld._util.files import load_toml
+from matrixworld.envs.single import aec_env, parallel_env
 from matrixworld.world.rules import VARIANTS
+
+try:
+    from pettingzoo.env_registry.registration import register
+except ImportError:  # before PettingZoo 1.27
+    register = None
 
 __all__ = ["aec_env", "parallel_env"]
 
-if TYPE_CHECKING:
-    # Type checkers do not see modules that are made at run time.
-    def __getattr__(name: str) -> VariantModule: ...
-
+VARIANT_TEXTS = load_toml(Path(__file__).with_name("variants.toml"))
+"""What the games of the variants model, in Markdown, by the names of `matrixworld.VARIANTS`."""
 
 for _variant in VARIANTS:
-    add_module(_variant, __name__)
+    _name, _settings = f"pursuit_evasion_{_variant.lower()}_v0", {"config": _variant}
+    if register is not None:
+        register("aec", f"matrixworld/{_name}", aec_env, kwargs=_settings)
+        register("parallel", f"matrixworld/{_name}", parallel_env, kwargs=_settings)
+    # The name with hyphens is that of the variant in all other calls.
+    for _each in (_name, f"pursuit-evasion-{_variant.lower()}"):
+        gymnasium.register(
+            f"matrixworld/{_each}",
+            # Texts, not the functions: Gymnasium writes its specifications as JSON.
+            entry_point="matrixworld.envs.agent:AgentEnv",
+            vector_entry_point="matrixworld.envs.vector:make_vec",
+            kwargs=_settings,
+        )

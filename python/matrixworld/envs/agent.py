@@ -140,7 +140,3 @@ class AgentEnv(gymnasium.Env[Any, Any]):
     def render(self) -> Any:
         """See `MatrixWorldParallel.render`."""
         return self.env.render()
-
-    def close(self) -> None:
-        """Close the window, if there is one."""
-        self.env.close()

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 from pettingzoo import AECEnv, ParallelEnv
+from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
 from matrixworld._util.checks import (
@@ -17,7 +18,6 @@ from matrixworld._util.checks import (
     check_choice,
     check_integer,
     check_keywords,
-    check_memory,
     shown,
 )
 from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
@@ -136,8 +136,6 @@ class MatrixWorldBase(HasOpponents):
         built_in = one_team(pursuers, evaders)
         self._team = None if built_in is None else BuiltInTeam(*built_in, self.config)
         played = range(self.config.n_agents) if self._team is None else self._team.learners
-        # A space of views has four arrays and an observation one; the rest are objects of Python.
-        check_memory("environment", agents=len(played) * (15 * self.config.fov**2 + 2500))
         self._names = {agent: self.config.agent_name(agent) for agent in played}
         self._index = {name: agent for agent, name in self._names.items()}
         self.possible_agents = list(self._index)
@@ -260,11 +258,6 @@ class MatrixWorldBase(HasOpponents):
         self._require_begun()
         return self._drawing.episode()
 
-    def close(self) -> None:
-        """Close the window, if there is one."""
-        if self._drawing is not None:
-            self._drawing.close()
-
 
 class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type: ignore[misc]
     """An environment in which all agents act at once.
@@ -274,8 +267,8 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     config : WorldConfig, Rules or str, optional
         The settings, the rules, or the name of a variant. The default is ``"O"``.
     render_mode : {None, "human", "rgb_array", "ansi"}, optional
-        "human" shows every step in a window, a notebook's output or the terminal. "rgb_array"
-        returns pictures, uint8 of shape (height, width, 3); "ansi" returns text.
+        "human" shows every step in a notebook's output or the terminal. "rgb_array" returns
+        pictures, uint8 of shape (height, width, 3); "ansi" returns text.
     record : bool, optional
         Whether to keep every step for `recorded`. With a render mode steps are always kept.
     action_mask : bool or str, optional
@@ -306,7 +299,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     Notes
     -----
     A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
-    independently. A window is not copied.
+    independently.
 
     Examples
     --------
@@ -515,3 +508,57 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             return []
         alive, actors = self.world.alive, self.world.actors
         return [self._names[i] for i in actors if i in self._names and alive[i]]
+
+
+if TYPE_CHECKING:  # PettingZoo has no types
+
+    class AECWrapper(MatrixWorldAEC):
+        """An AEC environment in wrappers, which pass on what it has."""
+
+        unwrapped: MatrixWorldAEC
+
+        def last(self, observe: bool = True) -> tuple[View | None, float, bool, bool, Info]:
+            """Return observation, reward, termination, truncation and info of the next agent."""
+
+        def agent_iter(self, max_iter: int = 2**63) -> Iterator[str]:
+            """Yield the agents in the order in which they act."""
+
+else:
+    AECWrapper = OrderEnforcingWrapper
+
+
+def parallel_env(
+    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+) -> MatrixWorldParallel:
+    """Make an environment of PettingZoo's parallel API: all agents act at once.
+
+    Where the rules take turns, a step plays a whole round with actions that were all chosen before
+    it.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        The world, its rules, or the name of a variant such as ``"O"`` or ``"pursuit-evasion-o"``.
+    **settings
+        Arguments of `MatrixWorldParallel`, and fields of `WorldConfig` to change.
+    """
+    return MatrixWorldParallel(config, **settings)
+
+
+def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]) -> AECWrapper:
+    """Make an environment of PettingZoo's AEC API: one agent acts after the other.
+
+    Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
+    Where they do not, agents only choose one after the other; the round is played when the last
+    agent has chosen. The environment is in the usual wrappers of PettingZoo, which refuse actions
+    out of range and calls out of order.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`.
+    """
+    env: AECWrapper = OrderEnforcingWrapper(
+        AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings))
+    )
+    return env

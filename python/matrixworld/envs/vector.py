@@ -20,8 +20,6 @@ from matrixworld._util.checks import (
     check_instance,
     check_integer,
     check_keywords,
-    check_memory,
-    check_threads,
 )
 from matrixworld.envs.opponents import (
     BuiltInWorlds,
@@ -30,7 +28,6 @@ from matrixworld.envs.opponents import (
     one_team,
     own_and_other,
 )
-from matrixworld.episodes.render import rgb
 from matrixworld.world.arrays import (
     BATCH_FIELDS,
     WORLD_FIELDS,
@@ -40,9 +37,10 @@ from matrixworld.world.arrays import (
     integers,
     new_arrays,
 )
-from matrixworld.world.batch import Batch, batch_memory
-from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.batch import Batch
+from matrixworld.world.config import WorldConfig, WorldSettings, with_limit
 from matrixworld.world.masks import ActionMasks
+from matrixworld.world.render import rgb
 from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
 
@@ -78,8 +76,6 @@ _NOT_IN_INFOS = {
     *("rewards", "terminations", "truncations", "views", "last_positions"),
     *("ended", "final_views", *EPISODE_KEYS.values()),
 }
-# The results of a step that a caller keeps until the next one has returned, and those of the next.
-_HELD = 2
 # Gymnasium has its own meaning for ``infos["episode"]``.
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
@@ -222,13 +218,6 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         if built_in is not None:
             self.agents = own_and_other(built_in[0], self.config)[1]
         mine = _of_agents(kept, self.agents)
-        self._copies = _HELD * sum(array.nbytes for array in mine.values())
-        check_memory(
-            "vector environment",
-            **batch_memory(self.config, self.num_envs, check_threads(threads), kept),
-            actions=8 * self.num_envs * self.config.n_agents,
-            copies=self._copies if copy else 0,
-        )
         self._batch = Batch(
             self.num_envs, self.config, threads=threads, autoreset=reset, buffers=kept
         )
@@ -392,6 +381,18 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
 
 
+def make_vec(
+    config: WorldConfig | Rules | str,
+    num_envs: int = 1,
+    max_episode_steps: int | None = None,
+    **settings: Any,
+) -> VectorEnv:
+    """Make a `VectorEnv` with the names of arguments that ``gymnasium.make_vec`` uses."""
+    return VectorEnv(
+        config, num_envs, **with_limit("max_episode_steps", max_episode_steps, settings)
+    )
+
+
 class TeamView:
     """One team's part of a `VectorEnv`'s arrays, without copies, for n agents.
 
@@ -497,10 +498,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode
-        # In place of the copies of the worlds. Agents of one team lie apart in memory.
-        if worlds.copy or len(self._agents) < worlds.config.n_agents:
-            part = len(self._agents) / len(worlds.agents)
-            check_memory("environment of agents", copies=int(part * worlds._copies))
         seen = worlds.observations
         n_actions = worlds.config.n_actions
         self.single_observation_space = _views_box(seen.shape[2:], seen.dtype)

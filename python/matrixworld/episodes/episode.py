@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, shown
 from matrixworld._util.files import DamagedFileError, parse_json, read_npz, replacing
-from matrixworld.episodes.render import MARK_STEPS, Scene
+from matrixworld.episodes.films import PIXELS, Animation, few_times
+from matrixworld.world.canvas import fitting_cell
 from matrixworld.world.conflicts import Conflict, conflict_of
+from matrixworld.world.render import MARK_STEPS, Scene, rgb
 
 FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
 
@@ -145,9 +147,11 @@ class Episode:
         )
 
     def _repr_html_(self) -> str:
-        from matrixworld.episodes.replay import animation
-
-        return animation(self)._repr_html_()
+        cell = fitting_cell(self.map.shape, PIXELS)
+        shown = Animation.of(
+            lambda step: rgb(scene(self, step), cell=cell), few_times(self.length), fps=10, hold=2
+        )
+        return shown._repr_html_()
 
     @property
     def length(self) -> int:

@@ -8,19 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer, check_memory
+from matrixworld._util.checks import INT_MAX, SEED_MAX, check_instance, check_integer
 from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode, capture_title, scene
-from matrixworld.episodes.render import MARK_STEPS, Scene
 from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.maps import MapLike
 from matrixworld.world.policy import EnginePolicy, check_team
+from matrixworld.world.render import MARK_STEPS, Scene
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
-
-STEP_BYTES = 70
-"""About what a step of an agent takes in a recording, which is copied at its end."""
 
 
 class Recorder:
@@ -134,8 +131,6 @@ def record_actions(
     world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
     recorder = Recorder(world)
     rows = integers("actions", actions)
-    steps = min(len(np.atleast_1d(rows)), world.config.max_steps)
-    check_memory("recording", steps=STEP_BYTES * steps * world.config.n_agents)
     for row in rows:
         if world.terminated or world.truncated:
             break

@@ -46,12 +46,12 @@ import numpy as np
 
 from matrixworld._util.checks import check_choice, check_instance, check_integer
 from matrixworld._util.files import load_toml
-from matrixworld.envs.variants import VARIANT_TEXTS
-from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.episodes.render import png
+from matrixworld.envs import VARIANT_TEXTS
 from matrixworld.explorer.page import check_new, mime_bundle, render_page, write_page
+from matrixworld.world.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPT_TEXTS, SCRIPTS
+from matrixworld.world.render import png
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
@@ -185,7 +185,7 @@ def page_data(scene: str = "") -> dict[str, Any]:
     documented = _documented()
     return {
         "variants": {name: _plain(rules) for name, rules in VARIANTS.items()},
-        "titles": {name: VARIANT_TEXTS[name].title for name in VARIANTS},
+        "titles": {name: VARIANT_TEXTS[name]["title"] for name in VARIANTS},
         "fields": [
             {
                 "name": name,

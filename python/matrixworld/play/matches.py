@@ -9,9 +9,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_instance, check_integer, check_memory
+from matrixworld._util.checks import SEED_MAX, check_instance, check_integer
 from matrixworld.play.network_policy import check_fits
-from matrixworld.world.arrays import array_specs, integers, state_bytes, workspace_bytes
+from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import EnginePolicy, Population
@@ -109,7 +109,6 @@ class _InTurns:
     """The episodes of a match whose rounds have several turns; with the methods of `_Together`."""
 
     def __init__(self, config: WorldConfig, seed: int, episodes: int, threads: int | None) -> None:
-        check_memory("episodes", worlds=episodes * (workspace_bytes(config) + state_bytes(config)))
         self._worlds = [World(config) for _ in range(episodes)]
         for episode, world in enumerate(self._worlds):
             world.reset(seed, episode=episode)

@@ -1,29 +1,19 @@
-"""A genome as a policy: it acts on observations, and other libraries can run it."""
+"""A genome as a policy: it acts on observations outside of the engine."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool
-from matrixworld.version import __version__, imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, Network, Population
 
-if TYPE_CHECKING:
-    import onnx
-    import torch
-
-
 Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 """Weights (inputs, outputs) and biases (outputs,) of each layer."""
-
-# Versions of ONNX, of 2020: enough for a perceptron, and read by old runtimes.
-_OPSET, _IR_VERSION = 13, 8
 
 
 def fits(network: Network, config: WorldConfig) -> bool:
@@ -188,140 +178,3 @@ class NetworkPolicy:
     def population(self) -> Population:
         """Return the genome as a population of one, which rollouts and environments take."""
         return Population(self.genome, self.network)
-
-    def to_torch(self) -> torch.nn.Module:
-        """Return the network as a PyTorch module: observations (n, ...) to logits (n, n_actions).
-
-        It is Flatten, then Linear and activation in turn. Inputs are float32; the softmax of the
-        outputs are the probabilities. It can be trained. With memory it maps observations and
-        states (n, state_size) to logits and next states, by an RNNCell or GRUCell. Raises
-        ImportError without PyTorch.
-        """
-        torch = imported("torch", "torch")
-        activation = torch.nn.ReLU if self.network.activation == "relu" else torch.nn.Tanh
-        size, modules = self.network.state_size, [torch.nn.Flatten()]
-        for number, (weights, bias) in enumerate(self.layers()):
-            # PyTorch keeps weights as (outputs, inputs).
-            rows, numbers = torch.from_numpy(weights.T.copy()), torch.from_numpy(bias)
-            if number == 1 and size:
-                make = torch.nn.RNNCell if self.network.memory == "elman" else torch.nn.GRUCell
-                parts = rows[:, :size], rows[:, size:], numbers, torch.zeros_like(numbers)
-                names = "weight_ih", "weight_hh", "bias_ih", "bias_hh"
-                modules.append(make(size, size))
-                modules[-1].load_state_dict(dict(zip(names, parts, strict=True)))
-                continue
-            modules += [torch.nn.Linear(*weights.shape), activation()]
-            modules[-2].load_state_dict({"weight": rows, "bias": numbers})
-        modules.pop()
-        return _with_states(modules) if size else torch.nn.Sequential(*modules)
-
-    def to_onnx(self, path: str | Path | None = None) -> onnx.ModelProto:
-        """Return the network as an ONNX model, and write it to a file if there is a path.
-
-        Its input is ``observations``, float32 (n, 3, fov, fov); outputs are ``logits`` and
-        ``probabilities``, float32 (n, n_actions). With memory a second input is ``states`` and the
-        third output ``next_states``, float32 (n, state_size). Raises ImportError without the
-        package onnx.
-        """
-        onnx = imported("onnx", "onnx")
-        model = onnx.helper.make_model(
-            _onnx_graph(self.network, self.layers()),
-            opset_imports=[onnx.helper.make_opsetid("", _OPSET)],
-            ir_version=_IR_VERSION,
-            producer_name="matrixworld",
-            producer_version=__version__,
-        )
-        onnx.checker.check_model(model, full_check=True)
-        if path is not None:
-            onnx.save(model, path)
-        return model
-
-
-def _with_states(modules: list[torch.nn.Module]) -> torch.nn.Module:
-    """Return a module of (observations, states) from its parts, of which the fourth is a cell."""
-    import torch
-
-    class WithStates(torch.nn.Module):  # type: ignore[misc]  # of an untyped package
-        def __init__(self) -> None:
-            super().__init__()
-            self.first = torch.nn.Sequential(*modules[:3])
-            self.cell = modules[3]
-            self.rest = torch.nn.Sequential(*modules[4:])
-
-        def forward(self, observations: Any, states: Any) -> Any:
-            following = self.cell(self.first(observations), states)
-            return self.rest(following), following
-
-    return WithStates()
-
-
-def _onnx_graph(network: Network, layers: Layers) -> onnx.GraphProto:
-    """Return the network's nodes, and the softmax of its logits, with these weights."""
-    import onnx
-
-    helper, to_tensor = onnx.helper, onnx.numpy_helper.from_array
-    activation = "Relu" if network.activation == "relu" else "Tanh"
-    nodes: list[Any] = [helper.make_node("Flatten", ["observations"], ["hidden_0"], axis=1)]
-    weights: list[Any] = []
-    for number, (matrix, bias) in enumerate(layers):
-        names = [f"weights_{number}", f"bias_{number}"]
-        inputs = [f"hidden_{number}", *names]
-        if number == 1 and network.state_size:
-            cell_nodes, cell_weights = _onnx_cell(network, matrix, bias)
-            nodes, weights = nodes + cell_nodes, weights + cell_weights
-            continue
-        weights += map(to_tensor, (matrix, bias), names)
-        if number == len(layers) - 1:
-            nodes.append(helper.make_node("Gemm", inputs, ["logits"]))
-            break
-        nodes.append(helper.make_node("Gemm", inputs, [f"sum_{number}"]))
-        nodes.append(helper.make_node(activation, [f"sum_{number}"], [f"hidden_{number + 1}"]))
-    nodes.append(helper.make_node("Softmax", ["logits"], ["probabilities"], axis=1))
-
-    def values(**shapes: list[str | int]) -> list[Any]:
-        floats = onnx.TensorProto.FLOAT
-        return [helper.make_tensor_value_info(name, floats, each) for name, each in shapes.items()]
-
-    state: list[str | int] = ["n", network.state_size]
-    answer: list[str | int] = ["n", network.n_actions]
-    given = values(observations=["n", CHANNELS, network.fov, network.fov])
-    returned = values(logits=answer, probabilities=answer)
-    if network.state_size:
-        given += values(states=state)
-        returned += values(next_states=state)
-    return helper.make_graph(nodes, "policy", given, returned, weights)
-
-
-def _onnx_cell(
-    network: Network, matrix: NDArray[np.float32], bias: NDArray[np.float32]
-) -> tuple[list[Any], list[Any]]:
-    """Return nodes from hidden_1 and states to next_states, also named hidden_2, with weights."""
-    import onnx
-
-    node, to_tensor, size = onnx.helper.make_node, onnx.numpy_helper.from_array, network.state_size
-    options = {"hidden_size": size}
-    if network.memory == "gru":
-        options["linear_before_reset"] = 1
-        # ONNX has the gates in the order z, r, c.
-        order = np.r_[size : 2 * size, :size, 2 * size : 3 * size]
-        matrix, bias = matrix[:, order], bias[order]
-    rows = matrix.T.copy()
-    weights = {
-        "steps": np.array([0], np.int64),  # the axis of time, of one step
-        "weights_1": rows[None, :, :size],
-        "states_1": rows[None, :, size:],
-        "bias_1": np.concatenate([bias, np.zeros_like(bias)])[None],
-    }
-    nodes = [
-        node("Unsqueeze", ["hidden_1", "steps"], ["input_1"]),
-        node("Unsqueeze", ["states", "steps"], ["before_1"]),
-        node(
-            "RNN" if network.memory == "elman" else "GRU",
-            ["input_1", "weights_1", "states_1", "bias_1", "", "before_1"],
-            ["", "after_1"],
-            **options,
-        ),
-        node("Squeeze", ["after_1", "steps"], ["next_states"]),
-        node("Identity", ["next_states"], ["hidden_2"]),
-    ]
-    return nodes, [to_tensor(np.ascontiguousarray(each), name) for name, each in weights.items()]

@@ -11,17 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import (
-    EPISODE_BYTES,
     SEED_MAX,
     check_integer,
     check_integers,
-    check_memory,
     check_threads,
 )
 from matrixworld._util.readable import Readable
-from matrixworld.world.arrays import workspace_bytes
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import EnginePolicy, Population, check_team
+from matrixworld.world.policy import EnginePolicy, check_team
 from matrixworld.world.rules import Rules
 
 
@@ -154,11 +151,6 @@ def rollout(
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
     columns = Matches.of(*matches)
     each = check_integer("episodes", episodes, 1)
-    total = len(columns.seed) * each
-    # A thread copies the genomes that it plays, beside tables that are as large.
-    genomes = [t.genomes[0].nbytes for t in (pursuers, evaders) if isinstance(t, Population)]
-    played = min(n_threads, total) * (workspace_bytes(config) + 2 * sum(genomes))
-    check_memory("rollout", episodes=EPISODE_BYTES * total, threads=played)
     arrays = _core.rollout(
         config.setup,
         *teams,

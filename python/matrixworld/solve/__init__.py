@@ -17,13 +17,13 @@ means that all states fit into memory, such as 2 pursuers and an evader on 8 x 8
 
 from __future__ import annotations
 
-from matrixworld.solve.guarantees import Guarantees, guarantees
-from matrixworld.solve.mixtures import mixture_bounds
 from matrixworld.solve.solution import (
     Champion,
+    Guarantees,
     Solution,
     best_response,
     expected_payoff,
+    guarantees,
     solve,
 )
 from matrixworld.solve.states import States
@@ -36,6 +36,5 @@ __all__ = [
     "best_response",
     "expected_payoff",
     "guarantees",
-    "mixture_bounds",
     "solve",
 ]

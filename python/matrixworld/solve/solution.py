@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import prod
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -16,12 +15,11 @@ from matrixworld._util.checks import (
     INT_MAX,
     check_choice,
     check_integer,
-    check_memory,
     check_number,
     shown,
 )
 from matrixworld._util.readable import Parts, Readable
-from matrixworld.solve.states import States, config_of, turn_sizes
+from matrixworld.solve.states import States, config_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import (
     TEAMS,
@@ -166,8 +164,6 @@ class Solution(Readable):
             (rounds, each.shape[0], each.shape[axis])
             for each in map(self.states.successors, range(self.states.n_turns))
         ]
-        # Copied once on the way into the engine.
-        check_memory("policy", tables=8 * sum(map(prod, shapes)))
         tables = [np.empty(shape, np.float32) for shape in shapes]
         for turn, table in enumerate(tables):
             for left in range(1, rounds + 1):
@@ -248,8 +244,7 @@ def induct(
     check_choice("payoff", payoff, PAYOFFS)
     parts = {team: parts_of(config, champion, team) for team, champion in champions.items()}
     rounds = rounds_of(config, steps, *parts.values())
-    play = sum(play_bytes(config, each, team) for team, each in parts.items())
-    states = States.of(world, "champions", play=play)
+    states = States.of(world)
     fixed = {team: fixed_play(states, each, team) for team, each in parts.items()}
     return go_back(states, rounds, payoff, fixed)
 
@@ -276,7 +271,6 @@ def go_back(states: States, rounds: int, payoff: PayoffName, fixed: dict[Team, F
         if left == len(values[0]):
             # In place where the system can: joined at the end, they would take twice as much.
             room = min(left + left // 4 + 1, rounds + 1)
-            check_memory("values", rounds=8 * room * states.total)
             for turn, count in enumerate(counts):
                 values[turn].resize((room, count), refcheck=False)
         before = after = first
@@ -393,6 +387,70 @@ def expected_payoff(
     return induct(world, steps, payoff, {"pursuer": pursuers, "evader": evaders}).value
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class Guarantees(Readable):
+    """The value of a world, and the capture rates when generations meet best responses.
+
+    Parameters
+    ----------
+    value : float
+        The capture rate under perfect play.
+    pursuers : ndarray of float64, shape (n,)
+        The capture rate that each generation of pursuers guarantees: against the best evaders.
+    evaders : ndarray of float64, shape (m,)
+        The capture rate that each generation of evaders cannot prevent: by the best pursuers.
+    """
+
+    value: float
+    pursuers: NDArray[np.float64]
+    evaders: NDArray[np.float64]
+
+    @property
+    def exploitability(self) -> dict[Team, NDArray[np.float64]]:
+        """By how much each generation of a team falls short of the value, (n,) and (m,)."""
+        return {"pursuer": self.value - self.pursuers, "evader": self.evaders - self.value}
+
+    @property
+    def nash_conv(self) -> NDArray[np.float64]:
+        """The NashConv (n,) of the pair of each generation; ValueError if n and m differ.
+
+        The sum of what both teams gain by a best response (Lanctot et al. 2017, "A unified
+        game-theoretic approach to multiagent reinforcement learning"); 0 in a Nash equilibrium.
+        """
+        return self.evaders - self.pursuers
+
+
+def guarantees(
+    world: WorldConfig | States, teams: Mapping[Team, Champion], *, steps: int | None = None
+) -> Guarantees:
+    """Return what each generation of both teams guarantees against any opponent.
+
+    Parameters
+    ----------
+    world : WorldConfig or States
+        The world, or its states.
+    teams : mapping of str to Population or Champion
+        What each team plays, such as ``open_run("my-race").teams``: one genome for each generation,
+        or another champion, such as the name of a script, which is one generation.
+    steps : int, optional
+        As in `solve`.
+    """
+    if not isinstance(teams, Mapping) or teams.keys() != set(TEAMS):
+        raise TypeError(f"teams: expected a mapping with the keys {TEAMS}, got {shown(teams)}")
+    states = States.of(world)
+    pursuers, evaders = (
+        [best_response(states, each, team, steps=steps).value for each in _generations(teams[team])]
+        for team in TEAMS
+    )
+    return Guarantees(solve(states, steps=steps).value, np.array(pursuers), np.array(evaders))
+
+
+def _generations(team: Champion) -> list[Champion]:
+    if not isinstance(team, Population):
+        return [team]
+    return [Population(genome[None], team.network) for genome in team.genomes]
+
+
 def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
     """Return what a champion, which may be a nested mixture, comes to: weights with others."""
     check_choice("team", team, TEAMS)
@@ -420,12 +478,6 @@ def parts_of(config: WorldConfig, champion: Champion, team: Team) -> Members:
         for weight, (_, member) in zip(weights, champion, strict=True)
         for share, part in parts_of(config, member, team)
     ]
-
-
-def play_bytes(config: WorldConfig, parts: Members, team: Team) -> int:
-    """Return about how many bytes the probabilities of the parts take."""
-    tables = sum(not isinstance(part, Solution) for _, part in parts)
-    return 8 * tables * sum(size[0] * size[1 + TEAMS.index(team)] for size in turn_sizes(config))
 
 
 def fixed_play(states: States, parts: Members, team: Team) -> Fixed:

@@ -1,4 +1,4 @@
-"""All states of a small world, and how much memory they take."""
+"""All states of a small world."""
 
 from __future__ import annotations
 
@@ -14,12 +14,9 @@ from matrixworld import _core
 from matrixworld._core import Capture, Interaction, Outcome
 from matrixworld._util.checks import (
     INT_MAX,
-    OutOfMemoryError,
-    available_memory,
     check_choice,
     check_instance,
     check_integer,
-    check_memory,
     check_threads,
 )
 from matrixworld.world.config import WorldConfig
@@ -67,8 +64,7 @@ class States:
     Raises
     ------
     ValueError
-        If obstacles are drawn at each reset; OutOfMemoryError, a ValueError, if the states do not
-        fit into memory.
+        If obstacles are drawn at each reset, and if the states would take more than 2 GB.
 
     Examples
     --------
@@ -92,17 +88,9 @@ class States:
         self.starts = self.core.starts()
 
     @classmethod
-    def of(cls, world: WorldConfig | States, what: str = "states", **parts: float) -> States:
-        """Return the states of a world, or what already are states.
-
-        OutOfMemoryError unless `parts`, in bytes, fit beside them.
-        """
-        if isinstance(world, States):
-            check_memory(what, **parts)
-            return world
-        check_size(config_of(world))
-        check_memory(what, states=size_of(world)[1], **parts)
-        return cls(world)
+    def of(cls, world: WorldConfig | States) -> States:
+        """Return the states of a world, or what already are states."""
+        return world if isinstance(world, States) else cls(config_of(world))
 
     def __repr__(self) -> str:
         """Return the size."""
@@ -231,19 +219,18 @@ def _count(config: WorldConfig) -> int:
 
 
 def check_size(config: WorldConfig) -> None:
-    """Raise OutOfMemoryError unless the states fit, and say which board would."""
+    """Raise ValueError if there are too many states, and say which board would be small enough."""
     count, needed = size_of(config)
-    available = min(available_memory() or inf, _MOST_BYTES)
-    if needed <= available:
+    if needed <= _MOST_BYTES:
         return
     most = isqrt(config.rows * config.cols) if config.n_agents <= _MOST_AGENTS else 0
     sides = range(most, isqrt(config.n_agents), -1)
     boards = (replace(config, rows=side, cols=side, obstacles=0.0) for side in sides)
-    largest = next((board.rows for board in boards if size_of(board)[1] <= available), None)
+    largest = next((board.rows for board in boards if size_of(board)[1] <= _MOST_BYTES), None)
     would = f"{largest} x {largest} cells would fit" if largest else "no smaller board would fit"
     size = f"about {count:,} states and {needed / 10**9:,.1f} GB"
-    raise OutOfMemoryError(
-        f"states: expected at most {available / 10**9:,.1f} GB, got "
+    raise ValueError(
+        f"states: expected at most {_MOST_BYTES / 10**9:,.1f} GB, got "
         f"{size if count < inf else 'more than 2^31 joint places'} for {config.n_pursuers} "
         f"against {config.n_evaders} agents on {config.rows} x {config.cols} cells; {would}"
     )

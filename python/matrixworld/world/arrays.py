@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_instance, check_integers, check_memory
+from matrixworld._util.checks import check_instance, check_integers
 from matrixworld.world.config import WorldConfig
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
@@ -166,27 +165,9 @@ def _specs(fields: dict[str, OutputField], config: WorldConfig) -> Specs:
     }
 
 
-def bytes_of(specs: Specs) -> dict[str, int]:
-    """Return the size of each array in bytes."""
-    return {
-        name: math.prod(shape) * np.dtype(dtype).itemsize for name, (shape, dtype) in specs.items()
-    }
-
-
 def new_arrays(specs: Specs, n_worlds: int) -> dict[str, NDArray[Any]]:
     """Return an array of zeros for each of some specs, with a leading axis of worlds."""
-    check_memory("arrays", **{name: n_worlds * size for name, size in bytes_of(specs).items()})
     return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs.items()}
-
-
-def state_bytes(config: WorldConfig) -> int:
-    """Return about how many bytes a world in a batch needs for itself."""
-    return 1000 + 32 * config.n_agents + (4 * config.rows * config.cols if config.density else 0)
-
-
-def workspace_bytes(config: WorldConfig) -> int:
-    """Return about how many bytes a thread needs to play any number of worlds, one by one."""
-    return 32 * config.rows * config.cols + 160 * config.n_agents
 
 
 def integers(name: str, given: ArrayLike) -> NDArray[Any]:

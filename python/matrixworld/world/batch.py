@@ -16,7 +16,6 @@ from matrixworld._util.checks import (
     check_integer,
     check_integers,
     check_keywords,
-    check_memory,
     check_threads,
 )
 from matrixworld.world.arrays import (
@@ -25,8 +24,6 @@ from matrixworld.world.arrays import (
     integers,
     new_arrays,
     positions_of,
-    state_bytes,
-    workspace_bytes,
 )
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.maps import MapLike, read_map
@@ -107,7 +104,6 @@ class Batch:
                 del specs[large]
             buffers = new_arrays(specs, self.n_worlds)
         self.buffers: dict[str, NDArray[Any]] = buffers
-        check_memory("batch", **batch_memory(self.config, self.n_worlds, n_threads, buffers))
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
             self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
@@ -248,18 +244,6 @@ class Batch:
         """Return an independent copy of one world, to draw it or to plan in it."""
         number = check_integer("world", number, 0, self.n_worlds - 1)
         return World.at(self.config, self._core.snapshot(number))
-
-
-def batch_memory(
-    config: WorldConfig, n_worlds: int, threads: int, buffers: dict[str, NDArray[Any]]
-) -> dict[str, int]:
-    """Return about how many bytes the parts of a batch need."""
-    return {
-        "worlds": n_worlds * state_bytes(config),
-        "threads": min(threads, n_worlds) * workspace_bytes(config),
-        # New arrays take memory only as they are written into, so they are counted here, too.
-        "arrays": sum(getattr(array, "nbytes", 0) for array in buffers.values()),
-    }
 
 
 def _mask(given: ArrayLike) -> NDArray[np.bool_]:

@@ -16,17 +16,14 @@ from matrixworld._util.checks import (
     check_choice,
     check_instance,
     check_integer,
-    check_memory,
     check_number,
     check_sequence,
     shown,
 )
 from matrixworld._util.readable import Readable
+from matrixworld._util.teams import TEAMS as TEAMS
+from matrixworld._util.teams import Team as Team
 from matrixworld.world.config import WorldConfig
-
-Team: TypeAlias = Literal["pursuer", "evader"]
-
-TEAMS: tuple[Team, Team] = ("pursuer", "evader")
 
 Script: TypeAlias = Literal[
     "random",
@@ -90,9 +87,9 @@ in swaths of its own. Views wider than 11 are cut to 11. It counts steps, and kn
 grid and of its team, and whether there are obstacles.
 """
 
-Memory: TypeAlias = Literal["none", "elman", "gru"]
+Memory: TypeAlias = Literal["none", "gru"]
 
-GATES: dict[Memory, int] = {"none": 0, "elman": 1, "gru": 3}
+GATES: dict[Memory, int] = {"none": 0, "gru": 3}
 """Outputs of a recurrent layer for each of its units."""
 
 CHANNELS = 3
@@ -120,10 +117,9 @@ class Network:
         Outputs: 5, or 9 with diagonal moves.
     sampled : bool, optional
         Whether the action is drawn from the softmax of the outputs, or is the first largest one.
-    memory : {"none", "elman", "gru"}, optional
-        The recurrent layer after the first hidden layer, of as many units: none, a layer of Elman
-        (1990, "Finding structure in time"), or gated recurrent units (Cho et al. 2014, "Learning
-        phrase representations using RNN encoder-decoder").
+    memory : {"none", "gru"}, optional
+        The recurrent layer after the first hidden layer, of as many units: none, or gated recurrent
+        units (Cho et al. 2014, "Learning phrase representations using RNN encoder-decoder").
 
     Raises
     ------
@@ -139,12 +135,11 @@ class Network:
     A recurrent layer replaces the outputs x of the first hidden layer (n,) by the state h of the
     agent (n,). Each agent has its own, zeros at the start of an episode. At each step::
 
-        elman   h' = tanh(x W + h U + b)
-        gru     r, z = logistic(x W_r + h U_r + b_r), logistic(x W_z + h U_z + b_z)
-                c = tanh(x W_c + r * (h U_c) + b_c)
-                h' = z * h + (1 - z) * c
+        r, z = logistic(x W_r + h U_r + b_r), logistic(x W_z + h U_z + b_z)
+        c = tanh(x W_c + r * (h U_c) + b_c)
+        h' = z * h + (1 - z) * c
 
-    In the genome it is one layer of 2 n inputs, (x, h), and of n outputs or, for gru, 3 n: r, z, c.
+    In the genome it is one layer of 2 n inputs, (x, h), and of 3 n outputs: r, z, c.
     The activation is not applied to it.
 
     Examples
@@ -272,8 +267,6 @@ class Network:
         """Return the next states (n, state_size); the notes of the class have the formulas."""
         sums = x @ weights[: self.state_size] + bias
         from_states = states @ weights[self.state_size :]
-        if self.memory == "elman":
-            return np.asarray(np.tanh(sums + from_states))
         r, z, c = np.split(sums, 3, axis=1)
         from_r, from_z, from_c = np.split(from_states, 3, axis=1)
         z = _logistic(z + from_z)
@@ -292,8 +285,6 @@ class Network:
         check_instance("rng", rng, np.random.Generator)
         weight = check_number("weight", weight, least=0.0)
         head = check_number("head", head, least=0.0)
-        # Twice: the random numbers of a layer come as an array of their own.
-        check_memory("genome", weights=2 * 4 * self.genome_size)
         genome = np.zeros(self.genome_size, np.float32)
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):

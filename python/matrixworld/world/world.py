@@ -9,24 +9,22 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from matrixworld import _core
-from matrixworld._util.checks import LARGE, SEED_MAX, check_bool, check_integer, check_memory, shown
-from matrixworld.episodes.render import Scene
+from matrixworld._util.checks import SEED_MAX, check_bool, check_integer, shown
 from matrixworld.world.arrays import (
     CHANNEL,
     WORLD_FIELDS,
     WorldArrays,
     array_specs,
-    bytes_of,
     check_written,
     integers,
     positions_of,
     python_value,
-    workspace_bytes,
 )
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.maps import MapLike, read_map
 from matrixworld.world.policy import EnginePolicy, check_agents, check_team
+from matrixworld.world.render import Scene
 from matrixworld.world.rules import Rules
 
 
@@ -92,9 +90,7 @@ class World(WorldArrays):
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
-        own_config = WorldConfig.of(config, **changes)
-        check_memory("world", cells=workspace_bytes(own_config))
-        self._begin(own_config)
+        self._begin(WorldConfig.of(config, **changes))
         self.reset(0)
 
     def __repr__(self) -> str:
@@ -108,8 +104,6 @@ class World(WorldArrays):
     def _begin(self, config: WorldConfig, keeps_conflicts: bool = False) -> None:
         self.config, self.keeps_conflicts = config, keeps_conflicts
         self._specs = array_specs(config)
-        sizes = bytes_of(self._specs)
-        self._large = {name: size for name, size in sizes.items() if size > LARGE}
         self._core = _core.World(config.setup)
         self._explained = False
 
@@ -260,8 +254,6 @@ class World(WorldArrays):
         unknown = set(names) - set(self._specs)
         if unknown:
             raise ValueError(f"read: expected some of {list(self._specs)}, got {sorted(unknown)}")
-        for large in self._large.keys() & names if self._large else ():
-            check_memory(large, numbers=self._large[large])
         arrays = {name: np.empty(*self._specs[name]) for name in names}
         self._core.write(arrays)
         return arrays

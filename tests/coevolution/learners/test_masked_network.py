@@ -39,7 +39,7 @@ SIMPLE: tuple[Any, ...] = (6,), "relu", "none"
         ("right-of-way", "pursuer", *SIMPLE, True),
         ("right-of-way", "evader", (), "relu", "none", False),
         ("obstacles", "pursuer", (6,), "relu", "gru", True),
-        ("right-of-way", "evader", (6, 5), "tanh", "elman", False),
+        ("right-of-way", "evader", (6, 5), "tanh", "gru", False),
     ],
 )  # fmt: skip
 def test_the_engine_never_plays_a_forbidden_move(

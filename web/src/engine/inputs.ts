@@ -7,7 +7,7 @@ import { BLAMES, CAPTURES, INTERACTIONS, MAP_CHARACTERS, OUTCOMES, SCRIPTS } fro
 import type { Cell, Memory, Penalty, Rewards, Rules, Snapshot, Start, TeamPolicy, WorldConfig } from "./types.ts";
 
 const INT_MAX = 2 ** 31 - 1;
-const MEMORIES: readonly Memory[] = ["none", "elman", "gru"];
+const MEMORIES: readonly Memory[] = ["none", "gru"];
 const SEED_MAX = 2n ** 64n - 1n;
 const FLOAT_MAX = 3.4028234663852886e38;
 

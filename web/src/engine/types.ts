@@ -56,7 +56,7 @@ export interface WorldConfig {
 }
 
 export type Activation = "relu" | "tanh";
-export type Memory = "none" | "elman" | "gru";
+export type Memory = "none" | "gru";
 
 /** A network and one genome: float32, layer by layer the weights (inputs, outputs), then the biases. */
 export interface NetworkPolicy {

@@ -25,7 +25,7 @@ from matrixworld._util.checks import (
     check_integer,
     check_sequence,
 )
-from matrixworld.episodes.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
+from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
 from matrixworld.world.conflicts import agent_name
 
 __all__ = ["MARK_STEPS", "Cell", "Scene", "ansi", "png", "rgb"]

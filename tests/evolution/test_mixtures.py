@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.solve import States, best_response, mixture_bounds, solve
+from matrixworld.solve import States, best_response, solve
+from mixtures import mixture_bounds
 
 
 def states_of(variant: str, **changes: int) -> States:

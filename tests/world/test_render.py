@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from PIL import ImageColor
 
 from matrixworld._util import colors
-from matrixworld.episodes.canvas import Layout
-from matrixworld.episodes.render import Scene, ansi, rgb
+from matrixworld.world.canvas import Layout
+from matrixworld.world.render import Scene, ansi, rgb
 
 OBSTACLES = np.zeros((4, 6), bool)
 OBSTACLES[1, 2] = OBSTACLES[3, 5] = True

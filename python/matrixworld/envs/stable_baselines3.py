@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.envs.vector import AgentVectorEnv
-from matrixworld.integrations import agents
+from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
 from matrixworld.version import imported
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import Rules
@@ -50,7 +49,10 @@ def vec_env(config: WorldConfig | Rules | str = "O", n_worlds: int = 8, **settin
     class AgentVecEnv(_Adapter, library.VecEnv):  # type: ignore[misc, name-defined]
         """Learners of the library accept subclasses of its class only."""
 
-    return library.VecMonitor(AgentVecEnv(agents(config, n_worlds, "SameStep", settings)))
+    if not settings.keys() & {"pursuers", "evaders"}:
+        settings["evaders"] = "clumsy-fleer"  # against which first attempts learn
+    own = {"autoreset_mode": "SameStep", "dtype": "float32", "flatten": True, **settings}
+    return library.VecMonitor(AgentVecEnv(AgentVectorEnv(VectorEnv(config, n_worlds, **own))))
 
 
 def policy(model: Any, deterministic: bool = False) -> Callable[[NDArray[Any]], NDArray[Any]]:

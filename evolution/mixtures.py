@@ -14,11 +14,10 @@ from matrixworld.solve.solution import (
     fixed_play,
     go_back,
     parts_of,
-    play_bytes,
     rounds_of,
     values_after,
 )
-from matrixworld.solve.states import States, config_of, turn_sizes
+from matrixworld.solve.states import States, config_of
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Team
 
@@ -66,8 +65,7 @@ def mixture_bounds(
     config = config_of(world)
     parts = [part for part in parts_of(config, mixture, team) if part[0] > 0.0]
     rounds = rounds_of(config, steps, parts)
-    memory = _memory(config, len(parts), team, rounds)
-    states = States.of(world, "mixture", play=play_bytes(config, parts, team), **memory)
+    states = States.of(world)
     shares = np.array([share for share, _ in parts])
     members = [fixed_play(states, [(1.0, part)], team) for _, part in parts]
     first: Any = 0.0
@@ -78,17 +76,6 @@ def mixture_bounds(
     informed = float(better(first, axis=1)[states.starts].mean())
     forgetful = _forgetful(states, shares, members, rounds)
     return (informed, forgetful) if team == "pursuer" else (forgetful, informed)
-
-
-def _memory(config: WorldConfig, members: int, team: Team, rounds: int) -> dict[str, int]:
-    """Return about how many bytes a mixture takes beside the states and the champions' play."""
-    own, other = (1, 2) if team == "pursuer" else (2, 1)
-    sizes = turn_sizes(config)
-    return {
-        "weights": rounds * sum(n for n, _, _ in sizes) * (8 * members + _CHOICE.itemsize),
-        # Of the largest turn: values of all replies, and where the champions' actions lead.
-        "replies": max(8 * n[0] * ((members + 3) * n[other] + 3 * n[own]) for n in sizes),
-    }
 
 
 def _responses(states: States, member: Fixed, turn: int, left: int, after: Array) -> Array:
