@@ -259,27 +259,6 @@ def kept(file: Path, measure: Callable[[], Mapping[str, Any]]) -> dict[str, Any]
     return load_json(file)
 
 
-def play(
-    world: mw.WorldConfig,
-    team: Team,
-    own: mw.Population,
-    opponents: mw.Population,
-    seeds: ArrayLike,
-    *,
-    own_genomes: ArrayLike | None = None,
-    opponent_genomes: ArrayLike = 0,
-) -> mw.EpisodeStatistics:
-    """Play matches of one team's genomes, whichever team it is.
-
-    By default one match of each genome, against the first opponent.
-    """
-    each = np.arange(len(own.genomes)) if own_genomes is None else own_genomes
-    # The engine takes pursuers first, in the populations and in the matches.
-    if team == "pursuer":
-        return mw.rollout(world, own, opponents, mw.Matches.of(each, opponent_genomes, seeds))
-    return mw.rollout(world, opponents, own, mw.Matches.of(opponent_genomes, each, seeds))
-
-
 def scores_against(
     world: mw.WorldConfig,
     team: Team,
