@@ -24,6 +24,7 @@ WITH_TORCH = {
     "actor_critic_baselines",
     "actor_critic_claims",
     "actor_critic_races",
+    "convergence",
     "paper_surrounding",
     "safe_learning",
 }
