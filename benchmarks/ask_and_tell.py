@@ -201,7 +201,7 @@ def evotorch(name: str) -> Algorithm:
     return play
 
 
-# ---- pycma, nevergrad ------------------------------------------------------------------------
+# ---- pycma -----------------------------------------------------------------------------------
 
 
 def pycma(game: Game, *, sigma: float, population: int | None = None) -> None:
@@ -215,22 +215,3 @@ def pycma(game: Game, *, sigma: float, population: int | None = None) -> None:
     while game.goes_on(search.mean):
         candidates = search.ask()
         search.tell(candidates, list(-game.fitness(np.array(candidates))))
-
-
-def nevergrad(name: str) -> Algorithm:
-    def play(game: Game, *, population: int, sigma: float) -> None:
-        import nevergrad as ng
-
-        start = ng.p.Array(init=game.untrained(1)[0].astype(float)).set_mutation(sigma=sigma)
-        start.random_state.seed(game.seed)
-        options = {"budget": game.matches, "num_workers": population}
-        search = ng.optimizers.registry[name](start, **options)
-        best = start.value
-        while game.goes_on(best):
-            asked = [search.ask() for _ in range(population)]
-            values = game.fitness(np.stack([each.value for each in asked]))
-            for each, value in zip(asked, values, strict=True):
-                search.tell(each, -value)
-            best = search.provide_recommendation().value
-
-    return play

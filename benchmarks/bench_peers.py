@@ -22,7 +22,6 @@ import pettingzoo
 from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
-from bench_worlds import random_actions
 from plain_coevolution import (
     EVADER,
     PURSUER,
@@ -33,12 +32,10 @@ from plain_coevolution import (
     plain_score,
     rollout_score,
 )
-from timing import Clock, bind, print_table
+from timing import Clock, bind, print_table, random_actions
 
 # Worlds of a batch: enough to hide the cost of a call from Python.
 MANY = 1024
-# A prime, so that the sequence of actions does not repeat in step with the episodes.
-ROWS_OF_ACTIONS = 4093
 HIDDEN = (32,)
 INSTALL = {
     "PettingZoo pursuit": "pip install 'pettingzoo[sisl]'",
@@ -107,13 +104,11 @@ def check() -> None:
 
 def parallel_env(env: Any, clock: Clock) -> float:
     """Return world-steps per second of a PettingZoo environment."""
-    rng = np.random.default_rng(0)
-    rows = rng.integers(5, size=(ROWS_OF_ACTIONS, len(env.possible_agents))).tolist()
-    actions = [dict(zip(env.possible_agents, row, strict=True)) for row in rows]
+    drawn = random_actions(5, (len(env.possible_agents),))
     env.reset(seed=0)
 
     def play(i: int) -> int:
-        row = actions[i % ROWS_OF_ACTIONS]
+        row = dict(zip(env.possible_agents, drawn(i).tolist(), strict=True))
         env.step({agent: row[agent] for agent in env.agents})
         if not env.agents:
             env.reset()
@@ -125,7 +120,7 @@ def parallel_env(env: Any, clock: Clock) -> float:
 def vector_env(n_worlds: int, clock: Clock, *, copy: bool = True) -> float:
     """Return world-steps per second of `VectorEnv`."""
     env = mw.VectorEnv("O", n_worlds, copy=copy, threads=1, autoreset_mode="SameStep")
-    actions = random_actions(env.config, n_worlds)
+    actions = random_actions(env.config.n_actions, (n_worlds, env.config.n_agents))
     env.reset(seed=0)
 
     def play(i: int) -> int:

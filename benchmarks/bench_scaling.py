@@ -1,6 +1,6 @@
 """Cost of a step and of a rollout against the number of agents, worlds and genomes.
 
-    python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5] [--out scaling.png]
+    python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5]
 
 Agents: one world of SB, where no agent disappears, on grids of constant density and on grids of
 two constant sizes, which show what the caches cost. Worlds: batches of SB with views.
@@ -12,23 +12,17 @@ batches and rollouts are compared with single worlds and matches.
 
 from __future__ import annotations
 
-import json
 import math
-import subprocess
-import sys
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import click
 import numpy as np
 
 import matrixworld as mw
-from bench_worlds import random_actions
-from scaling_figure import Curve, draw
-from timing import Clock, bind, print_table
+from timing import Clock, bind, print_table, random_actions
 
 LARGEST = {"agents": 100_000, "worlds": 100_000, "genomes": 10_000}
 SIDES = (2048, 1024)
@@ -115,6 +109,29 @@ def check_rollout(team: mw.Population) -> None:
 # ---- Measurements ----------------------------------------------------------------------------
 
 
+@dataclass(frozen=True)
+class Curve:
+    """Seconds by size."""
+
+    label: str
+    sizes: Sequence[int]
+    seconds: Sequence[float]
+
+    @property
+    def upper(self) -> slice:
+        """Upper half of the sizes, including the middle one."""
+        return slice((len(self.sizes) - 1) // 2, None)
+
+    @property
+    def exponent(self) -> float:
+        """Slope of log seconds over log size in the upper half, by least squares."""
+        # Small sizes are dominated by constant cost.
+        sizes, seconds = self.sizes[self.upper], self.seconds[self.upper]
+        if len(sizes) < 2:
+            return float("nan")
+        return float(np.polyfit(np.log(sizes), np.log(seconds), 1)[0])
+
+
 def rollout(config: mw.WorldConfig, team: mw.Population, n: int) -> mw.EpisodeStatistics:
     """Play the first n genomes as pursuers, each against genome 0 in one world."""
     each = np.arange(n)
@@ -125,7 +142,8 @@ def step_seconds(
     config: mw.WorldConfig, names: Sequence[str], clock: Clock, n_worlds: int
 ) -> float:
     """Return the seconds of a step of all worlds, including the output arrays of these names."""
-    timed, actions = batch(config, n_worlds, *names), random_actions(config, n_worlds)
+    timed = batch(config, n_worlds, *names)
+    actions = random_actions(config.n_actions, (n_worlds, config.n_agents))
 
     def play(i: int) -> int:
         timed.step(actions(i))
@@ -210,38 +228,12 @@ def print_curves(what: str, curves: Sequence[Curve]) -> None:
     print_table(header, rows)
 
 
-def memory(*arguments: str) -> float:
-    """Return the bytes that ``memory.py`` prints; NaN on systems other than Linux."""
-    command = [sys.executable, str(Path(__file__).with_name("memory.py")), *arguments]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    return float(done.stdout)
-
-
-def print_memory(n_worlds: int, n_threads: int) -> None:
-    rows = []
-    for label, changes in WORLDS.items():
-        for names in ([], ["views"]):
-            taken = memory("world", json.dumps(changes), str(n_worlds), *names)
-            rows.append((f"a world of {label}{' with views' if names else ''}", kilobytes(taken)))
-    for hidden in HIDDEN:
-        size = 4.0 * mw.Network(hidden).genome_size
-        rows.append((f"a genome of {list(hidden)} in its population", kilobytes(size)))
-        taken = memory("thread", json.dumps(hidden), str(n_threads))
-        rows.append((f"the genome of {list(hidden)} that a thread plays", kilobytes(taken)))
-    print_table(("memory", "kB"), rows)
-
-
-def kilobytes(n_bytes: float) -> str:
-    return f"{n_bytes / 1000:,.1f}"
-
-
 @click.command()
 @click.option("--seconds", default=0.3, show_default=True, help="time of one repeat")
 @click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
-@click.option("--out", default="scaling.png", show_default=True, help="file to draw to")
 @click.option("--largest", type=int, help="largest number of agents, worlds and genomes")
-def main(seconds: float, repeats: int, out: str, largest: int | None) -> None:
-    """Print tables in Markdown, and draw the figure."""
+def main(seconds: float, repeats: int, largest: int | None) -> None:
+    """Print tables in Markdown."""
     most = {what: min(n, largest or n) for what, n in LARGEST.items()}
     clock = Clock(seconds, repeats)
     check_batch(crowd(1000, None))
@@ -249,18 +241,9 @@ def main(seconds: float, repeats: int, out: str, largest: int | None) -> None:
     check_rollout(population((32,), 8))
     bind(1)
     # Single-threaded throughout: scaling with threads is measured by bench_rollouts.py.
-    panels = {
-        ("Agents", "agents in one world", "seconds per step"): agent_curves(most["agents"], clock),
-        ("Worlds", "worlds in a batch", "seconds per step"): world_curves(most["worlds"], clock),
-        ("Genomes", "genomes in a rollout of 20 rounds", "seconds per rollout"): genome_curves(
-            most["genomes"], clock
-        ),
-    }
-    for (title, _, _), curves in panels.items():
-        print_curves(title.lower(), curves)
-    print_memory(min(20_000, most["worlds"]), 32)
-    draw(panels, out)
-    print(f"Drawn: {out}")
+    print_curves("agents", agent_curves(most["agents"], clock))
+    print_curves("worlds", world_curves(most["worlds"], clock))
+    print_curves("genomes", genome_curves(most["genomes"], clock))
 
 
 if __name__ == "__main__":

@@ -32,19 +32,9 @@ Genome = NDArray[np.float32]
 
 
 class PlainWorld:
-    """One world of P pursuers and E evaders.
+    """One world of P pursuers and E evaders: positions (P + E, 2), and who is alive (P + E,).
 
-    Parameters
-    ----------
-    config : WorldConfig
-        Configuration of the world.
-
-    Attributes
-    ----------
-    positions : ndarray of int64, shape (P + E, 2)
-        Cells of the agents; last position of an evader that was captured.
-    alive : ndarray of bool, shape (P + E,)
-        Whether each agent is in the world.
+    An evader that was captured keeps its last position.
     """
 
     def __init__(self, config: mw.WorldConfig) -> None:
@@ -195,18 +185,7 @@ def mutate(genome: Genome, rng: np.random.Generator) -> tuple[Genome]:
 class Coevolution:
     """Two populations, each evaluated against the champion of the other one.
 
-    Parameters
-    ----------
-    score : callable
-        Plays the matches of a generation.
-    populations : dict of str to list of individuals
-        Individuals of each team.
-    toolbox : deap.base.Toolbox
-        Operators select, mate and mutate.
-    decisions : int, optional
-        Decisions so far.
-    matches : int, optional
-        Matches so far.
+    `score` plays the matches of a generation; the toolbox has operators select, mate and mutate.
     """
 
     score: Score

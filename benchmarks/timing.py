@@ -1,12 +1,19 @@
-"""Cores, rates and tables of the benchmarks. Imports the standard library only."""
+"""Cores, rates, actions and tables of the benchmarks."""
 
 from __future__ import annotations
 
+import math
 import os
 import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+SPARE, PLACES = 2**20, 4093
+"""Random actions beside those of one step, and windows of them that are played in turn."""
 
 
 def bind(cores: int) -> None:
@@ -23,15 +30,9 @@ def n_cores() -> int:
 
 @dataclass(frozen=True)
 class Rate:
-    """What a measurement came to.
+    """Work done per second, the median of repeats, and the least CPU time of a unit of work.
 
-    Parameters
-    ----------
-    per_second : float
-        Work done per second of wall time, the median of the repeats.
-    cpu : float
-        Seconds of CPU time of all threads for a unit of work, the least of the repeats: other
-        programs can only add to it.
+    Other programs can only add to the CPU time, that of all threads in seconds.
     """
 
     per_second: float
@@ -40,14 +41,9 @@ class Rate:
 
 @dataclass(frozen=True)
 class Clock:
-    """Measurement of rates.
+    """Measurement of rates: the shortest time of a repeat, and the number of repeats.
 
-    Parameters
-    ----------
-    seconds : float
-        Shortest time of a repeat; a call that has started is always finished.
-    repeats : int
-        Number of repeats; the median counts.
+    A call that has started is always finished.
     """
 
     seconds: float
@@ -56,10 +52,7 @@ class Clock:
     def rate(self, play: Callable[[int], float]) -> float:
         """Return the work done per second, the median of the repeats.
 
-        Parameters
-        ----------
-        play : callable
-            Takes the number i of the call, from 0, does some work and returns its amount.
+        `play` takes the number of the call, from 0, does some work and returns its amount.
         """
         return self.measure(play).per_second
 
@@ -78,6 +71,19 @@ class Clock:
             calls += 1
             passed = time.perf_counter() - start
         return work / passed, (time.process_time() - cpu) / work
+
+
+def random_actions(n_actions: int, shape: tuple[int, ...]) -> Callable[[int], NDArray[np.uint8]]:
+    """Return a function of the step: random actions of this shape.
+
+    Each step's actions are a window, at a random place, of numbers drawn beforehand: a few rows of
+    actions in turn would drive all agents to the borders, where they collide more.
+    """
+    rng, size = np.random.default_rng(0), math.prod(shape)
+    drawn = rng.integers(n_actions, size=size + SPARE, dtype=np.uint8)
+    # PLACES is prime, so that its period hardly ever coincides with that of the episodes.
+    windows = [drawn[place : place + size] for place in rng.integers(SPARE, size=PLACES)]
+    return lambda step: windows[step % PLACES].reshape(shape)
 
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> None:

@@ -6,7 +6,7 @@ import argparse
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -19,19 +19,11 @@ from scipy import stats
 from tqdm import tqdm
 
 import matrixworld as mw
+from matrixworld._util.checks import check_threads
 from matrixworld._util.files import load_json, save_json
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.cluster import on_cluster
-from matrixworld.coevolution import (
-    FailedRunsError,
-    ProgressBar,
-    RaceSettings,
-    SavedRun,
-    Team,
-    open_run,
-    tournament,
-)
-from matrixworld.coevolution.jobs import job_of, play_job
+from matrixworld.coevolution import SavedRun, Team, finish, tournament
 
 sys.path.append(str(Path(__file__).parents[1] / "tutorials"))  # where the folder `course` lies
 
@@ -77,16 +69,19 @@ Numbers = Mapping[str, NDArray[Any]]
 """By ``"<kind> / <number>"``, the first axis is that of the seeds; others by names of their own."""
 Runs = Mapping[str, list[SavedRun]]
 """Runs of each kind, by seed."""
+Play = Callable[..., SavedRun]
+"""As `coevolution.finish`: settings, directory and ``threads=`` -> the finished run."""
 
 
 def experiment(
     doc: str | None,
     *,
-    kinds: Callable[[bool], Mapping[str, RaceSettings]],
+    kinds: Callable[[bool], Mapping[str, Any]],
     measure: Callable[[Runs, bool], Mapping[str, ArrayLike]],
     table: Callable[[Numbers], str],
     seeds: int | Mapping[str, int],
-    then: Callable[[Runs, bool], Mapping[str, list[RaceSettings]]] | None = None,
+    play: Play = finish,
+    then: Callable[[Runs, bool], Mapping[str, list[Any]]] | None = None,
     figures: Mapping[str, Callable[[Numbers], Figure]] | None = None,
 ) -> None:
     """Play runs of several kinds and seeds, measure them, and write what the numbers say.
@@ -98,13 +93,15 @@ def experiment(
     doc : str
         ``__doc__`` of the script, for ``--help``.
     kinds : callable
-        Whether ``--quick`` is given -> settings of each kind.
+        Whether ``--quick`` is given -> settings of each kind: a dataclass that has a seed.
     measure : callable
         All runs, and whether ``--quick`` is given -> numbers, such as those of `by_seed`.
     table : callable
         Numbers -> what they say, in Markdown.
     seeds : int or mapping of str to int
         Runs of each kind, if ``--seeds`` does not say another number; two with ``--quick``.
+    play : callable, optional
+        Plays a run of races that are the script's own: of whatever `kinds` and `then` return.
     then : callable, optional
         Runs of `kinds` -> settings by seed of further kinds, which build on them.
     figures : mapping of str to callable, optional
@@ -130,13 +127,13 @@ def experiment(
     # Quick runs and full ones have directories of their own.
     root, results = (each / "quick" if args.quick else each for each in (args.runs, args.results))
 
-    def finished(planned: Mapping[str, list[RaceSettings]]) -> dict[str, list[SavedRun]]:
+    def finished(planned: Mapping[str, list[Any]]) -> dict[str, list[SavedRun]]:
         settings = {
             f"{slug(kind)}/{seed}": on_device(each, args.device)
             for kind, of_kind in planned.items()
             for seed, each in enumerate(of_kind)
         }
-        runs = finish_all(settings, root, threads=args.threads, where=args.cluster)
+        runs = finish_all(settings, root, play=play, threads=args.threads, where=args.cluster)
         return {
             kind: [runs[f"{slug(kind)}/{seed}"] for seed in range(len(of_kind))]
             for kind, of_kind in planned.items()
@@ -164,16 +161,16 @@ def pairs(runs: Runs, *kinds: str) -> Iterator[tuple[SavedRun, ...]]:
     return zip(*(runs.get(kind, []) for kind in kinds), strict=False)
 
 
-def on_device(settings: RaceSettings, device: str | None) -> RaceSettings:
+def on_device(settings: Any, device: str | None) -> Any:
     """Return settings whose learner computes on a device, if it is one of PyTorch."""
-    if device is None or not settings.learner.by_gradients:
+    if device is None or not hasattr(settings.learner, "device"):
         return settings
     return settings.changed({"learner.device": device})
 
 
 def _chosen(
-    parser: argparse.ArgumentParser, kinds: Mapping[str, RaceSettings], names: list[str] | None
-) -> Mapping[str, RaceSettings]:
+    parser: argparse.ArgumentParser, kinds: Mapping[str, Any], names: list[str] | None
+) -> Mapping[str, Any]:
     """Return the kinds whose names begin as ``--kinds`` says."""
     if names is None:
         return kinds
@@ -226,24 +223,32 @@ def executor_of(where: str | None, processes: int) -> Iterator[Executor]:
 
 
 def finish_all(
-    settings: Mapping[str, RaceSettings],
+    settings: Mapping[str, Any],
     root: Path,
     *,
+    play: Play = finish,
     threads: int | None = None,
     where: str | None = None,
 ) -> dict[str, SavedRun]:
     """Return finished runs by the path of each in `root`; play the missing ones side by side.
 
-    FailedRunsError if runs failed, after all others have ended.
+    If runs failed, the error of one is raised after all others have ended.
     """
-    if not settings:
-        return {}
-    job = job_of(settings)
-    with on_cluster(where, threads) as executor, ProgressBar() as bar:
-        failures = play_job(job, root, keep=False, executor=executor, threads=threads, report=bar)
-    if failures:
-        raise FailedRunsError({root / name: why for name, why in failures.items()})
-    return {name: open_run(root / name) for name in settings}
+    missing = {name: each for name, each in settings.items() if not SavedRun(root / name).finished}
+    cores = check_threads(threads)
+    processes = max(1, min(cores, len(missing)))
+    share = 1 if where else cores // processes
+    with executor_of(where, processes) as executor:
+        playing = {
+            executor.submit(play, each, root / name, threads=share): name
+            for name, each in missing.items()
+        }
+        for future in tqdm(as_completed(playing), total=len(playing), unit=" runs", disable=None):
+            if future.exception() is not None:
+                print(f"{root / playing[future]}: {future.exception()}", file=sys.stderr)
+    for future in playing:
+        future.result()
+    return {name: SavedRun(root / name) for name in settings}
 
 
 def kept(file: Path, measure: Callable[[], Mapping[str, Any]]) -> dict[str, Any]:
@@ -252,27 +257,6 @@ def kept(file: Path, measure: Callable[[], Mapping[str, Any]]) -> dict[str, Any]
         file.parent.mkdir(parents=True, exist_ok=True)
         save_json(file, measure())
     return load_json(file)
-
-
-def play(
-    world: mw.WorldConfig,
-    team: Team,
-    own: mw.Population,
-    opponents: mw.Population,
-    seeds: ArrayLike,
-    *,
-    own_genomes: ArrayLike | None = None,
-    opponent_genomes: ArrayLike = 0,
-) -> mw.EpisodeStatistics:
-    """Play matches of one team's genomes, whichever team it is.
-
-    By default one match of each genome, against the first opponent.
-    """
-    each = np.arange(len(own.genomes)) if own_genomes is None else own_genomes
-    # The engine takes pursuers first, in the populations and in the matches.
-    if team == "pursuer":
-        return mw.rollout(world, own, opponents, mw.Matches.of(each, opponent_genomes, seeds))
-    return mw.rollout(world, opponents, own, mw.Matches.of(opponent_genomes, each, seeds))
 
 
 def scores_against(

@@ -4,24 +4,22 @@
     python evolution/convergence.py --quick     short races of two seeds, some seconds
 
 Two pursuers take turns with one evader on 4 x 4 cells, for 4 steps; perfect play captures in 0.886
-of the episodes. Specialists, generalists, halls of fame, PSRO with the Nash equilibrium and with
-projected replicator dynamics learn by an evolution strategy, each team for 10,000 epochs; after so
-many Simione and Nolfi (2021, "Long-term progress and behavior complexification in competitive
-coevolution") see progress. A generation is archived every 100. *Self-play* learns by policy
-gradients with an entropy bonus, both teams at once, for a quarter of the steps; Rudolph et al.
-(2025, "Reevaluating policy gradient methods for imperfect-information games", arXiv:2502.08938)
-find it not worse than PSRO in five games. Its rewards are zero-sum: 1 for a capture. All races are
-compared at equal steps of agents, when the shortest one has ended. Matches that fill payoff
-matrices count.
+of the episodes. Specialists, generalists, halls of fame and PSRO with the Nash equilibrium learn by
+an evolution strategy, each team for 10,000 epochs; after so many Simione and Nolfi (2021,
+"Long-term progress and behavior complexification in competitive coevolution") see progress. A
+generation is archived every 100. *Self-play* learns by policy gradients with an entropy bonus, both
+teams at once, for a quarter of the steps; Rudolph et al. (2025, "Reevaluating policy gradient
+methods for imperfect-information games", arXiv:2502.08938) find it not worse than PSRO in five
+games. Its rewards are zero-sum: 1 for a capture. All races are compared at equal steps of agents,
+when the shortest one has ended. Matches that fill payoff matrices count.
 
 For each race the NashConv, exactly: how far what a team guarantees falls short of the value, both
 teams together. Of the newest generations; of the *best* so far, the least exploitable generation of
 each team, which only exact play can know; and of the *mixtures*, the equilibrium of the payoff
 matrix of the generations so far, from which each team draws one an episode. Theirs is a bound: an
-opponent that is told whom it meets gains as much, and the best one at most. What
-`mixture_bounds` says of the races of the first seed shows how close it is. A team
-whose members decide for themselves may be unable to reach 0 (von Stengel and Koller 1997,
-"Team-maxmin equilibria"); here perfect play is deterministic, so it can.
+opponent that is told whom it meets gains as much, and the best one at most. A team whose members
+decide for themselves may be unable to reach 0 (von Stengel and Koller 1997, "Team-maxmin
+equilibria"); here perfect play is deterministic, so it can.
 
 Look at the differences from generalists, with intervals over seeds and p-values that are adjusted
 for the number of rows (Holm). The last column says how much the NashConv falls in the last quarter.
@@ -55,9 +53,8 @@ from common import (
 )
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
-from matrixworld.solve import States, guarantees, solve
-from mixtures import mixture_bounds
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team
+from matrixworld.solve import Solution, best_response, solve
 
 WORLD = {
     "rules": "TO", "rows": 4, "cols": 4, "n_pursuers": 2, "n_evaders": 1, "max_steps": 4, "fov": 7,
@@ -102,7 +99,6 @@ KINDS: dict[str, dict[str, Any]] = {
     # Three opponents in an epoch of both teams.
     HALLS: {"schedule": "hall-of-fame", "schedule.joint_epochs": 50, **STRATEGY},
     "PSRO, Nash": {**meeting("nash"), **EPOCHS, **META, **STRATEGY},
-    "PSRO, replicators": {**meeting("prd"), **EPOCHS, **META, **STRATEGY},
     SELF_PLAY: {
         "schedule": "hall-of-fame", "schedule.contemporaries": 1, "schedule.hall_sample": 0,
         "schedule.joint_epochs": 50, **GRADIENTS, **REWARDS,
@@ -142,31 +138,42 @@ def mixtures(matrix: NDArray[np.float64], k: int) -> list[NDArray[np.float64]]:
 
 
 @cache
-def states_of(world: mw.WorldConfig) -> States:
-    """Return the states of a world, which all races in it share."""
-    return States(world)
+def solved(world: mw.WorldConfig) -> Solution:
+    """Return the solution of a world, which all races in it share."""
+    return solve(world)
+
+
+def shortfalls(run: SavedRun) -> dict[Team, NDArray[np.float64]]:
+    """Return by how much what each generation of a team guarantees falls short of the value."""
+    solution = solved(run.settings.world)
+
+    def guaranteed(team: Team) -> NDArray[np.float64]:
+        policy = run.teams[team]
+        champions = (mw.Population(genome[None], policy.network) for genome in policy.genomes)
+        return np.array([best_response(solution.states, each, team).value for each in champions])
+
+    return {
+        "pursuer": solution.value - guaranteed("pursuer"),
+        "evader": guaranteed("evader") - solution.value,
+    }
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
-    """Return the numbers of all races, the value, and `enclosure` of those of the first seed.
+    """Return the numbers of all races, and the value.
 
     A file beside a run keeps its numbers for the next call.
     """
-    states = states_of(next(iter(runs.values()))[0].settings.world)
+    world = next(iter(runs.values()))[0].settings.world
     return {
         **by_seed(runs, lambda run: kept(run.path.with_suffix(".json"), partial(numbers_of, run))),
-        "value": solve(states).value,
-        **{
-            f"least of {kind}": enclosure(each[0], states, each[0].settings.schedule.generations)
-            for kind, each in runs.items()
-        },
+        "value": solved(world).value,
     }
 
 
 def numbers_of(run: SavedRun) -> dict[str, Any]:
     """Return numbers of a race for every fifth generation, and the steps of agents so far."""
     matrix, log = run.payoff().capture_rate, run.log()
-    short = guarantees(states_of(run.settings.world), run.teams).exploitability
+    short = shortfalls(run)
     generations = range(EVERY if len(matrix) > EVERY else 1, len(matrix), EVERY)
     matches = [int(log["matches"][log["generation"] == k].max()) for k in generations]
     weights = [mixtures(matrix, k) for k in generations]
@@ -181,19 +188,6 @@ def numbers_of(run: SavedRun) -> dict[str, Any]:
             for of_k in weights
         ],
     }
-
-
-def enclosure(run: SavedRun, states: States, k: int) -> float:
-    """Return the least that the NashConv of the mixtures of generation k can be."""
-    ends = []
-    for team, weights, best in zip(
-        TEAMS, mixtures(run.payoff().capture_rate, k), (1, 0), strict=True
-    ):
-        genomes, network = run.teams[team].genomes, run.teams[team].network
-        members = [mw.Population(genome[None], network) for genome in genomes]
-        chosen = [(float(w), m) for w, m in zip(weights, members, strict=True) if w > 0.0]
-        ends.append(mixture_bounds(states, chosen, team)[best])
-    return round(ends[1] - ends[0], 6)
 
 
 # Tables and figures
@@ -259,9 +253,6 @@ def table(numbers: Numbers) -> str:
     kinds = kinds_in(numbers)
     ends = [numbers[f"{kind} / agent_steps"][:, -1] for kind in kinds]
     budget = min(float(each.min()) for each in ends)
-    width = max(
-        float(numbers[f"{kind} / mixture"][0, -1] - numbers[f"least of {kind}"]) for kind in kinds
-    )
     longest = max(float(each.max()) for each in ends)
     parts = [
         f"After {budget / 10**6:.1f} million steps of agents; means over {len(ends[0])} seeds "
@@ -270,8 +261,6 @@ def table(numbers: Numbers) -> str:
         differences(within(numbers, budget), CURVES),
         f"At the ends of the races, after up to {longest / 10**6:.1f} million steps:",
         table_of_ends(within(numbers, np.inf)),
-        f"In the races of the first seed the bound of the mixtures is at most {width:.4f} above "
-        "what an opponent gains that is told nothing.",
     ]
     return "\n\n".join(parts)
 
@@ -281,7 +270,6 @@ COLORS = {
     GENERALISTS: colors.INK,
     HALLS: colors.ORANGE,
     "PSRO, Nash": colors.BLUE,
-    "PSRO, replicators": colors.GREEN,
     SELF_PLAY: colors.VERMILLION,
 }
 

@@ -33,7 +33,7 @@ import numpy as np
 from deap import algorithms, base, tools
 
 import matrixworld as mw
-from common import play, script_parser
+from common import script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import Team
 from matrixworld.coevolution.types import other
@@ -100,7 +100,12 @@ def score(
     network = mw.Network.for_config(world)
     learning, met = mw.Population(own, network), mw.Population(rivals, network)
     i, j = (axis.ravel() for axis in np.indices((len(own), len(rivals))))
-    statistics = play(world, team, learning, met, seeds.ravel(), own_genomes=i, opponent_genomes=j)
+    # The engine takes pursuers first, in the populations and in the matches.
+    if team == "pursuer":
+        sides, matches = (learning, met), mw.Matches.of(i, j, seeds.ravel())
+    else:
+        sides, matches = (met, learning), mw.Matches.of(j, i, seeds.ravel())
+    statistics = mw.rollout(world, *sides, matches)
     values = statistics.captured_fraction
     if team == "evader":
         values = 1 - values - OVERLAP_PENALTY * statistics.evader_overlap

@@ -39,9 +39,9 @@ from course import chapter_10
 from course.chapter_10 import CELLS, STEPS
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, score
 from matrixworld.solve import States, best_response, expected_payoff
-from matrixworld.world.policy import GATES
 from race_budgets import SCHEDULES
 
+MEMORIES = ("none", "gru")
 SEEDS, RACE_SEEDS = 5, 3
 CORRIDOR = chapter_10.CORRIDOR.changed({"evaluation_episodes": 10_000})
 QUICK = {
@@ -77,7 +77,7 @@ def kinds(quick: bool) -> dict[str, RaceSettings]:
     return {
         f"{part}, {memory}": base.changed({"policy.memory": memory})
         for part, base in bases.items()
-        for memory in GATES
+        for memory in MEMORIES
     }
 
 
@@ -145,7 +145,7 @@ def measured(runs: Runs, quick: bool) -> dict[str, Any]:
 def corridor(numbers: Numbers) -> str:
     """Return the capture rates in the corridor."""
     rows = []
-    for memory in GATES:
+    for memory in MEMORIES:
         rates = numbers[f"corridor, {memory} / captured"]
         each = ", ".join(f"{rate:.3f}" for rate in rates)
         rows.append([f"memory: {memory}", share(rates), each])
@@ -156,7 +156,7 @@ def corridor(numbers: Numbers) -> str:
 def board(numbers: Numbers) -> str:
     """Return the capture rates on the board by evader."""
     rows = [[name, *exactly(numbers[f"{name} on the board"])] for name in SCRIPTED]
-    for memory in GATES:
+    for memory in MEMORIES:
         rates = (numbers[f"board, {evaders}, {memory} / captured"] for evaders in EVADERS)
         rows.append([f"trained, memory: {memory}", *map(share, rates)])
     rows.append(["the best, exactly", *exactly(numbers["best"])])
@@ -175,7 +175,7 @@ def exactly(rates: NDArray[np.float64]) -> list[str]:
 
 def fleers(numbers: Numbers) -> str:
     """Return the capture rates of fleers and dodgers by team size."""
-    names = {f"fleers, {each} / captured": f"{each} / captured" for each in GATES}
+    names = {f"fleers, {each} / captured": f"{each} / captured" for each in MEMORIES}
     names["fleers, none / captured"] = "no memory / captured"
     trained = {short: numbers[name] for name, short in names.items()}
     others = {name: each for name, each in numbers.items() if " / " not in name}
@@ -187,7 +187,7 @@ def races(numbers: Numbers) -> str:
     rows = []
     for schedule in SCHEDULES:
         plain = [numbers[f"races, {schedule}, none / {team}"] for team in TEAMS]
-        for memory in GATES:
+        for memory in MEMORIES:
             scores = [numbers[f"races, {schedule}, {memory} / {team}"] for team in TEAMS]
             changes = ["", ""]
             if memory != "none":

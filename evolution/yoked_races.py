@@ -4,8 +4,9 @@
     python evolution/yoked_races.py --quick     two seeds of tiny races, some seconds
 
 In a yoked race the opponents are replayed from the race of the next seed: they change as in a race,
-but do not answer (docs/coevolution.md). Both kinds begin with the same genomes and get the same
-judgement. Runs are kept in ``--runs``; an interrupted script continues where it stopped.
+but do not answer, a yoked control (Held and Hein 1963). Both kinds begin with the same genomes and
+get the same judgement. Runs are kept in ``--runs``; an interrupted script continues where it
+stopped.
 
 In the payoff matrix of a yoked race strangers meet, in that of a race the teams that trained with
 each other. Other numbers compare like with like. Gains against the opponents that were *met*, which
@@ -23,8 +24,9 @@ interval lies within .05, the margin of the judgement.
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -46,14 +48,16 @@ from common import (
     written,
 )
 from matrixworld import analysis
-from matrixworld._util.files import load_toml
+from matrixworld._util.files import DamagedFileError, load_toml
 from matrixworld.coevolution import (
     SCHEDULES,
     TEAMS,
+    Race,
     RaceSettings,
     SavedRun,
     Team,
-    Yoked,
+    finish,
+    open_run,
     tournament,
 )
 from matrixworld.coevolution.types import other
@@ -108,25 +112,79 @@ NAMES = {
 }
 
 
+class YokedRace(Race):
+    """A race in turns whose opponents are replayed from the finished race of another seed.
+
+    ::
+
+        P, E the archives of the other race; all else as in `Race`
+        p[k] = p[k-1], improved for some epochs against evaders that its sampler chooses in E
+        e[k] = e[k-1], improved for some epochs against pursuers that its sampler chooses in P
+
+    The settings are those of the other race, but for the seed. config.json holds a digest of P and
+    E, so that no run goes on against others.
+    """
+
+    def __init__(
+        self, settings: RaceSettings, directory: str | Path, replayed: SavedRun, **options: Any
+    ) -> None:
+        expected = replayed.settings.changed({"seed": settings.seed})
+        if not replayed.finished or settings != expected or settings == replayed.settings:
+            told = "expected a finished race of these settings with another seed"
+            raise ValueError(f"{replayed.path}: {told}")
+        self.replayed = replayed.archive()
+        super().__init__(settings, directory, **options)
+        if self.files.config["replayed"] != self.extra_config()["replayed"]:
+            told = f"expected the race that {directory} has replayed so far, got another"
+            raise DamagedFileError(replayed.path, told)
+
+    def extra_config(self) -> dict[str, Any]:
+        """Return a digest of the opponents."""
+        content = b"".join(self.replayed[team].tobytes() for team in TEAMS)
+        return {"replayed": hashlib.sha256(content).hexdigest()}
+
+    def opponents(self, team: Team) -> mw.Population:
+        """Return as many generations of the other race as this one has itself."""
+        replayed, own = self.replayed[other(team)], self.archive[other(team)]
+        return self.training.population(other(team), replayed[: len(own)])
+
+
+@dataclass(frozen=True)
+class Yoked:
+    """A race, and the directory of another one that it replays."""
+
+    settings: RaceSettings
+    race: Path
+
+    @property
+    def learner(self) -> Any:
+        """How teams learn."""
+        return self.settings.learner
+
+
+def play(planned: RaceSettings | Yoked, directory: Path, *, threads: int) -> SavedRun:
+    """Play what is left of a race, or of a yoked one."""
+    if isinstance(planned, RaceSettings):
+        return finish(planned, directory, threads=threads)
+    YokedRace(planned.settings, directory, open_run(planned.race), threads=threads).run()
+    return open_run(directory)
+
+
 def kinds(quick: bool) -> dict[str, RaceSettings]:
     """Return the settings of the races of each world."""
     worlds = {"tiny": TINY} if quick else WORLDS
     return {f"{world}, generalists, {RACE}": settings for world, settings in worlds.items()}
 
 
-def yoked(runs: Runs, quick: bool) -> dict[str, list[RaceSettings]]:
-    """Return the settings of races whose opponents are those of the race of the next seed."""
-    found = {}
-    for kind, races in runs.items():
-        replayed = [*races[1:], races[0]]
-        found[kind.removesuffix(RACE) + YOKED] = [
-            replace(
-                race.settings,
-                schedule=Yoked(**vars(race.settings.schedule), race=str(each.path.absolute())),
-            )
-            for race, each in zip(races, replayed, strict=True)
+def yoked(runs: Runs, quick: bool) -> dict[str, list[Yoked]]:
+    """Return races whose opponents are those of the race of the next seed."""
+    return {
+        kind.removesuffix(RACE) + YOKED: [
+            Yoked(race.settings, replayed.path.absolute())
+            for race, replayed in zip(races, [*races[1:], races[0]], strict=True)
         ]
-    return found
+        for kind, races in runs.items()
+    }
 
 
 def measured(runs: Runs, quick: bool) -> dict[str, Any]:
@@ -257,4 +315,4 @@ def of_world(numbers: Numbers, world: str) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, then=yoked, measure=measured, table=table, seeds=10)
+    experiment(__doc__, kinds=kinds, then=yoked, play=play, measure=measured, table=table, seeds=10)

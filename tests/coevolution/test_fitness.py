@@ -1,4 +1,4 @@
-"""Fitness from statistics, competitive sharing, reduced virulence, limits; seeds of matches."""
+"""Fitness from statistics, competitive sharing, limits; seeds of matches."""
 
 import itertools
 
@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import matrixworld as mw
-from matrixworld.coevolution import competitive_sharing, reduced_virulence
+from matrixworld.coevolution import competitive_sharing
 from matrixworld.coevolution.fitness import collisions, feasible_first, fitness
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
@@ -57,24 +57,10 @@ def test_each_beaten_opponent_is_worth_one(wins):
     assert fitness.sum() == pytest.approx(np.count_nonzero(np.any(np.array(wins) > 0, axis=0)))
 
 
-def test_virulence_by_hand():
-    # v = 3/4, x = 0, 1/2, 3/4, 1: 2x/v - x^2/v^2 = 0, 4/3 - 4/9, 2 - 1, 8/3 - 16/9.
-    assert reduced_virulence([0, 2, 3, 4], 0.75) == pytest.approx([0, 8 / 9, 1, 8 / 9])
-    # v = 1: 2x - x^2, the more the better.
-    assert reduced_virulence([0, 1, 2], 1.0) == pytest.approx([0, 3 / 4, 1])
-    # v = 1/2: 4x - 4x^2, winning everything gives nothing.
-    assert reduced_virulence([0, 1, 2], 0.5) == pytest.approx([0, 1, 0])
-    assert reduced_virulence([0, 0], 0.75).tolist() == [0.0, 0.0]
-
-
 @pytest.mark.parametrize(
     ("call", "message"),
     [
         (lambda: competitive_sharing([1, 0]), r"wins: expected \(n, m\) numbers >= 0"),
-        (
-            lambda: reduced_virulence([1.0], 0.4),
-            "virulence: expected a number at least 0.5 and at most 1, got 0.4",
-        ),
     ],
 )
 def test_bad_wins_are_refused(call, message):

@@ -20,8 +20,8 @@ from course.chapter_2 import JAM_ACTIONS
 from course.chapter_5 import ENDINGS
 from course.chapter_8 import CASES, verdict_on
 from course.chapter_9 import break_even
+from course.toys import reduced_virulence
 from matrixworld import Action, analysis
-from matrixworld.coevolution import reduced_virulence
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 

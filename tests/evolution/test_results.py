@@ -21,7 +21,7 @@ import interval_coverage as coverage
 import judgement_tables
 import learned_exploitability as learned
 import learned_responses
-import maps
+import map_races
 import page_races
 import paper_claims
 import paper_surrounding
@@ -58,7 +58,7 @@ TABLES: dict[str, Callable[[Path], str]] = {
     "page_races/table.md": of(page_races.table),
     "paper_claims/table.md": of(paper_claims.tables),
     "paper_surrounding/table.md": of(paper_surrounding.tables),
-    "maps/table.md": of(maps.table),
+    "map_races/table.md": of(map_races.table),
     "race_budgets/table.md": of(race_budgets.table),
     "safe_learning/table.md": of(safe_learning.table),
     "scripted_pursuit/table.md": lambda at: scripted_pursuit.table(

@@ -11,7 +11,6 @@ import common
 import deap_example
 import matrixworld as mw
 import memory
-import safe_coevolution
 from evolution_scripts import SCRIPTS, read, run_quickly
 from matrixworld import coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
@@ -25,10 +24,11 @@ WITH_TORCH = {
     "actor_critic_baselines",
     "actor_critic_claims",
     "actor_critic_races",
+    "convergence",
     "paper_surrounding",
     "safe_learning",
 }
-ONCE = {"arms_race", "evolve_held_out", "safe_coevolution", "scripted_pursuit"}
+ONCE = {"evolve_held_out", "scripted_pursuit"}
 """Scripts that tell the time that they took, or keep no runs."""
 
 
@@ -174,49 +174,6 @@ def test_the_deap_example_evolves_a_response_that_wins() -> None:
     escaper = deap_example.best_response("evader", rival, budget, rng)
     before, after = deap_example.capture_rates(budget, rival, np.stack([naive, escaper]))[0]
     assert after < before - 0.1
-
-
-def test_safe_coevolution_charges_each_team_for_its_own_faults() -> None:
-    world = safe_coevolution.SMALL
-    scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
-    for t, team in enumerate(coevolution.TEAMS):
-        for match in range(2):
-            each = []
-            for episode in range(3):
-                captured = scores.captured_fraction[match, episode]
-                aim = captured if team == "pursuer" else 1 - captured
-                faults = sum(int(n) for n in scores.faults[match, episode, t])
-                each.append(aim - 0.5 * faults / scores.agent_steps[match, episode, t])
-            assert safe_coevolution.fitness(scores, team, 0.5)[match] == pytest.approx(
-                np.mean(each)
-            )
-
-
-def test_safe_coevolution_evaluates_each_champion_separately() -> None:
-    network = mw.Network.for_config(safe_coevolution.SMALL)
-    rng = np.random.default_rng(0)
-    champions = {
-        team: np.stack([network.initial(rng, head=head) for head in (0.01, 3.0)])
-        for team in coevolution.TEAMS
-    }
-    budget = safe_coevolution.QUICK._replace(prices=(0.0,))
-    told = safe_coevolution.evaluate(champions, budget)
-    pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
-    for index in range(2):
-        pairs = {"pursuer": [(index, 0), (index, 1)], "evader": [(0, index), (1, index)]}
-        for t, team in enumerate(coevolution.TEAMS):
-            collisions, steps, captured = np.zeros(3), 0, []
-            for p, e in pairs[team]:
-                match = mw.Matches.of(p, e, 2 * p + e)
-                scores = mw.rollout(safe_coevolution.SMALL, pursuers, evaders, match, episodes=10)
-                collisions[:2] += scores.faults[0, :, t, :2].sum(axis=0)
-                collisions[2] += scores.collisions[0, :, t, 2].sum()
-                steps += scores.agent_steps[0, :, t].sum()
-                captured.append(scores.capture_rate.mean())
-            score, rates = (each[0, index] for each in told[team])
-            rate = np.mean(captured)
-            assert score == pytest.approx(rate if team == "pursuer" else 1 - rate)
-            np.testing.assert_allclose(rates, 1000 * collisions / steps, rtol=1e-9)
 
 
 def test_the_corridor_without_memory_is_what_is_played_there() -> None:

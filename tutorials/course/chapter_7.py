@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from course.checks import Mistake, array, comparison, function, near, number
-from course.toys import hosts_and_parasites
-from matrixworld.coevolution import reduced_virulence
+from course.toys import hosts_and_parasites, reduced_virulence
 from matrixworld.coevolution.types import FloatArray
 
 _rng = np.random.default_rng(71)

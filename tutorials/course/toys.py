@@ -34,7 +34,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
 from matrixworld.coevolution.runs.race import pairings
 from matrixworld.coevolution.schedules import SCHEDULES, available
@@ -252,6 +251,18 @@ def numbers_game(name: str, seed: int, *, generations: int = 600, flips: float =
         return np.asarray(bits[parents] ^ (rng.random(bits.shape) < flips))
 
     return evolve(GAMES[name], (breed, breed), seed, generations=generations, opponents=15)
+
+
+def reduced_virulence(wins: FloatArray, virulence: float) -> FloatArray:
+    """Return the fitness (n,) of reduced virulence, at most 1; zeros if all wins (n,) are 0.
+
+    ``f = 2x/v - x^2/v^2`` with ``x = wins / max(wins)`` and a virulence v from 0.5 to 1: the best
+    share of the most wins is v. At virulence 1 more wins are always better. Below 1 a side that
+    could win every match is held back, so that the other one keeps something to learn from.
+    """
+    best = wins.max()
+    share = (wins / best if best > 0.0 else wins) / virulence
+    return np.asarray(2.0 * share - share * share)
 
 
 def hosts_and_parasites(

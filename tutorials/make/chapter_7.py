@@ -16,8 +16,11 @@ import numpy as np
 from tqdm import tqdm
 
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import RaceSettings, SavedRun, finish
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution import EvolutionStrategy, NoiseTable, RaceSettings, SavedRun, finish
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome
+
+sys.path.append(str(Path(__file__).parents[1]))  # where the folder `course` lies
+from course.toys import reduced_virulence
 
 DATA = Path(__file__).parents[1] / "course" / "data"
 SEEDS = range(10)
@@ -47,10 +50,34 @@ RACES = {
     "even": EVEN,
     "few evader epochs": EVEN.changed({"schedule.evader_epochs": 2}),
     "restrained pursuers": EVEN.changed(
-        {"schedule.evader_epochs": 2, "fitness.pursuer_virulence": 0.75}
+        {
+            "schedule.evader_epochs": 2,
+            "learner": "chapter_7:Restrained",
+            "learner.population": 24,
+            "evader_learner": vars(EVEN.learner) | {"kind": "es"},
+        }
     ),
 }
 """Settings of the races by name, without their seeds."""
+
+
+class Restrained(EvolutionStrategy):
+    """The evolution strategy of the other races, of virulence 0.75."""
+
+    def __init__(self, genome: Genome, samples: int, rng: np.random.Generator) -> None:
+        how = EVEN.learner
+        noise = NoiseTable(genome.size, rng, sigma=how.sigma)
+        super().__init__(
+            genome,
+            noise,
+            samples=samples,
+            learning_rate=how.learning_rate,
+            relative_sigma=how.relative_sigma,
+        )
+
+    def tell(self, fitness: FloatArray) -> None:
+        """Take the captured fractions (n,) of the candidates, and select by reduced virulence."""
+        super().tell(reduced_virulence(fitness, 0.75))
 
 
 def race(name: str, seed: int, runs: Path) -> SavedRun:

@@ -1,12 +1,12 @@
 """Which maps should teams learn on? By exact regret, by its estimates, novel ones, or any.
 
-    python evolution/maps.py             ten seeds, about three hours of one core
-    python evolution/maps.py --quick     two seeds of tiny races, half a minute
+    python evolution/map_races.py             ten seeds, about three hours of one core
+    python evolution/map_races.py --quick     two seeds of tiny races, half a minute
 
-Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve
-(docs/maps.md). They differ in what maps are selected by. The world can be solved, so that regret,
-which others estimate, is known. Episodes have 6 rounds, in which perfect pursuers capture from
-about two thirds of all starts. In 20 they always do, and evaders have nothing to regret.
+Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve. They differ
+in what maps are selected by. The world can be solved, so that regret, which others estimate, is
+known. Episodes have 6 rounds, in which perfect pursuers capture from about two thirds of all
+starts. In 20 they always do, and evaders have nothing to regret.
 
 Agents see two cells around them, and meet the newest opponents. With a view of the whole map, or
 with opponents from all generations, the evaders of every pilot learned to stand still, and no map
@@ -39,20 +39,15 @@ from scipy import stats
 
 import matrixworld as mw
 from common import Numbers, Runs, adjusted, by_seed, experiment, kinds_in, markdown, mean, shown_p
-from matrixworld.coevolution import (
-    TEAMS,
-    RaceSettings,
-    SavedRun,
-    Team,
-    held_out_maps,
-    score_on_maps,
-)
-from matrixworld.coevolution.maps import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Trial, random_map
+from maps.archive import BOTH, MAP_FITNESS, MAP_TEAMS, NONE, Trial, random_map
+from maps.held_out import held_out_maps, score_on_maps
+from maps.race import MapSettings, play
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, Team
 
 SIDE, STEPS = 6, 6
 BASE = RaceSettings.of({
-    "schedule": "maps", "schedule.generations": 20, "schedule.pursuer_epochs": 50,
-    "schedule.evader_epochs": 50, "schedule.maps": 8, "schedule.pursuers_meet": "latest",
+    "schedule": "alternating", "schedule.generations": 20, "schedule.pursuer_epochs": 50,
+    "schedule.evader_epochs": 50, "schedule.pursuers_meet": "latest",
     "schedule.evaders_meet": "latest", "learner": "es", "learner.population": 64,
     "learner.sigma": 0.1, "learner.relative_sigma": 0.3, "learner.learning_rate": 0.03,
     "policy.hidden": [16], "world.rules": "TO", "world.rows": SIDE, "world.cols": SIDE,
@@ -60,9 +55,9 @@ BASE = RaceSettings.of({
     "world.max_steps": STEPS, "world.obstacles": 0.2, "train_steps": STEPS, "match_episodes": 32,
     "evaluation_episodes": 10,
 })  # fmt: skip
-SELECTION = {"schedule.children": 4, "schedule.fresh": 1}
-MATCHES = 4
-"""On each map, for an estimate."""
+MAPS, SELECTION = 8, {"children": 4, "fresh": 1}
+MATCHES, WALLS = 4, 0.2
+"""On each map, for an estimate; share of walls in random maps."""
 LARGE = "16 x 16, "
 LARGE_WORLD = {
     "world.rows": 16, "world.cols": 16, "world.n_pursuers": 4, "world.n_evaders": 4,
@@ -72,7 +67,7 @@ LARGE_WORLD = {
 """Their agents see three cells around them."""
 QUICK = {
     "schedule.generations": 2, "schedule.pursuer_epochs": 2, "schedule.evader_epochs": 2,
-    "schedule.maps": 3, "world.rows": 4, "world.cols": 4, "world.max_steps": 8,
+    "world.rows": 4, "world.cols": 4, "world.max_steps": 8,
     "train_steps": 8, "learner.population": 4, "evaluation_episodes": 2,
 }  # fmt: skip
 RANKED = {False: 32, True: 6}
@@ -83,26 +78,24 @@ EPISODES = 50
 SCORES = ("regret", "wins")
 
 
-def kinds(quick: bool) -> dict[str, RaceSettings]:
+def kinds(quick: bool) -> dict[str, MapSettings]:
     """Return the settings of races by the fitness of maps, of exact regret by team, and of size."""
     base = BASE.changed(QUICK if quick else {})
     large = base.changed(LARGE_WORLD | ({"world.max_steps": 8, "train_steps": 8} if quick else {}))
-    fitness: dict[str, dict[str, Any]] = {
-        name: {
-            "schedule.map_fitness": name,
-            **(SELECTION if name != NONE else {}),
-            **({"schedule.map_matches": MATCHES} if each.plays else {}),
-        }
-        for name, each in MAP_FITNESS.items()
+    maps: dict[str, Any] = {"maps": 3 if quick else MAPS, "matches": MATCHES, "walls": WALLS}
+    fitness = {
+        name: MapSettings(base, name, **maps, **(SELECTION if name != NONE else {}))
+        for name in MAP_FITNESS
     }
-    found = {name: base.changed(changes) for name, changes in fitness.items()}
-    for team in TEAMS:
-        changes = fitness["regret"] | {"schedule.map_team": team}
-        found[f"regret of {team}s"] = base.changed(changes)
-    for name, changes in fitness.items():
-        if not MAP_FITNESS[name].exact:
-            found[LARGE + name] = large.changed(changes)
-    return found
+    return {
+        **fitness,
+        **{f"regret of {team}s": replace(fitness["regret"], team=team) for team in TEAMS},
+        **{
+            LARGE + name: replace(each, race=large)
+            for name, each in fitness.items()
+            if not MAP_FITNESS[name].exact
+        },
+    }
 
 
 def last(run: SavedRun, team: Team, budget: int) -> mw.Population:
@@ -116,20 +109,18 @@ def ranks(run: SavedRun, quick: bool) -> dict[str, float]:
     """Return the rank correlation of each estimate with exact regret, by team."""
     settings, rng = run.settings, np.random.default_rng(run.settings.seed)
     shape, agents = (settings.world.rows, settings.world.cols), settings.world.n_agents
-    walls = settings.schedule.walls
-    maps = np.array([random_map(shape, walls, agents, rng) for _ in range(RANKED[quick])])
+    maps = np.array([random_map(shape, WALLS, agents, rng) for _ in range(RANKED[quick])])
     champions = {team: run.last(team) for team in TEAMS}
     matches = mw.Matches.of(0, 0, rng.integers(2**62, size=MATCHES))
 
-    def play(world: mw.WorldConfig) -> mw.EpisodeStatistics:
+    def play_on(world: mw.WorldConfig) -> mw.EpisodeStatistics:
         return mw.rollout(world, *champions.values(), matches, episodes=settings.match_episodes)
 
     values, best = np.full(len(maps), np.nan), np.full((len(maps), 2), -np.inf)
     exact, found = {}, {}
     for team in MAP_TEAMS:  # both as the last: the sum
         trial = Trial(
-            maps, settings.training_world, champions, team, play, settings.fitness.measure,
-            values, best,
+            maps, settings.training_world, champions, team, play_on, values, best
         )  # fmt: skip
         exact[team] = sum(exact.values()) if team == BOTH else MAP_FITNESS["regret"].of(trial)
         for name, fitness in MAP_FITNESS.items():
@@ -246,4 +237,4 @@ def table(numbers: Numbers) -> str:
 
 
 if __name__ == "__main__":
-    experiment(__doc__, kinds=kinds, measure=measured, table=table, seeds=10)
+    experiment(__doc__, kinds=kinds, play=play, measure=measured, table=table, seeds=10)

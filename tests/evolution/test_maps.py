@@ -1,9 +1,17 @@
-"""Maps: what edits do, against a flood fill written down again, and the archive."""
+"""Maps: what edits do, against a flood fill written down again; the archive; held-out maps."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from matrixworld.coevolution.maps import MapArchive, edited, playable, random_map
+import matrixworld as mw
+from maps.archive import MapArchive, edited, playable, random_map
+from maps.held_out import GENERATORS, held_out_maps, score_on_maps
+from matrixworld.coevolution import TEAMS
+from matrixworld.solve import States, best_response, expected_payoff, solve
+
+WORLD = mw.WorldConfig("TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, max_steps=8, fov=7)
 
 
 def reachable(walls: np.ndarray) -> bool:
@@ -60,3 +68,29 @@ def test_children_are_new_maps():
     assert len({walls.tobytes() for walls in archive.maps}) == 25
     assert np.isnan(archive.values).all()
     assert (archive.best == -np.inf).all()
+
+
+@pytest.mark.parametrize("shape", [(2, 2), (6, 6), (5, 9), (40, 30)])
+def test_held_out_maps_are_open_and_connected(shape):
+    maps = held_out_maps(*shape, 12)
+    assert all(playable(walls, -(-walls.size // 2)) for walls in maps)
+    assert np.array_equal(held_out_maps(*shape, 5), maps[:5])
+    if shape != (2, 2):
+        assert not np.array_equal(held_out_maps(*shape, 12, seed=1), maps)
+        kinds = len(GENERATORS)
+        assert all(maps[kind::kinds].any() for kind in range(kinds))
+
+
+def test_scores_are_exact_where_they_are_asked_for():
+    maps = held_out_maps(4, 4, 3)
+    teams = {"pursuer": "chaser", "evader": "random"}
+    found = score_on_maps(teams, WORLD, maps, exact=True, episodes=4000)
+    assert score_on_maps(teams, WORLD, maps, episodes=4000, threads=1).regret == {}
+    for number, walls in enumerate(maps):
+        states = States(replace(WORLD, obstacles=walls))
+        value = solve(states).value
+        captured = expected_payoff(states, *teams.values())
+        assert found.capture_rate[number] == pytest.approx(captured, abs=0.04)
+        for team, sign in zip(TEAMS, (1, -1), strict=True):
+            best = best_response(states, teams[team], team).value
+            assert found.regret[team][number] == pytest.approx(sign * (value - best))

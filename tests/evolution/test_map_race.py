@@ -1,0 +1,144 @@
+"""Races on maps that evolve: what is played where, what is kept, and that they resume."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from maps.archive import MAP_FITNESS, playable, symmetric
+from maps.race import MapRace, MapSettings
+from matrixworld import rollout
+from matrixworld.coevolution import TEAMS
+from matrixworld.solve import States, best_response
+from tiny_race import StopAt, results, tiny_race
+
+RACE = tiny_race(
+    rules="TO", rows=4, cols=4, n_pursuers=2, n_evaders=1, fov=7, max_steps=6, train_steps=6,
+    match_episodes=3, obstacles=0.1,
+)  # fmt: skip
+N_NEW = 4 + 3 + 2
+
+
+def settings_of(fitness: str, **changes: Any) -> MapSettings:
+    small = MapSettings(RACE, fitness, maps=4, children=3, fresh=2, matches=2, seed=5)
+    return replace(small, **changes)
+
+
+def played(settings: MapSettings, directory: Any) -> tuple[list[Any], list[Any], MapRace]:
+    """Return the arguments and scores of all matches, the maps of each generation, and the race."""
+    calls: list[Any] = []
+
+    def play(config: Any, pursuers: Any, evaders: Any, matches: Any, **options: Any) -> Any:
+        scores = rollout(config, pursuers, evaders, matches, **options)
+        calls.append((config, pursuers, evaders, scores))
+        return scores
+
+    archives = []
+    race = MapRace(settings, directory, play=play)
+    for stage in range(race.n_stages):
+        race.learn(stage)
+        race.end_stage()
+        if stage % 2:
+            archives.append(race.maps.state())
+    race.run()
+    return calls, archives, race
+
+
+@pytest.mark.parametrize("fitness", MAP_FITNESS)
+def test_teams_learn_on_archived_maps_and_are_evaluated_in_the_world(tmp_path, fitness):
+    calls, archives, race = played(settings_of(fitness), tmp_path / "run")
+    assert all(playable(walls, 3) for each in archives for walls in each["maps"])
+    per_map = N_NEW if MAP_FITNESS[fitness].plays else 0
+    generation = 5 + per_map
+    # Epochs are played on the maps of the generation before.
+    known = [walls.tobytes() for walls in archives[0]["maps"]]
+    second = calls[generation : generation + 5]
+    assert all(world.map.tobytes() in known for world, *_ in second)
+    assert len({world.map.tobytes() for world, *_ in second}) > 1
+    assert {world.density for world, *_ in calls[-3:]} == {0.1}
+    matches = sum(scores.length.size for *_, scores in calls[:-3])
+    assert matches == race.files.log()["matches"][-1]
+
+
+def slow_scores(fitness: str, played: Any, best: Any) -> float:
+    """Return the score of a map, written down once more from episodes."""
+    captured = [float(each) for each in played.captured_fraction.ravel()]
+    returns = [captured, [1.0 - each for each in captured]]
+    means = [sum(each) / len(each) for each in returns]
+    if fitness == "value-loss":
+        losses = [
+            sum(max(one - mean, 0.0) for one in each) / len(each)
+            for each, mean in zip(returns, means, strict=True)
+        ]
+        return sum(losses)
+    if fitness == "max-monte-carlo":
+        highest = [max([*each, *before]) for each, before in zip(returns, best, strict=True)]
+        best[0].append(highest[0])
+        best[1].append(highest[1])
+        return sum(high - mean for high, mean in zip(highest, means, strict=True))
+    rate = played.capture_rate.mean()
+    return float(rate * (1.0 - rate))
+
+
+@pytest.mark.parametrize("fitness", ["value-loss", "max-monte-carlo", "learnability"])
+def test_the_best_of_old_and_new_maps_are_kept(tmp_path, fitness):
+    calls, archives, race = played(settings_of(fitness), tmp_path / "run")
+    known: dict[bytes, Any] = {}
+    for number, archive in enumerate(archives):
+        start = number * (5 + N_NEW) + 5
+        scored = calls[start : start + N_NEW]
+        assert all(
+            (call[1 + t].genomes == race.archive[team][number + 1]).all()
+            for call in scored
+            for t, team in enumerate(TEAMS)
+        )
+        every = {}
+        for world, _, _, scores in scored:
+            key = world.map.tobytes()
+            every[key] = slow_scores(fitness, scores, known.setdefault(key, ([], [])))
+        slow = sorted(every.values(), reverse=True)[: len(archive["scores"])]
+        assert np.allclose(archive["scores"], slow)
+        assert np.allclose([every[walls.tobytes()] for walls in archive["maps"]], slow)
+
+
+def test_regret_is_how_far_both_champions_fall_short(tmp_path):
+    _, archives, race = played(settings_of("regret"), tmp_path / "run")
+    pair = [mw.Population(race.archive[team][-1][None], race.network) for team in TEAMS]
+    for walls, score in zip(archives[-1]["maps"], archives[-1]["scores"], strict=True):
+        states = States(replace(RACE.training_world, obstacles=walls))
+        low, high = (best_response(states, *each).value for each in zip(pair, TEAMS, strict=True))
+        assert score == pytest.approx(high - low)
+
+
+def test_novelty_is_the_distance_to_the_nearest_copies(tmp_path):
+    settings = settings_of("novelty", fresh=0, children=0)
+    archive = played(settings, tmp_path / "run")[1][0]
+    for walls, score in zip(archive["maps"], archive["scores"], strict=True):
+        distances = [
+            min(int((copy != other).sum()) for copy in symmetric(walls))
+            for other in archive["maps"]
+        ]
+        assert score == pytest.approx(np.mean(sorted(distances)[1:4]))  # without itself
+
+
+@pytest.mark.parametrize(
+    ("fitness", "call"),
+    [("learnability", 7), ("regret", 9), ("none", 6), ("max-monte-carlo", 12)],
+)
+def test_a_stopped_race_ends_as_if_never_stopped(tmp_path, fitness, call):
+    settings = settings_of(fitness)
+    MapRace(settings, tmp_path / "straight", threads=3).run()
+    race = MapRace(settings, tmp_path / "run", threads=1, play=StopAt(call))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    with pytest.raises(ValueError, match="holds a race on maps of other settings"):
+        MapRace(replace(settings, edits=9), tmp_path / "run")
+    # Both ways to continue: by the same object, and by a new one.
+    if call % 2:
+        race.training.rollout = rollout
+        race.run()
+    else:
+        MapRace(settings, tmp_path / "run", threads=1).run()
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
