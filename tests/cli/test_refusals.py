@@ -65,7 +65,6 @@ EXPLORE = [
     (["race", "--figures", "--out", "x.svg"], 2, "--out: expected one --figure of one run, got no"),
     (["--figure", "rules", "-o", "x.bmp"], 2, "expected a name that ends in .png, .pdf, .svg, got"),
     (["--figure", "rules", "-o", "x.svg", "--format", "png"], 2, "that ends in .png, got x.svg"),
-    (["--figure", "rules", "--width", "5"], 2, "--width: expected at least 6.9 inches for this"),
     (["alone", "--figure", "payoff"], 2, "expected a race, got a run of one team"),
     (["race", "--figures", "--baseline", "x"], 2, "expected NAME=RUN, got 'x'"),
     (["race", "--figures", "--baseline", "x=race"], 2, "expected finished runs of one team"),

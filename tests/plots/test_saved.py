@@ -157,9 +157,9 @@ def test_only_races_on_maps_have_a_worst_one(runs):
 # The command
 
 
-def test_one_figure_in_a_format_and_a_width(runs):
+def test_one_figure_in_a_format(runs):
     race, file = runs / "job" / "seed-5", "here.pdf"
-    words = ["explore", race, "--figure", "collisions", "--width", 3.35, "--out", file]
+    words = ["explore", race, "--figure", "collisions", "--out", file]
     assert matrixworld_command(*words).output == f"{file}\n"
     assert Path(file).read_bytes().startswith(b"%PDF-")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import webbrowser
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import nullcontext
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any, TypeVar
@@ -107,13 +106,6 @@ def _baselines(
     "plays against the race's opponents, and is a level line in the figure of generalization. RUN "
     "may hold a run for each seed of the races. May be repeated",
 )
-@click.option(
-    "--width",
-    type=click.FloatRange(3, 12),
-    metavar="INCHES",
-    help="make figures for paper: of this width, with type of 6 to 9 points. A column has about "
-    "3.35 inches, a page 6.9",
-)
 @click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
 @options("force")
 def explore_command(
@@ -124,7 +116,6 @@ def explore_command(
     figure: str | None,
     suffix: str | None,
     baselines: dict[str, list[SavedRun]],
-    width: float | None,
     each: bool,
     force: bool,
 ) -> None:
@@ -145,9 +136,9 @@ def explore_command(
     if figures or figure:
         chosen = {"suffix": _format(out, suffix), "baselines": baselines, "each": each}
         root = common_directory(runs) if runs else Path()
-        _draw(_files(groups, root, figure, chosen), figure, out, width, force)
+        _draw(_files(groups, root, figure, chosen), figure, out, force)
         return
-    given = {"--format": suffix, "--baseline": baselines, "--width": width, "--each": each}
+    given = {"--format": suffix, "--baseline": baselines, "--each": each}
     for option, value in given.items():
         if value:
             raise click.UsageError(f"{option}: expected --figures or --figure beside it")
@@ -219,7 +210,6 @@ def _draw(
     files: Mapping[Path, Callable[[], Any]],
     name: str | None,
     out: Path | None,
-    width: float | None,
     force: bool,
 ) -> None:
     from matrixworld import plots
@@ -232,7 +222,7 @@ def _draw(
     # All files are checked before the first is drawn.
     check_outputs(*files, force=force)
     for file, figure in files.items():
-        with usage_errors(), nullcontext() if width is None else plots.at_width(width):
+        with usage_errors():
             plots.save_figure(figure(), file)
         say(file)
 
