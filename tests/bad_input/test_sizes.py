@@ -42,11 +42,9 @@ def test_what_else_is_too_large_fails_as_in_numpy() -> None:
 
 
 @pytest.mark.parametrize("suffix", [".gif", ".mp4"])
-def test_pictures_and_animations_have_a_largest_size(
+def test_animations_have_a_largest_size(
     tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with pytest.raises(ValueError, match="contact sheet: expected at most 67,108,864 pixels"):
-        replay.contact_sheet(random_walks(), rows=10**6, cols=10**6)
     monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
     with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
         replay.save(random_walks(), tmp_path / f"x{suffix}")

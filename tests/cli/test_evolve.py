@@ -22,7 +22,7 @@ from command_line import (
     words,
 )
 from matrixworld._util.files import locked
-from matrixworld.cli.evolve import _default_directory, _live_page, _new_job, evolve_command
+from matrixworld.cli.evolve import _default_directory, _new_job, _shown, evolve_command
 from matrixworld.cli.options import given_options
 from matrixworld.cli.setting_options import settings_of
 from matrixworld.coevolution import (
@@ -265,13 +265,13 @@ def test_a_locked_run_gives_an_error_of_one_line(copy):
     assert "another process is running there" in refused.stderr
 
 
-def test_a_live_page_is_told_and_shows_the_races_of_the_finished_page(
-    undrawn: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    job = _new_job({"seeds": range(10)})
-    with _live_page(job, tmp_path) as page:
-        seeds = {name.rpartition("/")[2] for name in page._names}
-    assert len(page._names) == 12
-    assert seeds == {f"seed-{n}" for n in range(4)}
-    told = evolved("--live", "--out", "race", *words(RACE), "--threads", 1)
-    assert re.search(r"^Live: http://127\.0\.0\.1:\d+/[\w-]{22}/$", told.stderr, re.MULTILINE)
+def test_the_page_of_many_runs_grows_with_the_first_seeds() -> None:
+    names = _shown(_new_job({"seeds": range(10)}))
+    assert len(names) == 12
+    assert {name.rpartition("/")[2] for name in names} == {f"seed-{n}" for n in range(4)}
+
+
+def test_evolve_names_its_page_first(undrawn: None) -> None:
+    told = evolved("--out", "race", *words(RACE), "--threads", 1)
+    page = Path("race", "explorer.html")
+    assert told.stderr.splitlines()[0] == f"{page} shows the runs while they go on."

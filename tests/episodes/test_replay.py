@@ -1,4 +1,4 @@
-"""Replays of an episode: scenes, GIFs, films, contact sheets, terminal animations."""
+"""Replays of an episode: scenes, GIFs, films, terminal animations."""
 
 import base64
 import io
@@ -19,7 +19,6 @@ from matrixworld.episodes import replay as term
 from matrixworld.episodes.replay import (
     animate_terminal,
     animation,
-    contact_sheet,
     print_moment,
     save,
     scene,
@@ -48,7 +47,7 @@ def test_scenes_follow_the_episode() -> None:
         scene(EPISODE, 3, trail=-1)
 
 
-# -- GIF and sheet -----------------------------------------------------------------------------
+# -- GIF ---------------------------------------------------------------------------------------
 
 
 def test_a_gif_shows_every_step(tmp_path: Path) -> None:
@@ -142,7 +141,7 @@ def test_a_picture_of_one_moment_with_the_views_of_its_world(tmp_path: Path) -> 
         assert (np.array(image) == wanted).all()
     episode = mw.record(mw.WorldConfig(rows=12, cols=12, fov=5), "still", "still", seed=0)
     looks: tuple[dict[str, int], ...] = ({}, {"fov": 5}, {"fov": 7})
-    own, five, seven = (contact_sheet(episode, viewers=[0], **look).tobytes() for look in looks)
+    own, five, seven = (animation(episode, viewers=[0], **look).data for look in looks)
     assert own == five != seven
 
 
@@ -154,20 +153,6 @@ def test_a_notebook_shows_an_animation() -> None:
     encoded = re.fullmatch(r'<img src="data:image/gif;base64,(.*)" alt=".+">', shown._repr_html_())
     assert encoded is not None
     assert base64.b64decode(encoded[1]) == shown.data
-
-
-def test_a_contact_sheet_runs_from_first_to_last() -> None:
-    sheet = contact_sheet(EPISODE, rows=2, cols=3, cell=14)
-    single = render.rgb(scene(EPISODE, 0), cell=14)
-    height, width, _ = single.shape
-    assert isinstance(sheet, Image.Image)  # which a notebook shows
-    sheet = np.array(sheet)
-    assert sheet.shape == (2 * height, 3 * width, 3)
-    assert (sheet[:height, :width] == single).all()
-    assert (sheet[height:, 2 * width :] == render.rgb(scene(EPISODE), cell=14)).all()
-    views = np.array(contact_sheet(EPISODE, cell=14, trail=0, fov=3, viewers=["evader_1"]))
-    seen = render.rgb(scene(EPISODE, 0, trail=0), cell=14, fov=3, viewers=[6])
-    assert (views[:height, :width] == seen).all()
 
 
 # -- terminal ----------------------------------------------------------------------------------
@@ -214,11 +199,11 @@ def test_numbers_of_numpy_are_numbers(tmp_path: Path) -> None:
     small = np.uint8
     plain: dict[str, Any] = {"cell": 12, "fov": 5, "trail": 3}
     sizes = {name: small(number) for name, number in plain.items()}
-    sheets = [
-        contact_sheet(EPISODE, rows=rows, cols=cols, viewers=[viewer], **look).tobytes()
-        for rows, cols, viewer, look in ((2, 3, 1, plain), (small(2), small(3), small(1), sizes))
+    shown = [
+        animation(EPISODE, every=every, viewers=[viewer], **look).data
+        for every, viewer, look in ((15, 1, plain), (small(15), small(1), sizes))
     ]
-    assert sheets[0] == sheets[1]
+    assert shown[0] == shown[1]
     files = [tmp_path / "plain.gif", tmp_path / "small.gif"]
     save(EPISODE, files[0], every=7, fps=10, hold=1, cell=12)
     save(EPISODE, files[1], every=small(7), fps=small(10), hold=small(1), cell=small(12))

@@ -1,20 +1,15 @@
 """The page on which a race evolves: one file, and a race that can be watched and changed."""
 
-import json
 import time
 import webbrowser
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from browser import LAPTOP, PHONE, Browser
 from command_line import matrixworld_command
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.evolve_page import LEARNERS, PAGE, SCHEDULES, evolve_page, race_of
-from matrixworld.solve import guarantees
-from matrixworld.world.policy import Population
 
 DOCS = Path(__file__).parents[2] / "docs"
 MOST = 1_000_000
@@ -108,38 +103,20 @@ def test_a_race_evolves_is_changed_and_its_matches_are_those_of_the_matrix(
 
 
 @pytest.mark.slow
-def test_a_map_is_drawn_refused_and_solved(browser: Browser, page: Path) -> None:
-    opened(browser, page, "#small=1&seed=1&population=8&walls=6.7.14", LAPTOP)
-    browser.click(".evolve")
-    browser.wait(f"{STATE} === 'ended'", 120)
+def test_a_wall_that_would_cut_off_a_cell_is_refused(browser: Browser, page: Path) -> None:
+    opened(browser, page, "#population=8&walls=12.13", LAPTOP)
     browser.driver.execute_script(
         "document.querySelector('.doings [aria-pressed=false]:not(.side)').click()"
     )
-    box = "document.querySelector('.chase canvas').getBoundingClientRect()"
-    left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
-    shown = "Array.from(document.querySelectorAll('.regret strong'), (each) => each.textContent)"
-    browser.wait(f"{shown}.length === 2")
-    before = browser.js(shown)
     told = "document.querySelector('.chase > [role=status]').textContent"
     rows = "matrixworldEvolve.lanes[0].settings.world.obstacles"
+    browser.wait("matrixworldEvolve.lanes[0].newest.player.step > 0")
+    box = "document.querySelector('.chase canvas').getBoundingClientRect()"
+    left, top, width = browser.js(f"(box => [box.left, box.top, box.width])({box})")
     for col, sentence in ((2, "Nobody may be walled in"), (3, "")):  # the first cuts off a corner
-        browser.drag((left + width * (col + 0.5) / 6, top + width * 0.5 / 6))
+        browser.drag((left + width * (col + 0.5) / 12, top + width * 0.5 / 12))
         browser.wait(f"{told}.slice(0, 23) === '{sentence}'")
-    browser.wait(f"{rows}[0] === '...#..' && {rows}[1] === '##....'")
-    # What the page tells is what Python finds for the same champions.
-    race = browser.js("""matrixworldEvolve.lanes[0].saved().then(({settings, archive}) => ({
-      settings, genomes: [archive.pursuer, archive.evader].map((each) => [...each.at(-1)]),
-    }))""")
-    settings = RaceSettings.of(race["settings"])
-    genomes = np.array(race["genomes"], np.float32)
-    champions = {
-        team: Population(genome[np.newaxis], settings.network)
-        for team, genome in zip(TEAMS, genomes, strict=True)
-    }
-    exact = guarantees(settings.world, champions).exploitability
-    expected = [f"regret {exact[team][0]:.2f}" for team in TEAMS]
-    assert expected != before
-    browser.wait(f"String({shown}) === {json.dumps(','.join(expected))}")
+    browser.wait(f"{rows}[0] === '...#........' && {rows}[1] === '##..........'")
     assert browser.errors() == []
 
 

@@ -78,8 +78,7 @@ OPENED: dict[str, list[str]] = {
     ],
     "lesson": ["location.hash = '#votes'"],
     "explorer": [
-        *(PRESS.format(name) for name in (".keys-button", ".miniature", ".begin-minute")),
-        *(PRESS.format(name) for name in (".to-share", ".to-play")),
+        *(PRESS.format(name) for name in (".keys-button", ".miniature", ".to-share", ".to-play")),
     ],
     "play": [WATCHED],
     "playground": [BUTTON.format("Share"), BUTTON.format("?")],

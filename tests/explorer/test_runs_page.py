@@ -6,7 +6,6 @@ import re
 import shutil
 import sys
 import zlib
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,7 @@ import numpy as np
 import pytest
 
 from browser import READY, Browser
-from matrixworld import World, WorldConfig, analysis, record
+from matrixworld import World, WorldConfig, analysis
 from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis.judgement import summary
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
@@ -60,13 +59,12 @@ CELL = """(() => {
 
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
-    """Runs of different worlds: obstacles, diagonal moves and turns, a single team, and maps."""
+    """Runs of different worlds: obstacles, diagonal moves and turns, and a single team."""
     root = tmp_path_factory.mktemp("job")
     settings = {
         "race": tiny_race(obstacles=0.15, max_steps=30),
         "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
         "single": tiny_single(team="evader", opponent="chaser"),
-        "maps": tiny_race(schedule="maps-novelty", maps=3, max_steps=20),
     }
     for name, each in settings.items():
         start(each, root / name, threads=1).run()
@@ -88,7 +86,7 @@ def page(browser: Browser, job: Job, tmp_path: Path) -> Browser:
 @pytest.mark.nightly
 def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None:
     """Clicks show the package's steps and words for conflicts, and the page confirms the cell."""
-    assert page.js("document.querySelector('h1').textContent") == "4 runs of pursuers and evaders"
+    assert page.js("document.querySelector('h1').textContent") == "3 runs of pursuers and evaders"
     seen = 0
     for number, g, h, episode in MATCHES:
         page.click(f".race:nth-child({number + 1})")
@@ -132,26 +130,6 @@ def test_the_page_plays_the_matches_of_the_runs(page: Browser, job: Job) -> None
     page.wait(f"{PLAYED} === '0 2 1 0 '")
     page.driver.forward()
     page.wait(f"{PLAYED} === '0 0 0 0 '")
-    page.js("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=5'")
-    page.wait(f"{PLAYED} === '1 2 0 1 ' && matrixworldExplorer.step === 5")
-    # A click on a map plays the match there; O leads back to the evaluation. The pointer still
-    # rests on the cell of the untrained, so their maps are shown.
-    page.js("location.hash = '#run=3&pursuers=1&evaders=2&episode=1'")
-    page.wait(f"{PLAYED} === '3 1 2 1 '")
-    assert page.js("document.querySelectorAll('.maps button').length") == 3
-    page.driver.execute_script("document.querySelectorAll('.maps button')[1].click()")
-    page.wait("document.querySelector('#match').dataset.map === '1'")
-    maps, played = job["maps"], page.js(MATCH)
-    config = replace(maps.settings.world, obstacles=maps.maps()["maps"][0, 1])
-    seed = evaluation_seed(maps.settings.seed, 1, 2)
-    expected = record(
-        config, *maps.teams.values(), seed=seed, pursuer=1, evader=2, episode=1
-    )  # fmt: skip
-    assert played["last"] == expected.last_positions[-1].ravel().tolist()
-    page.reload()
-    page.wait("document.querySelector('#match').dataset.map === '1'")
-    page.press("o")
-    page.wait("document.querySelector('.check').dataset.equal === 'true'")
     page.js("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=5'")
     page.wait(f"{PLAYED} === '1 2 0 1 ' && matrixworldExplorer.step === 5")
     page.js("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
@@ -265,11 +243,6 @@ def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
     assert found["reasons"] == analysis.explain(judgement).splitlines()
     ratings = analysis.elo_over_episodes(rates).pursuers
     assert found["ratings"]["pursuers"]["high"] == ratings.high.tolist()
-    # What the guided minute says of a pair is in its cell, which is the match that is shown.
-    stops, matrix = found["guided_minute"], race.payoff().capture_rate
-    for stop in stops[:2]:
-        assert f"{matrix[stop['pursuer'], stop['evader']]:.0%} of" in stop["text"]
-    assert found["headline"] in stops[4]["text"]
 
 
 def test_genomes_are_exact(race: SavedRun) -> None:
@@ -288,15 +261,6 @@ def test_genomes_are_exact(race: SavedRun) -> None:
     [few], _ = runs_data([("a", race)], most=4 * race.teams["pursuer"].genomes[0].nbytes)
     assert [few["teams"][team]["kept"] for team in TEAMS] == [[0, 2], [0, 2]]
     assert kept_generations(6, 2) == [0, 2, 4, 5]  # the last one, too
-
-
-def test_maps_are_those_of_the_run(job: Job) -> None:
-    data, found = as_read(job["maps"])["maps"], job["maps"].maps()
-    assert (data["fitness"], data["count"]) == ("novelty", 3)
-    walls = np.array([[list(row) for row in rows] for rows in data["walls"]]) == "#"
-    np.testing.assert_array_equal(walls.reshape(found["maps"].shape), found["maps"])
-    np.testing.assert_allclose(data["scores"], found["scores"].ravel(), rtol=1e-3)
-    assert as_read(job["race"])["maps"] is None
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(job: Job) -> None:

@@ -100,12 +100,6 @@ const COMMANDS = {
       return told;
     });
   },
-  // The capture rate under perfect play, and of each team's policy against its best opponent.
-  guarantees({ config, pursuers, evaders }) {
-    const solution = engine.solution(config);
-    while (solution.goBack()) continue;
-    return [solution.value, solution.guaranteed("pursuer", policyOf(pursuers)), solution.guaranteed("evader", policyOf(evaders))];
-  },
   texts({ table, n_pursuers }) {
     return conflicts.conflictsOf(Int32Array.from(table), n_pursuers);
   },

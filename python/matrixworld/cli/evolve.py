@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any
@@ -73,7 +72,7 @@ from matrixworld.coevolution.sections import kinds_in
 from matrixworld.coevolution.storage import check_empty, place_in_job
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.explorer import evolve_page
-from matrixworld.explorer.live import LivePage
+from matrixworld.explorer.growing import GrowingPage
 from matrixworld.explorer.page import write_page
 from matrixworld.explorer.runs_page import MOST_RUNS, PAGE
 from matrixworld.world.rules import RULES_HEAD, VARIANTS, rules_row
@@ -167,11 +166,6 @@ def _prints(name: str, callback: Callable[..., None], text: str) -> Callable[[An
 )
 @options("seed", "seeds", "threads", "cluster")
 @click.option(
-    "--live/--no-live",
-    default=None,
-    help="show the runs on a page of this machine while they go on  [default: in a terminal]",
-)
-@click.option(
     "--resume",
     "resumed",
     type=click.Path(path_type=Path),
@@ -190,7 +184,6 @@ def evolve_command(
     resumed: Path | None,
     threads: int | None,
     where: str | None,
-    live: bool | None,
     **settings: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
@@ -209,8 +202,8 @@ def evolve_command(
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
     Results do not depend on --threads.
 
-    In a terminal, or with --live, an address is printed: a page with the matrix, the curves and the
-    newest match of the first runs, while they go on. It ends as explorer.html.
+    explorer.html in the directory shows matrices, curves and matches of the first runs while they
+    go on: it is written anew with the generations, and loads itself again in a browser.
 
     With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
     must see the directory under the same path; docs/cluster.md says how to start them.
@@ -228,19 +221,17 @@ def evolve_command(
         with usage_errors():
             check_job(job, root, threads, elsewhere=where is not None)
         create_job(job, root)
+        page = GrowingPage(root, _shown(job))
+        note(f"{root / PAGE} shows the runs while they go on.")
         note(_plan(job, root))
         if resumed is None and not given:
             note(PAGE_HINT)
         began = time.monotonic()
-        live = sys.stderr.isatty() if live is None else live
-        with _resumable(root), _live_page(job, root) if live else nullcontext() as page:
-            with progress() as bar:
-                whole = Whole(job, bar, page, root)
-                with on_cluster(where, threads) as executor:
-                    results, failed = play_runs(job, root, threads, executor, whole.played)
-                report(job, results, root, failed, threads, began=began, whole=whole)
-            if page is not None and results:
-                page.finish(root / PAGE)
+        with _resumable(root), progress() as bar:
+            whole = Whole(job, bar, page, root)
+            with on_cluster(where, threads) as executor:
+                results, failed = play_runs(job, root, threads, executor, whole.played)
+            report(job, results, root, failed, threads, began=began, whole=whole)
         if failed:
             lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
             raise click.ClickException(
@@ -278,14 +269,12 @@ def _resumable(root: Path) -> Iterator[None]:
         raise
 
 
-def _live_page(job: Job, root: Path) -> LivePage:
-    """Return the page of the runs that go on: those that the page of finished runs shows."""
+def _shown(job: Job) -> list[str]:
+    """Return the runs that go on and are shown: those of the page of finished runs."""
     groups: dict[str, list[str]] = {}
     for name in job:
         groups.setdefault(PurePath(name).parent.as_posix(), []).append(name)
-    page = LivePage(root, first_seeds(groups.values(), MOST_RUNS))
-    note(f"Live: {page.url}")
-    return page
+    return first_seeds(groups.values(), MOST_RUNS)
 
 
 def _check_new(root: Path) -> None:
@@ -349,7 +338,7 @@ class Whole:
     """
 
     def __init__(
-        self, job: Job, bar: ProgressBar, page: LivePage | None = None, root: Path | None = None
+        self, job: Job, bar: ProgressBar, page: GrowingPage | None = None, root: Path | None = None
     ) -> None:
         races = [settings for settings in job.values() if settings.is_race]
         # A match takes as long as its steps. Seeds have few figures of their own.
@@ -369,6 +358,8 @@ class Whole:
         if progress.what != self._done.what:
             self._tell_first()
         self._done, self._draw = progress, self._seconds * rate
+        if self._page is not None:
+            self._page.write()
         self._show(f"evolve, {progress.what}", 0.0)
 
     def _tell_first(self) -> None:
@@ -391,10 +382,7 @@ class Whole:
 
     def _show(self, what: str, after: float) -> None:
         one, total = self._done, self._done.total + self._score + self._draw
-        shown = replace(one, what=what, done=round(one.done + after), total=round(total))
-        self._bar(shown)
-        if self._page is not None:
-            self._page.report(shown)
+        self._bar(replace(one, what=what, done=round(one.done + after), total=round(total)))
 
 
 def play_runs(

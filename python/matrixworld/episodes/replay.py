@@ -1,4 +1,4 @@
-"""Recorded episodes to watch: in a terminal, as an animation, as a sheet of pictures."""
+"""Recorded episodes to watch: in a terminal, as an animation, as a picture."""
 
 from __future__ import annotations
 
@@ -36,10 +36,9 @@ from matrixworld.episodes.films import (
 from matrixworld.world.canvas import SMALLEST_NUMBERED, Layout, fitting_cell
 from matrixworld.world.render import ansi, rgb
 
-__all__ = ["Animation", "animation", "contact_sheet", "save", "scene"]
+__all__ = ["Animation", "animation", "save", "scene"]
 
 FOV = 11  # side of a field of view if the episode does not state it
-MOST_PIXELS = 2**26  # of a picture: 200 MB
 MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
 SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
 LONGEST_HOLD = 600.0  # seconds; a GIF has 16 bits for hundredths
@@ -181,36 +180,6 @@ def animation(
     return Animation.of(pictures.draw, times, fps=fps, hold=hold)
 
 
-def contact_sheet(
-    episode: Episode, *, rows: int = 2, cols: int = 3, **look: Unpack[Look]
-) -> Image.Image:
-    """Draw moments of an episode, evenly spread from first to last, as one picture for a notebook.
-
-    Parameters
-    ----------
-    episode : Episode
-        The recording.
-    rows, cols : int, optional
-        How many moments are below and beside each other.
-    **look
-        As for `save`.
-
-    Raises
-    ------
-    ValueError
-        If a value is out of range, or the picture would have more than 2**26 pixels.
-    """
-    check_keywords(look, Look.__annotations__, contact_sheet)
-    pictures = _Pictures(episode, look)
-    rows, cols = check_integer("rows", rows, 1), check_integer("cols", cols, 1)
-    count = rows * cols
-    _check_pixels("contact sheet", count * pictures.pixels, MOST_PIXELS)
-    times = np.linspace(0, episode.length, count).round().astype(int)
-    drawn = [pictures.draw(t) for t in times.tolist()]
-    lines = [np.concatenate(drawn[i : i + cols], axis=1) for i in range(0, count, cols)]
-    return Image.fromarray(np.concatenate(lines))
-
-
 class _Pictures:
     """Pictures of an episode's moments; `field` is the wanted size of a field, in pixels."""
 
@@ -232,16 +201,14 @@ class _Pictures:
 
     def check_frames(self, times: list[int], *, fps: float, hold: float) -> tuple[float, float]:
         """Return fps and hold, or raise ValueError or TypeError before a file is begun."""
-        _check_pixels("animation", len(times) * self.pixels, MOST_ANIMATED)
+        pixels = len(times) * self.pixels
+        if pixels > MOST_ANIMATED:
+            expected = f"at most {MOST_ANIMATED:,} pixels in all"
+            raise ValueError(f"animation: expected {expected}, got {shown(pixels)}")
         return (
             check_number("fps", fps, least=SLOWEST, most=FASTEST),
             check_number("hold", hold, least=0.0, most=LONGEST_HOLD),
         )
-
-
-def _check_pixels(what: str, pixels: int, most: int) -> None:
-    if pixels > most:
-        raise ValueError(f"{what}: expected at most {most:,} pixels in all, got {shown(pixels)}")
 
 
 def _times(episode: Episode, every: int) -> list[int]:

@@ -35,8 +35,6 @@ RACE: dict[str, Any] = {
 }
 """A race that takes some seconds in a browser, and in which both teams visibly learn: without
 hidden layers a genome has so few numbers that few matches tell which ones are good."""
-SMALL = WorldConfig("TO", rows=6, cols=6, n_pursuers=2, n_evaders=1, fov=5, max_steps=6)
-"""A world that a page solves in less than a second. Networks that see less of it learn faster."""
 ES, GA = EvolutionStrategy.kind, GeneticAlgorithm.kind
 LEARNERS: dict[str, dict[str, Any]] = {
     ES: {"learner": ES, "learner.sigma": 0.3, "learner.learning_rate": 0.2},
@@ -61,7 +59,7 @@ def masks_of(config: WorldConfig) -> dict[str, Any]:
 
 
 def evolve_data() -> dict[str, Any]:
-    """Return what a page needs: races by learner and schedule, a small world, and masks of both."""
+    """Return what a page needs: races by learner and schedule, and masks of both teams."""
     races = {
         learner: {schedule: race_of(schedule, learner).to_json() for schedule in SCHEDULES}
         for learner in LEARNERS
@@ -71,7 +69,6 @@ def evolve_data() -> dict[str, Any]:
         "version": __version__,
         "format": FORMAT,
         "races": races,
-        "small": SMALL.to_json(),
         "masks": masks,
     }
 

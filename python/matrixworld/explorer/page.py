@@ -37,7 +37,6 @@ def render_page(
     blobs: Mapping[str, bytes] | None = None,
     *,
     opens: Sequence[str] = (),
-    asks: bool = False,
     works: bool = False,
     folder: Path = BUILT,
 ) -> str:
@@ -45,9 +44,8 @@ def render_page(
 
     The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
     data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
-    are named in `opens`. A page that `asks` may load from the server that it comes from, and from
-    nowhere else. A page that `works` computes in a worker, which it makes of its own scripts.
-    ValueError if a number is not finite.
+    are named in `opens`. A page that `works` computes in a worker, which it makes of its own
+    scripts. ValueError if a number is not finite.
     """
     # Jinja takes 0.1 s to import, which commands without pages need not wait for.
     from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -64,7 +62,7 @@ def render_page(
     folders = {page: folder, **dict.fromkeys(opens, BUILT)}
     styles = {name: built(name, "css", place) for name, place in folders.items()}
     scripts = {name: built(name, "js", place) for name, place in {ENGINE: BUILT, **folders}.items()}
-    policy = _policy([*scripts.values()], [*styles.values()], asks=asks, works=works)
+    policy = _policy([*scripts.values()], [*styles.values()], works=works)
     return environment.get_template("page.html").render(
         title=title,
         version=__version__,
@@ -90,7 +88,7 @@ def without_engine(page: str) -> str:
     return page.replace(built(ENGINE, "js"), ENGINE_PLACE)
 
 
-def _policy(scripts: Sequence[str], styles: Sequence[str], *, asks: bool, works: bool) -> str:
+def _policy(scripts: Sequence[str], styles: Sequence[str], *, works: bool) -> str:
     """Return the content security policy: these scripts and styles, and pictures made here."""
     return "; ".join(
         (
@@ -99,7 +97,6 @@ def _policy(scripts: Sequence[str], styles: Sequence[str], *, asks: bool, works:
             f"script-src {_digests(scripts)} 'wasm-unsafe-eval'",
             f"style-src {_digests(styles)}",
             "img-src data: blob:",
-            *(["connect-src 'self'"] if asks else []),
             *(["worker-src blob:"] if works else []),
             "base-uri 'none'",
             "form-action 'none'",

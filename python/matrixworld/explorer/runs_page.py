@@ -9,33 +9,32 @@ and the figures use; the page computes none of its own.
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
 from matrixworld._util.readable import plain_values
-from matrixworld.analysis.cycles import MARGIN, Checkerboard, strongest_checkerboards
+from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.intervals import generalization_over_episodes
 from matrixworld.analysis.judgement import headline_numbers
-from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, Rates
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.ratings import ELO_POINTS
-from matrixworld.coevolution.schedules import Against, Maps, Simultaneous, Yoked, curve_window
+from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.sections import leaves, values_of
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
-from matrixworld.coevolution.types import TEAMS, Genomes, Payoff, Team
-from matrixworld.episodes import replay
+from matrixworld.coevolution.types import TEAMS, Genomes, Payoff
+from matrixworld.episodes.episode import scene
+from matrixworld.episodes.render import png
 from matrixworld.explorer.page import (
     check_new,
     mime_bundle,
@@ -112,10 +111,7 @@ def explore(
     page = _common(paths) / PAGE if file is None else Path(file)
     check_new(page, force)
     write_page(page, explorer_page(saved))
-    # Three moments of the match of the last generations.
-    picture = io.BytesIO()
-    replay.contact_sheet(saved[0].record(), rows=1).save(picture, "PNG")
-    return Explorer(page, picture.getvalue())
+    return Explorer(page, png(scene(saved[0].record())))
 
 
 def _common(paths: Sequence[Path]) -> Path:
@@ -123,18 +119,17 @@ def _common(paths: Sequence[Path]) -> Path:
     return Path(os.path.commonpath([path.absolute() for path in paths]))
 
 
-class Live(NamedTuple):
-    """What a page shows of runs that go on: their payoffs so far, and the number of its version."""
-
-    payoffs: Sequence[Payoff]
-    version: str
-
-
-def explorer_page(runs: Sequence[SavedRun], *, note: str = "", live: Live | None = None) -> str:
+def explorer_page(
+    runs: Sequence[SavedRun],
+    *,
+    note: str = "",
+    so_far: Mapping[Path, Payoff] | None = None,
+) -> str:
     """Return the page of runs as HTML, in this order.
 
-    A `note` says what the page does not show, such as further runs of the job. FileNotFoundError if
-    a run is not finished, unless the page is `live`.
+    A `note` says what the page does not show, such as further runs of the job. The page of runs
+    that go on has their payoffs `so_far`, by directory, and loads itself again. FileNotFoundError
+    if another run is not finished.
     """
     paths = [run.path.absolute() for run in runs]
     common = _common(paths)
@@ -142,20 +137,19 @@ def explorer_page(runs: Sequence[SavedRun], *, note: str = "", live: Live | None
     names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
     title = names[0] if len(names) == 1 else common.name
     named = [*zip(names, runs, strict=True)]
-    plain, genomes = runs_data(named, live=live)
+    plain, genomes = runs_data(named, so_far=so_far or {})
     data = {
         "version": __version__,
         "title": title,
         "heading": heading(runs),
         "note": note,
-        "live": live.version if live else None,
+        "growing": so_far is not None,
         "playground": page_data(),
         "runs": plain,
     }
     playground = without_engine(Playground().html()).encode()
     blobs = {**genomes, "playground": playground}
-    shown_title, asks = f"{title} - matrixworld", live is not None
-    return render_page("explorer", shown_title, data, blobs, opens=["playground"], asks=asks)
+    return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
 
 
 def heading(runs: Sequence[SavedRun]) -> str:
@@ -178,7 +172,7 @@ def runs_data(
     runs: Sequence[tuple[str, SavedRun]],
     *,
     most: int = MOST_BYTES,
-    live: Live | None = None,
+    so_far: Mapping[Path, Payoff] = {},
 ) -> tuple[list[dict[str, Any]], dict[str, bytes]]:
     """Return what a page shows of runs, given with their names, and genomes by identifier.
 
@@ -187,7 +181,7 @@ def runs_data(
     step = step_of([run for _, run in runs], most)
     plain, genomes = [], dict[str, bytes]()
     for n, (name, run) in enumerate(runs):
-        shown = run_data(name, run, step=step, so_far=live.payoffs[n] if live else None)
+        shown = run_data(name, run, so_far.get(run.path))
         teams = {
             team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, genomes)
             for team in TEAMS
@@ -196,20 +190,17 @@ def runs_data(
     return plain, genomes
 
 
-def run_data(
-    name: str, run: SavedRun, *, step: int = 1, so_far: Payoff | None = None
-) -> dict[str, Any]:
+def run_data(name: str, run: SavedRun, so_far: Payoff | None = None) -> dict[str, Any]:
     """Return what a page shows of a run, without its teams.
 
-    A race is judged, unless it goes on: then its payoff so far is given. The page holds the genomes
-    of every generation by a `step`.
+    A race is judged, unless it goes on: then its payoff so far is given.
     """
     settings, payoff = run.settings, so_far or run.payoff()
     teams = [run.teams[team] for team in TEAMS]
     shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in teams)
     found = None
     if settings.is_race:
-        found = so_far_found(payoff) if so_far else findings(payoff, step=step)
+        found = so_far_found(payoff) if so_far else findings(payoff)
     return {
         "name": name,
         "schedule": settings.schedule.name if settings.is_race else "one team",
@@ -225,7 +216,6 @@ def run_data(
             for g in range(shape[0])
         ],
         "findings": found,
-        "maps": plain_maps(run),
         "limits": f"{too_few_episodes(payoff)} {settings.schedule.limits}".strip()
         if settings.is_race
         else "",
@@ -250,21 +240,6 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
             for row in payoff.capture_rates.tolist()
         ],
         "lengths": payoff.lengths.tolist(),
-    }
-
-
-def plain_maps(run: SavedRun) -> dict[str, Any] | None:
-    """Return the maps of a race on which they evolve, as rows of text in one list, and scores."""
-    schedule = run.settings.schedule
-    if not isinstance(schedule, Maps):
-        return None
-    found = run.maps()
-    characters = np.where(found["maps"], "#", ".").reshape(-1, *found["maps"].shape[2:])
-    return {
-        "fitness": schedule.map_fitness,
-        "count": schedule.maps,
-        "walls": [["".join(row) for row in walls] for walls in characters.tolist()],
-        "scores": [float(f"{score:.4g}") for score in found["scores"].ravel()],
     }
 
 
@@ -325,11 +300,10 @@ BOARDS = 12
 """The most checkerboards on a page: the strongest ones."""
 
 
-def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
+def findings(payoff: Payoff) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.capture_rate
     boards = strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
-    kept = [kept_generations(size, step) for size in matrix.shape]
     scores = analysis.read_payoffs(payoff.capture_rates, per_episode=True)
     judgement = analysis.judge(scores)
     return {
@@ -339,7 +313,6 @@ def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
         "checkerboards": plain_values(boards),
-        "guided_minute": plain_values(guided_minute(matrix, judgement, boards, kept)),
         "margin": MARGIN,
         **curves(payoff),
     }
@@ -348,7 +321,7 @@ def findings(payoff: Payoff, *, step: int = 1) -> dict[str, Any]:
 def so_far_found(payoff: Payoff) -> dict[str, Any]:
     """Return what is shown of a race that goes on: curves, and no judgement."""
     headline = f"generation {min(payoff.capture_rate.shape) - 1} so far"
-    return {"headline": headline, "table": [], "guided_minute": [], **curves(payoff)}
+    return {"headline": headline, "table": [], **curves(payoff)}
 
 
 def curves(payoff: Payoff) -> dict[str, Any]:
@@ -401,113 +374,6 @@ def too_few_episodes(payoff: Payoff) -> str:
         f"Each cell has {episodes} episode{'' if episodes == 1 else 's'}; it takes at least "
         f"{EPISODES_TO_JUDGE} to tell all conditions from noise."
     )
-
-
-# ---- A guided minute -----------------------------------------------------------------------------
-#
-# A caption states what cells measured, or a verdict as the judgement gives it. Cells that were
-# chosen because they stand out illustrate a verdict; they are never the reason for it.
-
-
-class Stop(NamedTuple):
-    """A caption, the match that it speaks of, and the part of the page to look at."""
-
-    text: str
-    pursuer: int
-    evader: int
-    shows: Literal["match", "checkerboard", "judgement"] = "match"
-
-
-def guided_minute(
-    matrix: Rates,
-    judgement: analysis.Judgement,
-    boards: Sequence[Checkerboard],
-    kept: Sequence[Sequence[int]],
-) -> list[Stop]:
-    """Return the captions of a race.
-
-    `boards` are its checkerboards, the strongest first; `kept` are the pursuer and evader
-    generations that the page can play.
-    """
-    g, h = (size - 1 for size in matrix.shape)
-    before = (
-        f"Before learning: {pursuers(0)} capture {matrix[0, 0]:.0%} of {evaders(0)}, on average. "
-        "Triangles pursue, discs evade."
-    )
-    end = (
-        f"At the end: {pursuers(g)} capture {matrix[g, h]:.0%} of {evaders(h)}. Both teams have "
-        "trained, so it takes other opponents to tell which one became better."
-    )
-    judged = (
-        f"{analysis.sentence(judgement)} The judgement: {analysis.headline(judgement)}. It weighs "
-        "all cells and episodes of this race; another seed may give another one."
-    )
-    lost, board = _early_opponent(matrix, kept), _checkerboard(matrix, boards)
-    return [
-        Stop(before, 0, 0),
-        Stop(end, g, h),
-        lost._replace(text=f"{lost.text} {_verdict(judgement, 'forgetting')}"),
-        board._replace(text=f"{board.text} {_verdict(judgement, 'intransitivity')}"),
-        Stop(judged, g, h, "judgement"),
-    ]
-
-
-def generation_name(team: Team, number: int) -> str:
-    """Return the name of a generation: a number alone would read as a count of agents."""
-    return f"{team}s of generation {number}"
-
-
-pursuers, evaders = (partial(generation_name, team) for team in TEAMS)
-
-
-def _verdict(judgement: analysis.Judgement, condition: str) -> str:
-    """Return the verdicts on a condition, with the windows where they are not the same."""
-    by_verdict: dict[str, list[str]] = {}
-    for window, found in judgement.windows.items():
-        name = "whole race" if window == "whole" else window
-        by_verdict.setdefault(found[condition].verdict, []).append(name)
-    told = [f"{each} in the {' and the '.join(by_verdict[each])}" for each in by_verdict]
-    return f"The judgement on {condition}: {'; '.join(told if len(told) > 1 else by_verdict)}."
-
-
-def _early_opponent(matrix: Rates, kept: Sequence[Sequence[int]]) -> Stop:
-    """Return the opponent of the first half against which a newest generation lost most."""
-    g, h = (size - 1 for size in matrix.shape)
-    early = [[each for each in kept[axis] if 2 * each <= last] for axis, last in enumerate((g, h))]
-    losses = [(matrix[:, each].max() - matrix[g, each], "pursuers", each) for each in early[1]]
-    losses += [(matrix[each, h] - matrix[each].min(), "evaders", each) for each in early[0]]
-    loss, team, other = max(losses)
-    if loss <= 0:
-        none = "Against early opponents, no earlier generation did better than the newest ones."
-        return Stop(none, g, 0)
-    if team == "pursuers":
-        best = int(matrix[:, other].argmax())
-        text = (
-            f"The newest pursuers lost most against {evaders(other)}: they capture "
-            f"{matrix[g, other]:.0%} of them, and {pursuers(best)} {matrix[best, other]:.0%}."
-        )
-        return Stop(text, g, other)
-    best = int(matrix[other].argmin())
-    text = (
-        f"The newest evaders lost most against {pursuers(other)}: these capture "
-        f"{matrix[other, h]:.0%} of them, and {matrix[other, best]:.0%} of {evaders(best)}."
-    )
-    return Stop(text, other, h)
-
-
-def _checkerboard(matrix: Rates, boards: Sequence[Checkerboard]) -> Stop:
-    if not boards:
-        g, h = (size - 1 for size in matrix.shape)
-        return Stop(
-            f"No four cells differ crosswise by more than {MARGIN}, as in a checkerboard.", g, h
-        )
-    (p, q), (a, b) = boards[0].pursuers, boards[0].evaders
-    text = (
-        f"A checkerboard: {pursuers(p)} capture {matrix[p, a]:.0%} of {evaders(a)} and "
-        f"{matrix[p, b]:.0%} of {evaders(b)}; {pursuers(q)} capture {matrix[q, a]:.0%} and "
-        f"{matrix[q, b]:.0%}. The strongest of many, some of which noise makes."
-    )
-    return Stop(text, p, a, "checkerboard")
 
 
 # ---- Teams ---------------------------------------------------------------------------------------

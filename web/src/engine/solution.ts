@@ -8,8 +8,8 @@
 
 import { call, lastOutputs } from "./heap.ts";
 import type { Compiled, Inputs, Outputs } from "./heap.ts";
-import { configInputs, policyInputs } from "./inputs.ts";
-import type { TeamPolicy, WorldConfig } from "./types.ts";
+import { configInputs } from "./inputs.ts";
+import type { WorldConfig } from "./types.ts";
 import type { World } from "./world.ts";
 
 /** The most successors that the states of a world may have together, for a page to solve it. */
@@ -89,7 +89,6 @@ export class Solution {
   private readonly n_turns: number;
   /** By rounds left, values of the states of each turn; more rounds have the values of the last row. */
   private readonly values: Float64Array[][];
-  private readonly starts: Int32Array;
 
   /** List the states; no rounds are known yet. */
   constructor(engine: Compiled, config: WorldConfig, payoff: Payoff) {
@@ -98,9 +97,8 @@ export class Solution {
     released.register(this, [engine, this.states]);
     const turns = { SIMULTANEOUS: 1, SWARM_TURNS: 2, AGENT_TURNS: config.n_pursuers + config.n_evaders };
     this.n_turns = turns[config.rules.interaction];
-    const { payoffs, starts } = this.call(() => engine._states_payoffs(this.states));
+    const { payoffs } = this.call(() => engine._states_payoffs(this.states));
     const rates = payoffs as Float64Array;
-    this.starts = starts as Int32Array;
     this.values = [[payoff === "capture-rate" ? rates : rates.fill(0)]];
   }
 
@@ -116,29 +114,6 @@ export class Solution {
     this.values.push(row);
     const rounds = this.payoff === "capture-rate" ? this.config.max_steps : Math.min(this.config.max_steps, HORIZON);
     return this.values.length <= rounds && row[0]!.some((value, state) => value !== before[state]);
-  }
-
-  /** The capture rate under perfect play, mean over the starts; all rounds have to be known. */
-  get value(): number {
-    return this.mean(this.values.at(-1)![0]!);
-  }
-
-  /** Return the capture rate of a team's policy against its best opponent: what pursuers guarantee, or evaders concede at most. */
-  guaranteed(team: "pursuer" | "evader", policy: TeamPolicy): number {
-    const inputs = policyInputs(policy);
-    const play = Array.from({ length: this.n_turns }, (_, turn) =>
-      this.call((block) => this.engine._states_weigh(this.states, turn, Number(team === "evader"), block.arrays(inputs)))["play"]!);
-    let values = this.values[0]![0]!;
-    for (let round = 0; round < this.config.max_steps; round++) {
-      const before = values;
-      for (let turn = this.n_turns - 1; turn >= 0; turn--) values = this.backup(turn, { next: values, [`${team}s`]: play[turn]! });
-      if (values.every((value, state) => value === before[state])) break;
-    }
-    return this.mean(values);
-  }
-
-  private mean(values: Float64Array): number {
-    return this.starts.reduce((sum, state) => sum + values[state]!, 0) / this.starts.length;
   }
 
   private backup(turn: number, given: Inputs): Float64Array {

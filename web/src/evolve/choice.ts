@@ -11,8 +11,6 @@ export interface Choice {
   readonly beside: string | null;
   readonly learner: LearnerName;
   readonly seed: number;
-  /** Whether the world is the one that the page can solve. */
-  readonly small: boolean;
   readonly pursuers: number;
   readonly evaders: number;
   readonly view: number;
@@ -36,22 +34,20 @@ export const STEPS = [6, 10, 30, 60, 90, 120] as const;
 /** Return the choice with which the page begins. */
 export function usualChoice(data: EvolveData): Choice {
   const first = Object.values(data.races.es).find((race) => scheduleOf(race) === "generalist-generalist")!;
-  return { schedule: scheduleOf(first), beside: null, learner: "es", seed: first.seed, way: false, population: 0, ...inWorld(data, false) };
+  const { n_pursuers, n_evaders, fov, max_steps } = first.world;
+  return {
+    schedule: scheduleOf(first), beside: null, learner: "es", seed: first.seed, way: false, population: 0,
+    pursuers: n_pursuers, evaders: n_evaders, view: fov, steps: max_steps, walls: [],
+  };
 }
 
 /** Return the world of a choice, without what it changes. */
-export const worldOf = (data: EvolveData, small: boolean): WorldConfig => (small ? data.small : Object.values(data.races.es)[0]!.world);
-
-/** Return the part of a choice with which another world begins. */
-export function inWorld(data: EvolveData, small: boolean): Pick<Choice, "small" | "pursuers" | "evaders" | "view" | "steps" | "walls"> {
-  const { n_pursuers, n_evaders, fov, max_steps } = worldOf(data, small);
-  return { small, pursuers: n_pursuers, evaders: n_evaders, view: fov, steps: max_steps, walls: [] };
-}
+export const worldOf = (data: EvolveData): WorldConfig => Object.values(data.races.es)[0]!.world;
 
 /** Return the settings of the race that is chosen, or of the one beside it. */
 export function settingsOf(data: EvolveData, choice: Choice, schedule = choice.schedule): RaceSettings {
   const base = data.races[choice.learner][schedule]!;
-  const usual = worldOf(data, choice.small);
+  const usual = worldOf(data);
   const { rows, cols } = usual;
   const walls = new Set(choice.walls);
   const map = Array.from({ length: rows }, (_, row) => Array.from({ length: cols }, (_none, col) => (walls.has(row * cols + col) ? "#" : ".")).join(""));
@@ -72,7 +68,7 @@ export function withWall(walls: readonly number[], cell: number, wall: boolean):
   return wall ? [...left, cell].sort((a, b) => a - b) : left;
 }
 
-/** Return why a map cannot be played on; empty if it can: `matrixworld.coevolution.maps.playable`. */
+/** Return why a map cannot be played on; empty if it can. */
 export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols }: WorldConfig): string {
   const free = new Set(Array.from({ length: rows * cols }, (_, cell) => cell).filter((cell) => !walls.includes(cell)));
   if (free.size < pursuers + evaders) return `There is no room: ${pursuers + evaders} agents need a free cell each.`;
@@ -88,27 +84,26 @@ export function whyNotPlayed({ walls, pursuers, evaders }: Choice, { rows, cols 
 
 /** Return the part of an address that holds a choice. */
 export function linkOf(choice: Choice): string {
-  const { walls, way, beside, small, ...rest } = choice;
-  const parts = { ...rest, ...(small ? { small: 1 } : {}), ...(beside ? { beside } : {}), ...(way ? { way: 1 } : {}), ...(walls.length ? { walls: walls.join(".") } : {}) };
+  const { walls, way, beside, ...rest } = choice;
+  const parts = { ...rest, ...(beside ? { beside } : {}), ...(way ? { way: 1 } : {}), ...(walls.length ? { walls: walls.join(".") } : {}) };
   return Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&");
 }
 
 /** Return the choice that an address holds; what is missing or not valid is as usual. */
 export function choiceOf(data: EvolveData, hash: string): Choice {
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
-  const small = parts.get("small") === "1";
-  const usual = { ...usualChoice(data), ...inWorld(data, small) };
+  const usual = usualChoice(data);
   const number = (name: keyof Choice & string, valid: (value: number) => boolean): number => {
     const given = parts.get(name) ?? "";
     return /^\d{1,6}$/.test(given) && valid(Number(given)) ? Number(given) : (usual[name] as number);
   };
   const schedule = (name: string): string | null => (Object.hasOwn(SCHEDULES, parts.get(name) ?? "") ? parts.get(name) : null);
-  const world = worldOf(data, small);
+  const world = worldOf(data);
   const walls = (parts.get("walls") ?? "").split(".").filter((each) => /^\d{1,4}$/.test(each)).map(Number);
   const view = number("view", (value) => VIEWS.includes(value as 3));
   const way = parts.get("way") === "1";
   const choice = {
-    schedule: schedule("schedule") ?? usual.schedule, beside: schedule("beside"), small,
+    schedule: schedule("schedule") ?? usual.schedule, beside: schedule("beside"),
     learner: parts.get("learner") === "ga" ? "ga" : usual.learner,
     seed: number("seed", (value) => value <= MOST_SEED),
     pursuers: number("pursuers", (value) => value >= 1 && value <= MOST_AGENTS),
@@ -118,5 +113,5 @@ export function choiceOf(data: EvolveData, hash: string): Choice {
     steps: number("steps", (value) => STEPS.includes(value as 30)),
     walls: walls.filter((cell) => cell < world.rows * world.cols).reduce<readonly number[]>((all, cell) => withWall(all, cell, true), []),
   } satisfies Choice;
-  return whyNotPlayed(choice, world) ? { ...choice, ...inWorld(data, small) } : choice;
+  return whyNotPlayed(choice, world) ? { ...choice, walls: [] } : choice;
 }

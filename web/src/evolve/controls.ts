@@ -34,7 +34,6 @@ export function controls(ask: Ask): { now: HTMLElement; anew: HTMLElement; show:
   way.addEventListener("change", () => ask({ way: way.checked, ...(way.checked ? { view: Math.max(LEAST_VIEW, Number(view.value)) } : {}) }));
   const population = select([[0, "usual"], ...POPULATIONS.map((size): Option => [size, String(size)])], (value) => ask({ population: Number(value) }));
   const steps = select(STEPS.map((count) => [count, String(count)]), (value) => ask({ steps: Number(value) }));
-  const world = select([["", "12 x 12 cells"], ["small", "6 x 6, solved"]], (value) => ask({ small: value === "small" }, true));
   const learner = select([["es", "evolution strategy"], ["ga", "genetic algorithm"]], (value) => ask({ learner: value as "es" }, true));
   const seed = html("input", { type: "number", min: 0, max: MOST_SEED, step: 1, inputmode: "numeric" });
   seed.addEventListener("change", () => ask({ seed: Math.min(MOST_SEED, Math.max(0, Math.round(Number(seed.value)) || 0)) }, true));
@@ -52,13 +51,11 @@ export function controls(ask: Ask): { now: HTMLElement; anew: HTMLElement; show:
       field("Steps", "of a match", steps)),
     anew: card("Begin anew",
       field("Side by side with", "a second race of the same seed", beside, "wide"),
-      field("World", "where it is solved, the page tells exact regret", world, "half"),
       field("Learner", "how a team learns", learner, "half"),
       field("Seed", "the luck of the race", html("span", { class: "seed" }, seed, another), "half")),
     show: (choice) => {
       [schedule.value, beside.value, view.value, learner.value] = [choice.schedule, choice.beside ?? "", String(choice.view), choice.learner];
       [population.value, steps.value, seed.value, way.checked] = [String(choice.population), String(choice.steps), String(choice.seed), choice.way];
-      world.value = choice.small ? "small" : "";
       [pursuers.value, evaders.value] = [String(choice.pursuers), String(choice.evaders)];
     },
   };

@@ -1,6 +1,5 @@
 // What the page holds; `matrixworld.explorer.evolve_page` writes it.
 
-import type { WorldConfig } from "../engine/types.ts";
 import { text } from "../explorer/data.ts";
 import type { Mask } from "./network.ts";
 import type { OfTeams } from "./race.ts";
@@ -13,8 +12,6 @@ export interface EvolveData {
   readonly format: number;
   /** The settings with which the page begins, by learner and schedule. */
   readonly races: Readonly<Record<LearnerName, Readonly<Record<string, RaceSettings>>>>;
-  /** A world that the page can solve. */
-  readonly small: WorldConfig;
   readonly masks: OfTeams<Mask>;
 }
 

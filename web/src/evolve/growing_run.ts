@@ -20,7 +20,6 @@ export class GrowingRun implements Run {
   readonly learning = TEAMS;
   readonly settings = [];
   readonly training = { capture_rate: [], generation: [], learner: [], epochs: 1, window: 1, matches: 0 };
-  readonly maps = null;
   readonly limits = "";
   readonly name: string;
   readonly schedule: string;

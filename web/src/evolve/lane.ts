@@ -6,10 +6,7 @@ import { MatchPanel } from "../explorer/match.ts";
 import { MatrixPanel } from "../explorer/matrix.ts";
 import { Store } from "../explorer/store.ts";
 import { TakeOver } from "../explorer/take_over.ts";
-import { whyNotSolved } from "../engine/solution.ts";
-import type { WorldConfig } from "../engine/types.ts";
 import { html } from "../page/dom.ts";
-import { solved } from "../page/solved.ts";
 import { Chase } from "./chase.ts";
 import type { EvolveData } from "./data.ts";
 import { scheduleName } from "./data.ts";
@@ -19,7 +16,7 @@ import { FIXED, Race } from "./race.ts";
 import type { Cell, OfTeams } from "./race.ts";
 import type { Finished } from "./save.ts";
 import { TEAMS } from "./settings.ts";
-import type { RaceSettings, Team } from "./settings.ts";
+import type { RaceSettings } from "./settings.ts";
 import type { Order, Told } from "./worker.ts";
 
 const percent = (rate: number): string => `${Math.round(100 * rate)} %`;
@@ -42,7 +39,6 @@ export class Lane extends EventTarget {
   readonly #worker: Worker;
   readonly #title = html("h2", { class: "lane-title" });
   readonly #facts = html("p", { class: "facts numbers" });
-  readonly #regret = html("p", { class: "regret small numbers", title: "Regret: what perfect play would bring, and the team does not get against an opponent that knows it" });
   readonly #room = html("div", { class: "lane-room", hidden: true });
   readonly #measures = html("section", { class: "card measures", hidden: true });
   readonly #dialogs = html("div");
@@ -51,8 +47,6 @@ export class Lane extends EventTarget {
   #cells = new Map<string, Cell>();
   #store!: Store;
   #takeOver!: TakeOver;
-  /** What regret was asked for last: champions in their world. */
-  #champions: readonly unknown[] = [];
   #drawChart: () => void = () => {};
   #episode = 0;
   #follows = true;
@@ -66,7 +60,7 @@ export class Lane extends EventTarget {
     this.beginning = new Chase(() => this.#match(0));
     this.beginning.element.classList.add("beginning");
     const boards = html("div", { class: "boards" }, this.newest.element, this.beginning.element);
-    this.element = html("section", { class: "lane" }, this.#title, this.#facts, this.#regret, boards, this.#room, this.#measures, this.#dialogs);
+    this.element = html("section", { class: "lane" }, this.#title, this.#facts, boards, this.#room, this.#measures, this.#dialogs);
     worker.onmessage = ({ data: told }: MessageEvent<Told>) => this.#hear(told);
     this.reset(settings);
   }
@@ -110,7 +104,7 @@ export class Lane extends EventTarget {
   /** Let a person play against the newest generation. */
   takeOver(): void {
     const newest = this.#run.newest;
-    this.#takeOver.play({ run: 0, pursuer: newest, evader: newest, episode: 0, seed: null, map: null }, { seat: this.#run.world.n_pursuers, from: 0, moves: [] });
+    this.#takeOver.play({ run: 0, pursuer: newest, evader: newest, episode: 0, seed: null }, { seat: this.#run.world.n_pursuers, from: 0, moves: [] });
   }
 
   /** Return what can be saved. */
@@ -173,19 +167,6 @@ export class Lane extends EventTarget {
     this.#store.dispatchEvent(new Event("run"));
     this.#drawChart();
     this.#tell();
-    void this.#tellRegret();
-  }
-
-  /** Tell by how much the newest teams fall short of perfect play on their map, as soon as it is known. */
-  async #tellRegret(): Promise<void> {
-    const run = this.#run;
-    const { world, newest } = run;
-    if (newest < 0 || (this.#champions[0] === world && this.#champions[1] === newest)) return;
-    const asked = this.#champions = [world, newest];
-    const why = whyNoRegret(world);
-    const solution = why ? null : await solved(this.#engine, world);
-    if (this.#champions !== asked || this.#run !== run || run.world !== world) return; // the race went on
-    this.#regret.replaceChildren(...(solution ? regretText(solution.value, TEAMS.map((team) => solution.guaranteed(team, run.policy(team, newest)))) : [why]));
   }
 
   #clear(): void {
@@ -202,7 +183,7 @@ export class Lane extends EventTarget {
     this.#run = new GrowingRun(this.settings, this.#data.masks, name, key);
     this.#clear();
     this.#follows = true;
-    this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null, map: null });
+    this.#store = new Store({ run: 0, pursuer: 0, evader: 0, episode: 0, seed: null });
     const [matrix, match] = [new MatrixPanel([this.#run], this.#store), new MatchPanel([this.#run], this.#store, null)];
     matrix.element.ariaLabel = `Payoff matrix. ${name}`; // of two races, each has its own name
     this.#takeOver = new TakeOver([this.#run], this.#store, match, false);
@@ -293,23 +274,6 @@ export class Lane extends EventTarget {
         html("code", {}, "matrixworld judge"), " weighs luck and says what happened."));
     this.#measures.hidden = false;
   }
-}
-
-/** Return why exact regret is not known on a map; empty if it is, and where nobody has drawn one. */
-function whyNoRegret(world: WorldConfig): string {
-  if (!whyNotSolved(world) || typeof world.obstacles === "number") return "";
-  return "Exact regret of a map is known where the world can be solved: choose 6 x 6 cells below, with few agents.";
-}
-
-/** Return what perfect play reaches, and what each team falls short of it, in words. */
-function regretText(value: number, [guaranteed, conceded]: readonly number[]): HTMLElement[] {
-  const regret = (team: Team, text: string, lost: number): HTMLElement =>
-    html("span", {}, text, html("strong", { class: team }, `regret ${Math.max(0, lost).toFixed(2)}`));
-  return [
-    html("span", {}, `Perfect play captures ${percent(value)} on this map.`),
-    regret("pursuer", `The newest pursuers are sure of ${percent(guaranteed!)}: `, value - guaranteed!),
-    regret("evader", `The newest evaders cannot prevent ${percent(conceded!)}: `, conceded! - value),
-  ];
 }
 
 /** Collisions at fault of both teams, in 1000 moves. */

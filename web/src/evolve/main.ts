@@ -7,7 +7,7 @@ import { copy, hasAddress, html } from "../page/dom.ts";
 import { changeTheme } from "../page/theme.ts";
 import { top } from "../page/top.ts";
 import { legend } from "../board/legend.ts";
-import { choiceOf, inWorld, linkOf, settingsOf, whyNotPlayed, withWall, worldOf } from "./choice.ts";
+import { choiceOf, linkOf, settingsOf, whyNotPlayed, withWall, worldOf } from "./choice.ts";
 import type { Choice } from "./choice.ts";
 import { controls } from "./controls.ts";
 import type { Ask } from "./controls.ts";
@@ -111,9 +111,8 @@ class Page {
   readonly #ask: Ask = (change, anew = false) => {
     const lanes = this.#schedules().length;
     const waiting = this.lanes.every(({ state }) => state === "waiting");
-    const elsewhere = change.small === undefined ? {} : inWorld(this.#data, change.small);
-    const asked = { ...this.#choice, ...change, ...elsewhere };
-    const why = whyNotPlayed(asked, worldOf(this.#data, asked.small));
+    const asked = { ...this.#choice, ...change };
+    const why = whyNotPlayed(asked, worldOf(this.#data));
     if (!why) this.#choice = asked;
     this.#controls.show(this.#choice);
     this.#told.textContent = why;

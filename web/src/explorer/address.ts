@@ -29,19 +29,16 @@ export function placeOf(hash: string, runs: readonly Run[], usual: Selection): P
     evader: number("evaders", columns, Math.min(usual.evader, columns - 1)),
     episode: number("episode", Infinity, usual.episode),
     seed: /^\d{1,20}$/.test(seed) && BigInt(seed) <= LARGEST_SEED ? seed : null,
-    map: mapOf(number("map", runs[run]!.maps?.walls.length ?? 0, -1)),
     step: number("step", Infinity, 0),
   };
 }
-
-const mapOf = (number: number): number | null => (number < 0 ? null : number);
 
 /** Keep the match and its step in the address, and follow it: another match is another view, to which Back returns. */
 export function followAddress(runs: readonly Run[], store: Store, match: MatchPanel): void {
   let [own, shown, since] = ["", JSON.stringify(store.selected), -ONE_VIEW];
   const write = (): void => {
-    const { run, pursuer, evader, episode, seed, map } = store.selected;
-    const parts = { run, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }), ...(map === null ? {} : { map }), step: match.player.step };
+    const { run, pursuer, evader, episode, seed } = store.selected;
+    const parts = { run, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }), step: match.player.step };
     const view = JSON.stringify(store.selected);
     const another = view !== shown && performance.now() - since > ONE_VIEW;
     if (view !== shown) [shown, since] = [view, performance.now()];

@@ -60,7 +60,7 @@ function miniature(run: Run, board: Checkerboard, open: (board: Checkerboard) =>
 function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, store: Store, engine: Engine): void {
   const playable = cellsOf(board).filter(([g, h]) => !whyNot(run, "pursuer", g) && !whyNot(run, "evader", h));
   const matches = playable.map(([pursuer, evader]) =>
-    playedMatch(engine, run, { run: store.selected.run, pursuer, evader, episode: 0, seed: null, map: null }));
+    playedMatch(engine, run, { run: store.selected.run, pursuer, evader, episode: 0, seed: null }));
   const player = new Player(Math.max(0, ...matches.map((match) => match.length)), { speed: FITTING, still: stillMotion() });
   const views = matches.map((match, i) => {
     const [g, h] = playable[i]!;
@@ -68,7 +68,7 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
     const tally = html("span", { class: "numbers" });
     const go = (): void => {
       dialog.close();
-      store.select({ pursuer: g, evader: h, map: null });
+      store.select({ pursuer: g, evader: h });
     };
     const element = html("figure", {}, canvas,
       html("figcaption", { class: "small" }, tally, html("span", { class: "muted" }, `cell ${rate(run.payoff.capture_rate[g]![h])}`),

@@ -63,23 +63,6 @@ export interface Checkerboard {
   readonly margin: number;
 }
 
-/** A caption of the guided minute, its match, and the part of the page to look at. */
-export interface Stop {
-  readonly text: string;
-  readonly pursuer: number;
-  readonly evader: number;
-  readonly shows: "match" | "checkerboard" | "judgement";
-}
-
-/** Strength and intransitivity of generations of a team, with an interval of the latter. */
-export interface SpinningTop {
-  readonly generations: readonly number[];
-  readonly strength: readonly number[];
-  readonly intransitivity: readonly number[];
-  readonly low: readonly number[];
-  readonly high: readonly number[];
-}
-
 interface OfTeams<Value> {
   readonly pursuers: Value;
   readonly evaders: Value;
@@ -97,20 +80,8 @@ export interface Findings {
     readonly fading: number | null; readonly stripes: number; readonly period: number | null;
   }>;
   readonly ratings: OfTeams<Band> & { readonly offset: number };
-  readonly spinning_top: OfTeams<SpinningTop> | null;
-  /** Measures of the race as a game; none while it goes on. */
-  readonly game?: readonly string[];
   readonly checkerboards: readonly Checkerboard[];
-  readonly guided_minute: readonly Stop[];
   readonly margin: number;
-}
-
-/** Maps of a race on which they evolve: so many after each generation from 0 on, the best first. */
-export interface Maps {
-  readonly fitness: string;
-  readonly count: number;
-  readonly walls: readonly (readonly string[])[];
-  readonly scores: readonly number[];
 }
 
 export interface Run {
@@ -124,7 +95,6 @@ export interface Run {
   readonly payoff: Payoff;
   readonly seeds: readonly (readonly string[])[];
   readonly findings: Findings | null;
-  readonly maps: Maps | null;
   readonly limits: string;
   readonly teams: Readonly<Record<Team, TeamData>>;
 }
@@ -135,8 +105,8 @@ export interface Data {
   readonly title: string;
   readonly heading: string;
   readonly note: string;
-  /** The version of the page while its runs go on; null when they have ended. */
-  readonly live: string | null;
+  /** Whether the runs go on. */
+  readonly growing: boolean;
   readonly playground: PageData;
   readonly runs: readonly Run[];
 }
@@ -153,10 +123,6 @@ export function cellOf(run: Run, g: number, h: number): { rate: number; rates: r
   if (rate === undefined) return null;
   return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]![column]! };
 }
-
-/** Return the world of a match: that of the evaluation, or one on a map of the run. */
-export const worldOf = ({ world, maps }: Run, map: number | null): WorldConfig =>
-  maps && map !== null ? { ...world, obstacles: maps.walls[map]! } : world;
 
 /** Return why the page cannot play a generation of a team; empty if it can. */
 export function whyNot(run: Run, team: Team, generation: number): string {

@@ -23,10 +23,10 @@ export class EpisodeStrip {
 
   /** Show the episodes of the selected cell, and compare the match that was played with the evaluation. */
   show(run: Run, match: Match): void {
-    const { pursuer, evader, episode, seed, map } = this.#store.selected;
+    const { pursuer, evader, episode, seed } = this.#store.selected;
     const cell = cellOf(run, pursuer, evader);
     this.#buttons.replaceChildren(...(cell?.rates ?? []).slice(0, MOST).map((value, place) => this.#button(value, place)));
-    const measured = seed === null && map === null ? cell?.rates[episode] : undefined;
+    const measured = seed === null ? cell?.rates[episode] : undefined;
     const here = match.statistics.capture_rate;
     const equal = measured !== undefined && Math.abs(here - measured) < 1e-6 && match.length === cell?.lengths[episode];
     const other = cell ? "Not an episode of the evaluation" : "The evaluation played no episodes of this pair.";
@@ -44,8 +44,8 @@ export class EpisodeStrip {
       {
         type: "button", class: "episode", title: `Episode ${episode + 1}: capture rate ${rate(value)}`,
         "aria-label": `Episode ${episode + 1}, capture rate ${rate(value)}`,
-        "aria-pressed": String(episode === selected.episode && selected.seed === null && selected.map === null),
-        onclick: () => this.#store.select({ episode, seed: null, map: null }),
+        "aria-pressed": String(episode === selected.episode && selected.seed === null),
+        onclick: () => this.#store.select({ episode, seed: null }),
       },
       bar, html("span", { class: "count" }, episode + 1),
     );

@@ -1,4 +1,4 @@
-// The explorer: payoff matrices of finished runs, and the matches behind them.
+// The explorer: payoff matrices of runs, and the matches behind them.
 
 import "./explorer.css";
 import { loadEngine } from "../engine/engine.ts";
@@ -7,9 +7,8 @@ import { html } from "../page/dom.ts";
 import { top } from "../page/top.ts";
 import { followAddress, placeOf } from "./address.ts";
 import { readData } from "./data.ts";
-import { guidedMinute } from "./guided_minute.ts";
+import { reloadWhileGrowing } from "./growing.ts";
 import { helpDialog, listenToKeys } from "./keys.ts";
-import { followRuns } from "./live.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { panels } from "./panels.ts";
@@ -23,7 +22,7 @@ import { openPlayground } from "./to_playground.ts";
 const data = readData();
 const { runs } = data;
 const [rows, columns] = runs[0]!.payoff.shape;
-const first = placeOf(location.hash, runs, { run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null, map: null });
+const first = placeOf(location.hash, runs, { run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
 const { step, ...selected } = first;
 const store = new Store(selected);
 const match = new MatchPanel(runs, store, data.playground);
@@ -31,11 +30,9 @@ const matrix = new MatrixPanel(runs, store);
 const takeOver = new TakeOver(runs, store, match);
 const help = helpDialog();
 const address = location.hash; // `followAddress` writes another one
-const minute = guidedMinute(runs, store, match);
 const { button: shareButton, dialog: shareDialog } = share(match, store);
 match.actions.append(shareButton);
 let engine: Engine | null = null;
-const note = html("aside", { class: "note small muted" }, data.note);
 
 /** What happened in the race that is shown. */
 const told = html("span", { class: "told", "aria-live": "polite" });
@@ -51,14 +48,14 @@ const playHere = (): void => {
 const LEAD = "Each cell is a match between two generations: the brighter, the more evaders are captured. Click one to watch it.";
 
 document.getElementById("page")!.replaceWith(
-  top(data.heading, html("span", {}, told, html("span", { class: "small muted" }, LEAD)), minute.button,
+  top(data.heading, html("span", {}, told, html("span", { class: "small muted" }, LEAD)),
     html("button", { type: "button", class: "keys-button", title: "Keys (?)", "aria-label": "Keys (?)", onclick: () => help.showModal() }, "?")),
-  ...(data.note ? [note] : []),
+  ...(data.note ? [html("aside", { class: "note small muted" }, data.note)] : []),
   raceTabs(runs, store),
   html("main", { class: "stages" }, matrix.element, match.element),
-  panels(runs, store, () => engine, playHere),
+  panels(runs, store, () => engine),
   html("footer", { class: "muted small" }, `${data.title} · matrixworld ${data.version}`),
-  takeOver.dialog, help, shareDialog, minute.bar,
+  takeOver.dialog, help, shareDialog,
 );
 // For the browser's console, and for tests.
 Object.assign(window, {
@@ -77,14 +74,7 @@ if (!step) match.playSoon();
 followAddress(runs, store, match);
 listenToKeys(runs, store, match, help, () => takeOver.open(), () => openPlayground(match.shown, data.playground));
 window.addEventListener("hashchange", ({ newURL }) => engine && takeOver.start(engine, new URL(newURL).hash));
-if (data.live !== null) {
-  const [bar, line] = [html("progress", { "aria-label": "Progress of the runs" }), html("p", { class: "numbers" })];
-  note.prepend(html("div", { class: "progress" }, bar, line));
-  followRuns(data.live, runs, store, () => match.player.playing || takeOver.dialog.open, (progress) => {
-    if (progress) [bar.value, line.textContent] = [progress.share, progress.text];
-    else note.textContent = "The command has ended. This page shows what it had played; explorer.html is beside the runs if they have finished.";
-  });
-}
+if (data.growing) reloadWhileGrowing(runs, store, () => match.player.playing || document.querySelector("dialog[open]") !== null);
 
 // The page is drawn before the engine is compiled.
 requestAnimationFrame(() => setTimeout(() => {

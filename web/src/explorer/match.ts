@@ -152,7 +152,6 @@ export class MatchPanel {
     this.#tell();
     void this.#solve(this.#engine, this.match);
     this.element.dataset["played"] = `${selected.run} ${selected.pursuer} ${selected.evader} ${selected.episode} ${selected.seed ?? ""}`;
-    this.element.dataset["map"] = String(selected.map ?? "");
     this.#begin();
   }
 
@@ -176,16 +175,15 @@ export class MatchPanel {
   }
 
   #entitle(): void {
-    const { episode, seed, map } = this.#store.selected;
-    const { payoff, maps } = this.#run;
+    const { episode, seed } = this.#store.selected;
+    const { payoff } = this.#run;
     const [pursuers, evaders] = this.names(this.#store.selected);
     const place = seed === null
       ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`
       : `seed ${seed}`;
-    const where = maps && map !== null ? `, on map ${(map % maps.count) + 1} of generation ${Math.floor(map / maps.count)}` : "";
     this.#title.replaceChildren(
       html("span", { class: "pursuer" }, capital(pursuers)), " against ",
-      html("span", { class: "evader" }, evaders), html("span", { class: "muted small" }, place + where),
+      html("span", { class: "evader" }, evaders), html("span", { class: "muted small" }, place),
     );
   }
 

@@ -7,21 +7,19 @@ import { ciaoPanel } from "./ciao.ts";
 import { ratingPanel, trainingPanel } from "./curves.ts";
 import type { Run } from "./data.ts";
 import { diagnosisPanel } from "./diagnosis.ts";
-import { mapsPanel } from "./maps.ts";
 import type { Panel } from "./panel.ts";
 import { settingsPanel } from "./settings.ts";
-import { spinningTopPanel } from "./spinning_top.ts";
 import type { Store } from "./store.ts";
 
 /** Return the panels of the selected run; those of the others are made when they are first shown. */
-export function panels(runs: readonly Run[], store: Store, engine: () => Engine | null, play: () => void): HTMLElement {
+export function panels(runs: readonly Run[], store: Store, engine: () => Engine | null): HTMLElement {
   const made = new Map<Run, readonly Panel[]>();
   const place = html("div", { class: "panels" });
   let shown: readonly Panel[] = [];
   const update = (): void => shown.forEach((panel) => panel.update?.());
   const change = (): void => {
     const run = runs[store.selected.run]!;
-    shown = made.get(run) ?? panelsOf(run, store, engine, play);
+    shown = made.get(run) ?? panelsOf(run, store, engine);
     made.set(run, shown);
     place.replaceChildren(...shown.map((panel) => panel.element));
     update();
@@ -33,15 +31,13 @@ export function panels(runs: readonly Run[], store: Store, engine: () => Engine 
   return place;
 }
 
-function panelsOf(run: Run, store: Store, engine: () => Engine | null, play: () => void): Panel[] {
+function panelsOf(run: Run, store: Store, engine: () => Engine | null): Panel[] {
   const all = [
     diagnosisPanel(run),
-    mapsPanel(run, store, play),
     trainingPanel(run, store),
     checkerboardPanel(run, store, engine),
     ratingPanel(run, store),
     ciaoPanel(run, store),
-    spinningTopPanel(run, store),
     settingsPanel(run),
   ];
   return all.filter((panel) => panel !== null);

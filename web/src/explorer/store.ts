@@ -8,8 +8,6 @@ export interface Selection {
   readonly episode: number;
   /** Another seed than that of the cell; null for the cell's own. */
   readonly seed: string | null;
-  /** The number of a map of the run on which it is played; null for the world of the evaluation. */
-  readonly map: number | null;
 }
 
 /** Generations under the pointer, in any panel; null where none is. */
@@ -38,12 +36,11 @@ export class Store extends EventTarget {
     return this.#hover;
   }
 
-  /** Change a part of the selection. Another cell begins with its episode 0 and its own seed; a map stays within a run. */
+  /** Change a part of the selection. Another cell begins with its episode 0 and its own seed. */
   select(change: Partial<Selection>): void {
     const before = this.#selected;
     const moved = (["run", "pursuer", "evader"] as const).some((name) => name in change && change[name] !== before[name]);
-    const elsewhere = change.run !== undefined && change.run !== before.run;
-    this.#selected = { ...before, ...(moved ? { episode: 0, seed: null } : {}), ...(elsewhere ? { map: null } : {}), ...change };
+    this.#selected = { ...before, ...(moved ? { episode: 0, seed: null } : {}), ...change };
     if (this.#selected.run !== before.run) this.dispatchEvent(new Event("run"));
     this.dispatchEvent(new Event("match"));
   }

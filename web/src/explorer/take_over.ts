@@ -8,7 +8,7 @@ import { movesOf, teamOf } from "../play/played.ts";
 import type { Moves } from "../play/played.ts";
 import { PlayView } from "../play/view.ts";
 import { placeOf } from "./address.ts";
-import { TEAMS, policyOf, whyNot, worldOf } from "./data.ts";
+import { TEAMS, policyOf, whyNot } from "./data.ts";
 import type { Run } from "./data.ts";
 import type { MatchPanel } from "./match.ts";
 import type { Selection, Store } from "./store.ts";
@@ -59,7 +59,7 @@ export class TakeOver {
   play(place: Selection, moves: Moves): void {
     const [engine, run] = [this.#engine, this.#runs[place.run]!];
     if (!engine || TEAMS.some((each) => whyNot(run, each, place[each]))) return;
-    const { run: number, pursuer, evader, episode, seed, map } = place;
+    const { run: number, pursuer, evader, episode, seed } = place;
     const team = teamOf(run.world, moves.seat);
     const players = run.teams[team].kept.map((generation) => ({
       name: run.teams[team].script ?? `generation ${generation}`, text: "", policy: () => policyOf(run, team, generation),
@@ -71,8 +71,8 @@ export class TakeOver {
     if (!this.dialog.open) this.dialog.showModal();
     const title = `You are ${agentName(moves.seat, run.world.n_pursuers)}: ${this.#match.names(place).join(" against ")}`;
     const policies = { pursuer: policyOf(run, "pursuer", pursuer), evader: policyOf(run, "evader", evader) };
-    const played = { config: worldOf(run, map), seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
-    const address = { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }), ...(map === null ? {} : { map }) };
+    const played = { config: run.world, seed: BigInt(seed ?? run.seeds[pursuer]![evader]!), episode, policies, ...moves };
+    const address = { run: number, pursuers: pursuer, evaders: evader, episode, ...(seed === null ? {} : { seed }) };
     playOn(engine, this.view, title, played, players, this.#linked ? address : null);
   }
 }

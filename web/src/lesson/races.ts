@@ -27,7 +27,7 @@ export function chase({ runs }: Lesson, engine: Promise<Engine>): HTMLElement {
   let loaded: Engine | null = null;
   let episode = 0;
   const next = (): Match | null =>
-    loaded && playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: episode++ % episodes, seed: null, map: null });
+    loaded && playedMatch(loaded, run, { run: CHASE, pursuer: rows - 1, evader: columns - 1, episode: episode++ % episodes, seed: null });
   const board = new Chase(next);
   board.title.textContent = `Generation ${rows - 1} of both teams`;
   board.label = `A match. ${board.title.textContent}`;
@@ -81,7 +81,7 @@ function whileSeen(board: Chase): void {
 /** The explorer's matrix and match, for all three races. */
 export function explorer({ runs, playground }: Lesson, engine: Promise<Engine>): HTMLElement {
   const last = runs[0]!.payoff.shape.map((count) => count - 1) as [number, number];
-  const store = new Store({ run: 0, pursuer: last[0], evader: last[1], episode: 0, seed: null, map: null });
+  const store = new Store({ run: 0, pursuer: last[0], evader: last[1], episode: 0, seed: null });
   const [match, matrix] = [new MatchPanel(runs, store, playground), new MatrixPanel(runs, store)];
   match.actions.remove(); // they open other pages
   matrix.element.addEventListener("play", () => {
