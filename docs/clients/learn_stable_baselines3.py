@@ -5,10 +5,10 @@ PyTorch 2.13.0, Gymnasium 1.4.0 and NumPy 2.4.6.
 """
 
 import torch
-from matrixworld.envs.stable_baselines3 import policy, vec_env
 from stable_baselines3 import PPO
 
 import matrixworld as mw
+from matrixworld.envs.stable_baselines3 import policy, vec_env
 
 STEPS = 160_000  # of agents
 
