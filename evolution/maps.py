@@ -4,7 +4,7 @@
     python evolution/maps.py --quick     two seeds of tiny races, half a minute
 
 Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve
-(docs/maps.md). They differ in what maps are selected by. The world can be solved, so that regret,
+(evolution/maps/README.md). They differ in what maps are selected by. The world can be solved, so that regret,
 which others estimate, is known. Episodes have 6 rounds, in which perfect pursuers capture from
 about two thirds of all starts. In 20 they always do, and evaders have nothing to regret.
 
