@@ -94,7 +94,7 @@ PPO = {
 LONG = {"learner.population": 2, "train_steps": 500}
 """Evaders that learn in short episodes are captured later in long ones."""
 AFTERWARDS = {"learner.sigma": 0.8, "learner.learning_rate": 0.1}
-"""Steps of evolution that fit the weights of trained evaders (docs/published_numbers.md)."""
+"""Steps of evolution that fit the weights of trained evaders (docs/published.md)."""
 LEARN: Mapping[str, Mapping[str, Any]] = {
     GRADIENTS: {**PPO, "train_steps": 200},
     STEPS: {"learner.population": 16, "train_steps": 200},

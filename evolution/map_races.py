@@ -3,10 +3,11 @@
     python evolution/map_races.py             ten seeds, about three hours of one core
     python evolution/map_races.py --quick     two seeds of tiny races, half a minute
 
-Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve. They differ
-in what maps are selected by. The world can be solved, so that regret, which others estimate, is
-known. Episodes have 6 rounds, in which perfect pursuers capture from about two thirds of all
-starts. In 20 they always do, and evaders have nothing to regret.
+Races of 2 pursuers against 1 evader on 6 x 6 cells, in turns (TO), on maps that evolve
+(evolution/maps/README.md). They differ in what maps are selected by. The world can be solved, so
+that regret, which others estimate, is known. Episodes have 6 rounds, in which perfect pursuers
+capture from about two thirds of all starts. In 20 they always do, and evaders have nothing to
+regret.
 
 Agents see two cells around them, and meet the newest opponents. With a view of the whole map, or
 with opponents from all generations, the evaders of every pilot learned to stand still, and no map

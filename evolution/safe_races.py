@@ -4,7 +4,7 @@
     python evolution/safe_races.py --quick     a small world and two seeds, some seconds
 
 Both teams of a race of generalists take the mask `policy.mask=right-of-way`, by which no agent is
-ever at fault (docs/safe_by_construction.md), or none. Opponents that are held out have no mask.
+ever at fault (docs/safety.md#right-of-way), or none. Opponents that are held out have no mask.
 
 Look at the last row, the differences between races of the same seed: an interval around 0 says how
 much the mask may cost.

@@ -19,7 +19,7 @@ Mask: TypeAlias = Literal["none", "obstacles", "right-of-way"]
 
 MASKS: tuple[Mask, ...] = get_args(Mask)
 """Names of masks: no move is forbidden; moves into an obstacle or the border; besides these, moves
-that could put the agent at fault (`docs/safe_by_construction.md`)."""
+that could put the agent at fault (`docs/safety.md#right-of-way`)."""
 
 LEAST_FOV: dict[Mask, int] = {"none": 1, "obstacles": 3, "right-of-way": 5}
 """The smallest field of view in which an agent sees all that a mask looks at."""

@@ -1,23 +1,9 @@
-# BenchMARL
+"""IPPO of BenchMARL, by the recipe `torchrl_envs.py`: a world is one of its tasks.
 
-Tried with BenchMARL 1.5.2, which needs TorchRL before 0.12 (0.11.1 here), and with PyTorch 2.13.0, Gymnasium 1.4.0,
-PettingZoo 1.27.0 and NumPy 2.4.6:
+``pip install 'benchmarl>=1.5'``. Tried with BenchMARL 1.5.2, which needs TorchRL before 0.12
+(0.11.1 here), and with PyTorch 2.13.0, Gymnasium 1.4.0, PettingZoo 1.27.0 and NumPy 2.4.6.
+"""
 
-```sh
-pip install 'benchmarl>=1.5'
-```
-
-BenchMARL compares algorithms of TorchRL on tasks; `benchmarl_task` in
-[`torchrl_envs.py`](torchrl_envs.py), a file to copy, makes a world one of them. An algorithm is one line of the
-program; for example, `MappoConfig` in the place of `IppoConfig` gives the team a common critic.
-
-| | before | after 57,344 steps of agents | processor time |
-|---|---|---|---|
-| seed 0 | 0.195 (0.154 to 0.247) | 0.825 (0.771 to 0.865) | 131 s |
-
-The world, the fixed opponent and the score are [those of all learners](../integrations.md#learners).
-
-```python
 import torch
 from benchmarl.algorithms import IppoConfig
 from benchmarl.experiment import Experiment, ExperimentConfig
@@ -71,6 +57,3 @@ experiment = Experiment(
 print("before", score())
 experiment.run()
 print("after", score())
-```
-
-BenchMARL does not leave agents out that are gone, so choose rules in which the agents that learn cannot disappear.

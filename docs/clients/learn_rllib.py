@@ -1,22 +1,9 @@
-# RLlib
+"""PPO of RLlib on `parallel_env`, with flat observations by SuperSuit.
 
-Tried with Ray 2.60.0, which needs Gymnasium 1.2.2, and with SuperSuit 3.11.0, PyTorch 2.13.0, PettingZoo 1.27.0 and NumPy
-2.4.6:
+``pip install "ray[rllib]" supersuit torch``. Tried with Ray 2.60.0, which needs Gymnasium 1.2.2,
+and with SuperSuit 3.11.0, PyTorch 2.13.0, PettingZoo 1.27.0 and NumPy 2.4.6.
+"""
 
-```sh
-pip install "ray[rllib]" supersuit torch
-```
-
-`ParallelPettingZooEnv` makes an environment of RLlib from `mw.parallel_env`. Agents may leave. RLlib has no default network
-for observations of shape `(3, fov, fov)`, so SuperSuit converts them to flat float arrays.
-
-| | before | after 98,304 steps of agents | processor time |
-|---|---|---|---|
-| seed 0 | 0.263 (0.215 to 0.321) | 0.935 (0.889 to 0.959) | 123 s |
-
-The world, the fixed opponent and the score are [those of all learners](../integrations.md#learners).
-
-```python
 import ray
 import supersuit
 import torch
@@ -85,8 +72,3 @@ for _ in range(STEPS // ROLLOUT):
 print("after", score())
 learner.stop()
 ray.shutdown()
-```
-
-To train both teams, leave `evaders="clumsy-fleer"` out and name two policies, `policies={"pursuer", "evader"}`: the mapping
-above gives each agent the policy of its team. For turn-taking rules use `PettingZooEnv(mw.aec_env("TO"))` from the same
-module.

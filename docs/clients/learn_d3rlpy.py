@@ -1,23 +1,9 @@
-# d3rlpy
+"""Conservative Q-learning of d3rlpy from recorded episodes, by the recipe `minari_episodes.py`.
 
-Tried with d3rlpy 2.8.1, which needs Gymnasium 1.0.0, and with Minari 0.5.4, PyTorch 2.14.1, PettingZoo 1.26.1 and NumPy 2.4.6:
+``pip install d3rlpy 'minari[hdf5]'``. Tried with d3rlpy 2.8.1, which needs Gymnasium 1.0.0, and
+with Minari 0.5.4, PyTorch 2.14.1, PettingZoo 1.26.1 and NumPy 2.4.6.
+"""
 
-```sh
-pip install d3rlpy 'minari[hdf5]'
-```
-
-d3rlpy learns from recorded steps alone, without an environment. Here the script `clumsy-chaser` plays the pursuers;
-`to_minari` in [`minari_episodes.py`](minari_episodes.py) writes its episodes as a data set, and all pursuers share a policy,
-which learns by conservative Q-learning (Kumar et al. 2020).
-
-| | before | after 2000 updates, on 40,000 steps of agents | processor time |
-|---|---|---|---|
-| seed 0 | 0.107 (0.077 to 0.153) | 0.940 (0.893 to 0.964) | 34 s |
-
-The world, the fixed opponent and the score are [those of all learners](../integrations.md#learners). The script that made the data
-reaches 0.88: it moves at random now and then, and the learned policy does not.
-
-```python
 import d3rlpy
 import minari
 import numpy as np
@@ -63,7 +49,3 @@ print("before", score())
 quiet = {"logger_adapter": d3rlpy.logging.NoopAdapterFactory(), "show_progress": False}
 learner.fit(dataset, n_steps=STEPS // 20, n_steps_per_epoch=STEPS // 20, **quiet)
 print("after", score())
-```
-
-In rules in which agents disappear, take the steps where `episode.infos["alive"][agent][:-1]` is true only.
-`episode.infos["cost"][agent][1:]` are the costs of the same steps, for methods with a limit of collisions, which d3rlpy has not.

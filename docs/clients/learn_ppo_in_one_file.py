@@ -1,26 +1,8 @@
-# PPO in one file, in the manner of CleanRL
+"""PPO in one file, in the manner of CleanRL, on `VectorEnv`: worlds and agents are two axes.
 
-Tried with PyTorch 2.13.0, Gymnasium 1.2.2 and NumPy 2.4.6:
+``pip install torch``. Tried with PyTorch 2.13.0, Gymnasium 1.2.2 and NumPy 2.4.6.
+"""
 
-```sh
-pip install torch
-```
-
-CleanRL is not a library to import: each algorithm is one file to copy and to change. This is PPO (Schulman et al. 2017)
-in that manner, on `mw.VectorEnv`, which has worlds and agents as two axes. It reads the arrays that other libraries
-have no place for: `acted` leaves the transitions of gone agents out, and `terminated` ends the return of an agent when
-it disappears, not when its world ends. With the autoreset mode `NextStep` (the default) the observation after a
-transition is the next row, also at the end of an episode, so truncated episodes get the value of their last observation.
-
-| | before | after 159,744 steps of agents | processor time |
-|---|---|---|---|
-| seed 0 | 0.263 (0.220 to 0.314) | 0.988 (0.950 to 0.996) | 21 s |
-| seed 1 | 0.223 (0.181 to 0.277) | 0.993 (0.955 to 0.998) | 16 s |
-| seed 2 | 0.233 (0.186 to 0.289) | 0.983 (0.943 to 0.993) | 18 s |
-
-The world, the fixed opponent and the score are [those of all learners](../integrations.md#learners).
-
-```python
 import torch
 from torch import nn
 from torch.distributions import Categorical
@@ -116,4 +98,3 @@ for _ in range(STEPS // (ROLLOUT * worlds * agents)):
     batch = seen, actions, log_probs, advantages, advantages + values
     learn(*(each[acted] for each in batch))  # agents that were gone have no transitions
 print("after", score())
-```

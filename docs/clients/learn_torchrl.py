@@ -1,23 +1,9 @@
-# TorchRL
+"""PPO of TorchRL, by the recipe `torchrl_envs.py`: the agents that learn are a group.
 
-Tried with TorchRL 0.14.1, PyTorch 2.13.0, Gymnasium 1.2.2, PettingZoo 1.27.0 and NumPy 2.4.6:
+``pip install 'torchrl>=0.11'``. Tried with TorchRL 0.14.1, PyTorch 2.13.0, Gymnasium 1.2.2,
+PettingZoo 1.27.0 and NumPy 2.4.6.
+"""
 
-```sh
-pip install 'torchrl>=0.11'
-```
-
-`env` in [`torchrl_envs.py`](torchrl_envs.py), a file to copy, makes an environment of TorchRL from `mw.parallel_env`, with flat observations. The agents that learn are the group
-`pursuer`. Agents may leave: `("pursuer", "mask")` marks those that are present, and a learner has to leave the others out.
-Here no pursuer can disappear. Without `evaders` it leaves both teams to the learner, as two groups.
-
-| | before | after 65,536 steps of agents | processor time |
-|---|---|---|---|
-| seed 0 | 0.215 (0.173 to 0.266) | 0.828 (0.774 to 0.867) | 112 s |
-
-With 102,400 steps it reached 0.970 (0.931 to 0.984) in 152 s. The world, the fixed opponent and the score are
-[those of all learners](../integrations.md#learners).
-
-```python
 import torch
 from tensordict.nn import TensorDictModule
 from torch.distributions import Categorical
@@ -99,8 +85,3 @@ for rollout in collector:
             optimizer.step()
 collector.shutdown()
 print("after", score())
-```
-
-For turn-taking rules in which no agent can leave, wrap `mw.aec_env` without `done_on_any`. If agents can leave, as in TO,
-this fails: TorchRL passes actions to agents that are gone, and PettingZoo's AEC environments accept only None for them.
-Wrap `mw.parallel_env("TO")` instead, in which all agents choose their actions before the round begins.
