@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from matrixworld.coevolution.runs import check_own_code
 
 from command_line import MAIN_JOB, RACE, evolved, matrixworld_command, words
 from matrixworld.cli import evolve, main
 from matrixworld.cli.setting_options import parsed, settings_of
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.runs import check_own_code
 
 PLACE = "alternating/seed-5"
 OWN = {

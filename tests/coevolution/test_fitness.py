@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
 
 import matrixworld as mw
 from matrixworld.coevolution import competitive_sharing
 from matrixworld.coevolution.fitness import collisions, feasible_first, fitness
-from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
 from matrixworld.coevolution.types import TEAMS
 from tiny_race import constant_scores, tiny_single

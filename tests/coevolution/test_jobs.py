@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.schedules import ALL_SCHEDULES
 
 from executors import Reversed
 from matrixworld._util.files import load_json, save_json
@@ -35,7 +36,6 @@ from matrixworld.coevolution.jobs import (
     save_job,
     shares,
 )
-from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from matrixworld.coevolution.storage import RunWriter
 from tiny_race import directory_in_memory, results, tiny_race, tiny_single
 

@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.runs import check_own_code
 
 from matrixworld.coevolution import (
     CmaEs,
@@ -19,7 +20,6 @@ from matrixworld.coevolution import (
     check_sampler,
     opponents,
 )
-from matrixworld.coevolution.runs import check_own_code
 from own_code import Crash, Fails, Fixed, Hardest, HillClimber, ReturnsViews
 from tiny_race import tiny_race
 

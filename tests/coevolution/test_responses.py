@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.responses import BestResponse, response_settings
 
 from command_line import matrixworld_command
 from matrixworld.analysis import interval_over_runs
@@ -19,7 +20,6 @@ from matrixworld.coevolution import (
     open_run,
 )
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.responses import BestResponse, response_settings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
 from matrixworld.play.rollout import Matches, rollout

@@ -6,6 +6,7 @@ from dataclasses import fields, replace
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, DrawnOpponents, MetaOpponents
 
 import matrixworld as mw
 from matrixworld.coevolution import (
@@ -16,7 +17,6 @@ from matrixworld.coevolution import (
     Simultaneous,
 )
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, DrawnOpponents, MetaOpponents
 from matrixworld.coevolution.sections import (
     different_settings,
     hints_of,

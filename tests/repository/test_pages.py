@@ -17,6 +17,7 @@ import click
 import numpy as np
 import pettingzoo
 import pytest
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS, Maps
 
 import matrixworld as mw
 from course.figures import PICTURES
@@ -24,7 +25,6 @@ from course.questions import Exercise, exercises
 from matrixworld import analysis, plots
 from matrixworld.cli import main
 from matrixworld.coevolution import SCHEDULES, RaceSettings, start
-from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS, Maps
 from matrixworld.coevolution.storage import COLUMNS
 from matrixworld.plots.saved import OF_RUN
 from tiny_race import path_of, tiny_race

@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
 
 from matrixworld.coevolution import PolicySettings, RaceSettings, resume, start
-from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.play.rollout import rollout
 from matrixworld.world.config import WorldConfig

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.runs import run as run_module
 
 from browser import data_of
 from command_line import matrixworld_command
@@ -18,7 +19,6 @@ from matrixworld.cli.runs import unpacked
 from matrixworld.coevolution import RaceSettings, finish, open_run, seeding
 from matrixworld.coevolution import settings as settings_module
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.runs import run as run_module
 from matrixworld.coevolution.storage import FORMAT
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.evolve_page import masks_of

@@ -8,11 +8,11 @@ from itertools import permutations
 from typing import Any
 
 import numpy as np
+from matrixworld.coevolution.maps import playable
 from scipy.stats import spearmanr
 
 from course.checks import Mistake, array, comparison, described, function, near, number
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.maps import playable
 from matrixworld.coevolution.types import BoolArray, FloatArray
 from matrixworld.solve import States, best_response, solve
 from matrixworld.world.config import WorldConfig

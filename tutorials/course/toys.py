@@ -31,12 +31,12 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from matrixworld.coevolution.runs.race import pairings
+from matrixworld.coevolution.schedules import SCHEDULES, available
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.runs.race import pairings
-from matrixworld.coevolution.schedules import SCHEDULES, available
 from matrixworld.coevolution.types import (
     TEAMS,
     BoolArray,

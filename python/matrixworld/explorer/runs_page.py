@@ -34,7 +34,6 @@ from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage import SavedRun, open_run, open_runs
 from matrixworld.coevolution.types import TEAMS, Genomes, Payoff
 from matrixworld.episodes.episode import scene
-from matrixworld.episodes.render import png
 from matrixworld.explorer.page import (
     check_new,
     mime_bundle,
@@ -45,6 +44,7 @@ from matrixworld.explorer.page import (
 from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.version import __version__
 from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.render import png
 from matrixworld.world.rules import variant_name
 
 PAGE = "explorer.html"
@@ -250,7 +250,7 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> d
     many ``epochs``; ``window`` has the points of a moving average.
     """
     learner = (log["team"] == "evader").astype(int)
-    if isinstance(settings.schedule, Simultaneous):
+    if isinstance(settings.schedule, AtOnce):
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
@@ -283,8 +283,7 @@ def _usual(settings: RaceSettings) -> RaceSettings:
     if isinstance(schedule, Against):
         alone = Against(team=schedule.team, opponent=schedule.opponent)
         return RaceSettings(schedule=alone, seed=settings.seed)
-    played = schedule.replayed if isinstance(schedule, Yoked) else schedule
-    named: Any = played.name  # a text stands for a section
+    named: Any = schedule.name  # a text stands for a section
     return RaceSettings(schedule=named, seed=settings.seed)
 
 

@@ -19,7 +19,7 @@ from matrixworld.analysis import Judgement, headline
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.groups import RunGroup
-from matrixworld.coevolution.schedules import Against, Simultaneous, curve_window
+from matrixworld.coevolution.race import Against, AtOnce, curve_window
 from matrixworld.coevolution.storage import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.plots.style import FORMATS
@@ -106,12 +106,12 @@ def _training(group: RunGroup, baselines: Baselines) -> Figure:
     shown, kept = "pursuers and evaders learn in turn", np.ones(len(evaders), bool)
     if isinstance(schedule, Against):
         shown = f"{schedule.team}s learn"
-    elif isinstance(schedule, Simultaneous):
+    elif isinstance(schedule, AtOnce):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         shown, kept = "both teams learn", ~evaders
     return plots.training_curve(
         log["capture_rate"][kept],
-        None if isinstance(schedule, Simultaneous) else evaders,
+        None if isinstance(schedule, AtOnce) else evaders,
         generations=None if isinstance(schedule, Against) else log["generation"][kept],
         window=curve_window(schedule),
         title=_title(group, f"Capture rate while {shown}"),

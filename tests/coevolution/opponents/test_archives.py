@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from matrixworld.coevolution.opponents.archives import layers_of, maximally_different
 
 from matrixworld.coevolution import SCHEDULES, TEAMS, available
 from matrixworld.coevolution.opponents import (
@@ -16,7 +17,6 @@ from matrixworld.coevolution.opponents import (
     Latest,
     MaxSolve,
 )
-from matrixworld.coevolution.opponents.archives import layers_of, maximally_different
 
 
 def looked_up(payoffs):

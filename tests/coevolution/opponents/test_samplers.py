@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from matrixworld.coevolution.opponents.samplers import shared_sample
 
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.opponents.samplers import shared_sample
 
 SAMPLERS = {
     "latest": lambda: opponents.Latest(2),

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
 
 from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution.fitness import fitness
-from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from tiny_race import alternating
 

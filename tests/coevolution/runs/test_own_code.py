@@ -4,6 +4,7 @@ import sys
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.schedules import ArchivedOpponents
 
 from matrixworld.coevolution import (
     TEAMS,
@@ -12,7 +13,6 @@ from matrixworld.coevolution import (
     resume,
     start,
 )
-from matrixworld.coevolution.schedules import ArchivedOpponents
 from own_code import HillClimber
 from tiny_race import StopAt, alternating, check_resumes, hall_of_fame, tiny_race, tiny_single
 

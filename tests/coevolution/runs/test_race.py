@@ -4,14 +4,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.runs.race import HallOfFameRace, pairings, table_of_individuals
+from matrixworld.coevolution.schedules import ArchivedOpponents
 
 from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld._util.files import read_npz
 from matrixworld.coevolution import TEAMS, DisengagementWarning, Race, open_run, resume, start
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.learners.learner import DivergedError
-from matrixworld.coevolution.runs.race import HallOfFameRace, pairings, table_of_individuals
-from matrixworld.coevolution.schedules import ArchivedOpponents
 from matrixworld.coevolution.seeding import Phase, evaluation_seed, training_seeds
 from tiny_race import alternating, constant_scores, hall_of_fame, tiny_race, tiny_single
 

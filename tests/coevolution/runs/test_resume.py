@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matrixworld.coevolution.schedules import ARCHIVES, SAMPLERS
 
 from matrixworld import coevolution, rollout
 from matrixworld.analysis.games import META_SOLVERS
-from matrixworld.coevolution.schedules import ARCHIVES, SAMPLERS
 from tiny_race import (
     StopAt,
     alternating,
