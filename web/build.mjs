@@ -1,9 +1,10 @@
-// Bundle the pages into python/matrixworld/explorer/built, where the package keeps them.
+// Bundle the pages of the package into python/matrixworld/explorer/built, and that of the class
+// tournament into tutorials/class_tournament/built.
 //
 //     npm ci && npm run build
 //
-// Each page becomes one script and one style sheet. Their first line holds a digest of the sources in
-// web/, so that a test can tell built files that are older than their sources.
+// Each page becomes one script and one style sheet. Their first line holds a digest of all sources, so
+// that a test can tell built files that are older than their sources.
 
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, readdirSync, statSync } from "node:fs";
@@ -13,11 +14,12 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
-const BUILT = join(HERE, "..", "python", "matrixworld", "explorer", "built");
+const BUILT = "../python/matrixworld/explorer/built";
+const TOURNAMENT = "../tutorials/class_tournament";
 /** A folder of src with a main.ts is a page; the list has no other place. */
 const PAGES = readdirSync(join(HERE, "src")).filter((name) => existsSync(join(HERE, "src", name, "main.ts")));
 /** What the pages are built from. The engine is built by itself, see build_engine.py. */
-const SOURCES = ["src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json"];
+const SOURCES = ["src", `${TOURNAMENT}/page`, "build.mjs", "package.json", "package-lock.json", "tsconfig.json"];
 
 /** Return all files below a path. */
 function files(path) {
@@ -39,10 +41,11 @@ function digest() {
 
 const first_line = `/* built from web/ by "npm run build"; sources ${digest()} */`;
 
-await build({
+const bundle = (entryPoints, outdir) => build({
   absWorkingDir: HERE,
-  entryPoints: Object.fromEntries(PAGES.map((page) => [page, `src/${page}/main.ts`])),
-  outdir: BUILT,
+  entryPoints,
+  outdir,
+  nodePaths: [join(HERE, "node_modules")], // for sources outside of web/
   bundle: true,
   format: "iife",
   target: ["es2022", "chrome105", "firefox110", "safari16"],
@@ -54,3 +57,6 @@ await build({
   banner: { js: first_line, css: first_line },
   logLevel: "info",
 });
+
+await bundle(Object.fromEntries(PAGES.map((page) => [page, `src/${page}/main.ts`])), BUILT);
+await bundle({ class: `${TOURNAMENT}/page/main.ts` }, `${TOURNAMENT}/built`);

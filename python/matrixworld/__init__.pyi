@@ -41,7 +41,6 @@ from matrixworld.world.rules import Rules as Rules
 from matrixworld.world.world import World as World
 
 from . import analysis as analysis
-from . import classroom as classroom
 from . import coevolution as coevolution
 from . import envs as envs
 from . import episodes as episodes

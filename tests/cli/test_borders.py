@@ -20,17 +20,15 @@ from click.testing import CliRunner
 from PIL import Image
 
 from command_line import RACE
-from matrixworld.classroom import save_genome
 from matrixworld.cli import main
 from matrixworld.cli.console import printable
-from matrixworld.coevolution import open_run
 from tiny_race import path_of
 
 Tree = dict[Path, bytes | None]
 
 # ---- What makes a command small and complete -----------------------------------------------------
 
-PLACES = {"directory": "class", "runs": "RUN", "sources": "RUN/payoff.npz"}
+PLACES = {"runs": "RUN", "sources": "RUN/payoff.npz"}
 """Values of arguments; that of others that are required is RUN."""
 REQUIRED = {"--champion": "evader", "--team": "pursuer", "--out": "champion.npz"}
 SMALL = {
@@ -40,8 +38,6 @@ SMALL = {
     "--no-open": None,
     "--schedule": "generalist-generalist",
     "--threads": "1",
-    ("class", "--fov"): "3",  # what its genomes see
-    ("class", "--steps"): "5",
     **{("solve", option): "3" for option in ("--rows", "--cols", "--steps")},
 }
 """Options that a command gets if it has them; None: a flag."""
@@ -117,10 +113,10 @@ CASES = [(path, command, param) for path, command in commands() for param in com
 
 @pytest.fixture(scope="module")
 def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A directory with a run, files of all kinds that are none, and a class of two."""
+    """A directory with a run, and files of all kinds that are none."""
     root = tmp_path_factory.mktemp("borders") / "here"
     shutil.copytree(race, root / "RUN")
-    for name in ("directory", "empty", "class"):
+    for name in ("directory", "empty"):
         (root / name).mkdir()
     tiny = {path_of(name): json.dumps(value) for name, value in RACE.items() if name != "hidden"}
     tiny = {name: value for name, value in tiny.items() if not name.startswith("schedule.joint")}
@@ -134,8 +130,6 @@ def template(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     (root / "cut.npz").write_bytes((race / "payoff.npz").read_bytes()[:-20])
     (root / "cut.json").write_text('{"a": ')
     (root / "cut.csv").write_text("0.5,nan\n0.5")
-    for team in ("pursuer", "evader"):
-        save_genome(root / "class" / f"{team}.npz", team, open_run(race).policy(team))
     return root
 
 

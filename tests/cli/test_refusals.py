@@ -12,9 +12,9 @@ import pytest
 
 from command_line import matrixworld_command, run_together
 from matrices import circular
-from matrixworld.classroom import save_genome
 from matrixworld.coevolution import finish, open_run, start
 from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.play import save_genome
 from rows import random_walks
 from tiny_race import StopAt, tiny_race, tiny_single
 
@@ -84,13 +84,6 @@ OTHERS = [
     (["exploit", "race", "--champion", "evader", "--exact", "--matches", 9], 2, "no --matches"),
     (["play", "walks.npz"], 2, "expected a directory that holds a run, got 'walks.npz'"),
     (["playground", "--out", "bad.csv"], 2, "bad.csv: exists; give --force to replace it"),
-    (["class", "empty", "--no-open"], 1, "expected a submission that can play, got none"),
-    (["class", "empty", "--seconds", 0], 2, "--seconds: expected 1 to 3600, got 0"),
-    (["class", "empty", "--wait", "nan"], 2, "--wait: expected a number above 0"),
-    (["class", "empty", "--memory", 1], 2, "--memory: expected 16 to 1048576, got 1"),
-    (["class", "export", "race", "--team", "evader", "--out", "a.txt"], 2, "ends in .npz"),
-    (["class", "export", "race", "--team", "evader", "--out", "a.npz", "--generation", 99], 2,
-     "--generation: expected a generation from 0 to"),
 ]
 # fmt: on
 TABLE = [
@@ -127,8 +120,8 @@ def place(race: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 MISSING = [
-    *("judge no.csv", "explore no", "replay no.npz", "score no", "tournament no", "class no"),
-    *("exploit no --champion evader", "class export no --team evader -o x.npz", "play no"),
+    *("judge no.csv", "explore no", "replay no.npz", "score no", "tournament no"),
+    *("exploit no --champion evader", "play no"),
     *("evolve --resume no", "evolve --yoked no", "evolve --config no", "evolve --cluster no"),
     *("replay O --pursuer no.npz", "solve --obstacles no.map", "tournament race no"),
     "evolve --set world.obstacles=no.map",

@@ -8,10 +8,10 @@ import pytest
 
 from command_line import GIF, PNG, matrixworld_command
 from matrixworld import Episode, WorldConfig, record
-from matrixworld.classroom import save_genome
 from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.episodes import render, replay
+from matrixworld.play import save_genome
 from tiny_race import tiny_race
 
 STILL = ["O", "--pursuer", "still", "--evader", "still"]

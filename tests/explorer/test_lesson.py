@@ -15,7 +15,7 @@ import pytest
 from browser import Browser
 from course.questions import Prediction, exercises
 from course.toys import GAMES, PAYOFF, alternate
-from matrixworld.classroom.submissions import Submission, count_votes, read_predictions
+from course.votes import count_votes, read_predictions
 from node import run_node
 from scripts import wait_until
 
@@ -95,16 +95,11 @@ def test_the_page_counts_votes_as_the_class_does() -> None:
     given = [{"name": name, "text": text} for name, text in files.items()]
     unknown = {"name": "option.jsonl", "text": saved({"0.a": "z"}, "0000000f")}
     page = run_node("votes.mjs", {"files": [*given, unknown], "edition": 2, "options": options})
-    submissions = [
-        Submission(name.removesuffix(".jsonl"), name, "predictions", text.encode(), Path(name))
-        for name, text in files.items()
-    ]
-    votes, refusals = count_votes(submissions)
+    votes, reasons = count_votes((name, name, text.encode()) for name, text in files.items())
     assert votes == {"0.a": {"a": 1, "b": 1}, "0.b": {"c": 1}}
     assert page["pupils"] == 2
     counts = page["votes"].items()
     assert {name: {k: n for k, n in each.items() if n} for name, each in counts} == votes
-    reasons = {each.file: each.reason for each in refusals}
     left = {each["file"]: each["reason"] for each in page["left"]}
     assert left.pop("option.jsonl") == 'line 1: expected one of a, b, c for 0.a, got "z"'
     assert left.pop("old.jsonl") == "line 1: expected edition 2 of the course, got 1"

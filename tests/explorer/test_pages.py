@@ -8,6 +8,7 @@ import re
 import runpy
 from collections.abc import Callable
 from html import unescape
+from os.path import relpath
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +19,8 @@ from PIL import Image
 import matrixworld as mw
 from browser import DESKTOP, PHONE, Browser
 from class_submissions import write_genomes
-from matrixworld.classroom import play_class
-from matrixworld.classroom.results import class_page
+from class_tournament import results
+from class_tournament.round_robin import play_class
 from matrixworld.coevolution import open_run, start
 from matrixworld.episodes.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.episodes.render import rgb
@@ -33,7 +34,8 @@ from tiny_race import tiny_race
 
 REPOSITORY = Path(__file__).parents[2]
 WEB = REPOSITORY / "web"
-SOURCES = ("src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json")
+TOURNAMENT = "../tutorials/class_tournament/page"
+SOURCES = ("src", TOURNAMENT, "build.mjs", "package.json", "package-lock.json", "tsconfig.json")
 NAME = "<img src=x> &amp; \"'"
 HOSTILE = "</script><script>document.title='owned'</script><img src=x onerror=alert(1)> & \u2028"
 
@@ -42,7 +44,7 @@ def page_of_a_class(folder: Path) -> str:
     write_genomes(folder, 2)
     (folder / "genome 00.npz").rename(folder / f"{NAME}.npz")
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=3, n_evaders=2, max_steps=12)
-    return class_page(play_class(folder, config, episodes=3, seed=1), title=NAME)
+    return results.class_page(play_class(folder, config, episodes=3, seed=1), title=NAME)
 
 
 def page_of_a_run(folder: Path) -> str:
@@ -58,7 +60,9 @@ MADE: dict[str, Callable[[Path], str]] = {
     "play": lambda folder: play_page(NAME, *shipped("SD")),
     "playground": lambda folder: Playground().html(),
 }
-"""Each page with texts that would do harm as markup; its name is that of its folder in web/src."""
+"""Each page with texts that would do harm as markup."""
+FOLDERS = dict.fromkeys(PAGES, BUILT) | {"class": results.BUILT}
+"""Where script and style sheet of each page are."""
 WATCHED = (
     "while (matrixworldPlay.element.dataset.state === 'playing') matrixworldPlay.act(1);"
     " document.querySelectorAll('.play-buttons button')[1].click();"
@@ -84,7 +88,7 @@ OPENED: dict[str, list[str]] = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.parametrize("page", MADE)
 def test_a_page_opens_and_runs_no_script_but_its_own(
     browser: Browser, page: str, tmp_path: Path
 ) -> None:
@@ -107,7 +111,7 @@ def test_a_page_opens_and_runs_no_script_but_its_own(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.parametrize("page", MADE)
 def test_paper_is_light_and_has_nothing_to_press(
     browser: Browser, page: str, tmp_path: Path
 ) -> None:
@@ -148,7 +152,7 @@ def test_letters_of_a_class_matrix_are_readable_on_a_phone(
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.parametrize("page", MADE)
 def test_readers_with_disabilities_are_not_hindered(
     browser: Browser, page: str, tmp_path: Path
 ) -> None:
@@ -164,33 +168,36 @@ def test_built_files_are_of_the_present_sources() -> None:
     """If this fails, run ``npm ci && npm run build`` in web/."""
     assert tuple(sorted(main.parent.name for main in WEB.glob("src/*/main.ts"))) == PAGES
     paths = [file for source in SOURCES for file in [WEB / source, *(WEB / source).rglob("*")]]
-    names = {path.relative_to(WEB).as_posix(): path for path in paths if path.is_file()}
+    names = {Path(relpath(path, WEB)).as_posix(): path for path in paths if path.is_file()}
     digest = hashlib.sha256()
     for name in sorted(names):
         content = hashlib.sha256(names[name].read_bytes()).hexdigest()
         digest.update(f"{name} {content}\n".encode())
-    for file in (BUILT / f"{page}.{suffix}" for page in PAGES for suffix in ("js", "css")):
+    for file in (FOLDERS[page] / f"{page}.{suffix}" for page in MADE for suffix in ("js", "css")):
         first_line = file.read_text(encoding="utf-8").partition("\n")[0]
         assert f"sources {digest.hexdigest()} */" in first_line, file
 
 
-@pytest.mark.parametrize("file", [*BUILT.iterdir()], ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "file", [*BUILT.iterdir(), *results.BUILT.iterdir()], ids=lambda path: path.name
+)
 def test_no_built_file_ends_its_element_or_evaluates_text(file: Path) -> None:
     text = file.read_text(encoding="utf-8").lower()
     for ends in ("</script", "<script", "<!--", "</style", "eval(", "new function", "import.meta"):
         assert ends not in text
 
 
-@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.parametrize("page", MADE)
 def test_data_are_read_as_they_were_and_become_no_markup(page: str) -> None:
-    hostile = render_page(page, HOSTILE, {"name": HOSTILE})
+    folder = FOLDERS[page]
+    hostile = render_page(page, HOSTILE, {"name": HOSTILE}, folder=folder)
     found = re.search(r'<script type="application/json" id="data">(.*)</script>', hostile)
     assert json.loads(found[1].partition("</script>")[0]) == {"name": HOSTILE}
     elements = re.compile(r"<[a-z/!][^>]*>", re.IGNORECASE)
-    plain = render_page(page, "title", {"name": ""})
+    plain = render_page(page, "title", {"name": ""}, folder=folder)
     assert elements.findall(hostile) == elements.findall(plain)
     with pytest.raises(ValueError, match="JSON"):
-        render_page(page, "title", {"rate": float("nan")})
+        render_page(page, "title", {"rate": float("nan")}, folder=folder)
 
 
 # ---- In notebooks --------------------------------------------------------------------------------

@@ -66,7 +66,6 @@ RUN = {
 """Pages whose examples run, one after the other, and patterns of lines that are not shown."""
 ELSEWHERE = {
     "docs/browser.md": "needs a browser; tests/repository/test_browser.py",
-    "docs/class.md": "tests/classroom/test_class.py",
     "docs/cluster.md": "needs several processes; tests/cli/test_cluster.py",
     "docs/explorer.md": "needs a run; tests/explorer/test_runs_page.py",
     "docs/files.md": "one line for a run of the reader's",
@@ -207,7 +206,8 @@ def test_options_that_a_page_shows_exist(page: Path) -> None:
 # Links
 
 ANCHOR = re.compile(r'<a id="([^"]+)"></a>')
-ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *NOTEBOOKS})
+READMES = (*ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *ROOT.glob("tutorials/*/README.md"))
+ALL_PAGES = sorted({*DOCS.rglob("*.md"), *READMES, *NOTEBOOKS})
 
 
 def prose(page: Path) -> str:
@@ -412,7 +412,7 @@ def test_each_promise_of_the_security_page_has_a_test() -> None:
     promises = [row for row in rows if not row.startswith(("| Promise", "| ---"))]
     assert promises
     for promise in promises:
-        named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", promise)
+        named = re.findall(r"`((?:[\w/]+/)?tests/[\w/]+\.py)(?:::(\w+))?`", promise)
         assert named, promise
         for file, test in named:
             assert f"def {test or 'test_'}" in read(file), (file, test)

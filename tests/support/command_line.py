@@ -2,6 +2,7 @@
 
 import re
 
+import click
 from click.testing import CliRunner, Result
 
 from matrixworld.analysis import CONDITIONS
@@ -36,7 +37,6 @@ READING = [
     ["score", "RUN", "--episodes", "2"],
     ["tournament", "RUN", "--episodes", "2"],
     ["exploit", "RUN", "--champion", "evader", "--matches", "96", "--episodes", "2"],
-    ["class", "export", "RUN", "--team", "pursuer", "--out", "champion.npz"],
 ]
 """Commands that read a finished race, RUN."""
 PNG, GIF = b"\x89PNG", b"GIF89a"
@@ -53,8 +53,13 @@ def words(options: dict[str, object]) -> list[str]:
 
 
 def matrixworld_command(*args: object, code: int = 0) -> Result:
+    """Run ``matrixworld`` and check its exit code."""
+    return run_command(main, *args, code=code)
+
+
+def run_command(command: click.Command, *args: object, code: int = 0) -> Result:
     """Run a command and check its exit code."""
-    result = CliRunner().invoke(main, [str(arg) for arg in args])
+    result = CliRunner().invoke(command, [str(arg) for arg in args])
     # What click does with an error that it knows.
     unexpected = None if isinstance(result.exception, SystemExit) else result.exception
     assert unexpected is None, result.output

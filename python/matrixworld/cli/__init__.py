@@ -19,7 +19,6 @@ from matrixworld.version import __version__
 __all__ = ["main"]
 
 COMMANDS = {
-    "class": ("classroom", "Play a tournament of students' policies."),
     "evolve": ("evolve", "Start races, or continue them."),
     "exploit": ("exploit", "Evolve best responses to champions."),
     "explore": ("pages", "Show runs as a page or as figures."),

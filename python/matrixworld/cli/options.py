@@ -149,8 +149,8 @@ SHARED: dict[str, Option] = {
     ),
     "steps": integer(
         "--steps",
-        "most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in a "
-        "class 100, in solve 20]",
+        "most steps of an episode  [default: as in the evaluation of RUN; without RUN 500, in "
+        "solve 20]",
     ),
     "threads": integer(
         "--threads", "threads that play matches  [default: one per usable core]", most=MOST_THREADS

@@ -10,8 +10,6 @@ from typing import Any, cast
 import click
 
 from matrixworld._util.checks import INT_MAX, SEED_MAX, check_choice
-from matrixworld._util.files import read_content
-from matrixworld.classroom.submissions import read_genome
 from matrixworld.cli.console import say
 from matrixworld.cli.options import (
     check_exists,
@@ -31,6 +29,7 @@ from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.integrations.minari import to_minari
+from matrixworld.play import read_genome
 from matrixworld.solve import solve
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, EnginePolicy, Script
@@ -83,7 +82,7 @@ def source_of(ctx: click.Context, param: click.Parameter, value: str) -> Path | 
 @click.option(
     "--pursuer",
     metavar="WHO",
-    help="generation of the run, script, .npz file of class export, or solved: perfect play, in "
+    help="generation of the run, script, .npz file of a genome, or solved: perfect play, in "
     f"small worlds  [default: the last; of a VARIANT {CHASER}]",
 )
 @click.option(
@@ -284,7 +283,7 @@ def _named(config: WorldConfig, team: Team, who: str) -> EnginePolicy | None:
         return solve(config).policy(team)
     if not who.lower().endswith(".npz"):
         return None
-    found, population = read_genome(Path(who), read_content(Path(who)))
+    found, population = read_genome(who)
     if found != team:
         raise ValueError(f"{team}: expected a file of {team}s, got one of {found}s: {who}")
     return population

@@ -39,8 +39,9 @@ def render_page(
     opens: Sequence[str] = (),
     asks: bool = False,
     works: bool = False,
+    folder: Path = BUILT,
 ) -> str:
-    """Return one of `PAGES` as HTML.
+    """Return a page as HTML: one of `PAGES`, or one whose script and style sheet are in `folder`.
 
     The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
     data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
@@ -60,8 +61,9 @@ def render_page(
     )
     # The filter `tojson` escapes <, > and &, so that no text can end the element that holds it.
     environment.policies["json.dumps_kwargs"] = {"allow_nan": False, "separators": (",", ":")}
-    scripts = {name: built(name, "js") for name in (ENGINE, page, *opens)}
-    styles = {name: built(name, "css") for name in (page, *opens)}
+    folders = {page: folder, **dict.fromkeys(opens, BUILT)}
+    styles = {name: built(name, "css", place) for name, place in folders.items()}
+    scripts = {name: built(name, "js", place) for name, place in {ENGINE: BUILT, **folders}.items()}
     policy = _policy([*scripts.values()], [*styles.values()], asks=asks, works=works)
     return environment.get_template("page.html").render(
         title=title,
@@ -74,12 +76,12 @@ def render_page(
     )
 
 
-def built(page: str, suffix: str) -> Markup:
+def built(page: str, suffix: str, folder: Path = BUILT) -> Markup:
     """Return a built file as it stands in a page."""
     from markupsafe import Markup
 
     # The first line names the sources of all pages: a page changes only with its own.
-    text = (BUILT / f"{page}.{suffix}").read_text(encoding="utf-8").partition("\n")[2]
+    text = (folder / f"{page}.{suffix}").read_text(encoding="utf-8").partition("\n")[2]
     return Markup(text)  # not escaped: browsers read scripts and style sheets as they are
 
 

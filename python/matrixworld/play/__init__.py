@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
+from matrixworld.play.genomes import read_genome, save_genome
 from matrixworld.play.matches import capture_rates
 from matrixworld.play.network_policy import NetworkPolicy
 
-__all__ = ["NetworkPolicy", "capture_rates"]
+__all__ = ["NetworkPolicy", "capture_rates", "read_genome", "save_genome"]

@@ -1,9 +1,9 @@
 // The votes of a class, from the files that pupils have saved. The rule for doubles is that of `count_votes` in
-// matrixworld/classroom/submissions.py: of each pupil a prediction counts once.
+// tutorials/course/votes.py: of each pupil a prediction counts once.
 
 import type { Prediction } from "./data.ts";
 
-/** Most bytes of a file, as `matrixworld class` has it: the predictions of a lesson have 1 kB. */
+/** Most bytes of a file, as the class tournament has it: the predictions of a lesson have 1 kB. */
 export const MOST_BYTES = 2 ** 16;
 
 export interface SavedFile {

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
+/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
 "use strict";(()=>{var Oa=Object.create;var xn=Object.defineProperty;var La=Object.getOwnPropertyDescriptor;var Ia=Object.getOwnPropertyNames;var Na=Object.getPrototypeOf,Ba=Object.prototype.hasOwnProperty;var Fa=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Ua=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ia(e))!Ba.call(t,o)&&o!==r&&xn(t,o,{get:()=>e[o],enumerable:!(n=La(e,o))||n.enumerable});
 return t};var za=(t,e,r)=>(r=t!=null?Oa(Na(t)):{},Ua(e||!t||!t.__esModule?xn(r,"default",{value:t,enumerable:!0}):r,t));var ia=Fa(hn=>{var Xs=Object.defineProperty,Ql=t=>Xs(t,"__esModule",{value:!0}),ec=(t,e)=>{for(var r in e)Xs(t,r,{get:e[r],enumerable:!0})};Ql(hn);ec(hn,{GIFEncoder:()=>sa,
 applyPalette:()=>cc,default:()=>vc,nearestColor:()=>mc,nearestColorIndex:()=>na,nearestColorIndexWithDistance:()=>oa,prequantize:()=>lc,quantize:()=>ac,snapColorsToPalette:()=>pc});

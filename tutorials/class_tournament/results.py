@@ -7,20 +7,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations, product
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from class_tournament.submissions import Entry, Refusal
 from matrixworld._util.readable import Parts, Readable, Table, plain_values
 from matrixworld.analysis import Estimate
 from matrixworld.analysis.intervals import UNIT, difference_over_episodes, linear_over_episodes
-from matrixworld.classroom.submissions import Entry, Refusal, Votes
 from matrixworld.coevolution.types import SCORE, TEAMS, Team, other
 from matrixworld.explorer.page import render_page
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 
+BUILT = Path(__file__).parent / "built"
+"""Script and style sheet of the page, which ``npm run build`` in ``web/`` makes of ``page/``."""
 ERROR = 0.05
 """Chance that the range of an entry's rank misses its true rank."""
 MOST_BYTES = 8 * 2**20
@@ -65,7 +68,7 @@ class ClassResult(Readable):
     capture_rates: NDArray[np.float64]  # (P, E, episodes)
     lengths: NDArray[np.int64]  # (P, E, episodes), in steps
     recordings: dict[Pair, NDArray[np.uint8]]  # all actions of each first episode, (steps, A)
-    votes: Votes = field(default_factory=dict)  # on the predictions of the course
+    votes: dict[str, dict[str, int]] = field(default_factory=dict)  # by prediction and choice
 
     @cached_property
     def standings(self) -> dict[Team, list[Standing]]:
@@ -82,14 +85,14 @@ class ClassResult(Readable):
 
     def _parts(self) -> Parts:
         parts: list[str | Table] = []
-        for team, found in self.standings.items():
+        for team, rows in self.standings.items():
             opponents = len(self.entries[other(team)])
-            rows = [
-                (row.rank or "-", row.entry.name, row.entry.kind, str(row.score)) for row in found
-            ]
             parts += [
                 f"\nThe {team}s: mean {SCORE[team]} against all {opponents} opponents",
-                [("rank", "name", "", "mean and 95 % interval"), *rows],
+                [
+                    ("rank", "name", "", "mean and 95 % interval"),
+                    *((r.rank or "-", r.entry.name, r.entry.kind, str(r.score)) for r in rows),
+                ],
             ]
         if self.refusals:
             parts.append(f"\nRefused ({len(self.refusals)})")
@@ -133,14 +136,11 @@ def rank_ranges(payoffs: NDArray[np.float64]) -> list[tuple[int, int]]:
     with a probability of at least 0.95; then so does the range.
     """
     n = len(payoffs)
-    worse_than, better_than = np.zeros(n, int), np.zeros(n, int)
+    signs = np.zeros((n, n), int)
     for one, two in combinations(range(n), 2):
-        sign = _surely(payoffs[one], payoffs[two], 1.0 - ERROR / (n - 1))
-        if sign:
-            better, worse = (one, two) if sign > 0 else (two, one)
-            better_than[better] += 1
-            worse_than[worse] += 1
-    return [(1 + int(up), n - int(down)) for up, down in zip(worse_than, better_than, strict=True)]
+        signs[one, two] = _surely(payoffs[one], payoffs[two], 1.0 - ERROR / (n - 1))
+    signs -= signs.T
+    return [(1 + int((row < 0).sum()), n - int((row > 0).sum())) for row in signs]
 
 
 def _surely(one: NDArray[np.float64], two: NDArray[np.float64], level: float) -> int:
@@ -220,7 +220,7 @@ def class_page(result: ClassResult, *, title: str, most: int = MOST_BYTES) -> st
     # An action a byte, row by row of the matrix.
     actions = b"".join(result.recordings[pair].tobytes() for pair in sorted(kept))
     blobs = {"recordings": zlib.compress(actions, 9)}
-    return render_page("class", f"{title} - matrixworld", data, blobs)
+    return render_page("class", f"{title} - matrixworld", data, blobs, folder=BUILT)
 
 
 def _rounded(values: NDArray[np.floating[Any]]) -> Any:

@@ -11,48 +11,90 @@ import subprocess
 import sys
 import sysconfig
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld
+from class_tournament import policy_server as messages
+from class_tournament.policy_server import MessageError, message, receive
+from matrixworld._util.checks import check_integer, check_number
 from matrixworld._util.files import one_line
-from matrixworld.classroom.policy_server import (
-    ACTIONS,
-    CODE,
-    ERROR,
-    LONGEST_COMMAND,
-    LONGEST_ERROR,
-    NUMBER,
-    READY,
-    SETTINGS,
-    VIEWS,
-    MessageError,
-    message,
-    receive,
-)
-from matrixworld.classroom.sandbox import Limits, Used, rest
-from matrixworld.coevolution.types import Team
+from matrixworld.world.policy import Team
+
+# ---- Limits --------------------------------------------------------------------------------------
+
+MOST_SECONDS = 3600
+
+
+def _limit(default: float, text: str) -> Any:
+    return field(default=default, metadata={"help": text})
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of a submitted policy; ValueError or TypeError if one is out of range."""
+
+    seconds: int = _limit(10, "processor time of a policy in a match, in seconds")
+    in_all: float = _limit(200.0, "processor time of a policy in all its matches, in seconds")
+    wait: float = _limit(30.0, "time by the clock of one answer of a program, in seconds")
+    clock: float = _limit(60.0, "time by the clock of all answers in a match, in seconds")
+    clock_in_all: float = _limit(600.0, "the same in all matches of a program, in seconds")
+    memory: int = _limit(512, "memory of a program beyond that of Python and NumPy, in MiB")
+
+    def __post_init__(self) -> None:
+        check_integer("seconds", self.seconds, 1, MOST_SECONDS)
+        check_integer("memory", self.memory, 16, 1 << 20)
+        for name in ("in_all", "wait", "clock", "clock_in_all"):
+            check_number(name, getattr(self, name), least=0.0, positive=True)
+
+
+class Used(NamedTuple):
+    """Time that a policy has used, in seconds."""
+
+    processor: float = 0.0
+    clock: float = 0.0
+
+
+class Rest(NamedTuple):
+    """What is left of a limit, in seconds, and what is said of a policy that takes more."""
+
+    seconds: float
+    reason: str
+
+
+def rest(limits: Limits, used: Sequence[Used] = ()) -> tuple[Rest, Rest]:
+    """Return what a match may take of processor time, and by the clock, after those before it."""
+    before = Used(*(sum(times) for times in zip(Used(), *used, strict=True)))
+    return (
+        _rest("of processor time", limits.seconds, limits.in_all, before.processor),
+        _rest("by the clock", limits.clock, limits.clock_in_all, before.clock),
+    )
+
+
+def _rest(kind: str, once: float, in_all: float, before: float) -> Rest:
+    if once <= in_all - before:
+        return Rest(once, f"more than {once:g} seconds {kind} in a match")
+    return Rest(in_all - before, f"more than {in_all:g} seconds {kind} in all matches")
+
+
+# ---- The server ----------------------------------------------------------------------------------
 
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
 NO_FORK = "they need Linux or macOS"
-PLACE = os.path.join(Path(matrixworld.__path__[0]).parent, "")
-# Empty packages with the paths of ours: the server gets the files that it names, and no engine.
+HERE = Path(__file__).absolute().parent
+# Nothing of matrixworld: it imports the engine.
 START = """
-import sys, types
-for name in sys.argv[1].split():
-    sys.modules[name] = types.ModuleType(name)
-    sys.modules[name].__path__ = [sys.argv[2] + name.replace(".", "/")]
-from matrixworld.classroom.policy_server import main
-for name in sys.argv[1].split():
-    del sys.modules[name]
+import sys
+sys.path.append(sys.argv[1])
+from class_tournament.policy_server import main
 main()
 """
-EMPTY = "matrixworld matrixworld._util matrixworld.classroom"
 LONGEST_REASON = 300
 """Most characters of what a program says about its own end."""
 
@@ -88,7 +130,7 @@ class PolicyServer:
         self._commands, theirs = socket.socketpair()
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, "-c", START, EMPTY, PLACE, *["--trust"] * self._trust],
+                [sys.executable, "-c", START, str(HERE.parent), *["--trust"] * self._trust],
                 stdin=theirs.fileno(),
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
@@ -100,16 +142,16 @@ class PolicyServer:
     def ready(self) -> str:
         """Wait for the server; return why programs cannot be confined here, empty if they can."""
         for _ in range(2):
-            with suppress(KilledError, OSError):
+            with suppress(EOFError, OSError):
                 return str(self._reply()["problem"])
             self._stop()
             self._start()
         return "the process that starts them has ended"
 
     def _reply(self) -> dict[str, Any]:
-        reply = self._commands.recv(LONGEST_COMMAND)
+        reply = self._commands.recv(messages.LONGEST_COMMAND)
         if not reply:
-            raise KilledError("the process that held the program was killed")
+            raise EOFError
         values: dict[str, Any] = json.loads(reply)
         return values
 
@@ -118,7 +160,7 @@ class PolicyServer:
         try:
             socket.send_fds(self._commands, [json.dumps(command).encode()], handles)
             return self._reply()
-        except (OSError, KilledError) as error:
+        except (OSError, EOFError) as error:
             self._is_lost = True
             raise KilledError("the process that held the program was killed") from error
 
@@ -192,9 +234,9 @@ class PolicyProcess:
         self._processor, self._clock = rest(server.limits, before)
         self._connection = server.connect(self._team, self._processor.seconds)
         self._is_open = True
-        told = message(SETTINGS, json.dumps(settings).encode()) + message(CODE, code)
+        asked = message(messages.SETTINGS, json.dumps(settings).encode())
         with self._ending_on_failure():
-            flags = self._answer(told, READY, 2)
+            flags = self._answer(asked + message(messages.CODE, code), messages.READY, 2)
         self.functions = flags[0] == 1, flags[1] == 1
 
     def actions(self, numbers: NDArray[Any], views: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -203,8 +245,9 @@ class PolicyProcess:
         The number of an agent is the same in all steps of an episode. All actions are legal.
         """
         with self._ending_on_failure():
-            asked = message(VIEWS, numbers.astype(NUMBER).tobytes() + views.tobytes())
-            chosen = np.frombuffer(self._answer(asked, ACTIONS, len(numbers)), np.uint8)
+            content = numbers.astype(messages.NUMBER).tobytes() + views.tobytes()
+            asked = message(messages.VIEWS, content)
+            chosen = np.frombuffer(self._answer(asked, messages.ACTIONS, len(numbers)), np.uint8)
             # The program's process checks this, too; but that process is the program's.
             if (chosen >= self._n_actions).any():
                 raise MessageError(f"expected actions below {self._n_actions}")
@@ -254,10 +297,11 @@ class PolicyProcess:
         try:
             self._connection.settimeout(max(1e-3, wait))
             self._connection.sendall(asked)
-            found, content = receive(read, {kind: size, ERROR: LONGEST_ERROR})
+            longest = {kind: size, messages.ERROR: messages.LONGEST_ERROR}
+            found, content = receive(read, longest)
         finally:
             self.used = Used(0.0, self.used.clock + time.monotonic() - began)
-        if found == ERROR:
+        if found == messages.ERROR:
             line = one_line(content.decode(errors="replace")) or "failed without a message"
             short = line if len(line) <= LONGEST_REASON else f"{line[:LONGEST_REASON]} ..."
             raise RefusedError(short, self._team)

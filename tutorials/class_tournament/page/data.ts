@@ -1,8 +1,8 @@
-// What the page holds of a class tournament; `matrixworld.classroom.results` writes it.
+// What the page holds of a class tournament; results.py writes it.
 
-import type { WorldConfig } from "../engine/types.ts";
-import type { Matrix, Team } from "../explorer/data.ts";
-import { text } from "../explorer/data.ts";
+import type { WorldConfig } from "../../../web/src/engine/types.ts";
+import type { Matrix, Team } from "../../../web/src/explorer/data.ts";
+import { text } from "../../../web/src/explorer/data.ts";
 
 /** One row of a table of standings. */
 export interface Standing {

@@ -8,10 +8,10 @@ import pytest
 
 from browser import DESKTOP, Browser, browser, data_of
 from class_submissions import write_genomes
+from class_tournament.results import ClassResult, class_page, rank_ranges
+from class_tournament.round_robin import play_class
+from class_tournament.submissions import Entry
 from matrixworld import WorldConfig
-from matrixworld.classroom import play_class
-from matrixworld.classroom.results import ClassResult, class_page, rank_ranges
-from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.page import write_page
 

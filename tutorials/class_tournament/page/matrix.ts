@@ -1,10 +1,10 @@
 // The matrix: a cell for each pair, in the order of the standings, with the names along both sides.
 
-import { html, svg } from "../page/dom.ts";
-import type { Team } from "../explorer/data.ts";
-import { inkOn, viridisText } from "../explorer/colormap.ts";
-import { rate } from "../explorer/format.ts";
-import { scaleOfRates } from "../explorer/heatmap.ts";
+import { html, svg } from "../../../web/src/page/dom.ts";
+import type { Team } from "../../../web/src/explorer/data.ts";
+import { inkOn, viridisText } from "../../../web/src/explorer/colormap.ts";
+import { rate } from "../../../web/src/explorer/format.ts";
+import { scaleOfRates } from "../../../web/src/explorer/heatmap.ts";
 import type { Data, Pair } from "./data.ts";
 import type { Store } from "./store.ts";
 

@@ -19,83 +19,9 @@ import os
 import platform
 import struct
 import sys
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
 
-from matrixworld._util.checks import check_integer, check_number
-
-MOST_SECONDS = 3600
 MIB = 2**20
-
-
-@dataclass(frozen=True)
-class Limits:
-    """Limits of a submitted policy: times of programs and genomes, the rest of programs only.
-
-    Parameters
-    ----------
-    seconds : int, optional
-        Processor time of one match, in seconds. The default is 10.
-    in_all : float, optional
-        Processor time of all matches of one policy, in seconds. The default is 200.
-    wait : float, optional
-        Time by the clock that one answer may take, in seconds. The default is 30.
-    clock : float, optional
-        Time by the clock of all answers in one match, in seconds. The default is 60.
-    clock_in_all : float, optional
-        Time by the clock of all answers in all matches, in seconds. The default is 600.
-    memory : int, optional
-        Memory beyond that of Python and NumPy themselves, in MiB. The default is 512.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If a limit is out of range.
-    """
-
-    seconds: int = 10
-    in_all: float = 200.0
-    wait: float = 30.0
-    clock: float = 60.0
-    clock_in_all: float = 600.0
-    memory: int = 512
-
-    def __post_init__(self) -> None:
-        check_integer("seconds", self.seconds, 1, MOST_SECONDS)
-        check_integer("memory", self.memory, 16, 1 << 20)
-        for name in ("in_all", "wait", "clock", "clock_in_all"):
-            check_number(name, getattr(self, name), least=0.0, positive=True)
-
-
-class Used(NamedTuple):
-    """Time that a policy has used, in seconds."""
-
-    processor: float = 0.0
-    clock: float = 0.0
-
-
-class Rest(NamedTuple):
-    """What is left of a limit, in seconds, and what is said of a policy that takes more."""
-
-    seconds: float
-    reason: str
-
-
-def rest(limits: Limits, used: Sequence[Used] = ()) -> tuple[Rest, Rest]:
-    """Return what a match may take of processor time, and by the clock, after those before it."""
-    before = Used(*(sum(each) for each in zip(Used(), *used, strict=True)))
-    return (
-        _rest("of processor time", limits.seconds, limits.in_all, before.processor),
-        _rest("by the clock", limits.clock, limits.clock_in_all, before.clock),
-    )
-
-
-def _rest(kind: str, once: float, in_all: float, before: float) -> Rest:
-    if once <= in_all - before:
-        return Rest(once, f"more than {once:g} seconds {kind} in a match")
-    return Rest(in_all - before, f"more than {in_all:g} seconds {kind} in all matches")
 
 
 def set_limits(seconds: int, memory: int, files: int | None) -> None:

@@ -15,19 +15,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course import predict
-from course.questions import EDITION
-from matrixworld.classroom.submissions import (
+from class_tournament.submissions import (
     MOST_OWN,
     MOST_UNPACKED,
-    count_votes,
     read_file,
     read_genome,
     read_submissions,
-    save_genome,
 )
+from course import predict
+from course.questions import EDITION
+from course.votes import count_votes
 from matrixworld.coevolution import DamagedFileError
-from matrixworld.play import NetworkPolicy
+from matrixworld.play import NetworkPolicy, save_genome
 from matrixworld.world.policy import Network, Population
 
 LITTLE_MEMORY = 100 * 2**20
@@ -232,10 +231,9 @@ def test_votes_are_the_first_choices_of_students(
     (tmp_path / "old.jsonl").write_bytes(b'{"prediction": "4.a", "choice": "a"}')
     submissions, refused = read_submissions(tmp_path)
     assert [each.name for each in refused] == ["large"]
-    votes, spoilt = count_votes(submissions)
-    old = next(each for each in spoilt if each.name == "old")
-    spoilt.remove(old)
-    assert old.reason == f"expected edition {EDITION} of the course, as in other files, got none"
+    votes, spoilt = count_votes((each.name, each.file, each.content) for each in submissions)
+    old = spoilt.pop("old.jsonl")
+    assert old == f"expected edition {EDITION} of the course, as in other files, got none"
     assert votes == {"1.a": {"c": 3}, "4.a": {"a": 1, "b": 1, "c": 1}, "9.a": {"a": 3}}
-    assert {each.name for each in spoilt} == {*bad} - {"large"}
-    assert {each.reason for each in spoilt} == {"line 1: expected a prediction and its choice"}
+    assert spoilt.keys() == {f"{name}.jsonl" for name in bad if name != "large"}
+    assert {*spoilt.values()} == {"line 1: expected a prediction and its choice"}

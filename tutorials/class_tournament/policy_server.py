@@ -1,7 +1,7 @@
 """The processes of submitted programs: a server that forks them, and what each of them does.
 
-The server has imported NumPy, so a fork of it is ready in milliseconds. Of the package it has this
-file and what this file imports; worlds, engine and scripts are not in its memory. It never sees a
+The server has imported NumPy, so a fork of it is ready in milliseconds. Beside it, it has this file
+and `sandbox`; worlds, engine and scripts are not in its memory. It never sees a
 program nor its seed: these travel from the parent to the fork, after the fork has given up all
 rights. Commands come over a connection, which is the server's standard input. If it ends, because
 the parent has ended in whatever way, the forks are killed and the server ends.
@@ -31,7 +31,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.classroom.sandbox import end_with_parent, filter_system_calls, set_limits
+from class_tournament.sandbox import end_with_parent, filter_system_calls, set_limits
 
 # ---- Messages ------------------------------------------------------------------------------------
 #
@@ -321,7 +321,7 @@ def _described(value: Any) -> str:
 
 
 HINTS = {
-    ImportError: " (docs/class.md lists what can be imported)",
+    ImportError: " (class_tournament/README.md lists what can be imported)",
     PermissionError: " (files, network, processes and signals are not allowed)",
 }
 """What is added to some errors."""

@@ -1,15 +1,15 @@
 // The selected match: its first episode, played again from the recorded actions.
 
-import { Board, stillMotion } from "../board/board.ts";
-import { legend } from "../board/legend.ts";
-import { FITTING, Player } from "../board/player.ts";
-import { playerBar } from "../board/player_bar.ts";
-import { captureSteps } from "../board/recording.ts";
-import type { Engine } from "../engine/engine.ts";
-import { rate } from "../explorer/format.ts";
-import { wordsOf } from "../explorer/words.ts";
-import { html } from "../page/dom.ts";
-import type { Live } from "../play/live.ts";
+import { Board, stillMotion } from "../../../web/src/board/board.ts";
+import { legend } from "../../../web/src/board/legend.ts";
+import { FITTING, Player } from "../../../web/src/board/player.ts";
+import { playerBar } from "../../../web/src/board/player_bar.ts";
+import { captureSteps } from "../../../web/src/board/recording.ts";
+import type { Engine } from "../../../web/src/engine/engine.ts";
+import { rate } from "../../../web/src/explorer/format.ts";
+import { wordsOf } from "../../../web/src/explorer/words.ts";
+import { html } from "../../../web/src/page/dom.ts";
+import type { Live } from "../../../web/src/play/live.ts";
 import type { Data } from "./data.ts";
 import { Recordings } from "./recordings.ts";
 import type { Store } from "./store.ts";

@@ -7,9 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from matrixworld.classroom import Limits, save_genome
-from matrixworld.classroom.policy_process import CAN_FORK, NO_FORK, PolicyServer
-from matrixworld.play import NetworkPolicy
+from class_tournament.policy_process import CAN_FORK, NO_FORK, Limits, PolicyServer
+from matrixworld.play import NetworkPolicy, save_genome
 from matrixworld.world.policy import Network
 
 CHASER = """
@@ -153,7 +152,10 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
     "null byte": ("x = 1\0", "^(SyntaxError|ValueError): source code"),
     "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
     "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
-    "imports torch": ("import torch", "torch cannot be imported .docs/class.md lists"),
+    "imports torch": (
+        "import torch",
+        "cannot be imported .class_tournament/README.md lists",
+    ),
 }
 """Programs that are refused: the text, and a pattern of the reason. {mark} is a file that must not
 appear."""
@@ -163,7 +165,7 @@ HARMLESS_ATTACKS: dict[str, str] = {
     "prints": "for n in range(200): print('x' * 100_000)\n" + ACTS + "print(view); return 1",
     "patches": (
         "import numpy\nimport sys\n"
-        "policy_server = sys.modules['matrixworld.classroom.policy_server']\n"
+        "policy_server = sys.modules['class_tournament.policy_server']\n"
         "numpy.random.default_rng = lambda *a: None\n"
         "policy_server._action = lambda *a: 3\n"
         "sys.modules.clear()\n" + ACTS + "return 'a very good action'"
@@ -269,7 +271,7 @@ def processes_of_programs() -> list[int]:
     for entry in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):  # it has just ended
             state, parent = (entry / "stat").read_text().rpartition(")")[2].split()[:2]
-            if "classroom.policy_server" in (entry / "cmdline").read_text() and state != "Z":
+            if "class_tournament.policy_server" in (entry / "cmdline").read_text() and state != "Z":
                 parents[int(entry.name)] = int(parent)
     ours = {number for number, parent in parents.items() if parent in (1, os.getpid())}
     return sorted(ours | {number for number, parent in parents.items() if parent in ours})

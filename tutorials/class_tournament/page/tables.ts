@@ -1,8 +1,8 @@
 // The standings of a team, and what was refused.
 
-import { html } from "../page/dom.ts";
-import type { Team } from "../explorer/data.ts";
-import { rate } from "../explorer/format.ts";
+import { html } from "../../../web/src/page/dom.ts";
+import type { Team } from "../../../web/src/explorer/data.ts";
+import { rate } from "../../../web/src/explorer/format.ts";
 import type { Data, Pair, Refusal, Standing } from "./data.ts";
 import type { Store } from "./store.ts";
 

@@ -1,4 +1,4 @@
-"""``matrixworld class``: a tournament of policies that students hand in, and a file for it."""
+"""The command: a tournament of policies that students hand in, and a file to hand in."""
 
 from __future__ import annotations
 
@@ -9,49 +9,33 @@ from typing import Any
 
 import click
 
+from class_tournament.policy_process import Limits
+from class_tournament.results import class_json, class_page
+from class_tournament.round_robin import play_class
 from matrixworld._util.files import one_line
-from matrixworld.classroom.results import class_json, class_page
-from matrixworld.classroom.round_robin import play_class
-from matrixworld.classroom.sandbox import Limits
-from matrixworld.classroom.submissions import save_genome
+from matrixworld.cli import Commands
+from matrixworld.cli import options as shared
 from matrixworld.cli.console import TERMS, note, progress, say
-from matrixworld.cli.options import (
-    Existing,
-    check_outputs,
-    checked_seed,
-    integer,
-    options,
-    out_option,
-    write_json,
-)
 from matrixworld.cli.pages import open_page
 from matrixworld.cli.runs import run_in
 from matrixworld.cli.setting_options import usage_errors
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import write_page
+from matrixworld.play import save_genome
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import TEAMS, Team
 
 GAME: dict[str, Any] = {"variant": "O", "n_pursuers": 4, "n_evaders": 4, "steps": 100}
 """The game where options do not say otherwise: smaller and shorter than that of `evolve`."""
 SIZE: dict[str, Any] = {"rows": 16, "cols": 16}
 """Its grid, if no map gives one."""
+SUFFIX = ".npz"
 
 
-def _limit(name: str, help: str) -> Callable[[Any], Any]:
-    default = getattr(Limits(), name.removeprefix("--").replace("-", "_"))
-    return click.option(
-        name,
-        type=type(default),
-        default=default,
-        show_default=True,
-        metavar="NUMBER",
-        help=f"limit: {help}",
-    )
+class ClassCommands(Commands):
+    """``DIR`` plays a tournament; what else there is has a name."""
 
-
-class ClassCommands(click.Group):
-    """``class DIR`` plays a tournament; what else there is has a name."""
+    format_commands = click.Group.format_commands  # its own, not those of the package
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Take words that do not begin with the name of a command for those of ``play``."""
@@ -60,33 +44,48 @@ class ClassCommands(click.Group):
         return super().parse_args(ctx, args)
 
 
-@click.group("class", cls=ClassCommands)
-def class_command() -> None:
+def limit_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command an option for each of the limits."""
+    for limit in reversed(fields(Limits)):
+        command = click.option(
+            shared.option_name(limit.name),
+            type=type(limit.default),
+            default=limit.default,
+            show_default=True,
+            metavar="NUMBER",
+            help=f"limit: {limit.metadata['help']}",
+        )(command)
+    return command
+
+
+@click.group(
+    cls=ClassCommands,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+def main() -> None:
     """Play a tournament of policies that students have handed in, or write one to hand in.
 
-    `matrixworld class DIR` is `matrixworld class play DIR`.
+    `class_tournament DIR` is `class_tournament play DIR`.
     """
 
 
-@class_command.command("play")
-@click.argument("directory", metavar="DIR", type=Existing(file_okay=False))
-@integer("--episodes", "episodes of each pair; all pairs play the same starts", least=2, default=10)
+@main.command("play")
+@click.argument("directory", metavar="DIR", type=shared.Existing(file_okay=False))
+@shared.integer(
+    "--episodes", "episodes of each pair; all pairs play the same starts", least=2, default=10
+)
 @click.option(
     "--seed",
     type=int,
-    callback=checked_seed,
+    callback=shared.checked_seed,
     metavar="INTEGER",
     help="repeat the tournament that printed this seed  [default: one that nobody can know before]",
 )
-@out_option("the page  [default: DIR.html, beside DIR]")
-@options("open", "json", "force", "threads", "variant", "obstacles", "fov", "diagonal")
-@options("rows", "cols", "n_pursuers", "n_evaders", "steps")
-@_limit("--seconds", "processor time of a policy in a match, in seconds")
-@_limit("--in-all", "processor time of a policy in all its matches, in seconds")
-@_limit("--wait", "time by the clock of one answer of a program, in seconds")
-@_limit("--clock", "time by the clock of all answers of a program in a match, in seconds")
-@_limit("--clock-in-all", "time by the clock of all answers in all matches, in seconds")
-@_limit("--memory", "memory of a program in MiB")
+@shared.out_option("the page  [default: DIR.html, beside DIR]")
+@shared.options("open", "json", "force", "threads", "variant", "obstacles", "fov", "diagonal")
+@shared.options("rows", "cols", "n_pursuers", "n_evaders")
+@shared.integer("--steps", "most steps of an episode  [default: 100]")
+@limit_options
 @click.option(
     "--trust",
     is_flag=True,
@@ -94,46 +93,34 @@ def class_command() -> None:
 )
 def play_command(
     directory: Path,
-    episodes: int,
-    seed: int | None,
     out: Path | None,
     opens: bool,
     json_file: Path | None,
     force: bool,
-    threads: int | None,
-    trust: bool,
-    **game: Any,
+    **options: Any,
 ) -> None:
     """Play a class tournament: every pursuer that was handed in against every evader.
 
     DIR holds NAME.py, a program with a function pursue(view, rng) or evade(view, rng) or both, or
-    NAME.npz, a genome that matrixworld class export writes. NAME.jsonl, a student's predictions in
-    the course, is a vote that the page counts. Files may also lie in a directory for each student,
-    DIR/NAME/. Programs run in processes of their own, without files, network or other
-    processes, with limits of time and memory. What breaks a rule is left out, and the page says
-    why; docs/class.md tells the rules.
+    NAME.npz, a genome that `export` writes. NAME.jsonl, a student's predictions in the course, is a
+    vote that the page counts. Files may also lie in a directory for each student, DIR/NAME/.
+    Programs run in processes of their own, without files, network or other processes, with limits
+    of time and memory. What breaks a rule is left out, and the page says why; README.md tells the
+    rules.
 
     By default 4 pursuers play against 4 evaders in O, on 16 x 16 cells or a map, for at most 100
     steps.
     """
     page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
     # The page is the only record of a tournament whose files may have changed.
-    check_outputs(page, json_file, force=force, redraws=False)
-    config, limits = _checked(game)
-    if trust:
+    shared.check_outputs(page, json_file, force=force, redraws=False)
+    given = {name: options.pop(name) for name in ("episodes", "seed", "trust", "threads")}
+    config, limits = _checked(options)
+    if given["trust"]:
         note("Programs run with the rights of your own (--trust).")
     try:
         with progress() as bar:
-            result = play_class(
-                directory,
-                config,
-                seed=seed,
-                episodes=episodes,
-                limits=limits,
-                trust=trust,
-                threads=threads,
-                report=bar,
-            )
+            result = play_class(directory, config, limits=limits, report=bar, **given)
     except ValueError as error:
         raise click.ClickException(str(error)) from error
     say(result)  # first: a page that cannot be written must not lose the results
@@ -141,12 +128,12 @@ def play_command(
     say(f"--seed {result.seed} plays this tournament again.")
     write_page(page, class_page(result, title=one_line(directory.absolute().name)))
     say(f"\nWritten: {page}")
-    write_json(json_file, class_json(result))
+    shared.write_json(json_file, class_json(result))
     open_page(page, opens)
 
 
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
-    limits = {each.name: options.pop(each.name) for each in fields(Limits)}
+    limits = {limit.name: options.pop(limit.name) for limit in fields(Limits)}
     given = {name: value for name, value in options.items() if value is not None}
     size = {} if isinstance(given.get("obstacles"), str) else SIZE
     settings = {**size, **GAME, **given}
@@ -157,12 +144,9 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
         return config, Limits(**limits)
 
 
-SUFFIX = ".npz"
-
-
-@class_command.command("export")
+@main.command("export")
 @click.argument("run")
-@options("race")
+@shared.options("race")
 @click.option(
     "--team", type=click.Choice(TEAMS), required=True, metavar="TEAM", help="pursuer or evader"
 )
@@ -173,8 +157,8 @@ SUFFIX = ".npz"
     metavar="INTEGER",
     help="the generation; negative numbers count from the end  [default: the last one]",
 )
-@out_option("the file; its name ends in .npz", required=True)
-@options("force")
+@shared.out_option("the file; its name ends in .npz", required=True)
+@shared.options("force")
 def export_command(
     run: str, race: str | None, team: Team, generation: int, out: Path, force: bool
 ) -> None:
@@ -185,7 +169,7 @@ def export_command(
     """
     if out.suffix.lower() != SUFFIX:
         raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {out}")
-    check_outputs(out, force=force)
+    shared.check_outputs(out, force=force)
     with usage_errors():
         policy = open_run(run_in(run, race=race)).policy(team, generation)
     save_genome(out, team, policy)

@@ -30,21 +30,22 @@ from class_submissions import (
     write_hostile_files,
     write_programs,
 )
+from class_tournament.policy_process import CAN_FORK, Limits, PolicyProcess, PolicyServer
+from class_tournament.policy_server import FUNCTIONS, MODULES, NOT_CONFINED
+from class_tournament.results import ClassResult
+from class_tournament.round_robin import MatchPool, admit, play_class
+from class_tournament.sandbox import ALLOWED, ANSWERED_BY_0
+from class_tournament.submissions import Entry, Refusal, Submission
 from matrixworld import Network, NetworkPolicy, World, WorldConfig, record_actions
-from matrixworld.classroom import Limits, play_class, save_genome
-from matrixworld.classroom.policy_process import CAN_FORK, PolicyProcess, PolicyServer
-from matrixworld.classroom.policy_server import FUNCTIONS, MODULES, NOT_CONFINED
-from matrixworld.classroom.results import ClassResult
-from matrixworld.classroom.round_robin import MatchPool, admit
-from matrixworld.classroom.sandbox import ALLOWED, ANSWERED_BY_0
-from matrixworld.classroom.submissions import Entry, Refusal, Submission
 from matrixworld.coevolution import TEAMS, Progress, Team
+from matrixworld.play import save_genome
 from matrixworld.play.rollout import match_seed
 from scripts import wait_until
 from slow import quickly
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 
+FOLDER = Path(__file__).parents[1]
 CONFIG = WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, max_steps=10)
 HOSTILE = ("endless", "memory", "writes", "exits", "segfault", "raises", "writes protocol")
 """Attacks in a class; each attack is tried alone, too."""
@@ -320,7 +321,7 @@ def test_a_killed_command_leaves_no_process(tmp_path: Path) -> None:
 def playing(path: Path) -> Iterator[subprocess.Popen[bytes]]:
     """Run the command with programs that do not answer."""
     write_programs(path, dict.fromkeys("abc", REFUSED_PROGRAMS["deadlock"][0]))
-    words = [sys.executable, "-m", "matrixworld", "class", str(path), "--wait", "60", "--no-open"]
+    words = [sys.executable, str(FOLDER), str(path), "--wait", "60", "--no-open"]
     command = subprocess.Popen(
         [*words, "--threads", "2"],
         stderr=subprocess.DEVNULL,
@@ -487,9 +488,9 @@ def test_the_memory_of_a_program_holds_no_world(pool: MatchPool) -> None:
         "for kind in [type(each) for each in seen] + object.__subclasses__():\n"
         "    place = getattr(kind, '__module__', '')\n"
         "    assert not str(place).startswith(('matrixworld.world', 'matrixworld._core')), kind\n"
-        "ours = sorted(name for name in sys.modules if name.startswith('matrixworld'))\n"
-        "assert ours == ['matrixworld._util.checks', 'matrixworld.classroom.policy_server',\n"
-        "                'matrixworld.classroom.sandbox'], ours\n",
+        "ours = sorted(name for name in sys.modules if name.startswith(('class_', 'matrix')))\n"
+        "assert ours == ['class_tournament', 'class_tournament.policy_server',\n"
+        "                'class_tournament.sandbox'], ours\n",
     )
 
 
@@ -553,9 +554,9 @@ def test_random_numbers_tell_nothing_of_the_tournament(tmp_path: Path) -> None:
     assert len(seeds) == 6
 
 
-# ---- docs/class.md: its examples work, and its numbers are those of the code ---------------------
+# ---- README.md: its examples work, and its numbers are those of the code -------------------------
 
-PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+PAGE = (FOLDER / "README.md").read_text(encoding="utf-8")
 PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)
 LISTED = set(
     re.findall(r"`([\w.]+)`", PAGE.partition("A program can import")[2].partition("\n\n")[0])

@@ -1,5 +1,5 @@
-/* built from web/ by "npm run build"; sources 4388922beffa57afb43d05b59eb2b2f7868708e883372583275ff43f6c4f1a6c */
-"use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
+/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
+(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
 "state")}get ticks(){return this.#c}set ticks(e){this.#c=e,this.#i("state")}get pace(){return this.#r||Math.max(yn,this.#e/be)}get speed(){return this.#r}set speed(e){

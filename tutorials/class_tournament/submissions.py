@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import hashlib
 import io
-import json
 import math
 import os
 import re
 import sys
 import unicodedata
 import zipfile
-from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
@@ -26,18 +26,9 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice
-from matrixworld._util.files import (
-    UNREADABLE,
-    DamagedFileError,
-    check_regular,
-    one_line,
-    parse_npz,
-    save_arrays,
-)
-from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.play import NetworkPolicy
-from matrixworld.world.policy import Network, Population, TeamPolicy
+from matrixworld._util.files import UNREADABLE, DamagedFileError, check_regular, one_line
+from matrixworld.play.genomes import parse_genome
+from matrixworld.world.policy import Population, Team, TeamPolicy
 
 FileKind: TypeAlias = Literal["program", "genome", "predictions"]
 FILE_KINDS: dict[str, FileKind] = {".py": "program", ".npz": "genome", ".jsonl": "predictions"}
@@ -96,11 +87,9 @@ class Entry:
     @cached_property
     def key(self) -> str:
         """Depends on what plays and on its team, not on its name or place."""
-        policy = self.policy
-        if isinstance(policy, str):
-            content = policy.encode()
-        else:
-            content = policy if isinstance(policy, bytes) else policy.genomes.tobytes()
+        content = self.policy.encode() if isinstance(self.policy, str) else self.policy
+        if isinstance(content, Population):
+            content = content.genomes.tobytes()
         return hashlib.sha256(self.team.encode() + content).hexdigest()
 
 
@@ -156,12 +145,11 @@ def students(names: Sequence[str]) -> dict[str, str]:
         for name in names
     }
     cleaned = {name: match["student"].strip() if match else name for name, match in found.items()}
-    numbers: dict[str, set[str]] = {}
+    numbers: defaultdict[str, set[str]] = defaultdict(set)
     for name, match in found.items():
-        numbers.setdefault(_folded(cleaned[name]), set()).add(match["number"] if match else "")
+        numbers[folded(cleaned[name])].add(match["number"] if match else "")
     return {
-        name: clean if len(numbers[_folded(clean)]) == 1 else name
-        for name, clean in cleaned.items()
+        name: clean if len(numbers[folded(clean)]) == 1 else name for name, clean in cleaned.items()
     }
 
 
@@ -194,25 +182,23 @@ def _shown_name(name: str) -> str:
 
 def without_rivals(entries: Sequence[Entry]) -> tuple[list[Entry], list[Refusal]]:
     """Refuse all entries of a student who handed in several for one team."""
-    groups: dict[tuple[str, Team], list[Entry]] = {}
+    groups: defaultdict[tuple[str, Team], list[Entry]] = defaultdict(list)
     for entry in entries:
-        groups.setdefault((_folded(entry.name), entry.team), []).append(entry)
-    kept = [entry for entry in entries if len(groups[_folded(entry.name), entry.team]) == 1]
-    refusals = [
-        Refusal(
-            entry.name,
-            entry.file,
-            f"expected one policy for the {team}s of {entry.name}, got {len(group)}: "
-            f"{', '.join(each.file for each in group)}",
-        )
-        for (_, team), group in groups.items()
-        if len(group) > 1
-        for entry in group
-    ]
+        groups[folded(entry.name), entry.team].append(entry)
+    kept: list[Entry] = []
+    refusals: list[Refusal] = []
+    for entry in entries:
+        files = [rival.file for rival in groups[folded(entry.name), entry.team]]
+        if len(files) == 1:
+            kept.append(entry)
+        else:
+            expected = f"expected one policy for the {entry.team}s of {entry.name}"
+            reason = f"{expected}, got {len(files)}: {', '.join(files)}"
+            refusals.append(Refusal(entry.name, entry.file, reason))
     return kept, refusals
 
 
-def _folded(name: str) -> str:
+def folded(name: str) -> str:
     """Return a name whose case and form do not matter."""
     return unicodedata.normalize("NFKC", name).casefold().strip()
 
@@ -244,19 +230,8 @@ def read_file(path: Path) -> tuple[FileKind, bytes]:
         return kind, file.read(status.st_size)
 
 
-# ---- A genome as a file --------------------------------------------------------------------------
+# ---- A genome ------------------------------------------------------------------------------------
 
-GENOME_FORMS = {
-    "genome": ("f", 1),
-    "hidden": ("iuf", 1),  # an empty list is an array of floats
-    "activation": ("U", 0),
-    "memory": ("U", 0),
-    "fov": ("iu", 0),
-    "n_actions": ("iu", 0),
-    "sampled": ("b", 0),
-    "team": ("U", 0),
-}
-"""Kinds of dtypes, as ``dtype.kind``, and number of dimensions of each array."""
 MOST_LAYERS = 16
 """The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
 MOST_UNPACKED = MOST_BYTES["genome"]
@@ -272,69 +247,16 @@ _HEADERS: dict[tuple[int, int], Any] = {
 }
 
 
-def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy) -> None:
-    """Write a policy as a file that `matrixworld class` plays.
-
-    Parameters
-    ----------
-    path : str or path
-        The file, which is replaced if it exists.
-    team : {"pursuer", "evader"}
-        The team for which it plays.
-    policy : NetworkPolicy
-        The policy, such as ``open_run(directory).policy("pursuer")``.
-
-    Raises
-    ------
-    ValueError
-        If there is no such team.
-    """
-    check_choice("team", team, TEAMS)
-    save_arrays(
-        Path(path),
-        {
-            **asdict(policy.network),
-            "hidden": np.array(policy.network.hidden, np.int64),
-            "genome": policy.genome,
-            "team": team,
-        },
-    )
-
-
 def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
-    `save_genome` writes such files, and ``numpy.savez`` with the same keys. DamagedFileError if the
-    content is damaged, too large, or not of this form.
+    DamagedFileError if the content is damaged, too large, or no genome.
     """
     try:
         _check_archive(content)
     except UNREADABLE as error:
         raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
-    arrays = parse_npz(path, content)
-    for name, (kinds, ndim) in GENOME_FORMS.items():
-        if name not in arrays:
-            raise DamagedFileError(path, f"expected an array {name!r}, got {', '.join(arrays)}")
-        if arrays[name].dtype.kind not in kinds or arrays[name].ndim != ndim:
-            expected = f"expected dtype of kind {kinds} and {ndim} dimensions"
-            got = f"dtype {arrays[name].dtype} and shape {arrays[name].shape}"
-            raise DamagedFileError(path, f"{name}: {expected}, got {got}")
-    team, layers = str(arrays["team"]), len(arrays["hidden"])
-    if layers > MOST_LAYERS:
-        raise DamagedFileError(path, f"hidden: expected at most {MOST_LAYERS} layers, got {layers}")
-    try:
-        check_choice("team", team, TEAMS)
-        network = Network(
-            tuple(int(size) for size in arrays["hidden"]),
-            activation=str(arrays["activation"]),  # type: ignore[arg-type]
-            memory=str(arrays["memory"]),  # type: ignore[arg-type]
-            fov=int(arrays["fov"]),
-            n_actions=int(arrays["n_actions"]),
-            sampled=bool(arrays["sampled"]),
-        )
-        return team, Population(arrays["genome"], network)  # type: ignore[return-value]
-    except (OverflowError, TypeError, ValueError) as error:
-        raise DamagedFileError(path, str(error)) from error
+    return parse_genome(path, content)
 
 
 def _check_archive(content: bytes) -> None:
@@ -359,92 +281,6 @@ def _check_archive(content: bytes) -> None:
                 expected = f"expected {held:,} bytes of numbers or text"
                 got = f"dtype {dtype} and shape {shape}"
                 raise ValueError(f"{member.filename}: {expected}, got {got}")
-
-
-# ---- Predictions ---------------------------------------------------------------------------------
-#
-# Lines are those that `predict` of the course writes. Names and choices are checked, and lines of
-# any other form refuse the file.
-
-Votes: TypeAlias = dict[str, dict[str, int]]
-"""How many students made each choice, by prediction and choice, such as ``votes["4.a"]["b"]``."""
-PREDICTION = re.compile(r"(0|[1-9][0-9]?)\.([a-z])")
-"""The notebook and its prediction; 0 is the lesson that needs no notebook, ``docs/lesson.html``."""
-PUPIL = re.compile(r"[0-9a-f]{8}|")
-
-
-class Predictions(NamedTuple):
-    """What a file of predictions holds."""
-
-    choices: dict[str, str]  # the first one of each prediction
-    pupil: str  # the number by which the lesson tells browsers apart; empty in a notebook's file
-    edition: int  # of the course; 0 if the file names none
-
-
-def count_votes(files: Iterable[Submission]) -> tuple[Votes, list[Refusal]]:
-    """Count the first choice of each student for each prediction.
-
-    A student is known by name, and by the pupil in files of the lesson. Files that add nothing are
-    refused as doubles, as are copies, what is damaged, and all editions but the newest one, because
-    their letters are others. The lesson's own page counts by the same rule.
-    """
-    read: list[tuple[Submission, Predictions]] = []
-    refusals: list[Refusal] = []
-    for file in files:
-        try:
-            found = read_predictions(file.content)
-        except ValueError as error:
-            refusals.append(Refusal(file.name, file.file, one_line(error)))
-            continue
-        read.append((file, found))
-    newest = max((each.edition for _, each in read), default=0)
-    votes: Votes = {}
-    counted: dict[tuple[str, str], str] = {}  # student and prediction -> file
-    copies: dict[bytes, str] = {}
-    # A student who saves again saves more: the longest file first.
-    for file, (choices, pupil, edition) in sorted(read, key=lambda each: -len(each[1].choices)):
-        owners = [_folded(file.name), *([f"pupil {pupil}"] if pupil else [])]
-        known = {
-            name: next((counted[o, name] for o in owners if (o, name) in counted), None)
-            for name in choices
-        }
-        if edition != newest:
-            got = edition or "none"
-            reason = f"expected edition {newest} of the course, as in other files, got {got}"
-        elif file.content in copies:
-            reason = f"double: the same content as {copies[file.content]}"
-        elif choices and all(known.values()):
-            reason = f"double: the pupil of {next(iter(known.values()))}"
-        else:
-            copies[file.content] = file.file
-            for name, choice in choices.items():
-                if known[name] is None:
-                    counts = votes.setdefault(name, {})
-                    counts[choice] = counts.get(choice, 0) + 1
-                counted.update({(owner, name): file.file for owner in owners})
-            continue
-        refusals.append(Refusal(file.name, file.file, reason))
-    order = sorted(votes, key=lambda name: (int(name[:-2]), name))  # of the notebooks
-    return {name: dict(sorted(votes[name].items())) for name in order}, refusals
-
-
-def read_predictions(content: bytes) -> Predictions:
-    """Return what was chosen before the experiments; ValueError if damaged."""
-    found: dict[str, str] = {}
-    owners: set[tuple[str, int]] = set()
-    for number, line in enumerate(content.decode("utf-8", "replace").splitlines(), 1):
-        try:
-            entry = json.loads(line)
-            name, choice = entry["prediction"], entry["choice"]
-            pupil, edition = entry.get("pupil", ""), entry.get("edition", 0)
-            known = PREDICTION.fullmatch(name) and one_line(choice) == choice
-            known = known and PUPIL.fullmatch(pupil) and type(edition) is int
-        except (ValueError, RecursionError, LookupError, TypeError, AttributeError):
-            known = False
-        if not (known and 0 < len(choice) <= LONGEST_NAME):
-            raise ValueError(f"line {number}: expected a prediction and its choice")
-        found.setdefault(name, choice)
-        owners.add((pupil, edition))
-        if len(owners) > 1:
-            raise ValueError(f"line {number}: expected lines of one pupil")
-    return Predictions(found, *(owners.pop() if owners else ("", 0)))
+            if member.filename.startswith("hidden") and math.prod(shape) > MOST_LAYERS:
+                got = math.prod(shape)
+                raise ValueError(f"hidden: expected at most {MOST_LAYERS} layers, got {got}")

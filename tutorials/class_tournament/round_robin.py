@@ -17,35 +17,30 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, closing, contextmanager
+from functools import wraps
 from itertools import compress, product
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
-from matrixworld.classroom.policy_process import (
+from class_tournament import submissions
+from class_tournament.policy_process import (
     CAN_FORK,
     NO_FORK,
     KilledError,
+    Limits,
     PolicyProcess,
     PolicyServer,
     RefusedError,
+    Used,
+    rest,
 )
-from matrixworld.classroom.policy_server import FUNCTIONS
-from matrixworld.classroom.results import ClassResult
-from matrixworld.classroom.sandbox import Limits, Used, rest
-from matrixworld.classroom.submissions import (
-    Entry,
-    Refusal,
-    Submission,
-    count_votes,
-    read_genome,
-    read_submissions,
-    told,
-    without_rivals,
-)
+from class_tournament.policy_server import FUNCTIONS
+from class_tournament.results import ClassResult
+from class_tournament.submissions import Entry, Refusal, Submission
+from matrixworld._util.checks import SEED_MAX, check_integer, check_threads
 from matrixworld.coevolution.progress import Progress, Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play.matches import Chooser, play_episodes
@@ -73,72 +68,57 @@ def play_class(
     threads: int | None = None,
     report: Report = silent,
 ) -> ClassResult:
-    """Play all pairs of a directory of submissions; what breaks a rule is left out.
+    """Play all pairs of a directory of submissions, at least 2 `episodes` each.
 
-    Parameters
-    ----------
-    directory : Path
-        Holds ``NAME.py``, ``NAME.npz`` and ``NAME.jsonl``, the predictions of a student in the
-        course, or directories ``NAME`` with such files.
-    config : WorldConfig
-        The settings of the world.
-    seed : int, optional
-        The secret of a tournament, which repeats it. By default one is drawn, so that no program
-        can know the starts before.
-    episodes : int, optional
-        Episodes of each pair, at least 2. The default is 10.
-    limits : Limits, optional
-        Limits of policies. The default is ``Limits()``.
-    trust : bool, optional
-        Whether programs run without a filter of system calls: only for programs that you have read.
-    threads : int, optional
-        Matches that are played side by side. The default is one for each core. The result does not
-        depend on it.
-    report : callable, optional
-        Called with each `coevolution.Progress`. By default nothing is reported.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be read.
-    ValueError
-        If it holds nothing that can play and no predictions, or an argument is out of range.
+    `seed` is the secret of a tournament, which repeats it; by default one is drawn, so that no
+    program can know the starts before. With `trust` programs run without a filter of system calls.
+    `threads` matches are played side by side, by default one for each core; the result does not
+    depend on it. ValueError if nothing can play and there are no predictions.
     """
     check_integer("episodes", episodes, 2)
     threads = check_threads(threads)
     seed = secrets.randbits(63) if seed is None else check_integer("seed", seed, 0, SEED_MAX)
-    handed_in, refusals = read_submissions(directory)
-    submissions = [each for each in handed_in if each.kind != "predictions"]
-    votes, spoilt = count_votes(each for each in handed_in if each.kind == "predictions")
-    programs = any(each.kind == "program" for each in submissions)
+    files, refusals = submissions.read_submissions(directory)
+    policies = [file for file in files if file.kind != "predictions"]
+    votes, spoilt = _votes([file for file in files if file.kind == "predictions"])
+    programs = any(file.kind == "program" for file in policies)
     pool = MatchPool(
         config, seed, limits or Limits(), trust=trust, threads=threads, programs=programs
     )
     with _one_interruption(), closing(pool):
-        students, refused = admit(submissions, pool, report)
+        students, refused = admit(policies, pool, report)
         teams = {team: _with_scripts(students, team) for team in TEAMS}
         played, failed = _round_robin(teams, pool, episodes, report)
     refusals += [*spoilt, *refused]
-    refusals += [Refusal(each.name, each.file, reason) for each, reason in failed.items()]
-    if not (votes or any(each not in failed for each in students)):
-        reasons = "".join(f"\n  {each.file}: {each.reason}" for each in refusals)
+    refusals += [Refusal(entry.name, entry.file, reason) for entry, reason in failed.items()]
+    if not (votes or any(entry not in failed for entry in students)):
+        reasons = "".join(f"\n  {refusal.file}: {refusal.reason}" for refusal in refusals)
         raise ValueError(f"{directory}: expected a submission that can play, got none{reasons}")
-    pursuers, evaders = (
-        tuple(each for each in teams[team] if each not in failed) for team in TEAMS
-    )
-    shape = len(pursuers), len(evaders)
-    results = [played[pair] for pair in product(pursuers, evaders)]
+    kept = {team: tuple(e for e in teams[team] if e not in failed) for team in TEAMS}
+    shape = len(kept["pursuer"]), len(kept["evader"])
+    matches = [played[pair] for pair in product(kept["pursuer"], kept["evader"])]
     return ClassResult(
         config,
         seed,
         pool.match_seed,
-        {"pursuer": pursuers, "evader": evaders},
-        tuple(sorted(refusals, key=lambda each: (each.file, each.reason))),
-        np.reshape([each.capture_rates for each in results], (*shape, episodes)),
-        np.reshape([each.lengths for each in results], (*shape, episodes)),
-        dict(zip(np.ndindex(shape), (each.actions for each in results), strict=True)),
+        kept,
+        tuple(sorted(refusals, key=lambda refusal: (refusal.file, refusal.reason))),
+        np.reshape([match.capture_rates for match in matches], (*shape, episodes)),
+        np.reshape([match.lengths for match in matches], (*shape, episodes)),
+        dict(zip(np.ndindex(shape), (match.actions for match in matches), strict=True)),
         votes,
     )
+
+
+def _votes(files: Sequence[Submission]) -> tuple[dict[str, dict[str, int]], list[Refusal]]:
+    """Return the votes on predictions of the course, and the files that do not count."""
+    if not files:
+        return {}, []
+    from course.votes import count_votes  # the course imports Matplotlib, which takes a second
+
+    known = [(submissions.folded(file.name), file.file, file.content) for file in files]
+    votes, reasons = count_votes(known)
+    return votes, [Refusal(f.name, f.file, reasons[f.file]) for f in files if f.file in reasons]
 
 
 def derived(seed: int, *parts: object) -> int:
@@ -166,11 +146,24 @@ def _one_interruption() -> Iterator[None]:
         yield
 
 
+# ---- Matches -------------------------------------------------------------------------------------
+
 Pair = tuple[Entry, Entry]
+P = ParamSpec("P")
 Result = TypeVar("Result")
 
 
-# ---- Matches -------------------------------------------------------------------------------------
+def tried_twice(work: Callable[P, Result]) -> Callable[P, Result]:
+    """Do work again if a process was killed: a program that did so itself does it again."""
+
+    @wraps(work)
+    def work_or_again(*args: P.args, **options: P.kwargs) -> Result:
+        try:
+            return work(*args, **options)
+        except KilledError:
+            return work(*args, **options)
+
+    return work_or_again
 
 
 class Played(NamedTuple):
@@ -229,27 +222,23 @@ class MatchPool:
         finally:
             self._free.put(server)
 
+    @tried_twice
     def functions(self, code: bytes) -> tuple[bool, bool]:
         """Return whether a program has a function for pursuers, and one for evaders.
 
         RefusedError if it fails while it is loaded.
         """
-        return _tried_twice(self._functions, code)
-
-    def _functions(self, code: bytes) -> tuple[bool, bool]:
         with self._server() as server:
             program = PolicyProcess(server, code, self._settings("pursuer"))
             program.close()
             return program.functions
 
+    @tried_twice
     def play(self, pursuers: Entry, evaders: Entry, episodes: int) -> Played:
         """Play a match; RefusedError if a program fails or an entry breaks a limit.
 
         The result depends on entries, seed and world only, as long as programs do so, too.
         """
-        return _tried_twice(self._play, pursuers, evaders, episodes)
-
-    def _play(self, pursuers: Entry, evaders: Entry, episodes: int) -> Played:
         entries = pursuers, evaders
         lengths, steps = np.zeros(episodes, np.int64), []
         rests = [rest(self.limits, self.used[entry]) for entry in entries]
@@ -306,14 +295,6 @@ class MatchPool:
         }
 
 
-def _tried_twice(work: Callable[..., Result], *given: Any) -> Result:
-    """Do work again if a process was killed: a program that did so itself does it again."""
-    try:
-        return work(*given)
-    except KilledError:
-        return work(*given)
-
-
 def _asking(program: PolicyProcess) -> Chooser:
     return lambda asked, views: program.actions(np.flatnonzero(asked), views)
 
@@ -322,36 +303,37 @@ def _asking(program: PolicyProcess) -> Chooser:
 
 
 def admit(
-    submissions: Sequence[Submission], pool: MatchPool, report: Report
+    files: Sequence[Submission], pool: MatchPool, report: Report
 ) -> tuple[list[Entry], list[Refusal]]:
     """Return the entries of submissions, at most one for each student and team, and refusals."""
-    found: list[Entry | Refusal] = []
-    tried = pool.executor.map(lambda each: _tried(each, pool), submissions)
-    for number, more in enumerate(tried, 1):
-        found += more
-        report(Progress("trials", number, len(submissions)))
-    kept, rivals = without_rivals([each for each in found if isinstance(each, Entry)])
-    return kept, [*(each for each in found if isinstance(each, Refusal)), *rivals]
+    entries: list[Entry] = []
+    refusals: list[Refusal] = []
+    trials = pool.executor.map(lambda file: _trial(file, pool), files)
+    for number, outcomes in enumerate(trials, 1):
+        entries += [outcome for outcome in outcomes if isinstance(outcome, Entry)]
+        refusals += [outcome for outcome in outcomes if isinstance(outcome, Refusal)]
+        report(Progress("trials", number, len(files)))
+    kept, rivals = submissions.without_rivals(entries)
+    return kept, refusals + rivals
 
 
-def _tried(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
+def _trial(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
     """Return an entry for each team for which a submission can play, or why it cannot."""
     name, file, kind, content, path = submission
     try:
         if kind == "genome":
-            team, population = read_genome(path, content)
+            team, population = submissions.read_genome(path, content)
             check_fits("genome", population.network, pool.config)
             return [Entry(name, team, "genome", file, population)]
         if pool.problem:
             raise RefusedError(f"programs are not played here: {pool.problem}")
-        found = pool.functions(content)
-        if not any(found):
-            raise RefusedError(
-                "expected a function pursue(view, rng) or evade(view, rng), got none"
-            )
+        functions = pool.functions(content)
+        if not any(functions):
+            expected = "expected a function pursue(view, rng) or evade(view, rng)"
+            raise RefusedError(f"{expected}, got none")
     except (RefusedError, ValueError) as error:
-        return [Refusal(name, file, told(error))]
-    entries = [Entry(name, team, "program", file, content) for team in compress(TEAMS, found)]
+        return [Refusal(name, file, submissions.told(error))]
+    entries = [Entry(name, team, "program", file, content) for team in compress(TEAMS, functions)]
     return [_after_trial(entry, pool) for entry in entries]
 
 

@@ -1,11 +1,11 @@
 // The page of a class tournament: standings, all matches, and their replays.
 
 import "./class.css";
-import { playerKey } from "../board/player.ts";
-import { loadEngine } from "../engine/engine.ts";
-import { html } from "../page/dom.ts";
-import { changeTheme } from "../page/theme.ts";
-import { top } from "../page/top.ts";
+import { playerKey } from "../../../web/src/board/player.ts";
+import { loadEngine } from "../../../web/src/engine/engine.ts";
+import { html } from "../../../web/src/page/dom.ts";
+import { changeTheme } from "../../../web/src/page/theme.ts";
+import { top } from "../../../web/src/page/top.ts";
 import type { Data } from "./data.ts";
 import { readData } from "./data.ts";
 import { MatchPanel } from "./match.ts";
