@@ -93,15 +93,11 @@ def main() -> None:
 )
 def play_command(
     directory: Path,
-    episodes: int,
-    seed: int | None,
     out: Path | None,
     opens: bool,
     json_file: Path | None,
     force: bool,
-    threads: int | None,
-    trust: bool,
-    **game: Any,
+    **options: Any,
 ) -> None:
     """Play a class tournament: every pursuer that was handed in against every evader.
 
@@ -118,21 +114,13 @@ def play_command(
     page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
     # The page is the only record of a tournament whose files may have changed.
     shared.check_outputs(page, json_file, force=force, redraws=False)
-    config, limits = _checked(game)
-    if trust:
+    given = {name: options.pop(name) for name in ("episodes", "seed", "trust", "threads")}
+    config, limits = _checked(options)
+    if given["trust"]:
         note("Programs run with the rights of your own (--trust).")
     try:
         with progress() as bar:
-            result = play_class(
-                directory,
-                config,
-                seed=seed,
-                episodes=episodes,
-                limits=limits,
-                trust=trust,
-                threads=threads,
-                report=bar,
-            )
+            result = play_class(directory, config, limits=limits, report=bar, **given)
     except ValueError as error:
         raise click.ClickException(str(error)) from error
     say(result)  # first: a page that cannot be written must not lose the results

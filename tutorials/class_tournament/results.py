@@ -107,7 +107,7 @@ def _standings(entries: Sequence[Entry], payoffs: NDArray[np.float64]) -> list[S
     means = payoffs.mean(axis=2)
     students = [number for number, entry in enumerate(entries) if entry.kind != "script"]
     ranks = dict(zip(students, rank_ranges(payoffs[students]), strict=True))
-    found = [
+    standings = [
         Standing(
             entry,
             number,
@@ -120,7 +120,7 @@ def _standings(entries: Sequence[Entry], payoffs: NDArray[np.float64]) -> list[S
         )
         for number, entry in enumerate(entries)
     ]
-    return sorted(found, key=lambda each: -each.score.value)
+    return sorted(standings, key=lambda standing: -standing.score.value)
 
 
 def rank_ranges(payoffs: NDArray[np.float64]) -> list[tuple[int, int]]:
@@ -145,13 +145,13 @@ def rank_ranges(payoffs: NDArray[np.float64]) -> list[tuple[int, int]]:
 
 def _surely(one: NDArray[np.float64], two: NDArray[np.float64], level: float) -> int:
     """Return 1 if one entry is surely better than another, -1 if worse, 0 if nobody can tell."""
-    found = linear_over_episodes(
+    difference = linear_over_episodes(
         np.stack([one, two]), lambda means: float(means[0].mean() - means[1].mean()), level=level
     )
-    if found.low is None:
+    if difference.low is None:
         # Equal differences in all episodes have no t interval; this one needs no variation.
-        found = difference_over_episodes(one.mean(axis=0), two.mean(axis=0), level=level)
-    return found.sign
+        difference = difference_over_episodes(one.mean(axis=0), two.mean(axis=0), level=level)
+    return difference.sign
 
 
 # ---- The file and the page -----------------------------------------------------------------------
@@ -175,7 +175,7 @@ def _summary(result: ClassResult) -> dict[str, Any]:
         "match_seed": str(result.match_seed),
         "episodes": result.capture_rates.shape[2],
         "names": {team: [entry.name for entry in result.entries[team]] for team in TEAMS},
-        "standings": {team: list(map(_row, found)) for team, found in result.standings.items()},
+        "standings": {team: list(map(_row, rows)) for team, rows in result.standings.items()},
         "refusals": plain_values(result.refusals),
         "votes": result.votes,
     }

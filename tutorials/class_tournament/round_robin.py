@@ -204,8 +204,8 @@ class MatchPool:
         for server in self._servers:
             self._free.put(server)
         # All of them start at the same time, and find the same.
-        found = "".join({server.ready() for server in self._servers})
-        self.problem = found if CAN_FORK else NO_FORK
+        problem = "".join({server.ready() for server in self._servers})
+        self.problem = problem if CAN_FORK else NO_FORK
 
     def close(self) -> None:
         """End all that was started, also where a match is played."""
@@ -332,7 +332,7 @@ def _trial(submission: Submission, pool: MatchPool) -> list[Entry | Refusal]:
             expected = "expected a function pursue(view, rng) or evade(view, rng)"
             raise RefusedError(f"{expected}, got none")
     except (RefusedError, ValueError) as error:
-        return [Refusal(name, file, submissions.told(error))]
+        return [Refusal(name, file, submissions.reason_of(error))]
     entries = [Entry(name, team, "program", file, content) for team in compress(TEAMS, functions)]
     return [_after_trial(entry, pool) for entry in entries]
 
@@ -384,18 +384,16 @@ def _round_robin(
     pairs = sorted(product(teams["pursuer"], teams["evader"]), key=pool.order)
     # In the order of the pairs: the first failure of an entry is the same with any threads.
     results = zip(pairs, pool.executor.map(play, pairs), strict=True)
-    for number, (pair, found) in enumerate(results, 1):
-        entries = dict(zip(TEAMS, pair, strict=True))
-        if isinstance(found, RefusedError):
-            assert found.team is not None
-            entry, rival = entries[found.team], entries[other(found.team)]
-            reason = f"{_reason(entry, found)} (while it played against {rival.name})"
+    for number, (pair, result) in enumerate(results, 1):
+        if isinstance(result, RefusedError):
+            entry, rival = pair if result.team == "pursuer" else reversed(pair)
+            reason = f"{_reason(entry, result)} (while it played against {rival.name})"
             failed.setdefault(entry, reason)
-        elif found is not None:
-            played[pair] = found
+        elif result is not None:
+            played[pair] = result
             for entry in pair:
-                for left in rest(pool.limits, pool.used[entry]):
-                    if left.seconds < 0.0 and entry.kind != "script":
-                        failed.setdefault(entry, left.reason)
+                for seconds, reason in rest(pool.limits, pool.used[entry]):
+                    if seconds < 0.0 and entry.kind != "script":
+                        failed.setdefault(entry, reason)
         report(Progress("round robin", number * episodes, len(pairs) * episodes))
     return played, failed

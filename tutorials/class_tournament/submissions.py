@@ -117,14 +117,14 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
             is_directory = not path.is_symlink() and path.is_dir()
             files = _listed(path, MOST_OWN) if is_directory else [path]
         except (DamagedFileError, OSError) as error:
-            refusals.append(Refusal(name, one_line(path.name), told(error)))
+            refusals.append(Refusal(name, one_line(path.name), reason_of(error)))
             continue
         for file in files:
             shown = one_line(file.relative_to(directory))
             try:
                 submissions.append(Submission(name, shown, *read_file(file), file))
             except (DamagedFileError, OSError) as error:
-                refusals.append(Refusal(name, shown, told(error)))
+                refusals.append(Refusal(name, shown, reason_of(error)))
         if len(submissions) + len(refusals) > MOST_FILES:
             raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
     return submissions, refusals
@@ -140,31 +140,31 @@ def students(names: Sequence[str]) -> dict[str, str]:
 
     It is the part that a learning platform has put there, unless two students have the same.
     """
-    found = {
-        name: next(filter(None, (re.fullmatch(form, name, re.ASCII) for form in PLATFORMS)), None)
-        for name in names
-    }
-    cleaned = {name: match["student"].strip() if match else name for name, match in found.items()}
+    short: dict[str, str] = {}
     numbers: defaultdict[str, set[str]] = defaultdict(set)
-    for name, match in found.items():
-        numbers[folded(cleaned[name])].add(match["number"] if match else "")
+    for name in names:
+        matches = (re.fullmatch(form, name, re.ASCII) for form in PLATFORMS)
+        match = next(filter(None, matches), None)
+        short[name] = match["student"].strip() if match else name
+        numbers[folded(short[name])].add(match["number"] if match else "")
     return {
-        name: clean if len(numbers[folded(clean)]) == 1 else name for name, clean in cleaned.items()
+        name: student if len(numbers[folded(student)]) == 1 else name
+        for name, student in short.items()
     }
 
 
 def _listed(directory: Path, most: int) -> list[Path]:
     """Return what a directory holds, in order; DamagedFileError if that is more than `most`."""
     with os.scandir(directory) as entries:
-        names = (entry.name for entry in entries)
-        kept = (name for name in names if not name.startswith(".") and name not in IGNORED)
-        found = sorted(islice(kept, most + 1))
-    if len(found) > most:
+        every = (entry.name for entry in entries)
+        relevant = (name for name in every if not name.startswith(".") and name not in IGNORED)
+        names = sorted(islice(relevant, most + 1))
+    if len(names) > most:
         raise DamagedFileError(directory, f"expected at most {most} files, got more")
-    return [directory / name for name in found]
+    return [directory / name for name in names]
 
 
-def told(error: Exception) -> str:
+def reason_of(error: Exception) -> str:
     """Return what is wrong with a file, without its path: students know their file's name."""
     if isinstance(error, OSError):
         return f"cannot be read: {error.strerror}"

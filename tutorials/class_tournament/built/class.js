@@ -1,5 +1,5 @@
-/* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
-"use strict";(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
+/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
+(()=>{var ne=[.5,1,2,4,8,16,32,64],ve=0,be=12,yn=2,ge=class extends EventTarget{#e;#r;#n;#t=0;#o=0;#a=!1;#s=null;#l=0;#u=[];#c=[];glide=.28;constructor(e,r={}){super(),
 this.#e=e,this.#r=r.speed??4,this.#n=r.still??!1}get step(){return this.#t}get time(){return this.#n?this.#t:this.#o}get arrived(){return this.#o===this.#t}get playing(){
 return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#t>e&&this.jump(e),this.#i("state")}get marks(){return this.#u}set marks(e){this.#u=e,this.#i(
 "state")}get ticks(){return this.#c}set ticks(e){this.#c=e,this.#i("state")}get pace(){return this.#r||Math.max(yn,this.#e/be)}get speed(){return this.#r}set speed(e){
@@ -24,83 +24,86 @@ m":"as random, but takes only moves that right of way allows","careful-chaser":"
 eer, but takes only moves that right of way allows","careful-clumsy-chaser":"as clumsy-chaser, but takes only moves that right of way allows","careful-hunter":"\
 as hunter, but takes only moves that right of way allows","careful-surrounder":"as surrounder, but takes only moves that right of way allows","careful-clumsy-fl\
 eer":"as clumsy-fleer, but takes only moves that right of way allows","careful-dodger":"as dodger, but takes only moves that right of way allows","careful-team-\
-surrounder":"as team-surrounder, but takes only moves that right of way allows"},Rt={free:".GS",blocked:"#@OTW"};var H=1+Et.length;function se(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function G(t,e){return t<e?se(We[0],{number:t}):se(We[1],{number:t-e})}function gn(t,e){
-let[r,n,o,a,s,i,l,...u]=Array.from(t),m=s<0?[a]:[a,s],[c,f,d]=u.map(S=>m.filter((I,x)=>S>>x&1)),g=m.map(S=>G(S,e)),p=se(kt[s<0?"obstacle":De[o]],{first:g[0],second:g[g.
+surrounder":"as team-surrounder, but takes only moves that right of way allows"},Rt={free:".GS",blocked:"#@OTW"};var G=1+Et.length;function se(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function j(t,e){return t<e?se(We[0],{number:t}):se(We[1],{number:t-e})}function gn(t,e){
+let[r,n,o,a,s,i,l,...u]=Array.from(t),m=s<0?[a]:[a,s],[c,f,d]=u.map(S=>m.filter((I,x)=>S>>x&1)),g=m.map(S=>j(S,e)),p=se(kt[s<0?"obstacle":De[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),b=se(_t,{event:p,outcome:vn(m.length,f,d,e)});return{kind:Ct[n],form:De[o],agents:m,cell:[i,l],at_fault:c,held:f,doomed:d,turn:r,
-text:b}}function vn(t,e,r,n){if(t===2&&e.length===2)return ae["both held"];if(t===2&&r.length===2)return ae["both doomed"];let o=a=>s=>se(ae[a],{agent:G(s,n)});
-return[...e.map(o("held")),...r.map(o("doomed"))].join(", ")||ae.none}function xe(t,e){let r=[];for(let n=0;n<t.length;n+=H)r.push(gn(t.subarray(n+1,n+H),e));return r}var U=class extends Error{name="EngineError"};function v(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new U(`${t}\
-: expected ${e}, got ${n}`)}var j=class{bytes;constructor(e){this.bytes=e}},Ot=0,Ge=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],It=4,Pt=4,bn=new TextEncoder,
+text:b}}function vn(t,e,r,n){if(t===2&&e.length===2)return ae["both held"];if(t===2&&r.length===2)return ae["both doomed"];let o=a=>s=>se(ae[a],{agent:j(s,n)});
+return[...e.map(o("held")),...r.map(o("doomed"))].join(", ")||ae.none}function xe(t,e){let r=[];for(let n=0;n<t.length;n+=G)r.push(gn(t.subarray(n+1,n+G),e));return r}var F=class extends Error{name="EngineError"};function v(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new F(`${t}\
+: expected ${e}, got ${n}`)}var V=class{bytes;constructor(e){this.bytes=e}},Ot=0,Ge=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],It=4,Pt=4,bn=new TextEncoder,
 wn=new TextDecoder;function xn(t){for(let e=Ge.length-1;e>Ot;--e)if(t instanceof Ge[e])return e;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function He(t){return new Uint8Array(t.buffer,t.byteOffset,t.byteLength)}function Mn(t){return bn.encode(`${t}\0`)}var je=class{engine;addresses=[];constructor(e){
-this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new U("memory: expected room for the arguments, got none");return this.addresses.
-push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Mn(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([a,s])=>{let i=s instanceof j,l=i?s.bytes:s;
+this.engine=e}copy(e){let r=this.engine._malloc(Math.max(e.length,1));if(r===0)throw new F("memory: expected room for the arguments, got none");return this.addresses.
+push(r),this.engine.HEAPU8.set(e,r),r}text(e){return this.copy(Mn(e))}arrays(e){let r=Object.entries(e),n=r.flatMap(([a,s])=>{let i=s instanceof V,l=i?s.bytes:s;
 return[this.text(a),i?Ot:xn(l),l.length,this.copy(He(l))]}),o=this.copy(He(Int32Array.from(n)));return this.copy(He(Int32Array.of(r.length,o)))}free(){for(let e of this.
-addresses)this.engine._free(e)}};function Nt(t,e){let r=t.HEAPU8;return wn.decode(r.subarray(e,r.indexOf(0,e)))}function V(t){let e=new Int32Array(t.HEAPU8.buffer),
+addresses)this.engine._free(e)}};function Nt(t,e){let r=t.HEAPU8;return wn.decode(r.subarray(e,r.indexOf(0,e)))}function q(t){let e=new Int32Array(t.HEAPU8.buffer),
 r=t._last_outputs()/It,n=e[r+1]/It,o={};for(let a=n;a<n+e[r]*Pt;a+=Pt){let s=Ge[e[a+1]],i=e[a+2]*s.BYTES_PER_ELEMENT,l=e[a+3];o[Nt(t,e[a])]=new s(t.HEAPU8.slice(
-l,l+i).buffer)}return o}function z(t,e){let r=new je(t);try{let n=e(r);if(n===0)throw new U(Nt(t,t._last_error()));return n}finally{r.free()}}var An=2**31-1,Lt=["none","elman","gru"],Sn=2n**64n-1n,Tn=34028234663852886e22;function O(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>An)throw v(
-t,"an integer",e);return Int32Array.of(e)}function Me(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new j(Uint8Array.of(Number(e)))}function F(t,e,r){
+l,l+i).buffer)}return o}function z(t,e){let r=new je(t);try{let n=e(r);if(n===0)throw new F(Nt(t,t._last_error()));return n}finally{r.free()}}var An=2**31-1,Lt=["none","elman","gru"],Sn=2n**64n-1n,Tn=34028234663852886e22;function O(t,e){if(typeof e!="number"||!Number.isInteger(e)||Math.abs(e)>An)throw v(
+t,"an integer",e);return Int32Array.of(e)}function Me(t,e){if(typeof e!="boolean")throw v(t,"true or false",e);return new V(Uint8Array.of(Number(e)))}function D(t,e,r){
 let n=typeof e=="string"&&Object.hasOwn(r,e)?r[e]:void 0;if(n===void 0)throw v(t,`one of ${Object.keys(r).join(", ")}`,e);return Int32Array.of(n)}function Ve(t,e){
-if(typeof e!="number"||!(Math.abs(e)<=Tn))throw v(t,"a finite number",e);return e}function q(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
-e)?BigInt(e):-1n;if(n<0n||n>Sn)throw v(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Cn(t){return{"rules.interaction":F("interaction",
-t.interaction,At),"rules.obstacle":F("obstacle",t.obstacle,oe),"rules.teammate":F("teammate",t.teammate,oe),"rules.evader":F("evader",t.evader,oe),"rules.pursue\
-r":F("pursuer",t.pursuer,oe),"rules.capture":F("capture",t.capture,St),"rules.captured_disappear":Me("captured_disappear",t.captured_disappear)}}function $t(t,e){
+if(typeof e!="number"||!(Math.abs(e)<=Tn))throw v(t,"a finite number",e);return e}function K(t,e){let n=typeof e=="bigint"||typeof e=="number"&&Number.isSafeInteger(
+e)?BigInt(e):-1n;if(n<0n||n>Sn)throw v(t,"an integer from 0 to 2^64 - 1",e);return BigUint64Array.of(n)}function Cn(t){return{"rules.interaction":D("interaction",
+t.interaction,At),"rules.obstacle":D("obstacle",t.obstacle,oe),"rules.teammate":D("teammate",t.teammate,oe),"rules.evader":D("evader",t.evader,oe),"rules.pursue\
+r":D("pursuer",t.pursuer,oe),"rules.capture":D("capture",t.capture,St),"rules.captured_disappear":Me("captured_disappear",t.captured_disappear)}}function $t(t,e){
 let r=typeof e=="number"?[e,e,e]:e;if(!Array.isArray(r)||r.length!==3)throw v(t,"1 or 3 numbers",e);return Float32Array.from(r,n=>Ve(t,n))}function En(t){let e=(r,n)=>Float32Array.
 of(Ve(r,t[r]),Ve(n,t[n]));return{"rewards.capture":e("pursuer_capture","evader_capture"),"rewards.neighbor":e("pursuer_neighbor","evader_neighbor"),"rewards.ste\
 p":e("pursuer_step","evader_step"),"rewards.pursuer_collide":$t("pursuer_collide",t.pursuer_collide),"rewards.evader_collide":$t("evader_collide",t.evader_collide),
-"rewards.blame":F("blame",t.blame,Tt),"rewards.capture_repeats":Me("capture_repeats",t.capture_repeats)}}function Ut(t){if(t===void 0||typeof t=="number")return new Uint8Array(
+"rewards.blame":D("blame",t.blame,Tt),"rewards.capture_repeats":Me("capture_repeats",t.capture_repeats)}}function Ut(t){if(t===void 0||typeof t=="number")return new Uint8Array(
 0);if(t instanceof Uint8Array)return t;let{free:e,blocked:r}=Rt;for(let[n,o]of t.entries()){if(o.length!==t[0]?.length)throw v(`map, row ${n}`,`${t[0]?.length} \
 cells as in row 0`,o.length);let a=[...o].find(s=>!e.includes(s)&&!r.includes(s));if(a)throw v(`map, row ${n}`,`'${e}' (free) or '${r}' (obstacle)`,a)}return Uint8Array.
 from([...t.join("")],n=>Number(r.includes(n)))}function Ft(t,e){if(!Array.isArray(t))return;let r=[t.length,t[0]?.length??0];if(!(r[0]===e.rows&&r[1]===e.cols))
-throw v("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function K(t){Ft(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
+throw v("obstacle map",`shape (${e.rows}, ${e.cols}), the rows and cols`,r)}function Z(t){Ft(t.obstacles,t);let e=typeof t.obstacles=="number"?t.obstacles:0;return{
 ...Cn(t.rules),...En(t.rewards),rows:O("rows",t.rows),cols:O("cols",t.cols),n_pursuers:O("n_pursuers",t.n_pursuers),n_evaders:O("n_evaders",t.n_evaders),fov:O("\
 fov",t.fov),diagonal:Me("diagonal",t.diagonal),max_steps:O("max_steps",t.max_steps),density:Float64Array.of(e),map:Ut(t.obstacles)}}function zt(t,e){return Int32Array.
-from((e??[]).flat(),r=>O(t,r)[0])}function Dt(t,e){return Ft(t.obstacles,e),{seed:q("seed",t.seed??0n),episode:q("episode",t.episode??0),pursuers:zt("pursuers",
-t.pursuers),evaders:zt("evaders",t.evaders),map:Ut(t.obstacles)}}function Ae(t){return{actions:Int32Array.from(t,e=>O("actions",e)[0])}}function Z(t){if(typeof t==
+from((e??[]).flat(),r=>O(t,r)[0])}function Dt(t,e){return Ft(t.obstacles,e),{seed:K("seed",t.seed??0n),episode:K("episode",t.episode??0),pursuers:zt("pursuers",
+t.pursuers),evaders:zt("evaders",t.evaders),map:Ut(t.obstacles)}}function Ae(t){return{actions:Int32Array.from(t,e=>O("actions",e)[0])}}function U(t){if(typeof t==
 "string"){if(!Object.hasOwn(Be,t))throw v("policy",`one of ${Object.keys(Be).join(", ")}`,t);return{script:new TextEncoder().encode(t)}}if(t.activation!=="relu"&&
 t.activation!=="tanh")throw v("activation","'relu' or 'tanh'",t.activation);if(!Lt.includes(t.memory))throw v("memory",`one of ${Lt.join(", ")}`,t.memory);return{
 hidden:Int32Array.from(t.hidden,e=>O("hidden",e)[0]),activation:new TextEncoder().encode(t.activation),sampled:Me("sampled",t.sampled),memory:new TextEncoder().
-encode(t.memory),genome:t.genome}}var kn=["first_turn","terminated","truncated"];function Wt(t){let e={...t};for(let r of kn)e[r]=new j(t[r]);return e}var Bt="statistics.",Se=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=
+encode(t.memory),genome:t.genome}}var kn=["first_turn","terminated","truncated"];function Wt(t){let e={...t};for(let r of kn)e[r]=new V(t[r]);return e}var Bt="statistics.",Se=class{config;seed;episode;n_agents;statistics;first_conflict;constructor(e,r,n,o){this.config=e,this.seed=r,this.episode=n,this.n_agents=
 e.n_pursuers+e.n_evaders,this.statistics=Ht(Gt(o),0),Object.assign(this,o),this.first_conflict=_n(this.conflict_table,this.length)}get length(){return this.actions.
-length/this.n_agents}conflicts(e){this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*H,n*H);return xe(o,this.
+length/this.n_agents}conflicts(e){this.check(e);let[r,n]=[this.first_conflict[e],this.first_conflict[e+1]],o=this.conflict_table.subarray(r*G,n*G);return xe(o,this.
 config.n_pursuers)}seek(e,r,n){this.check(r),(!(e.seed===this.seed&&e.episode===BigInt(this.episode))||e.turn!==0||e.steps>r)&&e.reset({seed:this.seed,episode:this.
 episode});for(let a=e.steps;a<r;++a){let s=this.actions.subarray(a*this.n_agents,(a+1)*this.n_agents);n?e.replay(s,{pursuer:n.pursuers,evader:n.evaders}):e.step(
 s)}}check(e){if(!(Number.isInteger(e)&&e>=0&&e<=this.length))throw v("step",`0 to ${this.length}`,e)}};function _n(t,e){let r=new Int32Array(e+2);for(let n=0;n<
-t.length;n+=H)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function Ht(t,e){let r=t.length.length,n=a=>{let s=t[a],i=s.length/r;return s.slice(e*
+t.length;n+=G)++r[t[n]+1];for(let n=1;n<r.length;++n)r[n]+=r[n-1];return r}function Ht(t,e){let r=t.length.length,n=a=>{let s=t[a],i=s.length/r;return s.slice(e*
 i,(e+1)*i)},o=a=>Number(n(a)[0]);return{capture_rate:o("capture_rate"),ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o(
 "length"),return:n("return"),survivors:n("survivors"),overlap:n("overlap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}var Gt=t=>Object.
-fromEntries(Object.entries(t).flatMap(([e,r])=>e.startsWith(Bt)?[[e.slice(Bt.length),r]]:[]));function jt(t,e,r,n){let o=[K(r.config),Z(r.pursuers),Z(r.evaders),
-n];return z(t,a=>{let[s,i,l,u]=o.map(m=>a.arrays(m));return t[e](s,i,l,u)}),V(t)}function Vt(t,e,r,n){let o={seed:q("seed",r),episode:q("episode",n)};return new Se(
+fromEntries(Object.entries(t).flatMap(([e,r])=>e.startsWith(Bt)?[[e.slice(Bt.length),r]]:[]));function jt(t,e,r,n){let o=[Z(r.config),U(r.pursuers),U(r.evaders),
+n];return z(t,a=>{let[s,i,l,u]=o.map(m=>a.arrays(m));return t[e](s,i,l,u)}),q(t)}function Vt(t,e,r,n){let o={seed:K("seed",r),episode:K("episode",n)};return new Se(
 e.config,r,n,jt(t,"_play_match",e,o))}function qe(t,e,r,n){if(!Number.isInteger(n)||n<1)throw v("n_episodes","at least 1",n);let o=jt(t,"_play_rollout",e,{...r,
-n_episodes:Int32Array.of(n)});return Gt(o)}function qt(t,e,r,n){let o={pursuer:Int32Array.of(0),evader:Int32Array.of(0),seed:q("seed",r)},a=qe(t,e,o,n);return Array.
+n_episodes:Int32Array.of(n)});return Gt(o)}function qt(t,e,r,n){let o={pursuer:Int32Array.of(0),evader:Int32Array.of(0),seed:K("seed",r)},a=qe(t,e,o,n);return Array.
 from({length:n},(s,i)=>Ht(a,i))}var Rn=new FinalizationRegistry(([t,e])=>t._states_free(e));var Ke=class{value;teams;matrix;n_actions;constructor(e,r){let{matrix:n,rows:o,cols:a,value:s,agents:i}=r,[l,u]=e.actors,m=Array.from(i).filter(f=>l<=f&&f<u),c=f=>f<
 e.config.n_pursuers;[this.value,this.matrix,this.n_actions]=[s[0],n,e.n_actions],this.teams=[{agents:m.filter(c),play:o},{agents:m.filter(f=>!c(f)),play:a}]}marginal(e){
 let r=this.teams.find(({agents:a})=>a.includes(e));if(!r)return null;let n=this.n_actions**(r.agents.length-1-r.agents.indexOf(e)),o=Array(this.n_actions).fill(
 0);return r.play.forEach((a,s)=>o[Math.floor(s/n)%this.n_actions]+=a),o}lost(e){let[r,n]=this.teams.map(({agents:l})=>l.reduce((u,m)=>u*this.n_actions+e[m],0)),
 [o,a]=this.teams.map(({play:l})=>l),s=a.reduce((l,u,m)=>l+u*this.matrix[r*a.length+m],0),i=o.reduce((l,u,m)=>l+u*this.matrix[m*a.length+n],0);return[Math.max(0,
-this.value-s),Math.max(0,i-this.value)]}},In=60,ie=class{config;payoff;engine;states;n_turns;values;constructor(e,r,n){[this.engine,this.config,this.payoff]=[e,
-r,n],this.states=z(e,i=>e._states_new(i.arrays(K(r)))),Rn.register(this,[e,this.states]);let o={SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r.n_pursuers+r.n_evaders};
-this.n_turns=o[r.rules.interaction];let{payoffs:a}=this.call(()=>e._states_payoffs(this.states)),s=a;this.values=[[n==="capture-rate"?s:s.fill(0)]]}goBack(){let e=this.
-values.at(-1)[0],r=[];for(let o=this.n_turns-1;o>=0;o--){let a=r[o+1]??e;r[o]=this.backup(o,{next:a})}this.payoff==="capture-time"&&(r[0]=r[0].map((o,a)=>a===this.
-config.n_evaders?0:o-1)),this.values.push(r);let n=this.payoff==="capture-rate"?this.config.max_steps:Math.min(this.config.max_steps,In);return this.values.length<=
-n&&r[0].some((o,a)=>o!==e[a])}backup(e,r){return this.call(n=>this.engine._states_backup(this.states,e,n.arrays(r))).values}game(e){let[r,{turn:n}]=[this.config.
-max_steps-e.steps,e],o=n+1===this.n_turns,a=r>0?this.values[Math.min(r-Number(o),this.values.length-1)]?.[o?0:n+1]:void 0;if(!a)return null;let s=this.call(i=>this.
-engine._states_game(this.states,e.address,i.arrays({next:a})));return s.agents.length?new Ke(e,s):null}call(e){return z(this.engine,e),V(this.engine)}};var Kt=new FinalizationRegistry(([t,e])=>t._world_free(e)),le=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
-n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=z(e,n=>e._world_new(n.arrays(K(r)))),Kt.register(this,[e,this.at],this)}free(){this.freed||
+this.value-s),Math.max(0,i-this.value)]}},In=60,ie=class{config;payoff;engine;states;n_turns;values;starts;constructor(e,r,n){[this.engine,this.config,this.payoff]=
+[e,r,n],this.states=z(e,l=>e._states_new(l.arrays(Z(r)))),Rn.register(this,[e,this.states]);let o={SIMULTANEOUS:1,SWARM_TURNS:2,AGENT_TURNS:r.n_pursuers+r.n_evaders};
+this.n_turns=o[r.rules.interaction];let{payoffs:a,starts:s}=this.call(()=>e._states_payoffs(this.states)),i=a;this.starts=s,this.values=[[n==="capture-rate"?i:i.
+fill(0)]]}goBack(){let e=this.values.at(-1)[0],r=[];for(let o=this.n_turns-1;o>=0;o--){let a=r[o+1]??e;r[o]=this.backup(o,{next:a})}this.payoff==="capture-time"&&
+(r[0]=r[0].map((o,a)=>a===this.config.n_evaders?0:o-1)),this.values.push(r);let n=this.payoff==="capture-rate"?this.config.max_steps:Math.min(this.config.max_steps,
+In);return this.values.length<=n&&r[0].some((o,a)=>o!==e[a])}get value(){return this.mean(this.values.at(-1)[0])}guaranteed(e,r){let n=U(r),o=Array.from({length:this.
+n_turns},(s,i)=>this.call(l=>this.engine._states_weigh(this.states,i,+(e==="evader"),l.arrays(n))).play),a=this.values[0][0];for(let s=0;s<this.config.max_steps;s++){
+let i=a;for(let l=this.n_turns-1;l>=0;l--)a=this.backup(l,{next:a,[`${e}s`]:o[l]});if(a.every((l,u)=>l===i[u]))break}return this.mean(a)}mean(e){return this.starts.
+reduce((r,n)=>r+e[n],0)/this.starts.length}backup(e,r){return this.call(n=>this.engine._states_backup(this.states,e,n.arrays(r))).values}game(e){let[r,{turn:n}]=[
+this.config.max_steps-e.steps,e],o=n+1===this.n_turns,a=r>0?this.values[Math.min(r-Number(o),this.values.length-1)]?.[o?0:n+1]:void 0;if(!a)return null;let s=this.
+call(i=>this.engine._states_game(this.states,e.address,i.arrays({next:a})));return s.agents.length?new Ke(e,s):null}call(e){return z(this.engine,e),q(this.engine)}};var Kt=new FinalizationRegistry(([t,e])=>t._world_free(e)),le=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
+n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=z(e,n=>e._world_new(n.arrays(Z(r)))),Kt.register(this,[e,this.at],this)}free(){this.freed||
 (this.freed=!0,Kt.unregister(this),this.engine._world_free(this.at))}get address(){if(this.freed)throw v("world","one that is in use","one that was freed");return this.
 at}reset(e={}){let r=Dt(e,this.config);this.call(n=>this.engine._world_reset(this.address,n.arrays(r)))}step(e){let r=Ae(e);this.call(n=>this.engine._world_step(
 this.address,n.arrays(r)))}playTurn(e){let r=Ae(e);this.call(n=>this.engine._world_play_turn(this.address,n.arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,
 a={pursuer:[0,o],evader:[o,this.n_agents]},[s,i]=typeof r=="string"?a[r]:r;if(n.length!==this.n_agents)throw v("actions",String(this.n_agents),n.length);let l=[
-Z(e),Ae(n)],{actions:u}=this.call(m=>this.engine._world_decide(this.address,m.arrays(l[0]),s,i,m.arrays(l[1])));return Uint8Array.from(u)}replay(e,r){let n=a=>typeof a!=
+U(e),Ae(n)],{actions:u}=this.call(m=>this.engine._world_decide(this.address,m.arrays(l[0]),s,i,m.arrays(l[1])));return Uint8Array.from(u)}replay(e,r){let n=a=>typeof a!=
 "string"&&a.memory!=="none";if(!n(r.pursuer)&&!n(r.evader))return this.step(e);let{n_pursuers:o}=this.config;for(let a=this.n_turns;a>0;--a){let[s,i]=this.actors;
 s<o&&this.decide(r.pursuer,[s,Math.min(i,o)],e),i>o&&this.decide(r.evader,[Math.max(s,o),i],e),this.playTurn(e)}}get n_turns(){return this.turnNumbers()[1]}get turn(){
 return this.turnNumbers()[0]}get actors(){let[,,e,r]=this.turnNumbers();return[e,r]}turnNumbers(){return this.call(()=>this.engine._world_turn(this.address)).turn}get steps(){
 return this.read("steps")[0]}get seed(){return this.read("seed")[0]}get episode(){return this.read("episode")[0]}get over(){return this.read("terminated")[0]===
 1||this.read("truncated")[0]===1}read(e){return this.call(r=>this.engine._world_read(this.address,r.text(e)))[e]}view(e){let r=3*this.config.fov**2;return this.
 read("views").slice(e*r,(e+1)*r)}map(){return this.read("state").slice(2*this.config.rows*this.config.cols)}conflicts(){return xe(this.conflictTable(),this.config.
-n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(e,r){let n=Z(e),{logits:o,memory:a}=this.call(
+n_pursuers)}conflictTable(){return this.call(()=>this.engine._world_conflicts(this.address)).conflict_table}answer(e,r){let n=U(e),{logits:o,memory:a}=this.call(
 l=>this.engine._world_logits(this.address,l.arrays(n),r)),s=o,i=this.decide(e,[r,r+1],new Uint8Array(this.n_agents))[r];return{logits:s,probabilities:Pn(s),action:i,
 memory:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.address))}restore(e){let r=Wt(e);this.call(n=>this.engine._world_restore(this.address,
-n.arrays(r)))}call(e){return z(this.engine,e),V(this.engine)}};function Pn(t){let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,a)=>o+a,0);return Float32Array.
+n.arrays(r)))}call(e){return z(this.engine,e),q(this.engine)}};function Pn(t){let e=Math.max(...t),r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,a)=>o+a,0);return Float32Array.
 from(r,o=>o/n)}var Ze=class{compiled;constructor(e){this.compiled=e}world(e){return new le(this.compiled,e)}solution(e,r="capture-rate"){return new ie(this.compiled,e,r)}match(e,r,n,o,a=0){
 return Vt(this.compiled,{config:e,pursuers:r,evaders:n},o,a)}rollout(e,r,n,o,a){return qt(this.compiled,{config:e,pursuers:r,evaders:n},o,a)}rollouts(e,r,n,o,a){
 return qe(this.compiled,{config:e,pursuers:r,evaders:n},o,a)}},Zt;function Yt(t=globalThis.matrixworldEngine){return Zt??=On(t),Zt}async function On(t){if(!t)throw new Error(
@@ -124,15 +127,15 @@ if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,R),!r)throw n;ret
 new C(0);var s=!r,i=s||e.i!=2,l=e.i;s&&(r=new C(o*3));var u=function(wt){var xt=r.length;if(wt>xt){var Mt=new C(Math.max(xt*2,wt));Mt.set(r),r=Mt}},m=e.f||0,c=e.
 p||0,f=e.b||0,d=e.l,g=e.d,p=e.m,b=e.n,S=o*8;do{if(!d){m=_(t,c,1);var I=_(t,c+1,3);if(c+=3,I)if(I==1)d=Wn,g=Bn,p=9,b=5;else if(I==2){var Le=_(t,c,31)+257,mt=_(t,
 c+10,15)+4,ft=Le+_(t,c+5,31)+1;c+=14;for(var te=new C(ft),$e=new C(19),T=0;T<mt;++T)$e[Un[T]]=_(t,c+T*3,7);c+=mt*3;for(var dt=Xe($e),hn=(1<<dt)-1,mn=ue($e,dt,1),
-T=0;T<ft;){var pt=mn[_(t,c,hn)];c+=pt&15;var x=pt>>4;if(x<16)te[T++]=x;else{var W=0,ye=0;for(x==16?(ye=3+_(t,c,3),c+=2,W=te[T-1]):x==17?(ye=3+_(t,c,7),c+=3):x==
-18&&(ye=11+_(t,c,127),c+=7);ye--;)te[T++]=W}}var yt=te.subarray(0,Le),$=te.subarray(Le);p=Xe(yt),b=Xe($),d=ue(yt,p,1),g=ue($,b,1)}else R(1);else{var x=Hn(c)+4,L=t[x-
+T=0;T<ft;){var pt=mn[_(t,c,hn)];c+=pt&15;var x=pt>>4;if(x<16)te[T++]=x;else{var B=0,ye=0;for(x==16?(ye=3+_(t,c,3),c+=2,B=te[T-1]):x==17?(ye=3+_(t,c,7),c+=3):x==
+18&&(ye=11+_(t,c,127),c+=7);ye--;)te[T++]=B}}var yt=te.subarray(0,Le),$=te.subarray(Le);p=Xe(yt),b=Xe($),d=ue(yt,p,1),g=ue($,b,1)}else R(1);else{var x=Hn(c)+4,L=t[x-
 4]|t[x-3]<<8,ee=x+L;if(ee>o){l&&R(0);break}i&&u(f+L),r.set(t.subarray(x,ee),f),e.b=f+=L,e.p=c=ee*8,e.f=m;continue}if(c>S){l&&R(0);break}}i&&u(f+131072);for(var fn=(1<<
-p)-1,dn=(1<<b)-1,ze=c;;ze=c){var W=d[Je(t,c)&fn],B=W>>4;if(c+=W&15,c>S){l&&R(0);break}if(W||R(2),B<256)r[f++]=B;else if(B==256){ze=c,d=null;break}else{var gt=B-
-254;if(B>264){var T=B-257,re=er[T];gt=_(t,c,(1<<re)-1)+or[T],c+=re}var Ue=g[Je(t,c)&dn],Fe=Ue>>4;Ue||R(3),c+=Ue&15;var $=Dn[Fe];if(Fe>3){var re=tr[Fe];$+=Je(t,c)&
+p)-1,dn=(1<<b)-1,ze=c;;ze=c){var B=d[Je(t,c)&fn],H=B>>4;if(c+=B&15,c>S){l&&R(0);break}if(B||R(2),H<256)r[f++]=H;else if(H==256){ze=c,d=null;break}else{var gt=H-
+254;if(H>264){var T=H-257,re=er[T];gt=_(t,c,(1<<re)-1)+or[T],c+=re}var Ue=g[Je(t,c)&dn],Fe=Ue>>4;Ue||R(3),c+=Ue&15;var $=Dn[Fe];if(Fe>3){var re=tr[Fe];$+=Je(t,c)&
 (1<<re)-1,c+=re}if(c>S){l&&R(0);break}i&&u(f+131072);var vt=f+gt;if(f<$){var bt=a-$,pn=Math.min($,vt);for(bt+f<0&&R(3);f<pn;++f)r[f]=n[bt+f]}for(;f<vt;++f)r[f]=
 r[f-$]}}e.l=d,e.p=ze,e.b=f,e.f=m,d&&(m=1,e.m=p,e.d=g,e.n=b)}while(!m);return f!=r.length&&s?Gn(r,0,f):r.subarray(0,f)};var qn=new C(0);var Kn=function(t,e){return((t[0]&15)!=8||t[0]>>4>7||(t[0]<<8|t[1])%31)&&R(6,"invalid zlib data"),(t[1]>>5&1)==+!e&&R(6,"invalid zlib data: "+(t[1]&32?"need":"u\
 nexpected")+" dictionary"),(t[1]>>3&4)+2};function ir(t,e){return Vn(t.subarray(Kn(t,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Zn=typeof TextDecoder<"u"&&new TextDecoder,Yn=0;try{Zn.decode(qn,{stream:!0}),Yn=1}catch{}function lr(t){let e=atob(et(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function et(t){return document.getElementById(
-t)?.textContent??""}function ur(){return JSON.parse(et("data"))}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var D=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Xn=(t,e)=>t[0]===e[0]&&t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==
+t)?.textContent??""}function ur(){return JSON.parse(et("data"))}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]];var W=(t,e)=>e<t.nPursuers,w=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Xn=(t,e)=>t[0]===e[0]&&t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==
 void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),ot=(t,e)=>nt(t.fault,e),cr=(t,e)=>!ot(t,e)&&nt(t.involved,e,2);function Te(t,e,r){let n=!Xn(w(t,r),w(e,r)),o=e.involved===
 void 0||nt(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ce(t,e,r){let[n,o]=w(t,r),[a,s]=tt[e.actions?.[r]??0];return[n+a,o+s]}function he(t,e,r){
 return Array.from({length:r.everCaptured.length},(o,a)=>a).filter(o=>r.everCaptured[o]&&!e.everCaptured[o]).map(o=>t.nPursuers+o)}var hr=t=>t.moments.flatMap((e,r)=>r&&
@@ -141,7 +144,7 @@ he(t,t.moments[r-1],e).length?[r]:[]);function Ee(t,e){return Array.from({length
 alive[n])continue;let[o,a]=w(e,n),s=o*t.cols+a,i=r.get(s);i?i.push(n):r.set(s,[n])}return r}function dr(t,e){let r=Array.from(e.alive,(n,o)=>{let[a,s]=w(e,o);return{
 x:s+.5,y:a+.5,size:1,alpha:0}});for(let n of me(t,e).values()){let o=fr[Math.min(n.length,fr.length)-1];n.forEach((a,s)=>{let[i,l]=o.at[Math.min(s,o.at.length-1)],
 u=r[a];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var pr=t=>t*t*(3-2*t),X=(t,e,r)=>t+(e-t)*r,yr=t=>Math.min(1,Math.max(0,t));function gr(t,e,r,n){let o={SIMULTANEOUS:1,
-SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return pr(n);let a=o===r?e:+!D(t,e),s=Math.max(1/o,Qn);return pr(yr((n-a/(o-1)*(1-s))/s))}function ke(t,e){
+SWARM_TURNS:2,AGENT_TURNS:r}[t.interaction];if(o===1)return pr(n);let a=o===r?e:+!W(t,e),s=Math.max(1/o,Qn);return pr(yr((n-a/(o-1)*(1-s))/s))}function ke(t,e){
 let r=t.moments.length-1,n=Math.min(Math.floor(e),r),o=t.moments[n],a=dr(t,o);if(n===r||e===n)return a;let s=t.moments[n+1],i=dr(t,s);return a.map((l,u)=>{let m=gr(
 t,u,a.length,e-n);return to(o,s,u,l,i[u],m)})}function at(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[a,s]=[t.moments[o],t.moments[Math.min(o+1,
 n)]],i=gr(t,e,a.alive.length,r-o),[[l,u],[m,c]]=[w(a,e),w(s,e)];return[X(u,c,i)+.5,X(l,m,i)+.5]}function to(t,e,r,n,o,a){let s=n.alpha>o.alpha,i={x:X(n.x,o.x,a),
@@ -150,7 +153,7 @@ PI*a);i.x+=(c-u)*f,i.y+=(m-l)*f}return i}var vr=2*Math.PI;function fe(t,e,r,n){t
 o]);t.beginPath(),t.moveTo((a[2][0]+a[0][0])/2,(a[2][1]+a[0][1])/2),a.forEach(([s,i],l)=>{let[u,m]=a[(l+1)%3];t.arcTo(s,i,u,m,n*.09)}),t.closePath()}function wr(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function xr(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let a=n/
 2*(o%2?.6:.95),s=vr*o/16;t.lineTo(e+a*Math.sin(s),r-a*Math.cos(s))}t.closePath()}function Mr(t,e,r,n,o,a){let s=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Ar=4,ro=1.6,no=.95,oo=5,ao=.16,so=9,io=.09,lo=.2,Sr=.75,E=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function J(t,e,r){return D(e,r)?t.colors.pursuer:t.
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-a*Math.cos(s+i*.6),o-a*Math.sin(s+i*.6))}var Ar=4,ro=1.6,no=.95,oo=5,ao=.16,so=9,io=.09,lo=.2,Sr=.75,E=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function J(t,e,r){return W(e,r)?t.colors.pursuer:t.
 colors.evader}function Tr({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:a,rows:s,cols:i}=e,[l,u]=[i*a,s*a];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),a<oo)return;
 t.fillStyle=r.line;let m=Math.max(1,Math.round(a/60));for(let c=1;c<i;c++)t.fillRect(n+c*a,o,m,u);for(let c=1;c<s;c++)t.fillRect(n,o+c*a,l,m)}function Cr({ctx:t,
 grid:e,colors:r},n){let{left:o,top:a,cell:s,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let u=0;u<i*l;u++){if(!n.obstacles[u])continue;let[m,c]=[Math.floor(u/l),
@@ -168,7 +171,7 @@ r.paper,t.lineJoin="round",t.lineWidth=m*.35,t.strokeText("You",l,f),t.fillStyle
 i=_r(t,e,n,o),l=J(t,e,r);a.globalAlpha=.11,a.fillStyle=l,a.fillRect(...i),a.globalAlpha=.8,a.strokeStyle=l,a.lineWidth=Math.max(1,s.cell/24),a.strokeRect(...i),
 a.globalAlpha=1}function Or(t,e,r,n,o){let{ctx:a,grid:s}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];a.lineCap="round",a.lineWidth=Math.min(so,
 Math.max(1,s.cell*ao));for(let u=Math.max(1,Math.floor(r-n)+1);u<=i;u++){let[m,c]=[e.moments[u-1],e.moments[u]],f=Math.max(0,Math.min(1,(r-u)/n));a.globalAlpha=
-Sr+(lo-Sr)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(D(e,d)?-1:1)*io,[b,S]=w(m,d),[I,x]=w(c,d);if(b===
+Sr+(lo-Sr)*f;for(let d=0;d<c.alive.length;d++){let g=u===i&&r<i;if(!m.alive[d]||!(l.alive[d]||g))continue;let p=(W(e,d)?-1:1)*io,[b,S]=w(m,d),[I,x]=w(c,d);if(b===
 I&&S===x)continue;let L=g?o[d].x:x+.5,ee=g?o[d].y:I+.5;a.strokeStyle=J(t,e,d),a.beginPath(),a.moveTo(E(s,S+.5+p),k(s,b+.5+p)),a.lineTo(E(s,L+p),k(s,ee+p)),a.stroke()}}
 a.globalAlpha=1}function Nr(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Ar+1);o<=n;o++){let[a,s]=[e.moments[o-1],e.moments[o]],
 i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Ar,l=he(e,a,s);for(let u of Ee(a,s))l.includes(u)||co(t,w(s,u),i);for(let u of l)uo(t,w(s,u),i)}t.ctx.globalAlpha=1}function uo({
@@ -179,7 +182,7 @@ t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell
 E(e,i)+a,k(e,s)+a,e.cell-2*a,e.cell-2*a];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function $r({ctx:t,
 grid:e,colors:r},n,o,a,s){t.globalAlpha=s,fe(t,E(e,n),k(e,o),Math.max(8,e.cell*a*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(
 a)),t.stroke(),t.globalAlpha=1}var ho=.8,mo=.92,fo=15,po=7,st=9;function zr(t,e,r,n,o,a){n.forEach((s,i)=>{s.alpha>0&&yo(t,e,r,i,s,o,a)}),t.ctx.globalAlpha=1;for(let s of me(e,r).values())s.length>
-st&&go(t,n[s[st-1]],s.length-st+1)}function yo(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:u}=t,m=D(e,n),[c,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],d=Math.max(4,l.cell*
+st&&go(t,n[s[st-1]],s.length-st+1)}function yo(t,e,r,n,o,a,s){let{ctx:i,grid:l,colors:u}=t,m=W(e,n),[c,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],d=Math.max(4,l.cell*
 o.size*(m?mo:ho)),g=J(t,e,n),p=!m&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(m?br:fe)(i,c,f,d),d>po*s&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,
 d*.1),i.stroke()),i.fillStyle=p?u.paper:g,i.fill(),p&&(fe(i,c,f,d*.82),i.strokeStyle=g,i.lineWidth=d*.18,i.stroke()),!a||d<fo*s)return;let b=String(m?n:n-e.nPursuers);
 i.font=`700 ${Math.round(d*(m?.4:.5)*(b.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=p?g:u.paper,i.fillText(
@@ -231,7 +234,7 @@ t.playing?"Pause":"Play",e.title=`${e.ariaLabel} (Space)`,r.max=String(t.length)
 tate",m),t.addEventListener("state",u),i.addEventListener("keydown",c=>{!(c.target instanceof HTMLSelectElement||c.key===" "&&c.target!==r)&&we(t,c)&&c.preventDefault()}),
 m(),i}function Eo(t){let e=h("input",{type:"range",class:"player-scrub",min:0,step:1,"aria-label":"Step"});return e.addEventListener("input",()=>{t.pause(),t.jump(
 Number(e.value))}),e}function ko(t){let e=`Steps a second, or the whole in ${be} s (+ and -)`,r=h("select",{class:"player-speed","aria-label":"Speed",title:e},h(
-"option",{value:ve},`in ${be} s`),...ne.map(n=>h("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var A=(t,e=2)=>t==null?"-":t.toFixed(e);function Xr(t,e,r){if(r===0)return[{kind:"start",text:_o(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],a=m=>G(m,t.config.n_pursuers),s=he(e,n,o),i=t.conflicts(
+"option",{value:ve},`in ${be} s`),...ne.map(n=>h("option",{value:n},`${n} / s`)));return r.addEventListener("change",()=>{t.speed=Number(r.value)}),r}var A=(t,e=2)=>t==null?"-":t.toFixed(e);function Xr(t,e,r){if(r===0)return[{kind:"start",text:_o(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],a=m=>j(m,t.config.n_pursuers),s=he(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(m=>m.doomed)),u=s.map(m=>({kind:"capture",text:`${a(m)} is captured`,agents:[m]}));for(let m of Ee(n,o))!s.includes(m)&&!l.has(m)&&u.push(
 {kind:"end",text:`${a(m)} disappears`,agents:[m]});return u.push(...i.map(({kind:m,text:c,agents:f})=>({kind:m,text:c,agents:f}))),r===t.length&&u.unshift({kind:"\
 end",text:Ro(t),agents:[]}),u}function _o({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\

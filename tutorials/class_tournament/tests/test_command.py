@@ -1,6 +1,7 @@
 """The command: a tournament, a genome to hand in, and what is refused."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +16,12 @@ from matrixworld.coevolution import open_run
 from matrixworld.play import read_genome
 
 WORLD = ("--rows", 8, "--cols", 8, "--n-pursuers", 2, "--n-evaders", 2, "--no-open")
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run commands in a temporary directory."""
+    monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture
@@ -103,15 +110,13 @@ REFUSED = [
 
 @pytest.mark.parametrize(("words", "code", "message"), REFUSED)
 def test_it_is_refused_in_a_sentence(
-    race: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-    words: list[object], code: int, message: str,
-) -> None:  # fmt: skip
-    monkeypatch.chdir(tmp_path)
+    race: Path, words: list[object], code: int, message: str
+) -> None:
     Path("empty").mkdir()
     refused = run_command(main, *(race if word == "RUN" else word for word in words), code=code)
     assert message in run_together(refused.stderr)
     assert refused.stdout == ""
-    assert [path.name for path in tmp_path.iterdir()] == ["empty"]
+    assert os.listdir() == ["empty"]
 
 
 def test_the_folder_is_the_command(tmp_path: Path) -> None:
