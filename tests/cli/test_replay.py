@@ -10,14 +10,9 @@ from command_line import GIF, PNG, matrixworld_command
 from matrixworld import Episode, WorldConfig, record
 from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-<<<<<<< HEAD
 from matrixworld.episodes import replay
 from matrixworld.play import save_genome
 from matrixworld.world import render
-=======
-from matrixworld.episodes import render, replay
-from matrixworld.play import save_genome
->>>>>>> h/tournament
 from tiny_race import tiny_race
 
 STILL = ["O", "--pursuer", "still", "--evader", "still"]

@@ -27,10 +27,6 @@ from matrixworld.envs.opponents import SOLVED
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
-<<<<<<< HEAD
-=======
-from matrixworld.integrations.minari import to_minari
->>>>>>> h/tournament
 from matrixworld.play import read_genome
 from matrixworld.solve import solve
 from matrixworld.world.config import WorldConfig

@@ -62,11 +62,7 @@ def render_page(
     folders = {page: folder, **dict.fromkeys(opens, BUILT)}
     styles = {name: built(name, "css", place) for name, place in folders.items()}
     scripts = {name: built(name, "js", place) for name, place in {ENGINE: BUILT, **folders}.items()}
-<<<<<<< HEAD
     policy = _policy([*scripts.values()], [*styles.values()], works=works)
-=======
-    policy = _policy([*scripts.values()], [*styles.values()], asks=asks, works=works)
->>>>>>> h/tournament
     return environment.get_template("page.html").render(
         title=title,
         version=__version__,

@@ -1,16 +1,8 @@
-<<<<<<< HEAD
 /* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
 "use strict";(()=>{var Dn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},tt={DISAPPEAR:0,REACH:1,BOUNCE:2},zn={OCCUPATION:0,SURROUND:1},Wn={FAULT:0,INVOLVED:1};var Nr=["obstacle","teammate","adversary"],$r=["vertex","edge","chain"],Bn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ir=["p\
 ursuer_{number}","evader_{number}"],jn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},rt={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Hn="{event}: {outcome}",Fr={random:"any action, all equally likely",
-=======
-/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
-"use strict";(()=>{var zn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},st={DISAPPEAR:0,REACH:1,BOUNCE:2},Bn={OCCUPATION:0,SURROUND:1},jn={FAULT:0,INVOLVED:1};var Ir=["obstacle","teammate","adversary"],Fr=["vertex","edge","chain"],Hn=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ur=["p\
-ursuer_{number}","evader_{number}"],Gn={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
-{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ot={"both held":"both bounce","both doomed":"\
-both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},Vn="{event}: {outcome}",Dr={random:"any action, all equally likely",
->>>>>>> h/tournament
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\

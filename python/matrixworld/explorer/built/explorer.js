@@ -1,16 +1,8 @@
-<<<<<<< HEAD
 /* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
 "use strict";(()=>{var Ta=Object.create;var vn=Object.defineProperty;var Ca=Object.getOwnPropertyDescriptor;var ka=Object.getOwnPropertyNames;var Ra=Object.getPrototypeOf,_a=Object.prototype.hasOwnProperty;var $a=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Oa=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ka(e))!_a.call(t,o)&&o!==r&&vn(t,o,{get:()=>e[o],enumerable:!(n=Ca(e,o))||n.enumerable});
 return t};var Pa=(t,e,r)=>(r=t!=null?Ta(Ra(t)):{},Oa(e||!t||!t.__esModule?vn(r,"default",{value:t,enumerable:!0}):r,t));var ra=$a(mn=>{var qs=Object.defineProperty,Wl=t=>qs(t,"__esModule",{value:!0}),Hl=(t,e)=>{for(var r in e)qs(t,r,{get:e[r],enumerable:!0})};Wl(mn);Hl(mn,{GIFEncoder:()=>ea,
 applyPalette:()=>Xl,default:()=>lc,nearestColor:()=>rc,nearestColorIndex:()=>Xs,nearestColorIndexWithDistance:()=>Qs,prequantize:()=>Jl,quantize:()=>Yl,snapColorsToPalette:()=>tc});
 var Gl={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
-=======
-/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
-"use strict";(()=>{var Oa=Object.create;var xn=Object.defineProperty;var La=Object.getOwnPropertyDescriptor;var Ia=Object.getOwnPropertyNames;var Na=Object.getPrototypeOf,Ba=Object.prototype.hasOwnProperty;var Fa=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(r){throw e=0,r}};var Ua=(t,e,r,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of Ia(e))!Ba.call(t,o)&&o!==r&&xn(t,o,{get:()=>e[o],enumerable:!(n=La(e,o))||n.enumerable});
-return t};var za=(t,e,r)=>(r=t!=null?Oa(Na(t)):{},Ua(e||!t||!t.__esModule?xn(r,"default",{value:t,enumerable:!0}):r,t));var ia=Fa(hn=>{var Xs=Object.defineProperty,Ql=t=>Xs(t,"__esModule",{value:!0}),ec=(t,e)=>{for(var r in e)Xs(t,r,{get:e[r],enumerable:!0})};Ql(hn);ec(hn,{GIFEncoder:()=>sa,
-applyPalette:()=>cc,default:()=>vc,nearestColor:()=>mc,nearestColorIndex:()=>na,nearestColorIndexWithDistance:()=>oa,prequantize:()=>lc,quantize:()=>ac,snapColorsToPalette:()=>pc});
-var tc={signature:"GIF",version:"89a",trailer:59,extensionIntroducer:33,applicationExtensionLabel:255,graphicControlExtensionLabel:249,imageSeparator:44,signatureSize:3,
->>>>>>> h/tournament
 versionSize:3,globalColorTableFlagMask:128,colorResolutionMask:112,sortFlagMask:8,globalColorTableSizeMask:7,applicationIdentifierSize:8,applicationAuthCodeSize:3,
 disposalMethodMask:28,userInputFlagMask:2,transparentColorFlagMask:1,localColorTableFlagMask:128,interlaceFlagMask:64,idSortFlagMask:32,localColorTableSizeMask:7};
 function Ks(t=256){let e=0,r=new Uint8Array(t);return{get buffer(){return r.buffer},reset(){e=0},bytesView(){return r.subarray(0,e)},bytes(){return r.slice(0,e)},

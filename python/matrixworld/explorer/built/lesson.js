@@ -1,16 +1,8 @@
-<<<<<<< HEAD
 /* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
 "use strict";(()=>{var ms={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},gt={DISAPPEAR:0,REACH:1,BOUNCE:2},ps={OCCUPATION:0,SURROUND:1},hs={FAULT:0,INVOLVED:1};var Xr=["obstacle","teammate","adversary"],Qr=["vertex","edge","chain"],fs=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],en=["p\
 ursuer_{number}","evader_{number}"],ys={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},vt={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},gs="{event}: {outcome}",tn={random:"any action, all equally likely",
-=======
-/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
-"use strict";(()=>{var ps={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},wt={DISAPPEAR:0,REACH:1,BOUNCE:2},hs={OCCUPATION:0,SURROUND:1},fs={FAULT:0,INVOLVED:1};var Qr=["obstacle","teammate","adversary"],en=["vertex","edge","chain"],ys=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],tn=["p\
-ursuer_{number}","evader_{number}"],gs={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
-{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},xt={"both held":"both bounce","both doomed":"\
-both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},vs="{event}: {outcome}",rn={random:"any action, all equally likely",
->>>>>>> h/tournament
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps",hunter:"a chaser of the nearest adversary in view to which no teammate in view is nearer",surrounder:"\
 a chaser of the nearest free cell beside an adversary without a teammate","clumsy-fleer":"a fleer that takes any action in half of the steps",dodger:"moves to w\

@@ -1,12 +1,6 @@
-<<<<<<< HEAD
 /* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
 "use strict";(()=>{var lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},$e={DISAPPEAR:0,REACH:1,BOUNCE:2},ur={OCCUPATION:0,SURROUND:1},cr={FAULT:0,INVOLVED:1};var wt=["obstacle","teammate","adversary"],xt=["vertex","edge","chain"],fr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],At=["p\
 ursuer_{number}","evader_{number}"],mr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
-=======
-/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
-"use strict";(()=>{var lr={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},$e={DISAPPEAR:0,REACH:1,BOUNCE:2},ur={OCCUPATION:0,SURROUND:1},cr={FAULT:0,INVOLVED:1};var wt=["obstacle","teammate","adversary"],xt=["vertex","edge","chain"],mr=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],At=["p\
-ursuer_{number}","evader_{number}"],fr={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
->>>>>>> h/tournament
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Ue={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},pr="{event}: {outcome}",St={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\

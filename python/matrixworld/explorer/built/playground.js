@@ -1,8 +1,4 @@
-<<<<<<< HEAD
 /* built from web/ by "npm run build"; sources 76a0f49e1581dab5406fe58f6dde32de3bcca4a56e8c8496b1f93a1fcc0c812a */
-=======
-/* built from web/ by "npm run build"; sources 4eec9a91116977e132f9f5183f3dbb20c404c520576d634f4df0c092880fcd72 */
->>>>>>> h/tournament
 "use strict";(()=>{var xt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ie={DISAPPEAR:0,REACH:1,BOUNCE:2},At={OCCUPATION:0,SURROUND:1},Ct={FAULT:0,INVOLVED:1};var le=["obstacle","teammate","adversary"],je=["vertex","edge","chain"],Mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ge=["p\
 ursuer_{number}","evader_{number}"],Et={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ce={"both held":"both bounce","both doomed":"\
